@@ -1,0 +1,34 @@
+// Distance, nearest point and inside/outside questions to a closed mesh, in double precision.
+#pragma once
+
+#include <memory>
+
+#include "geometry/mesh.h"
+
+namespace diefill::geometry {
+
+/// Answers geometric questions about one closed, outward mesh. Building costs O(n log n), a question O(log n).
+/// Questions may be asked from several threads at once.
+class SolidQuery {
+ public:
+  explicit SolidQuery(const Mesh& mesh);
+  ~SolidQuery();
+  SolidQuery(SolidQuery&&) noexcept;
+  SolidQuery& operator=(SolidQuery&&) noexcept;
+
+  struct Nearest {
+    Eigen::Vector3d point;   ///< m, on the surface
+    double distance;         ///< m, not negative
+    std::size_t triangle;
+  };
+  Nearest nearest(const Eigen::Vector3d& point) const;
+  bool inside(const Eigen::Vector3d& point) const;
+  /// Distance to the surface in m, negative inside the solid.
+  double signed_distance(const Eigen::Vector3d& point) const;
+
+ private:
+  struct Implementation;
+  std::unique_ptr<Implementation> implementation_;
+};
+
+}  // namespace diefill::geometry

@@ -1,0 +1,34 @@
+// Voronoi cells of grains made of spheres (voro++), cut at walls on the wall spheres' surface
+// (Bierwisch 2009, section 2.6).
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "geometry/mesh.h"
+
+namespace diefill::geometry {
+
+/// What to divide up. Lengths in m.
+struct VoronoiRequest {
+  std::vector<Eigen::Vector3d> sphere_centres;      ///< grain after grain
+  std::size_t spheres_per_grain = 1;
+  double sphere_radius = 0;
+  std::vector<Eigen::Vector3d> wall_centres;        ///< wall spheres; they have no cells
+  std::vector<double> wall_radii;                   ///< one a wall sphere
+  std::array<std::optional<double>, 2> period;      ///< along x and y, box centred on the origin
+  double largest_reach = 0;                         ///< cells reach no farther than this from a sphere's centre
+};
+
+/// Cells of grains: the union of the cells of a grain's spheres.
+struct VoronoiCells {
+  std::vector<double> volume;        ///< m^3, one a grain
+  std::vector<std::uint8_t> open;    ///< 1 where the limit of reach cut the cell: no meaningful volume
+};
+
+/// Divides space between the grains. Deterministic.
+VoronoiCells voronoi_cells(const VoronoiRequest& request);
+
+}  // namespace diefill::geometry

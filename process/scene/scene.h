@@ -1,0 +1,134 @@
+// A scene as typed, checked values in SI units: what the reader makes of a TOML file, and all that the run needs.
+#pragma once
+
+#include <Eigen/Geometry>
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "process/machine/step.h"
+
+namespace diefill::process {
+
+/// A scene that cannot be run. The message is one line: file:line:column, key, what was found, what is allowed, what to do.
+struct SceneError : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+/// Grain models of Bierwisch 2009, section 2.2: A sphere without rotation, B rotating sphere, C six overlapping
+/// spheres on an octahedron, D seven touching spheres.
+enum class GrainModel { A, B, C, D };
+
+/// Powder as simulated at the reference grain size, before coarse graining. SI units. Defaults: Bierwisch 2009, Table C.4.
+struct PowderSpec {
+  std::string name;                     ///< preset or "custom"
+  GrainModel model = GrainModel::D;
+  double sphere_radius = 7.84e-5;       ///< m, R at the reference size
+  double grain_mass = 7.63e-8;          ///< kg at the reference size
+  double reduced_modulus = 1e7;         ///< Pa, E~ = E / (1 - nu^2)
+  double damping_over_radius = 1e6;     ///< Pa s/m, gamma_n / R
+  double tangential_over_radius = 1e6;  ///< Pa, kappa_t / R
+  double friction = 0.25;               ///< mu
+  double work_of_adhesion = 0;          ///< J/m^2, w at the reference size
+  double rolling_friction = 0;          ///< m, mu_r at the reference size (model B only)
+  double air_viscosity = 2e-5;          ///< Pa s, mu_a at the reference size
+  double grain_diameter = 4.7e-4;       ///< m, model grain size d wanted: coarse graining scales the rest to it
+};
+
+/// Which rule of coarse graining takes the reference powder to the wanted grain size.
+enum class CoarseGraining { bierwisch };
+
+/// Walls: spheres of one radius for all tools unless a tool says otherwise.
+struct WallSpec {
+  double sphere_radius = 1.5e-4;  ///< m, R_w
+  double spacing = 1.6;           ///< over R_w
+  double friction = 0.15;         ///< mu_w
+  double work_of_adhesion = 0;    ///< J/m^2, w_w
+};
+
+enum class ToolRole { die, core, punch, shoe, plate };
+
+/// One CAD tool of the scene.
+struct ToolSpec {
+  std::string name;
+  ToolRole role = ToolRole::die;
+  std::filesystem::path file;        ///< absolute or relative to the scene file, already resolved
+  double metres_per_unit = 0;        ///< from `length_unit`, which must be stated
+  Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();  ///< applied to the CAD first
+  Eigen::Vector3d position = Eigen::Vector3d::Zero();      ///< m, then shifted
+  std::optional<double> sphere_radius, spacing;            ///< overrides of WallSpec
+  int line = 0;                      ///< in the scene file, for messages
+};
+
+/// Powder poured at the start: lattice in `box`, up to `height` above its floor once settled when mass is not given.
+struct PourSpec {
+  Eigen::Vector3d lower = Eigen::Vector3d::Zero(), upper = Eigen::Vector3d::Zero();  ///< m, inside the shoe
+  double fill_height = 0;            ///< m, wanted depth of the settled powder over the box's floor
+  double solid_fraction = 0;         ///< estimate of the settled solid fraction, sets the number of grains; 0: from the preset
+  double rim_speed = 0.05;           ///< m/s of the initial random spin
+  double lattice_constant = 1.2;     ///< over d
+  double random_offset = 0.1;        ///< over d, uniform in +- per axis
+  int line = 0;
+};
+
+/// Lever arm of contact forces on composed grains (Bierwisch OP-2).
+enum class LeverArm { center, contact };
+/// Whether the tangential spring is cut back to the Coulomb limit while sliding (Bierwisch OP-1).
+enum class TangentialSpring { cut_back, free };
+/// What an opening is measured between (Bierwisch OP-12): the spheres' surfaces, or their centres on the CAD surface.
+enum class OpeningMeasure { surfaces, centres };
+
+/// How to compute.
+struct NumericsSpec {
+  double time_step_fraction = 0;            ///< of the critical step; 0: the default of engine/time_step
+  std::optional<double> time_step;          ///< s, given outright
+  LeverArm lever_arm = LeverArm::center;
+  TangentialSpring tangential_spring = TangentialSpring::cut_back;
+  OpeningMeasure opening = OpeningMeasure::surfaces;
+  std::array<std::optional<double>, 2> period;  ///< m, periodic length along x and y, centred on the origin
+  bool energy_ledger = true;
+  double max_time = 0;                      ///< s of simulated time allowed in all; 0: no limit
+  double checkpoint_interval = 60;          ///< s of wall-clock time
+};
+
+struct SectionSpec {
+  std::string name;
+  Eigen::Vector3d origin = Eigen::Vector3d::Zero(), normal = Eigen::Vector3d::UnitY();
+};
+
+/// What to measure when the powder is at rest.
+struct MeasureSpec {
+  double fill_plane = 0;                 ///< m, height of the die's top
+  double averaging_width = 0;            ///< m, sigma of Eq. 2.27; 0: the larger of 0.5 mm and d/2
+  int azimuth_bins = 36;
+  std::vector<SectionSpec> sections;     ///< empty: the plane through the cavity's axis along the shoe's motion
+};
+
+struct Scene {
+  std::filesystem::path file;
+  std::string text;                      ///< as read
+  std::string title;
+  std::uint64_t seed = 1;
+  PowderSpec powder;
+  CoarseGraining coarse_graining = CoarseGraining::bierwisch;
+  WallSpec walls;
+  std::vector<ToolSpec> tools;
+  PourSpec pour;
+  std::vector<std::shared_ptr<Step>> steps;
+  NumericsSpec numerics;
+  MeasureSpec measure;
+  Eigen::Vector3d gravity = {0, 0, -9.81};  ///< m/s^2
+};
+
+/// Reads and checks a scene file: unknown keys, units, ranges, missing files. Throws SceneError for the first fault found.
+Scene read_scene(const std::filesystem::path& file);
+
+/// Same from text; `file` stands in messages and resolves relative paths.
+Scene parse_scene(const std::string& text, const std::filesystem::path& file);
+
+}  // namespace diefill::process
