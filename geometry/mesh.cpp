@@ -1,5 +1,7 @@
 #include "geometry/mesh.h"
 
+#include <Eigen/Geometry>
+
 namespace diefill::geometry {
 
 void Box::include(const Eigen::Vector3d& point) {

@@ -1,0 +1,173 @@
+#include "geometry/solid_query.h"
+
+#include <CGAL/AABB_traits.h>
+#include <CGAL/AABB_tree.h>
+#include <CGAL/AABB_triangle_primitive.h>
+#include <CGAL/Simple_cartesian.h>
+
+#include <Eigen/Geometry>
+#include <cmath>
+#include <numbers>
+
+#include "geometry/topology.h"
+
+namespace diefill::geometry {
+
+namespace {
+
+using Kernel = CGAL::Simple_cartesian<double>;
+using Triangles = std::vector<Kernel::Triangle_3>;
+using Primitive = CGAL::AABB_triangle_primitive<Kernel, Triangles::const_iterator>;
+using Tree = CGAL::AABB_tree<CGAL::AABB_traits<Kernel, Primitive>>;
+
+Kernel::Point_3 to_cgal(const Eigen::Vector3d& p) {
+  return {p.x(), p.y(), p.z()};
+}
+
+double angle_at(const Corners& corners, int k) {
+  const auto at = [&](int i) { return corners[static_cast<std::size_t>(i % 3)]; };
+  const Eigen::Vector3d u = at(k + 1) - at(k);
+  const Eigen::Vector3d v = at(k + 2) - at(k);
+  return std::atan2(u.cross(v).norm(), u.dot(v));
+}
+
+/// Solid angle of a triangle seen from `eye`, sr, positive seen from inside (Van Oosterom and Strackee 1983).
+double solid_angle(const Corners& corners, const Eigen::Vector3d& eye) {
+  const Eigen::Vector3d a = corners[0] - eye;
+  const Eigen::Vector3d b = corners[1] - eye;
+  const Eigen::Vector3d c = corners[2] - eye;
+  const double la = a.norm();
+  const double lb = b.norm();
+  const double lc = c.norm();
+  return 2 * std::atan2(a.dot(b.cross(c)), la * lb * lc + a.dot(b) * lc + b.dot(c) * la + c.dot(a) * lb);
+}
+
+}  // namespace
+
+struct SolidQuery::Implementation {
+  std::vector<Corners> corners;                               ///< of the triangles in the tree
+  std::vector<std::size_t> mesh_triangle;                     ///< index in the mesh of a triangle in the tree
+  std::vector<std::array<Eigen::Vector3d, 3>> edge_normal;    ///< pseudo-normals; zero where not clean
+  std::vector<std::array<Eigen::Vector3d, 3>> corner_normal;  ///< pseudo-normals; zero where not clean
+  Box box;
+  Triangles triangles;
+  Tree tree;
+
+  explicit Implementation(const Mesh& mesh);
+  void collect_pseudo_normals(const Mesh& mesh, const Topology& topology);
+  double winding_number(const Eigen::Vector3d& point) const;
+  bool is_behind(std::size_t triangle, const TriangleFoot& foot, const Eigen::Vector3d& point) const;
+
+  struct Hit {
+    std::size_t triangle;  ///< in the tree
+    TriangleFoot foot;
+  };
+  Hit nearest(const Eigen::Vector3d& point) const;
+};
+
+SolidQuery::Implementation::Implementation(const Mesh& mesh) {
+  const Topology topology = find_topology(mesh);
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    if (topology.left_out[t]) continue;
+    corners.push_back(corners_of(mesh, t));
+    mesh_triangle.push_back(t);
+    const Corners& c = corners.back();
+    triangles.emplace_back(to_cgal(c[0]), to_cgal(c[1]), to_cgal(c[2]));
+    for (const Eigen::Vector3d& corner : c) box.include(corner);
+  }
+  if (triangles.empty())
+    throw MeshError("the mesh has no triangle with an area: there is no surface to measure from");
+  collect_pseudo_normals(mesh, topology);
+  tree.insert(triangles.begin(), triangles.end());
+  tree.build();
+  tree.accelerate_distance_queries();
+}
+
+/// Angle-weighted pseudo-normals tell inside from outside at edges and corners (Baerentzen and Aanaes 2005).
+/// They need a clean fan of triangles round the corner; elsewhere they stay zero and the winding number
+/// decides.
+void SolidQuery::Implementation::collect_pseudo_normals(const Mesh& mesh, const Topology& topology) {
+  const std::size_t count = mesh.triangles.size();
+  std::vector<Eigen::Vector3d> normal(count, Eigen::Vector3d::Zero());
+  std::vector<Eigen::Vector3d> at_vertex(mesh.vertices.size(), Eigen::Vector3d::Zero());
+  std::vector<int> triangles_at(mesh.vertices.size(), 0);
+  for (std::size_t t = 0; t < count; ++t) {
+    if (topology.left_out[t]) continue;
+    const Corners c = corners_of(mesh, t);
+    normal[t] = area_vector(c).normalized();
+    for (int k = 0; k < 3; ++k) {
+      const auto v = static_cast<std::size_t>(topology.corner(mesh, t, k));
+      at_vertex[v] += angle_at(c, k) * normal[t];
+      ++triangles_at[v];
+    }
+  }
+  for (const std::size_t t : mesh_triangle) {
+    edge_normal.emplace_back();
+    corner_normal.emplace_back();
+    for (int k = 0; k < 3; ++k) {
+      const auto slot = static_cast<std::size_t>(k);
+      const std::int64_t across = topology.neighbour[t][slot];
+      edge_normal.back()[slot] = Eigen::Vector3d::Zero();
+      if (across != Topology::kNone)
+        edge_normal.back()[slot] = normal[t] + normal[static_cast<std::size_t>(across)];
+      const auto v = static_cast<std::size_t>(topology.corner(mesh, t, k));
+      const bool whole_fan = fan_size(mesh, topology, t, k) == triangles_at[v];
+      corner_normal.back()[slot] = whole_fan ? at_vertex[v] : Eigen::Vector3d(Eigen::Vector3d::Zero());
+    }
+  }
+}
+
+double SolidQuery::Implementation::winding_number(const Eigen::Vector3d& point) const {
+  double sum = 0;
+  for (const Corners& c : corners) sum += solid_angle(c, point);
+  return sum / (4 * std::numbers::pi);
+}
+
+SolidQuery::Implementation::Hit SolidQuery::Implementation::nearest(const Eigen::Vector3d& point) const {
+  const auto [place, primitive] = tree.closest_point_and_primitive(to_cgal(point));
+  const auto index = static_cast<std::size_t>(primitive - triangles.begin());
+  return {index, closest_point(corners[index], point)};
+}
+
+bool SolidQuery::Implementation::is_behind(std::size_t triangle, const TriangleFoot& foot,
+                                           const Eigen::Vector3d& point) const {
+  const auto slot = static_cast<std::size_t>(foot.feature.index);
+  Eigen::Vector3d normal = Eigen::Vector3d::Zero();
+  switch (foot.feature.kind) {
+    case TriangleFeature::Kind::kFace:
+      normal = area_vector(corners[triangle]);
+      break;
+    case TriangleFeature::Kind::kEdge:
+      normal = edge_normal[triangle][slot];
+      break;
+    case TriangleFeature::Kind::kCorner:
+      normal = corner_normal[triangle][slot];
+      break;
+  }
+  if (normal.isZero(0)) return winding_number(point) > 0.5;
+  return normal.dot(point - foot.point) < 0;
+}
+
+SolidQuery::SolidQuery(const Mesh& mesh) : implementation_(std::make_unique<Implementation>(mesh)) {}
+SolidQuery::~SolidQuery() = default;
+SolidQuery::SolidQuery(SolidQuery&&) noexcept = default;
+SolidQuery& SolidQuery::operator=(SolidQuery&&) noexcept = default;
+
+SolidQuery::Nearest SolidQuery::nearest(const Eigen::Vector3d& point) const {
+  const Implementation::Hit hit = implementation_->nearest(point);
+  return {hit.foot.point, (point - hit.foot.point).norm(), implementation_->mesh_triangle[hit.triangle]};
+}
+
+bool SolidQuery::inside(const Eigen::Vector3d& point) const {
+  if (!implementation_->box.contains(point)) return false;
+  const Implementation::Hit hit = implementation_->nearest(point);
+  return implementation_->is_behind(hit.triangle, hit.foot, point);
+}
+
+double SolidQuery::signed_distance(const Eigen::Vector3d& point) const {
+  const Implementation::Hit hit = implementation_->nearest(point);
+  const double distance = (point - hit.foot.point).norm();
+  return implementation_->is_behind(hit.triangle, hit.foot, point) ? -distance : distance;
+}
+
+}  // namespace diefill::geometry

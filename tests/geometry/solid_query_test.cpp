@@ -1,0 +1,90 @@
+// SolidQuery against closed forms of boxes and spheres, and against a slow search over all triangles.
+#include "geometry/solid_query.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <random>
+
+#include "geometry/triangle.h"
+#include "tests/geometry/sample_meshes.h"
+
+namespace diefill::geometry {
+namespace {
+
+/// Signed distance to an axis-aligned box about the origin.
+double distance_to_box(const Eigen::Vector3d& half, const Eigen::Vector3d& point) {
+  const Eigen::Vector3d beyond = point.cwiseAbs() - half;
+  return beyond.cwiseMax(0).norm() + std::min(beyond.maxCoeff(), 0.0);
+}
+
+Eigen::Vector3d random_point(std::mt19937& random, double extent) {
+  std::uniform_real_distribution<double> uniform(-extent, extent);
+  const double x = uniform(random);
+  const double y = uniform(random);
+  return {x, y, uniform(random)};
+}
+
+TEST(SolidQuery, MeasuresSignedDistanceToATurnedBox) {
+  const Eigen::Vector3d half(0.01, 0.02, 0.005);
+  const Eigen::Matrix3d turn =
+      Eigen::AngleAxisd(0.7, Eigen::Vector3d(1, 2, 3).normalized()).toRotationMatrix();
+  const SolidQuery query(transformed(sample::box(-half, half), turn, Eigen::Vector3d::Zero()));
+  std::mt19937 random(1);
+  for (int i = 0; i < 5000; ++i) {
+    const Eigen::Vector3d point = random_point(random, 0.03);
+    const double expected = distance_to_box(half, point);
+    EXPECT_NEAR(query.signed_distance(turn * point), expected, 1e-16);
+    EXPECT_EQ(query.inside(turn * point), expected < 0);
+  }
+}
+
+TEST(SolidQuery, FindsTheSameFootAsASearchOverAllTriangles) {
+  const Mesh mesh = sample::tube(0.008, 0.012, 0.01, 37);
+  const SolidQuery query(mesh);
+  std::mt19937 random(2);
+  for (int i = 0; i < 500; ++i) {
+    const Eigen::Vector3d point = random_point(random, 0.015);
+    double smallest = std::numeric_limits<double>::infinity();
+    for (const Eigen::Vector3i& t : mesh.triangles) {
+      const auto corner = [&](int k) { return mesh.vertices[static_cast<std::size_t>(t[k])]; };
+      smallest =
+          std::min(smallest, (closest_point({corner(0), corner(1), corner(2)}, point).point - point).norm());
+    }
+    const SolidQuery::Nearest nearest = query.nearest(point);
+    EXPECT_NEAR(nearest.distance, smallest, 1e-17);
+    EXPECT_NEAR((nearest.point - point).norm(), nearest.distance, 1e-17);
+  }
+}
+
+TEST(SolidQuery, KnowsTheBoreOfATubeFromItsWall) {
+  const SolidQuery query(sample::tube(0.008, 0.012, 0.01, 360));
+  EXPECT_FALSE(query.inside({0, 0, 0.005}));
+  EXPECT_TRUE(query.inside({0.010, 0, 0.005}));
+  EXPECT_FALSE(query.inside({0.010, 0, 0.011}));
+  EXPECT_NEAR(query.signed_distance({0.010, 0, 0.001}), -0.001, 1e-15);
+}
+
+TEST(SolidQuery, AnswersRightlyNextToDegenerateAndDuplicateTriangles) {
+  Mesh mesh = sample::box(Eigen::Vector3d::Zero(), Eigen::Vector3d::Constant(0.01));
+  // A T-junction closed by a triangle without area on the edge from corner 0 to corner 1, and a triangle
+  // twice.
+  mesh.vertices.emplace_back(0.005, 0, 0);
+  mesh.triangles.emplace_back(0, 8, 1);
+  mesh.triangles.push_back(mesh.triangles.front());
+  const SolidQuery query(mesh);
+  std::mt19937 random(3);
+  for (int i = 0; i < 2000; ++i) {
+    const Eigen::Vector3d point = random_point(random, 0.01);
+    const Eigen::Vector3d half = Eigen::Vector3d::Constant(0.005);
+    EXPECT_EQ(query.signed_distance(point + half) < 0, distance_to_box(half, point) < 0);
+  }
+}
+
+TEST(SolidQuery, RefusesAMeshWithoutSurface) {
+  EXPECT_THROW(SolidQuery(Mesh{}), MeshError);
+}
+
+}  // namespace
+}  // namespace diefill::geometry
