@@ -1,28 +1,15 @@
 #include "geometry/solid_query.h"
 
-#include <CGAL/AABB_traits.h>
-#include <CGAL/AABB_tree.h>
-#include <CGAL/AABB_triangle_primitive.h>
-#include <CGAL/Simple_cartesian.h>
-
 #include <Eigen/Geometry>
 #include <cmath>
 #include <numbers>
 
 #include "geometry/topology.h"
+#include "geometry/triangle_tree.h"
 
 namespace diefill::geometry {
 
 namespace {
-
-using Kernel = CGAL::Simple_cartesian<double>;
-using Triangles = std::vector<Kernel::Triangle_3>;
-using Primitive = CGAL::AABB_triangle_primitive<Kernel, Triangles::const_iterator>;
-using Tree = CGAL::AABB_tree<CGAL::AABB_traits<Kernel, Primitive>>;
-
-Kernel::Point_3 to_cgal(const Eigen::Vector3d& p) {
-  return {p.x(), p.y(), p.z()};
-}
 
 double angle_at(const Corners& corners, int k) {
   const auto at = [&](int i) { return corners[static_cast<std::size_t>(i % 3)]; };
@@ -42,45 +29,34 @@ double solid_angle(const Corners& corners, const Eigen::Vector3d& eye) {
   return 2 * std::atan2(a.dot(b.cross(c)), la * lb * lc + a.dot(b) * lc + b.dot(c) * la + c.dot(a) * lb);
 }
 
+std::vector<Corners> useful_triangles(const Mesh& mesh, const Topology& topology) {
+  std::vector<Corners> triangles;
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
+    if (!topology.left_out[t]) triangles.push_back(corners_of(mesh, t));
+  if (triangles.empty())
+    throw MeshError("the mesh has no triangle with an area: there is no surface to measure from");
+  return triangles;
+}
+
 }  // namespace
 
 struct SolidQuery::Implementation {
-  std::vector<Corners> corners;                               ///< of the triangles in the tree
   std::vector<std::size_t> mesh_triangle;                     ///< index in the mesh of a triangle in the tree
   std::vector<std::array<Eigen::Vector3d, 3>> edge_normal;    ///< pseudo-normals; zero where not clean
   std::vector<std::array<Eigen::Vector3d, 3>> corner_normal;  ///< pseudo-normals; zero where not clean
-  Box box;
-  Triangles triangles;
-  Tree tree;
+  TriangleTree tree;
 
-  explicit Implementation(const Mesh& mesh);
+  Implementation(const Mesh& mesh, const Topology& topology);
   void collect_pseudo_normals(const Mesh& mesh, const Topology& topology);
   double winding_number(const Eigen::Vector3d& point) const;
   bool is_behind(std::size_t triangle, const TriangleFoot& foot, const Eigen::Vector3d& point) const;
-
-  struct Hit {
-    std::size_t triangle;  ///< in the tree
-    TriangleFoot foot;
-  };
-  Hit nearest(const Eigen::Vector3d& point) const;
 };
 
-SolidQuery::Implementation::Implementation(const Mesh& mesh) {
-  const Topology topology = find_topology(mesh);
-  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-    if (topology.left_out[t]) continue;
-    corners.push_back(corners_of(mesh, t));
-    mesh_triangle.push_back(t);
-    const Corners& c = corners.back();
-    triangles.emplace_back(to_cgal(c[0]), to_cgal(c[1]), to_cgal(c[2]));
-    for (const Eigen::Vector3d& corner : c) box.include(corner);
-  }
-  if (triangles.empty())
-    throw MeshError("the mesh has no triangle with an area: there is no surface to measure from");
+SolidQuery::Implementation::Implementation(const Mesh& mesh, const Topology& topology)
+    : tree(useful_triangles(mesh, topology)) {
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
+    if (!topology.left_out[t]) mesh_triangle.push_back(t);
   collect_pseudo_normals(mesh, topology);
-  tree.insert(triangles.begin(), triangles.end());
-  tree.build();
-  tree.accelerate_distance_queries();
 }
 
 /// Angle-weighted pseudo-normals tell inside from outside at edges and corners (Baerentzen and Aanaes 2005).
@@ -119,14 +95,8 @@ void SolidQuery::Implementation::collect_pseudo_normals(const Mesh& mesh, const 
 
 double SolidQuery::Implementation::winding_number(const Eigen::Vector3d& point) const {
   double sum = 0;
-  for (const Corners& c : corners) sum += solid_angle(c, point);
+  for (std::size_t i = 0; i < tree.size(); ++i) sum += solid_angle(tree.corners(i), point);
   return sum / (4 * std::numbers::pi);
-}
-
-SolidQuery::Implementation::Hit SolidQuery::Implementation::nearest(const Eigen::Vector3d& point) const {
-  const auto [place, primitive] = tree.closest_point_and_primitive(to_cgal(point));
-  const auto index = static_cast<std::size_t>(primitive - triangles.begin());
-  return {index, closest_point(corners[index], point)};
 }
 
 bool SolidQuery::Implementation::is_behind(std::size_t triangle, const TriangleFoot& foot,
@@ -135,7 +105,7 @@ bool SolidQuery::Implementation::is_behind(std::size_t triangle, const TriangleF
   Eigen::Vector3d normal = Eigen::Vector3d::Zero();
   switch (foot.feature.kind) {
     case TriangleFeature::Kind::kFace:
-      normal = area_vector(corners[triangle]);
+      normal = area_vector(tree.corners(triangle));
       break;
     case TriangleFeature::Kind::kEdge:
       normal = edge_normal[triangle][slot];
@@ -148,25 +118,26 @@ bool SolidQuery::Implementation::is_behind(std::size_t triangle, const TriangleF
   return normal.dot(point - foot.point) < 0;
 }
 
-SolidQuery::SolidQuery(const Mesh& mesh) : implementation_(std::make_unique<Implementation>(mesh)) {}
+SolidQuery::SolidQuery(const Mesh& mesh)
+    : implementation_(std::make_unique<Implementation>(mesh, find_topology(mesh))) {}
 SolidQuery::~SolidQuery() = default;
 SolidQuery::SolidQuery(SolidQuery&&) noexcept = default;
 SolidQuery& SolidQuery::operator=(SolidQuery&&) noexcept = default;
 
 SolidQuery::Nearest SolidQuery::nearest(const Eigen::Vector3d& point) const {
-  const Implementation::Hit hit = implementation_->nearest(point);
-  return {hit.foot.point, (point - hit.foot.point).norm(), implementation_->mesh_triangle[hit.triangle]};
+  const TriangleTree::Hit hit = implementation_->tree.nearest(point);
+  return {hit.foot.point, std::sqrt(hit.distance_squared), implementation_->mesh_triangle[hit.triangle]};
 }
 
 bool SolidQuery::inside(const Eigen::Vector3d& point) const {
-  if (!implementation_->box.contains(point)) return false;
-  const Implementation::Hit hit = implementation_->nearest(point);
+  if (!implementation_->tree.box().contains(point)) return false;
+  const TriangleTree::Hit hit = implementation_->tree.nearest(point);
   return implementation_->is_behind(hit.triangle, hit.foot, point);
 }
 
 double SolidQuery::signed_distance(const Eigen::Vector3d& point) const {
-  const Implementation::Hit hit = implementation_->nearest(point);
-  const double distance = (point - hit.foot.point).norm();
+  const TriangleTree::Hit hit = implementation_->tree.nearest(point);
+  const double distance = std::sqrt(hit.distance_squared);
   return implementation_->is_behind(hit.triangle, hit.foot, point) ? -distance : distance;
 }
 

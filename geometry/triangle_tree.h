@@ -1,0 +1,47 @@
+// A tree of boxes round triangles that finds the triangle nearest to a point.
+// CGAL's AABB_tree answers the same question; it does not look into the nearer child first, which costs 5 to
+// 60 times the time for the long thin facets of tessellated cylinders.
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+#include "geometry/mesh.h"
+#include "geometry/triangle.h"
+
+namespace diefill::geometry {
+
+/// Nearest-triangle search. Building costs O(n log n), a question about O(log n). Const questions are
+/// thread-safe.
+class TriangleTree {
+ public:
+  explicit TriangleTree(std::vector<Corners> triangles);
+
+  /// The nearest triangle (index in the order given; where several are equally near, always the same one).
+  struct Hit {
+    std::size_t triangle = 0;
+    TriangleFoot foot;
+    double distance_squared = std::numeric_limits<double>::infinity();  ///< m^2
+  };
+  Hit nearest(const Eigen::Vector3d& point) const;
+
+  const Corners& corners(std::size_t triangle) const { return triangles_[triangle]; }
+  std::size_t size() const { return triangles_.size(); }
+  const Box& box() const { return nodes_.front().box; }
+
+ private:
+  struct Node {
+    Box box;
+    std::uint32_t first =
+        0;  ///< leaf: first place in order_; otherwise: the left child, the right one follows it
+    std::uint32_t count = 0;  ///< triangles in a leaf, 0 for an inner node
+  };
+  void split(std::uint32_t node, std::uint32_t first, std::uint32_t count);
+
+  std::vector<Corners> triangles_;
+  std::vector<std::uint32_t> order_;
+  std::vector<Node> nodes_;
+};
+
+}  // namespace diefill::geometry
