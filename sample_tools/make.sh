@@ -1,0 +1,38 @@
+#!/bin/sh
+# Makes every STL file of this folder from its OpenSCAD source (binary STL, mm). Needs openscad 2021 or newer.
+set -eu
+cd "$(dirname "$0")"
+
+# make_part SOURCE OUTPUT [OPENSCAD OPTIONS]
+make_part() {
+  source=$1
+  output=$2
+  shift 2
+  openscad --quiet --export-format binstl -o "$output" "$@" "$source"
+}
+
+make_part shoe/shoe.scad shoe/shoe.stl -D height=37
+make_part shoe/shoe.scad shoe/shoe_tall.stl -D height=46
+
+for ring in narrow_ring circular_cavity; do
+  for d in 0.47 0.94 1.88; do
+    make_part $ring/$ring.scad $ring/die_d$d.stl -D 'part="die"' -D d=$d
+    make_part $ring/$ring.scad $ring/punch_d$d.stl -D 'part="punch"' -D d=$d
+  done
+done
+for ring in stepped_ring wide_ring; do
+  make_part $ring/$ring.scad $ring/die.stl -D 'part="die"'
+  make_part $ring/$ring.scad $ring/punch.stl -D 'part="punch"'
+done
+for ring in narrow_ring circular_cavity stepped_ring wide_ring; do
+  make_part $ring/$ring.scad $ring/core_rod.stl -D 'part="core_rod"'
+  make_part $ring/$ring.scad $ring/shoe.stl -D 'part="shoe"'
+done
+make_part narrow_ring/narrow_ring.scad narrow_ring/shoe_low.stl -D 'part="shoe"' -D shoe_height=24
+
+for part in die punch shoe; do
+  make_part rectangular_die/rectangular_die.scad rectangular_die/$part.stl -D "part=\"$part\""
+done
+for slit in 6 10; do
+  make_part slit_plate/slit_plate.scad slit_plate/slit_${slit}mm.stl -D slit=$slit
+done
