@@ -1,0 +1,230 @@
+#include "geometry/voronoi.h"
+
+#include <tbb/blocked_range.h>
+#include <tbb/enumerable_thread_specific.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <voro++/voro++.hh>
+
+#include "geometry/point_grid.h"
+
+namespace diefill::geometry {
+namespace {
+
+// voro++ compares lengths with absolute tolerances near 1e-11, so all work is done in units of the sphere
+// radius.
+constexpr double kSameCentre = 1e-9;
+// Faces of the bounding polyhedron carry negative numbers; all true cuts share this one.
+constexpr int kTrueFace = 1;
+// Vertices of the 26-faced polyhedron below lie this much farther out than its faces.
+constexpr double kVertexOverFace = 1.1281;
+
+/// Normals of the twelve edges and eight corners of a cube: with its six faces they bound a nearly round
+/// polyhedron.
+std::vector<Eigen::Vector3d> edge_and_corner_normals() {
+  std::vector<Eigen::Vector3d> normals;
+  for (int x = -1; x <= 1; ++x)
+    for (int y = -1; y <= 1; ++y)
+      for (int z = -1; z <= 1; ++z)
+        if (std::abs(x) + std::abs(y) + std::abs(z) >= 2)
+          normals.push_back(Eigen::Vector3d(x, y, z).normalized());
+  return normals;
+}
+
+/// The polyhedron every cell starts from; none of its points is farther than `reach` from the sphere's
+/// centre.
+void start_cell(voro::voronoicell_neighbor& cell, double reach) {
+  const double face = reach / kVertexOverFace;
+  cell.init(-face, face, -face, face, -face, face);
+  int number = -7;  // voro++ numbers the cube's faces -1 to -6
+  for (const auto& normal : edge_and_corner_normals())
+    cell.nplane(normal.x(), normal.y(), normal.z(), 2 * face, number--);
+}
+
+/// A face that may cut a cell: voro++ keeps the points p with p . normal < twice_distance / 2.
+struct Cut {
+  double order;  ///< nearest first
+  std::uint32_t index;
+  Eigen::Vector3d normal;
+  double twice_distance;
+};
+
+/// What one thread needs to build cells.
+struct Workshop {
+  explicit Workshop(double reach) { start_cell(start, reach); }
+  Workshop(const Workshop&) = delete;
+  voro::voronoicell_neighbor start, cell;
+  std::vector<Cut> cuts;
+  std::vector<int> faces;
+};
+
+struct SphereCell {
+  double volume = 0;
+  bool open = false;
+};
+
+/// Spheres and wall spheres in units of the sphere radius, ready to be asked who is near.
+class Surroundings {
+ public:
+  explicit Surroundings(const VoronoiRequest& request)
+      : unit_(request.sphere_radius),
+        spheres_per_grain_(request.spheres_per_grain),
+        reach_(request.largest_reach / unit_),
+        wall_radius_(scaled(request.wall_radii)),
+        largest_wall_radius_(
+            wall_radius_.empty() ? 0 : *std::max_element(wall_radius_.begin(), wall_radius_.end())),
+        spheres_(images(request.sphere_centres, request, 2 * reach_)),
+        walls_(images(request.wall_centres, request, reach_ + largest_wall_radius_)),
+        sphere_grid_(spheres_.points, 2.0),
+        wall_grid_(walls_.points, std::max(1.0, largest_wall_radius_)) {}
+
+  double reach() const { return reach_; }
+  /// Cell of a sphere; its volume in m^3.
+  SphereCell cell_of(std::uint32_t sphere, Workshop& workshop) const;
+
+ private:
+  std::vector<double> scaled(std::vector<double> lengths) const {
+    for (double& length : lengths) length /= unit_;
+    return lengths;
+  }
+  PointImages images(std::vector<Eigen::Vector3d> points, const VoronoiRequest& request,
+                     double margin) const {
+    auto period = request.period;
+    for (auto& length : period)
+      if (length) *length /= unit_;
+    for (auto& point : points) point /= unit_;
+    return with_periodic_images(points, period, margin);
+  }
+
+  enum class Twin { none, earlier_sphere_of_grain, other_grain };
+  Twin twin_of(std::uint32_t sphere) const;
+  bool cut_by_spheres(std::uint32_t sphere, Workshop& workshop) const;
+  bool cut_by_walls(std::uint32_t sphere, Workshop& workshop) const;
+
+  double unit_;
+  std::size_t spheres_per_grain_;
+  double reach_;
+  std::vector<double> wall_radius_;
+  double largest_wall_radius_;
+  PointImages spheres_, walls_;
+  PointGrid sphere_grid_, wall_grid_;
+};
+
+/// Cuts nearest first, so that far ones soon find nothing to cut. False when nothing of the cell is left.
+bool apply_cuts(Workshop& workshop) {
+  std::sort(workshop.cuts.begin(), workshop.cuts.end(), [](const Cut& a, const Cut& b) {
+    return a.order != b.order ? a.order < b.order : a.index < b.index;
+  });
+  for (const Cut& cut : workshop.cuts) {
+    const auto& n = cut.normal;
+    if (!workshop.cell.nplane(n.x(), n.y(), n.z(), cut.twice_distance, kTrueFace)) return false;
+  }
+  return true;
+}
+
+/// Distance from the sphere's centre to the farthest vertex. voro++ stores vertices at twice their place.
+double farthest_vertex(voro::voronoicell_neighbor& cell) {
+  return 0.5 * std::sqrt(cell.max_radius_squared());
+}
+
+Surroundings::Twin Surroundings::twin_of(std::uint32_t sphere) const {
+  Twin twin = Twin::none;
+  const std::size_t grain = sphere / spheres_per_grain_;
+  sphere_grid_.for_each_within(spheres_.points[sphere], kSameCentre,
+                               [&](std::uint32_t n, const auto&, double) {
+                                 const std::uint32_t other = spheres_.source[n];
+                                 if (n == sphere) return;
+                                 if (other / spheres_per_grain_ != grain)
+                                   twin = Twin::other_grain;
+                                 else if (other < sphere && twin == Twin::none)
+                                   twin = Twin::earlier_sphere_of_grain;
+                               });
+  return twin;
+}
+
+bool Surroundings::cut_by_spheres(std::uint32_t sphere, Workshop& workshop) const {
+  double searched = kSameCentre, radius = 4;
+  for (;;) {
+    workshop.cuts.clear();
+    sphere_grid_.for_each_within(spheres_.points[sphere], radius,
+                                 [&](std::uint32_t n, const Eigen::Vector3d& offset, double squared) {
+                                   if (squared > searched * searched)
+                                     workshop.cuts.push_back({squared, n, offset, squared});
+                                 });
+    if (!apply_cuts(workshop)) return false;
+    // A sphere farther than twice the farthest vertex is nearer to no point of the cell.
+    const double needed = 2 * farthest_vertex(workshop.cell);
+    if (radius >= needed) return true;
+    searched = radius;
+    radius = std::min(1.5 * radius, needed);
+  }
+}
+
+bool Surroundings::cut_by_walls(std::uint32_t sphere, Workshop& workshop) const {
+  const double farthest = farthest_vertex(workshop.cell);
+  workshop.cuts.clear();
+  wall_grid_.for_each_within(spheres_.points[sphere], farthest + largest_wall_radius_,
+                             [&](std::uint32_t n, const Eigen::Vector3d& offset, double squared) {
+                               const double distance = std::sqrt(squared);
+                               const double to_surface = distance - wall_radius_[walls_.source[n]];
+                               if (to_surface < farthest && distance > kSameCentre)
+                                 workshop.cuts.push_back({to_surface, n, offset / distance, 2 * to_surface});
+                             });
+  return apply_cuts(workshop);
+}
+
+SphereCell Surroundings::cell_of(std::uint32_t sphere, Workshop& workshop) const {
+  switch (twin_of(sphere)) {
+    case Twin::earlier_sphere_of_grain:
+      return {0, false};  // the earlier one has the whole cell
+    case Twin::other_grain:
+      return {0, true};
+    case Twin::none:
+      break;
+  }
+  workshop.cell = workshop.start;
+  if (!cut_by_spheres(sphere, workshop) || !cut_by_walls(sphere, workshop)) return {0, true};
+  workshop.cell.neighbors(workshop.faces);
+  const bool limited =
+      std::any_of(workshop.faces.begin(), workshop.faces.end(), [](int face) { return face < 0; });
+  return {workshop.cell.volume() * unit_ * unit_ * unit_, limited};
+}
+
+void check(const VoronoiRequest& request) {
+  if (!(request.sphere_radius > 0))
+    throw std::invalid_argument("Voronoi cells need a positive sphere radius");
+  if (!(request.largest_reach > 0))
+    throw std::invalid_argument("Voronoi cells need a positive largest reach");
+  if (request.spheres_per_grain == 0 || request.sphere_centres.size() % request.spheres_per_grain != 0)
+    throw std::invalid_argument(
+        "Voronoi cells: the number of spheres is no multiple of the spheres per grain");
+  if (request.wall_centres.size() != request.wall_radii.size())
+    throw std::invalid_argument("Voronoi cells: every wall sphere needs one radius");
+}
+
+}  // namespace
+
+VoronoiCells voronoi_cells(const VoronoiRequest& request) {
+  check(request);
+  const Surroundings surroundings(request);
+  const std::size_t per_grain = request.spheres_per_grain;
+  const std::size_t grains = request.sphere_centres.size() / per_grain;
+  VoronoiCells cells{std::vector<double>(grains), std::vector<std::uint8_t>(grains)};
+  tbb::enumerable_thread_specific<Workshop> workshops(surroundings.reach());
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, grains, 64), [&](const auto& range) {
+    Workshop& workshop = workshops.local();
+    for (std::size_t grain = range.begin(); grain < range.end(); ++grain) {
+      for (std::size_t s = grain * per_grain; s < (grain + 1) * per_grain; ++s) {
+        const SphereCell cell = surroundings.cell_of(static_cast<std::uint32_t>(s), workshop);
+        cells.volume[grain] += cell.volume;
+        if (cell.open) cells.open[grain] = 1;
+      }
+    }
+  });
+  return cells;
+}
+
+}  // namespace diefill::geometry
