@@ -1,5 +1,6 @@
-// One thing the machine does: settle, a shoe passage, ... A step knows how long it takes and where it carries its
-// tool, as functions of the time since it began, so that a restart needs no history but the time of its start.
+// One thing the machine does: settle, a shoe passage, ... A step knows how long it takes and where it carries
+// its tool, as functions of the time since it began, so that a restart needs no history but the time of its
+// start.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -20,25 +21,30 @@ struct ToolMotion {
 
 /// What a step may ask about the scene when the run prepares it.
 struct MachineContext {
-  Eigen::Vector3d cavity_lower = Eigen::Vector3d::Zero(), cavity_upper = Eigen::Vector3d::Zero();  ///< m; empty if equal
-  Eigen::Vector3d tool_lower = Eigen::Vector3d::Zero(), tool_upper = Eigen::Vector3d::Zero();      ///< m, box of the step's tool
-  Eigen::Vector3d gravity = {0, 0, -9.81};                                                         ///< m/s^2
+  Eigen::Vector3d cavity_lower = Eigen::Vector3d::Zero(),
+                  cavity_upper = Eigen::Vector3d::Zero();  ///< m; empty if equal
+  /// m, box of the step's tool, walls included, where earlier steps leave it.
+  Eigen::Vector3d tool_lower = Eigen::Vector3d::Zero(), tool_upper = Eigen::Vector3d::Zero();
+  Eigen::Vector3d gravity = {0, 0, -9.81};  ///< m/s^2
 };
 
 /// One step of the schedule.
 class Step {
  public:
   virtual ~Step() = default;
-  /// Settles whatever depends on the geometry, such as how far a passage has to go. Called once, before the run.
-  /// Throws SceneError when the geometry leaves no sensible answer.
+  /// Settles whatever depends on the geometry, such as how far a passage has to go. Called once, before the
+  /// run. Throws SceneError when the geometry leaves no sensible answer.
   virtual void prepare(const MachineContext&) {}
   /// Name of the tool that moves; empty when none does.
   virtual std::string tool() const { return {}; }
   /// s, or nothing when the step lasts until the powder is at rest.
   virtual std::optional<double> duration() const = 0;
   /// Motion of the tool at `time` (s since the step began), added to where earlier steps left it.
-  virtual ToolMotion motion(double time) const { (void)time; return {}; }
-  /// For titles and progress, such as "passage 1 of 2 at 0.2 m/s".
+  virtual ToolMotion motion(double time) const {
+    (void)time;
+    return {};
+  }
+  /// For titles and progress, such as "2 passages at 0.2 m/s".
   virtual std::string in_words() const = 0;
 };
 

@@ -1,4 +1,5 @@
-// A scene as typed, checked values in SI units: what the reader makes of a TOML file, and all that the run needs.
+// A scene as typed, checked values in SI units: what the reader makes of a TOML file, and all that the run
+// needs.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -7,26 +8,25 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "process/machine/step.h"
+#include "process/scene/scene_error.h"
 
 namespace diefill::process {
 
-/// A scene that cannot be run. The message is one line: file:line:column, key, what was found, what is allowed, what to do.
-struct SceneError : std::runtime_error {
-  using std::runtime_error::runtime_error;
-};
-
-/// Grain models of Bierwisch 2009, section 2.2: A sphere without rotation, B rotating sphere, C six overlapping
-/// spheres on an octahedron, D seven touching spheres.
+/// Grain models of Bierwisch 2009, section 2.2: A sphere without rotation, B rotating sphere, C six
+/// overlapping spheres on an octahedron, D seven touching spheres.
 enum class GrainModel { A, B, C, D };
 
-/// Powder as simulated at the reference grain size, before coarse graining. SI units. Defaults: Bierwisch 2009, Table C.4.
+/// d / R of a grain model: 2 for A and B, 4 for C, 6 for D (Bierwisch 2009, Table 4.1).
+double diameter_over_radius(GrainModel model);
+
+/// Powder as simulated at the reference grain size, before coarse graining. SI units. Defaults: Bierwisch
+/// 2009, Table C.4.
 struct PowderSpec {
-  std::string name;                     ///< preset or "custom"
+  std::string name;  ///< preset or "custom"
   GrainModel model = GrainModel::D;
   double sphere_radius = 7.84e-5;       ///< m, R at the reference size
   double grain_mass = 7.63e-8;          ///< kg at the reference size
@@ -37,8 +37,12 @@ struct PowderSpec {
   double work_of_adhesion = 0;          ///< J/m^2, w at the reference size
   double rolling_friction = 0;          ///< m, mu_r at the reference size (model B only)
   double air_viscosity = 2e-5;          ///< Pa s, mu_a at the reference size
-  double grain_diameter = 4.7e-4;       ///< m, model grain size d wanted: coarse graining scales the rest to it
+  /// m, model grain size d wanted, exactly (d / R) times the wanted R: coarse graining scales the rest to it.
+  double grain_diameter = 6 * 7.84e-5;
 };
+
+/// Wanted over reference grain size: the factor s by which coarse graining enlarges the grains; 1 for none.
+double coarse_graining_factor(const PowderSpec& powder);
 
 /// Which rule of coarse graining takes the reference powder to the wanted grain size.
 enum class CoarseGraining { bierwisch };
@@ -53,26 +57,31 @@ struct WallSpec {
 
 enum class ToolRole { die, core, punch, shoe, plate };
 
+/// The role as the scene spells it, such as "shoe".
+std::string in_words(ToolRole role);
+
 /// One CAD tool of the scene.
 struct ToolSpec {
   std::string name;
   ToolRole role = ToolRole::die;
-  std::filesystem::path file;        ///< absolute or relative to the scene file, already resolved
-  double metres_per_unit = 0;        ///< from `length_unit`, which must be stated
+  std::filesystem::path file;  ///< absolute or relative to the scene file, already resolved
+  double metres_per_unit = 0;  ///< from `length_unit`, which must be stated
   Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();  ///< applied to the CAD first
   Eigen::Vector3d position = Eigen::Vector3d::Zero();      ///< m, then shifted
   std::optional<double> sphere_radius, spacing;            ///< overrides of WallSpec
-  int line = 0;                      ///< in the scene file, for messages
+  int line = 0;                                            ///< in the scene file, for messages
 };
 
-/// Powder poured at the start: lattice in `box`, up to `height` above its floor once settled when mass is not given.
+/// Powder poured at the start: lattice in `box`, up to `height` above its floor once settled when mass is not
+/// given.
 struct PourSpec {
   Eigen::Vector3d lower = Eigen::Vector3d::Zero(), upper = Eigen::Vector3d::Zero();  ///< m, inside the shoe
-  double fill_height = 0;            ///< m, wanted depth of the settled powder over the box's floor
-  double solid_fraction = 0;         ///< estimate of the settled solid fraction, sets the number of grains; 0: from the preset
-  double rim_speed = 0.05;           ///< m/s of the initial random spin
-  double lattice_constant = 1.2;     ///< over d
-  double random_offset = 0.1;        ///< over d, uniform in +- per axis
+  double fill_height = 0;  ///< m, wanted depth of the settled powder over the box's floor
+  double solid_fraction =
+      0;  ///< estimate of the settled solid fraction, sets the number of grains; 0: from the preset
+  double rim_speed = 0.05;        ///< m/s of the initial random spin
+  double lattice_constant = 1.2;  ///< over d
+  double random_offset = 0.1;     ///< over d, uniform in +- per axis
   int line = 0;
 };
 
@@ -80,20 +89,21 @@ struct PourSpec {
 enum class LeverArm { center, contact };
 /// Whether the tangential spring is cut back to the Coulomb limit while sliding (Bierwisch OP-1).
 enum class TangentialSpring { cut_back, free };
-/// What an opening is measured between (Bierwisch OP-12): the spheres' surfaces, or their centres on the CAD surface.
+/// What an opening is measured between (Bierwisch OP-12): the spheres' surfaces, or their centres on the CAD
+/// surface.
 enum class OpeningMeasure { surfaces, centres };
 
 /// How to compute.
 struct NumericsSpec {
-  double time_step_fraction = 0;            ///< of the critical step; 0: the default of engine/time_step
-  std::optional<double> time_step;          ///< s, given outright
+  double time_step_fraction = 0;    ///< of the critical step; 0: the default of engine/time_step
+  std::optional<double> time_step;  ///< s, given outright
   LeverArm lever_arm = LeverArm::center;
   TangentialSpring tangential_spring = TangentialSpring::cut_back;
   OpeningMeasure opening = OpeningMeasure::surfaces;
   std::array<std::optional<double>, 2> period;  ///< m, periodic length along x and y, centred on the origin
   bool energy_ledger = true;
-  double max_time = 0;                      ///< s of simulated time allowed in all; 0: no limit
-  double checkpoint_interval = 60;          ///< s of wall-clock time
+  double max_time = 0;              ///< s of simulated time allowed in all; 0: no limit
+  double checkpoint_interval = 60;  ///< s of wall-clock time
 };
 
 struct SectionSpec {
@@ -103,15 +113,15 @@ struct SectionSpec {
 
 /// What to measure when the powder is at rest.
 struct MeasureSpec {
-  double fill_plane = 0;                 ///< m, height of the die's top
-  double averaging_width = 0;            ///< m, sigma of Eq. 2.27; 0: the larger of 0.5 mm and d/2
+  double fill_plane = 0;       ///< m, height of the die's top
+  double averaging_width = 0;  ///< m, sigma of Eq. 2.27; 0: the larger of 0.5 mm and d/2
   int azimuth_bins = 36;
-  std::vector<SectionSpec> sections;     ///< empty: the plane through the cavity's axis along the shoe's motion
+  std::vector<SectionSpec> sections;  ///< empty: the plane through the cavity's axis along the shoe's motion
 };
 
 struct Scene {
   std::filesystem::path file;
-  std::string text;                      ///< as read
+  std::string text;  ///< as read
   std::string title;
   std::uint64_t seed = 1;
   PowderSpec powder;
@@ -125,7 +135,12 @@ struct Scene {
   Eigen::Vector3d gravity = {0, 0, -9.81};  ///< m/s^2
 };
 
-/// Reads and checks a scene file: unknown keys, units, ranges, missing files. Throws SceneError for the first fault found.
+/// The filling strategy in one line, such as "2 passages at 0.2 m/s, then a wait of 0.05 s"; "no motion"
+/// without steps.
+std::string strategy_in_words(const Scene& scene);
+
+/// Reads and checks a scene file: unknown keys, units, ranges, missing files. Throws SceneError for the first
+/// fault found.
 Scene read_scene(const std::filesystem::path& file);
 
 /// Same from text; `file` stands in messages and resolves relative paths.

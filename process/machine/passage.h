@@ -1,0 +1,58 @@
+// The shoe passes over the cavity, once or several times to and fro, as in die filling (Bierwisch 2009,
+// chapter 6).
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "process/machine/step.h"
+#include "process/machine/straight_move.h"
+#include "process/scene/scene.h"
+#include "process/scene/table_reader.h"
+
+namespace diefill::process {
+
+/// What a passage is told by the scene. SI units.
+struct PassageSpec {
+  std::string tool;
+  double velocity = 0.2;     ///< m/s, once accelerated
+  double acceleration = 10;  ///< m/s^2, also of braking
+  int passages = 1;          ///< single crossings; the second goes back, the third forth again
+  Eigen::Vector3d direction = -Eigen::Vector3d::UnitX();  ///< unit vector of the first crossing
+  double clearance = 2e-3;       ///< m between the cavity and the tool's box when it stops
+  double pause = 0.05;           ///< s at rest between crossings
+  std::optional<double> travel;  ///< m of one crossing; otherwise from the boxes of cavity and tool
+  std::string where;             ///< place in the scene file, for messages
+};
+
+/// Trapezoidal velocity (accelerate, cruise, brake) in each crossing, at rest in between.
+class Passage final : public Step {
+ public:
+  explicit Passage(PassageSpec spec);
+
+  /// Without a given travel: so far that the tool's whole box, trailing wall included, has passed the cavity
+  /// by the clearance. The box is taken because the thickness of a CAD tool's trailing wall is not known
+  /// here; powder inside the tool has then left the cavity by wall thickness plus clearance. Throws
+  /// SceneError when the scene has no cavity, or the tool stands beyond it already.
+  void prepare(const MachineContext& context) override;
+  std::string tool() const override { return spec_.tool; }
+  /// s of all crossings and the pauses between them. Throws std::logic_error when not prepared.
+  std::optional<double> duration() const override;
+  ToolMotion motion(double time) const override;
+  std::string in_words() const override;
+
+  const PassageSpec& spec() const { return spec_; }
+
+ private:
+  const StraightMove& crossing() const;
+
+  PassageSpec spec_;
+  std::optional<StraightMove> crossing_;
+};
+
+/// Reads a step of kind "passage". The tool must be one of `tools` and a shoe or a plate.
+std::shared_ptr<Step> read_passage(TableReader& table, const std::vector<ToolSpec>& tools);
+
+}  // namespace diefill::process

@@ -1,0 +1,29 @@
+// Nothing moves but the powder, until it rests or for a given time.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "process/machine/step.h"
+#include "process/scene/scene.h"
+#include "process/scene/table_reader.h"
+
+namespace diefill::process {
+
+class Settle final : public Step {
+ public:
+  /// `duration` in s; without one the step lasts until the powder is at rest.
+  explicit Settle(std::optional<double> duration) : duration_(duration) {}
+  std::optional<double> duration() const override { return duration_; }
+  std::string in_words() const override;
+
+ private:
+  std::optional<double> duration_;
+};
+
+/// Reads a step of kind "settle": until at rest, or for the optional `duration`.
+std::shared_ptr<Step> read_settle(TableReader& table, const std::vector<ToolSpec>& tools);
+
+}  // namespace diefill::process

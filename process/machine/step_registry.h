@@ -1,0 +1,20 @@
+// Which kinds of step a scene may ask for. To add one: a file of its own, and its line in step_registry.cpp.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "process/machine/step.h"
+#include "process/scene/scene.h"
+#include "process/scene/table_reader.h"
+
+namespace diefill::process {
+
+/// Makes a step from its [[step]] table; `tools` are those of the scene, for the step to name the one it
+/// moves. The caller rejects keys that the factory did not ask for. Throws SceneError.
+using StepFactory = std::shared_ptr<Step> (*)(TableReader& table, const std::vector<ToolSpec>& tools);
+
+/// Kinds by the word that stands under `kind`, in the order in which messages list them.
+const Choices<StepFactory>& step_kinds();
+
+}  // namespace diefill::process

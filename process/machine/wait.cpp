@@ -1,0 +1,18 @@
+#include "process/machine/wait.h"
+
+namespace diefill::process {
+namespace {
+
+constexpr QuantityRule kDuration = {Dimension::time, "50 ms", "0 s", "1000 s", true};
+
+}  // namespace
+
+std::string Wait::in_words() const {
+  return "a wait of " + number_in_words(duration_) + " s";
+}
+
+std::shared_ptr<Step> read_wait(TableReader& table, const std::vector<ToolSpec>&) {
+  return std::make_shared<Wait>(table.required_quantity("duration", kDuration));
+}
+
+}  // namespace diefill::process

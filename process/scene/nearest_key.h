@@ -1,0 +1,18 @@
+// Which of the known words a mistyped one was meant to be.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace diefill::process {
+
+/// Number of single-character insertions, deletions and replacements that turn `a` into `b` (Levenshtein),
+/// after making both lower case and taking '-' and ' ' for '_'.
+std::size_t edit_distance(const std::string& a, const std::string& b);
+
+/// The known word nearest to `word`, the first of equally near ones; nothing when none is near enough to be
+/// meant (more than two changes, or more than a third of the longer word).
+std::optional<std::string> nearest_key(const std::string& word, const std::vector<std::string>& known);
+
+}  // namespace diefill::process

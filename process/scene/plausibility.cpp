@@ -1,0 +1,122 @@
+#include "process/scene/plausibility.h"
+
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "engine/grain_shape.h"
+
+namespace diefill::process {
+namespace {
+
+constexpr double kLightestGrain = 100, kHeaviestGrain = 25000;  // kg/m^3, aerogel-like to osmium
+constexpr double kFinest = 0.1, kCoarsest = 20;                 // wanted over reference grain size
+constexpr double kPeriodOverDiameter = 4;
+
+std::string millimetres(double length) {
+  return number_in_words(length * 1e3) + " mm";
+}
+
+double solid_volume(const PowderSpec& powder) {
+  const double radius = powder.sphere_radius, mass = powder.grain_mass;
+  switch (powder.model) {
+    case GrainModel::A:
+      return engine::model_a(radius, mass).solid_volume;
+    case GrainModel::B:
+      return engine::model_b(radius, mass).solid_volume;
+    case GrainModel::C:
+      return engine::model_c(radius, mass).solid_volume;
+    case GrainModel::D:
+      return engine::model_d(radius, mass).solid_volume;
+  }
+  throw std::logic_error("a grain model without a solid volume");
+}
+
+void check_box(const TableReader& table, const PourSpec& pour, const PowderSpec& powder) {
+  static const std::array<const char*, 3> axes = {"x", "y", "z"};
+  for (int axis = 0; axis < 3; ++axis) {
+    const double from = pour.lower[axis], to = pour.upper[axis];
+    const std::string along = axes[static_cast<std::size_t>(axis)];
+    if (!(to > from)) {
+      table.reject("to", "the box is empty along " + along + ": to (" + millimetres(to) +
+                             ") must be more than from (" + millimetres(from) + ")");
+    }
+    if (to - from < powder.grain_diameter) {
+      table.reject("to", "along " + along + " the box measures " + millimetres(to - from) +
+                             ", less than one grain of " + millimetres(powder.grain_diameter) +
+                             "; widen it or choose a smaller powder.grain_diameter");
+    }
+  }
+}
+
+void check_box_within_period(const TableReader& table, const PourSpec& pour, const NumericsSpec& numerics) {
+  static const std::array<const char*, 2> axes = {"x", "y"};
+  for (std::size_t axis = 0; axis < 2; ++axis) {
+    if (!numerics.period[axis]) continue;
+    const double half = *numerics.period[axis] / 2, slack = 1e-9 * half;
+    const auto index = static_cast<Eigen::Index>(axis);
+    for (const char* key : {"from", "to"}) {
+      const double value = (std::string(key) == "from" ? pour.lower : pour.upper)[index];
+      if (std::abs(value) <= half + slack) continue;
+      table.reject(key, std::string("along ") + axes[axis] + " the box reaches " + millimetres(value) +
+                            ", but numerics.periodic leaves only -" + millimetres(half) + " to " +
+                            millimetres(half));
+    }
+  }
+}
+
+}  // namespace
+
+void check_density(const TableReader& table, const PowderSpec& powder) {
+  const double density = powder.grain_mass / solid_volume(powder);
+  if (density >= kLightestGrain && density <= kHeaviestGrain) return;
+  table.reject("grain_mass", "with sphere_radius " + millimetres(powder.sphere_radius) +
+                                 " the grain's density is " + number_in_words(density / 1000) +
+                                 " g/cm^3, 0.1 to 25 g/cm^3 is allowed; check both units");
+}
+
+void check_coarsening(const TableReader& table, const PowderSpec& powder) {
+  const double factor = coarse_graining_factor(powder);
+  if (factor >= kFinest && factor <= kCoarsest) return;
+  const double own = powder.grain_diameter / factor;
+  table.reject("grain_diameter", millimetres(kFinest * own) + " to " + millimetres(kCoarsest * own) +
+                                     " is allowed, 0.1 to 20 times the powder's own " + millimetres(own) +
+                                     "; beyond that coarse graining does not hold");
+}
+
+void check_wall_is_tight(const TableReader& table, double sphere_radius, double spacing,
+                         const PowderSpec& powder) {
+  const double hole = (spacing / std::numbers::sqrt2 - 1) * sphere_radius;
+  const double sphere = powder.sphere_radius * coarse_graining_factor(powder);
+  if (hole < sphere) return;
+  table.reject("spacing", "wall spheres of radius " + millimetres(sphere_radius) +
+                              " so far apart let spheres of radius " + millimetres(hole) +
+                              " through, and the powder's have " + millimetres(sphere) +
+                              "; use a smaller spacing, such as 1.6");
+}
+
+void check_period(const TableReader& table, const std::string& key, double period, const PowderSpec& powder) {
+  const double least = kPeriodOverDiameter * powder.grain_diameter;
+  if (period >= least) return;
+  table.reject(key, "at least " + millimetres(least) +
+                        " is allowed, four grain diameters, so that no grain meets its own image");
+}
+
+void check_pour(const TableReader& table, const PourSpec& pour, const PowderSpec& powder,
+                const NumericsSpec& numerics) {
+  check_box(table, pour, powder);
+  const double height = pour.upper.z() - pour.lower.z();
+  if (pour.fill_height > height) {
+    table.reject("fill_height", "the pour box is only " + millimetres(height) +
+                                    " high; raise to[z] or lower the fill height");
+  }
+  check_box_within_period(table, pour, numerics);
+  const double least = 1 + 2 * pour.random_offset;
+  if (pour.lattice_constant < least * (1 - 1e-12)) {
+    table.reject("lattice_constant",
+                 "at least " + number_in_words(least) +
+                     " is allowed, 1 + 2 random_offset, so that no grains overlap at the start");
+  }
+}
+
+}  // namespace diefill::process

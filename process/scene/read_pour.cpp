@@ -1,0 +1,32 @@
+#include "process/scene/plausibility.h"
+#include "process/scene/sections.h"
+
+namespace diefill::process {
+namespace {
+
+constexpr QuantityRule kCorner = {Dimension::length, "18 mm", "-10 m", "10 m"};
+constexpr QuantityRule kFillHeight = {Dimension::length, "24 mm", "0 mm", "1 m", true};
+constexpr NumberRule kSolidFraction = {0.05, 0.74, false,
+                                       "0.32"};  // 0.74: the densest packing of equal spheres
+constexpr QuantityRule kRimSpeed = {Dimension::velocity, "0.05 m/s", "0 m/s", "1 m/s"};
+constexpr NumberRule kLatticeConstant = {1, 5, false, "1.2"};
+constexpr NumberRule kRandomOffset = {0, 0.5, false, "0.1"};
+
+}  // namespace
+
+PourSpec read_pour(TableReader table, const PowderSpec& powder, const NumericsSpec& numerics) {
+  PourSpec pour;
+  pour.line = table.line();
+  pour.lower = table.required_point("from", kCorner);
+  pour.upper = table.required_point("to", kCorner);
+  pour.fill_height = table.required_quantity("fill_height", kFillHeight);
+  pour.solid_fraction = table.number("solid_fraction", kSolidFraction).value_or(pour.solid_fraction);
+  pour.rim_speed = table.quantity("rim_speed", kRimSpeed).value_or(pour.rim_speed);
+  pour.lattice_constant = table.number("lattice_constant", kLatticeConstant).value_or(pour.lattice_constant);
+  pour.random_offset = table.number("random_offset", kRandomOffset).value_or(pour.random_offset);
+  table.finish();
+  check_pour(table, pour, powder, numerics);
+  return pour;
+}
+
+}  // namespace diefill::process

@@ -1,0 +1,110 @@
+#include <optional>
+
+#include "process/scene/plausibility.h"
+#include "process/scene/powder_presets.h"
+#include "process/scene/sections.h"
+
+namespace diefill::process {
+namespace {
+
+// Ranges span every published powder by several powers of ten and end where the unit is more likely wrong
+// than the powder.
+constexpr QuantityRule kSphereRadius = {Dimension::length, "0.0784 mm", "0 mm", "10 mm", true};
+constexpr QuantityRule kGrainMass = {Dimension::mass, "0.0763 mg", "0 mg", "1 kg", true};
+constexpr QuantityRule kGrainDiameter = {Dimension::length, "0.94 mm", "0 mm", "100 mm", true};
+constexpr QuantityRule kReducedModulus = {Dimension::pressure, "10 MPa", "1e4 Pa", "1e12 Pa"};
+constexpr QuantityRule kDamping = {Dimension::damping_over_radius, "1e6 Pa s/m", "0 Pa s/m", "1e9 Pa s/m"};
+constexpr QuantityRule kTangential = {Dimension::pressure, "1 MPa", "0 Pa", "1e12 Pa"};
+constexpr QuantityRule kAdhesion = {Dimension::work_of_adhesion, "0.005 J/m^2", "0 J/m^2", "10 J/m^2"};
+constexpr QuantityRule kRolling = {Dimension::length, "0.0375 mm", "0 mm", "10 mm"};
+constexpr QuantityRule kViscosity = {Dimension::viscosity, "2e-5 Pa s", "0 Pa s", "1 Pa s"};
+constexpr NumberRule kFriction = {0, 10, false, "0.5"};
+
+const Choices<GrainModel>& models() {
+  static const Choices<GrainModel> choices = {
+      {"A", GrainModel::A}, {"B", GrainModel::B}, {"C", GrainModel::C}, {"D", GrainModel::D}};
+  return choices;
+}
+
+Choices<std::string> presets() {
+  Choices<std::string> choices;
+  for (const std::string& name : preset_names()) choices.emplace_back(name, name);
+  return choices;
+}
+
+/// The preset's model exchanged for another of the same solid volume: R follows, so that mass and density
+/// stay.
+void change_model(PowderSpec& powder, GrainModel model) {
+  if (model == powder.model) return;
+  powder.model = model;
+  powder.sphere_radius = reference_sphere_radius(model);
+  if (model != GrainModel::B) powder.rolling_friction = 0;
+}
+
+void read_rolling_friction(TableReader& table, PowderSpec& powder) {
+  const auto given = table.quantity("rolling_friction", kRolling);
+  if (!given) return;
+  if (*given > 0 && powder.model != GrainModel::B) {
+    table.reject(
+        "rolling_friction",
+        "only model \"B\" (a rotating sphere) has rolling friction; leave the key out or choose model B");
+  }
+  powder.rolling_friction = *given;
+}
+
+void read_overrides(TableReader& table, PowderSpec& powder) {
+  powder.grain_mass = table.quantity("grain_mass", kGrainMass).value_or(powder.grain_mass);
+  powder.friction = table.number("friction", kFriction).value_or(powder.friction);
+  powder.work_of_adhesion = table.quantity("work_of_adhesion", kAdhesion).value_or(powder.work_of_adhesion);
+  powder.reduced_modulus =
+      table.quantity("reduced_modulus", kReducedModulus).value_or(powder.reduced_modulus);
+  powder.damping_over_radius =
+      table.quantity("damping_over_radius", kDamping).value_or(powder.damping_over_radius);
+  powder.tangential_over_radius =
+      table.quantity("tangential_over_radius", kTangential).value_or(powder.tangential_over_radius);
+  powder.air_viscosity = table.quantity("air_viscosity", kViscosity).value_or(powder.air_viscosity);
+  read_rolling_friction(table, powder);
+}
+
+/// The grain size in exact terms: (d / R) times R. A user who writes the printed 0.47 mm of model D means the
+/// tabulated R = 0.0784 mm, whose 6R is 0.4704 mm, and likewise its multiples.
+void read_grain_diameter(TableReader& table, PowderSpec& powder, bool tabulated_radius) {
+  const double exact = diameter_over_radius(powder.model) * powder.sphere_radius;
+  const double nominal = tabulated_radius ? nominal_grain_diameter(powder.model) : exact;
+  const auto wanted = table.quantity("grain_diameter", kGrainDiameter);
+  powder.grain_diameter = wanted ? *wanted / nominal * exact : exact;
+}
+
+}  // namespace
+
+PowderSpec read_powder(TableReader& table) {
+  PowderSpec powder;
+  const auto preset = table.choice("preset", presets());
+  if (preset) {
+    powder = powder_preset(*preset);
+    change_model(powder, table.choice("model", models()).value_or(powder.model));
+  } else {
+    if (!table.has("model"))
+      table.require("preset",
+                    "\"Distaloy AE\", or model, sphere_radius and grain_mass of a powder of your own");
+    powder.name = "custom";
+    powder.model = table.required_choice("model", models());
+    powder.sphere_radius = table.required_quantity("sphere_radius", kSphereRadius);
+    powder.grain_mass = table.required_quantity("grain_mass", kGrainMass);
+  }
+  const auto radius = table.quantity("sphere_radius", kSphereRadius);
+  powder.sphere_radius = radius.value_or(powder.sphere_radius);
+  read_overrides(table, powder);
+  read_grain_diameter(table, powder, !radius);
+  table.finish();
+  check_density(table, powder);
+  check_coarsening(table, powder);
+  return powder;
+}
+
+CoarseGraining read_coarse_graining(TableReader& table) {
+  static const Choices<CoarseGraining> choices = {{"bierwisch", CoarseGraining::bierwisch}};
+  return table.choice("coarse_graining", choices).value_or(CoarseGraining::bierwisch);
+}
+
+}  // namespace diefill::process

@@ -1,0 +1,56 @@
+#include <toml++/toml.h>
+
+#include "process/scene/scene.h"
+#include "process/scene/scene_text.h"
+#include "process/scene/sections.h"
+
+namespace diefill::process {
+namespace {
+
+constexpr QuantityRule kGravity = {Dimension::acceleration, "9.81 m/s^2", "0 m/s^2", "1000 m/s^2", true};
+
+/// A table that may be left out, for the sake of its defaults.
+TableReader table_or_empty(TableReader& document, const std::string& key, const toml::table& empty) {
+  const auto table = document.table(key);
+  return table ? *table : TableReader(empty, document.file(), key);
+}
+
+}  // namespace
+
+Scene parse_scene(const std::string& text, const std::filesystem::path& file) {
+  const toml::table parsed = parse_scene_text(text, file), empty;
+  TableReader document(parsed, file, "");
+  Scene scene;
+  scene.file = file;
+  scene.text = text;
+  scene.title = document.text("title").value_or(file.stem().string());
+  scene.seed = static_cast<std::uint64_t>(document.integer("seed", 0, INT64_MAX).value_or(1));
+  scene.gravity = {0, 0, -document.quantity("gravity", kGravity).value_or(9.81)};
+  TableReader powder = document.required_table("powder");
+  scene.coarse_graining = read_coarse_graining(powder);
+  scene.powder = read_powder(powder);
+  scene.walls = read_walls(table_or_empty(document, "walls", empty), scene.powder);
+  scene.tools = read_tools(document, scene.walls, scene.powder);
+  scene.numerics = read_numerics(table_or_empty(document, "numerics", empty), scene.powder);
+  scene.pour = read_pour(document.required_table("pour"), scene.powder, scene.numerics);
+  scene.steps = read_steps(document, scene.tools);
+  scene.measure = read_measure(table_or_empty(document, "measure", empty));
+  document.finish();
+  return scene;
+}
+
+Scene read_scene(const std::filesystem::path& file) {
+  return parse_scene(load_scene_text(file), file);
+}
+
+std::string strategy_in_words(const Scene& scene) {
+  std::string words;
+  for (const auto& step : scene.steps) {
+    // Coming to rest goes without saying.
+    if (step->tool().empty() && !step->duration()) continue;
+    words += (words.empty() ? "" : ", then ") + step->in_words();
+  }
+  return words.empty() ? "no motion" : words;
+}
+
+}  // namespace diefill::process

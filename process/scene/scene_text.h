@@ -1,0 +1,19 @@
+// The scene file as text: found, readable, and text at all.
+#pragma once
+
+#include <toml++/impl/forward_declarations.h>
+
+#include <filesystem>
+#include <string>
+
+namespace diefill::process {
+
+/// The bytes of `file`. Throws SceneError when it is missing, a folder, not readable or too large to be a
+/// scene.
+std::string load_scene_text(const std::filesystem::path& file);
+
+/// The document in `text`; `file` stands in messages. Throws SceneError for text that is not TOML, with the
+/// line and, for the slips that people make, the remedy.
+toml::table parse_scene_text(const std::string& text, const std::filesystem::path& file);
+
+}  // namespace diefill::process

@@ -1,0 +1,29 @@
+// One reader for each table of a scene file. Each fetches its keys, checks them, and rejects unknown ones.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "process/scene/scene.h"
+#include "process/scene/table_reader.h"
+
+namespace diefill::process {
+
+/// `coarse_graining` of [powder]; to be read before the rest, which rejects keys that nobody asked for.
+CoarseGraining read_coarse_graining(TableReader& table);
+/// The rest of [powder]: a preset, a preset with overrides, or a powder of its own.
+PowderSpec read_powder(TableReader& table);
+/// [walls]; the powder must not fit through the holes between wall spheres.
+WallSpec read_walls(TableReader table, const PowderSpec& powder);
+/// All [[tool]] tables.
+std::vector<ToolSpec> read_tools(TableReader& document, const WallSpec& walls, const PowderSpec& powder);
+/// [numerics].
+NumericsSpec read_numerics(TableReader table, const PowderSpec& powder);
+/// [pour].
+PourSpec read_pour(TableReader table, const PowderSpec& powder, const NumericsSpec& numerics);
+/// All [[step]] tables.
+std::vector<std::shared_ptr<Step>> read_steps(TableReader& document, const std::vector<ToolSpec>& tools);
+/// [measure].
+MeasureSpec read_measure(TableReader table);
+
+}  // namespace diefill::process

@@ -1,0 +1,12 @@
+// What a wall's spheres may be, for [walls] and for a tool that differs from it.
+#pragma once
+
+#include "process/scene/table_reader.h"
+
+namespace diefill::process {
+
+inline constexpr QuantityRule kWallSphereRadius = {Dimension::length, "0.15 mm", "0.001 mm", "10 mm"};
+/// Below 0.1 a wall would take hundreds of spheres where one does; above 4 the spheres stand apart.
+inline constexpr NumberRule kWallSpacing = {0.1, 4, true, "1.6"};
+
+}  // namespace diefill::process
