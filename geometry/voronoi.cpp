@@ -9,7 +9,7 @@
 #include <stdexcept>
 #include <voro++/voro++.hh>
 
-#include "geometry/point_grid.h"
+#include "geometry/neighbour_grid.h"
 
 namespace diefill::geometry {
 namespace {
@@ -110,7 +110,7 @@ class Surroundings {
   std::vector<double> wall_radius_;
   double largest_wall_radius_;
   PointImages spheres_, walls_;
-  PointGrid sphere_grid_, wall_grid_;
+  NeighbourGrid sphere_grid_, wall_grid_;
 };
 
 /// Cuts nearest first, so that far ones soon find nothing to cut. False when nothing of the cell is left.
