@@ -1,0 +1,56 @@
+// Line charts, scatter plots and histograms with several curves: axes with units, legend, error bars, log
+// scales.
+#pragma once
+
+#include <filesystem>
+#include <limits>
+#include <string>
+#include <vector>
+
+namespace diefill::render {
+
+/// How a curve is drawn.
+enum class CurveStyle {
+  kLine,            ///< straight lines from point to point; NaN leaves a gap
+  kMarkers,         ///< points only
+  kLineAndMarkers,  ///< both
+  kBars             ///< histogram bars from zero, centred on x, as wide as the spacing of x
+};
+
+/// One curve. Curves are told apart by colour, dashes and marker, so that they also read in grey print.
+struct Curve {
+  std::string name;          ///< in the legend; empty: not in the legend
+  std::vector<double> x, y;  ///< equal lengths, in the axes' units; NaN where there is no value
+  CurveStyle style = CurveStyle::kLine;
+  std::vector<double> y_error;  ///< half length of an error bar at each point; empty: none
+};
+
+/// One axis. Limits that are NaN come from the data, widened to round numbers.
+struct ChartAxis {
+  std::string label;  ///< with unit, such as "Fill level [mm]"
+  double lower = std::numeric_limits<double>::quiet_NaN();
+  double upper = std::numeric_limits<double>::quiet_NaN();
+  bool logarithmic = false;
+  bool degrees = false;  ///< ticks at 15, 30, 45 ... degrees
+};
+
+/// A remark pinned to an x value, above the chart.
+struct ChartMarker {
+  double x = 0;
+  std::string text;
+};
+
+/// A whole chart.
+struct Chart {
+  std::string title, subtitle;
+  ChartAxis x, y;
+  std::vector<Curve> curves;
+  std::vector<ChartMarker> markers;
+  std::string note;  ///< small print at the foot
+};
+
+/// Draws the chart as a PNG of 1600 x 1000 pixels. Throws std::runtime_error where a curve's arrays differ in
+/// length, a logarithmic axis has limits that are not positive, or the file cannot be written.
+void draw_chart(const std::filesystem::path& png, const Chart& chart);
+
+}  // namespace diefill::render

@@ -1,0 +1,82 @@
+#include "render/cut_tools.h"
+
+#include <vtkCellArray.h>
+#include <vtkCellData.h>
+#include <vtkClipClosedSurface.h>
+#include <vtkPlane.h>
+#include <vtkPlaneCollection.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+#include <vtkPolyDataMapper.h>
+#include <vtkPolyDataNormals.h>
+#include <vtkProperty.h>
+
+#include <array>
+
+namespace diefill::render {
+namespace {
+
+struct Tone {
+  std::array<double, 3> surface, cut;
+};
+
+// Steels a little apart, so that die, core, punch and shoe are told from each other where they touch.
+Tone tone_of(const std::string& role) {
+  if (role == "core") return {{0.70, 0.72, 0.77}, {0.42, 0.45, 0.52}};
+  if (role == "punch") return {{0.62, 0.66, 0.72}, {0.32, 0.35, 0.42}};
+  if (role == "shoe") return {{0.86, 0.80, 0.70}, {0.58, 0.50, 0.38}};
+  return {{0.78, 0.80, 0.84}, {0.50, 0.53, 0.59}};
+}
+
+vtkSmartPointer<vtkPolyData> to_polydata(const results::ToolState& tool) {
+  const auto points = vtkSmartPointer<vtkPoints>::New();
+  points->SetDataTypeToDouble();
+  for (const auto& vertex : tool.vertices)
+    points->InsertNextPoint(kMillimetres * vertex.x(), kMillimetres * vertex.y(), kMillimetres * vertex.z());
+  const auto faces = vtkSmartPointer<vtkCellArray>::New();
+  for (const auto& triangle : tool.triangles) {
+    const std::array<vtkIdType, 3> corners{triangle[0], triangle[1], triangle[2]};
+    faces->InsertNextCell(3, corners.data());
+  }
+  auto mesh = vtkSmartPointer<vtkPolyData>::New();
+  mesh->SetPoints(points);
+  mesh->SetPolys(faces);
+  return mesh;
+}
+
+}  // namespace
+
+vtkSmartPointer<vtkActor> make_cut_tool(const results::ToolState& tool, double cut_y) {
+  if (tool.triangles.empty()) return nullptr;
+  const Tone tone = tone_of(tool.role);
+  const auto plane = vtkSmartPointer<vtkPlane>::New();
+  plane->SetOrigin(0, kMillimetres * cut_y, 0);
+  plane->SetNormal(0, 1, 0);
+  const auto planes = vtkSmartPointer<vtkPlaneCollection>::New();
+  planes->AddItem(plane);
+  const auto clip = vtkSmartPointer<vtkClipClosedSurface>::New();
+  clip->SetInputData(to_polydata(tool));
+  clip->SetClippingPlanes(planes);
+  clip->SetScalarModeToColors();
+  clip->SetBaseColor(tone.surface[0], tone.surface[1], tone.surface[2]);
+  clip->SetClipColor(tone.cut[0], tone.cut[1], tone.cut[2]);
+  const auto normals = vtkSmartPointer<vtkPolyDataNormals>::New();
+  normals->SetInputConnection(clip->GetOutputPort());
+  normals->SetFeatureAngle(30);
+  normals->ConsistencyOff();
+  normals->Update();
+  if (normals->GetOutput()->GetNumberOfCells() == 0) return nullptr;
+
+  const auto mapper = vtkSmartPointer<vtkPolyDataMapper>::New();
+  mapper->SetInputData(normals->GetOutput());
+  mapper->SetScalarModeToUseCellData();
+  auto actor = vtkSmartPointer<vtkActor>::New();
+  actor->SetMapper(mapper);
+  actor->GetProperty()->SetAmbient(0.18);
+  actor->GetProperty()->SetDiffuse(0.80);
+  actor->GetProperty()->SetSpecular(0.25);
+  actor->GetProperty()->SetSpecularPower(25);
+  return actor;
+}
+
+}  // namespace diefill::render

@@ -1,0 +1,115 @@
+#include "render/grain_view.h"
+
+#include <vtkActor.h>
+#include <vtkCamera.h>
+#include <vtkLightKit.h>
+#include <vtkOpenGLSphereMapper.h>
+#include <vtkPointData.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+#include <vtkProperty.h>
+#include <vtkRenderer.h>
+#include <vtkSmartPointer.h>
+#include <vtkUnsignedCharArray.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "render/cut_tools.h"
+#include "render/offscreen.h"
+
+namespace diefill::render {
+namespace {
+
+constexpr int kOversampling = 2;
+
+// Spheres of the grains whose centre lies behind the cut; whole grains, so that none is drawn in part.
+vtkSmartPointer<vtkPolyData> spheres_behind_cut(const results::PowderState& powder,
+                                                const std::vector<Rgb>& grain_colours, double cut_y) {
+  const auto points = vtkSmartPointer<vtkPoints>::New();
+  const auto colours = vtkSmartPointer<vtkUnsignedCharArray>::New();
+  colours->SetName("colour");
+  colours->SetNumberOfComponents(3);
+  const auto centres = powder.sphere_centres();
+  const std::size_t spheres = powder.sphere_offsets.size();
+  for (std::size_t grain = 0; grain < powder.position.size(); ++grain) {
+    if (powder.position[grain].y() < cut_y) continue;
+    const Rgb& colour = grain_colours[grain];
+    for (std::size_t s = 0; s < spheres; ++s) {
+      const Eigen::Vector3d centre = kMillimetres * centres[grain * spheres + s];
+      points->InsertNextPoint(centre.data());
+      colours->InsertNextTypedTuple(&colour.red);
+    }
+  }
+  auto data = vtkSmartPointer<vtkPolyData>::New();
+  data->SetPoints(points);
+  data->GetPointData()->SetScalars(colours);
+  return data;
+}
+
+void add_powder(vtkRenderer* renderer, const results::PowderState& powder,
+                const std::vector<Rgb>& grain_colours, double cut_y) {
+  const auto data = spheres_behind_cut(powder, grain_colours, cut_y);
+  if (data->GetNumberOfPoints() == 0) return;
+  const auto mapper = vtkSmartPointer<vtkOpenGLSphereMapper>::New();
+  mapper->SetInputData(data);
+  mapper->SetRadius(static_cast<float>(kMillimetres * powder.sphere_radius));
+  mapper->SetScalarModeToUsePointData();
+  const auto actor = vtkSmartPointer<vtkActor>::New();
+  actor->SetMapper(mapper);
+  actor->GetProperty()->SetAmbient(0.25);
+  actor->GetProperty()->SetDiffuse(0.80);
+  actor->GetProperty()->SetSpecular(0.10);
+  actor->GetProperty()->SetSpecularPower(15);
+  renderer->AddActor(actor);
+}
+
+void place_camera(vtkRenderer* renderer, const ViewChoice& view) {
+  const double distance = 10 * kMillimetres * std::max(view.width, view.height);
+  const Eigen::Vector3d target = kMillimetres * view.target;
+  const Eigen::Vector3d eye =
+      target + distance * Eigen::Vector3d(0, -std::cos(view.elevation), std::sin(view.elevation));
+  vtkCamera* camera = renderer->GetActiveCamera();
+  camera->ParallelProjectionOn();
+  camera->SetFocalPoint(target.x(), target.y(), target.z());
+  camera->SetPosition(eye.x(), eye.y(), eye.z());
+  camera->SetViewUp(0, 0, 1);
+  camera->SetParallelScale(0.5 * kMillimetres * view.height);
+  renderer->ResetCameraClippingRange();
+}
+
+QImage read_back(OffscreenWindow& window, int width, int height) {
+  const auto pixels = vtkSmartPointer<vtkUnsignedCharArray>::New();
+  window.GetPixelData(0, 0, width - 1, height - 1, 0, pixels, 0);
+  // VTK's rows run from the bottom up.
+  return QImage(pixels->GetPointer(0), width, height, 3 * width, QImage::Format_RGB888).mirrored();
+}
+
+}  // namespace
+
+QImage draw_grains(const results::FillResult& result, const std::vector<Rgb>& grain_colours,
+                   const ViewChoice& view, int width, int height) {
+  const auto window = vtkSmartPointer<OffscreenWindow>::New();
+  window->open(kOversampling * width, kOversampling * height);
+  const auto renderer = vtkSmartPointer<vtkRenderer>::New();
+  renderer->SetBackground(1, 1, 1);
+  window->AddRenderer(renderer);
+  add_powder(renderer, result.powder, grain_colours, view.cut_y);
+  for (const auto& tool : result.tools)
+    if (const auto actor = make_cut_tool(tool, view.cut_y)) renderer->AddActor(actor);
+  renderer->AutomaticLightCreationOff();
+  const auto lights = vtkSmartPointer<vtkLightKit>::New();
+  lights->SetKeyLightIntensity(0.85);
+  lights->SetKeyLightWarmth(0.5);
+  lights->SetFillLightWarmth(0.5);
+  lights->SetHeadLightWarmth(0.5);
+  lights->SetBackLightWarmth(0.5);
+  lights->AddLightsToRenderer(renderer);
+  place_camera(renderer, view);
+  window->Render();
+  const QImage large = read_back(*window, kOversampling * width, kOversampling * height);
+  return large.scaled(width, height, Qt::IgnoreAspectRatio, Qt::SmoothTransformation)
+      .convertToFormat(QImage::Format_RGB32);
+}
+
+}  // namespace diefill::render

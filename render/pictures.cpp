@@ -1,0 +1,67 @@
+#include "render/pictures.h"
+
+#include <QString>
+#include <limits>
+
+#include "render/ticks.h"
+
+namespace diefill::render {
+namespace {
+
+constexpr double kFromData = std::numeric_limits<double>::quiet_NaN();
+
+std::string subtitle_of(const results::FillResult& result) {
+  std::string text = result.powder_name;
+  if (result.powder.grain_diameter > 0) {
+    const QString size =
+        QStringLiteral("grain size %1 mm").arg(result.powder.grain_diameter * 1e3, 0, 'g', 3);
+    text += (text.empty() ? "" : ", ") + size.toStdString();
+  }
+  return text;
+}
+
+// Map and sections of one result share a scale, so that a colour means the same on both.
+ColourRange common_range(const results::FillResult& result) {
+  std::vector<double> values;
+  for (const auto& map : result.maps) values.insert(values.end(), map.value.begin(), map.value.end());
+  for (const auto& section : result.sections)
+    values.insert(values.end(), section.field.value.begin(), section.field.value.end());
+  if (values.empty()) return {kFromData, kFromData};
+  const Interval range = robust_range(values);
+  return {range.lower, range.upper};
+}
+
+const results::Profile* fill_level_of(const results::FillResult& result) {
+  for (const auto& profile : result.profiles)
+    if (profile.quantity == "fill level") return &profile;
+  return result.profiles.empty() ? nullptr : &result.profiles.front();
+}
+
+}  // namespace
+
+std::vector<std::filesystem::path> draw_all(const std::filesystem::path& directory,
+                                            const results::FillResult& result) {
+  std::vector<std::filesystem::path> written;
+  const std::string title = result.strategy.empty() ? result.title : result.strategy;
+  const std::string subtitle = subtitle_of(result);
+  const ColourRange range = common_range(result);
+  const auto field_picture = [&](const char* name, const results::Field2D& field) {
+    draw_field(directory / name, field, title, subtitle, range);
+    written.push_back(directory / name);
+  };
+  if (!result.maps.empty()) {
+    field_picture("density_map.png", result.maps.front());
+  } else if (!result.sections.empty()) {
+    field_picture("density_map.png", result.sections.front().field);
+  }
+  if (!result.sections.empty()) field_picture("section.png", result.sections.front().field);
+  draw_snapshot(directory / "snapshot.png", result);
+  written.push_back(directory / "snapshot.png");
+  if (const auto* profile = fill_level_of(result)) {
+    draw_profile(directory / "fill_level.png", *profile, title, subtitle);
+    written.push_back(directory / "fill_level.png");
+  }
+  return written;
+}
+
+}  // namespace diefill::render

@@ -1,0 +1,151 @@
+#include "render/snapshot.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "render/grain_view.h"
+#include "render/picture_file.h"
+#include "render/pictures.h"
+#include "render/text.h"
+
+namespace diefill::render {
+namespace {
+
+constexpr int kWidth = 1600, kHeight = 1200;
+constexpr double kMargin = 36;
+constexpr double kFoot = 92;  // scale bar, legend and axes below the scene
+constexpr double kBarColumn = 220;
+
+bool is_closed(const results::GrainSolidFraction& fraction, std::size_t grain) {
+  return grain < fraction.solid_fraction.size() && grain < fraction.open.size() && !fraction.open[grain] &&
+         std::isfinite(fraction.solid_fraction[grain]);
+}
+
+// Solid fraction of every grain, NaN where its cell is open or was not measured.
+std::vector<double> grain_values(const results::FillResult& result) {
+  std::vector<double> values(result.powder.position.size(), std::numeric_limits<double>::quiet_NaN());
+  for (std::size_t k = 0; k < values.size(); ++k)
+    if (is_closed(result.solid_fraction, k)) values[k] = result.solid_fraction.solid_fraction[k];
+  return values;
+}
+
+// A round length that takes about a sixth of the view, mm.
+double scale_bar_length(double view_width_mm) {
+  const double most = view_width_mm / 5;
+  const double power = std::pow(10.0, std::floor(std::log10(most)));
+  for (const double factor : {5.0, 2.0})
+    if (factor * power <= most) return factor * power;
+  return power;
+}
+
+void draw_scale_bar(QPainter& painter, const SnapshotPicture& picture, double middle) {
+  const double left = picture.scene.left(), end = 9;
+  const double right = left + picture.scale_pixels;
+  painter.setPen(QPen(Qt::black, 4, Qt::SolidLine, Qt::FlatCap));
+  painter.drawLine(QPointF(left, middle), QPointF(right, middle));
+  for (const double x : {left + 2, right - 2})
+    painter.drawLine(QPointF(x, middle - end), QPointF(x, middle + end));
+  painter.setFont(text_font(kTickPixels));
+  painter.drawText(QRectF(right + 16, middle - 30, 260, 60), Qt::AlignLeft | Qt::AlignVCenter,
+                   QStringLiteral("%1 mm").arg(picture.scale_bar));
+}
+
+void draw_arrow(QPainter& painter, const QPointF& from, const QPointF& to, const QString& name,
+                const QPointF& at) {
+  constexpr double kHead = 11;
+  const QPointF along = (to - from) / std::hypot(to.x() - from.x(), to.y() - from.y());
+  const QPointF across(-along.y(), along.x());
+  painter.setPen(QPen(Qt::black, 3));
+  painter.drawLine(from, to - 0.8 * kHead * along);
+  painter.setBrush(Qt::black);
+  painter.setPen(Qt::NoPen);
+  painter.drawPolygon(
+      QPolygonF({to, to - kHead * along + 0.5 * kHead * across, to - kHead * along - 0.5 * kHead * across}));
+  painter.setPen(Qt::black);
+  painter.setFont(text_font(kNotePixels));
+  painter.drawText(QRectF(at.x() - 20, at.y() - 20, 40, 40), Qt::AlignCenter, name);
+}
+
+// The three axes as the tilted view shows them: y points into the picture, and so upwards by the tilt's sine.
+void draw_triad(QPainter& painter, const QPointF& origin, double elevation) {
+  constexpr double kLength = 56;
+  const QPointF x(kLength, 0), z(0, -kLength * std::cos(elevation));
+  const QPointF y(0.0, -kLength * std::sin(elevation));
+  // Seen exactly from the front y would lie on z: a slant, as on drawings, keeps them apart.
+  const QPointF slanted = y + QPointF(0.5 * kLength, 0);
+  draw_arrow(painter, origin, origin + x, QStringLiteral("x"), origin + x + QPointF(16, 0));
+  draw_arrow(painter, origin, origin + z, QStringLiteral("z"), origin + z + QPointF(0, -16));
+  draw_arrow(painter, origin, origin + slanted, QStringLiteral("y"), origin + slanted + QPointF(16, -6));
+}
+
+void draw_foot(QPainter& painter, const SnapshotPicture& picture, bool has_open) {
+  const double middle = picture.scene.bottom() + 0.5 * kFoot + 8;
+  if (picture.view.empty) return;
+  draw_scale_bar(painter, picture, middle);
+  draw_triad(painter, {kWidth - kMargin - 110, middle + 22}, picture.view.elevation);
+  if (!has_open) return;
+  const QColor grey(kNoValueColour.red, kNoValueColour.green, kNoValueColour.blue);
+  draw_swatch(painter, {picture.scene.left() + 0.36 * picture.scene.width(), middle - 14}, grey,
+              QStringLiteral("grain without closed cell (free surface)"));
+}
+
+std::string subtitle_of(const results::FillResult& result) {
+  std::string text = result.powder_name;
+  const auto add = [&text](const QString& part) { text += (text.empty() ? "" : ", ") + part.toStdString(); };
+  if (result.powder.grain_diameter > 0)
+    add(QStringLiteral("grain size %1 mm").arg(result.powder.grain_diameter * 1e3, 0, 'g', 3));
+  if (!result.powder.position.empty()) add(QStringLiteral("%1 grains").arg(result.powder.position.size()));
+  add(QStringLiteral("t = %1 s").arg(result.powder.time, 0, 'f', 3));
+  return text;
+}
+
+}  // namespace
+
+SnapshotPicture compose_snapshot(const results::FillResult& result) {
+  const std::vector<double> values = grain_values(result);
+  const auto closed = static_cast<std::size_t>(
+      std::count_if(values.begin(), values.end(), [](double value) { return std::isfinite(value); }));
+  const double none = std::numeric_limits<double>::quiet_NaN();
+  SnapshotPicture picture;
+  picture.image = white_canvas(kWidth, kHeight);
+  picture.bar = make_colour_bar(axis_label("solid fraction", ""), values, {none, none});
+  std::vector<Rgb> colours;
+  for (const double value : values)
+    colours.push_back(value_colour(value, picture.bar.range.lower, picture.bar.range.upper));
+
+  QPainter painter(&picture.image);
+  painter.setRenderHints(QPainter::Antialiasing | QPainter::TextAntialiasing);
+  const Heading heading(result.strategy.empty() ? result.title : result.strategy, subtitle_of(result),
+                        kWidth - 2 * kMargin);
+  heading.draw(painter, kMargin, kMargin - 8);
+  const double top = std::round(kMargin + heading.height() + 12),
+               right = kWidth - kMargin - (closed ? kBarColumn : 0);
+  picture.scene = QRectF(QPointF(kMargin, top), QPointF(right, kHeight - kFoot - kMargin / 2));
+  picture.view = choose_view(result, picture.scene.width() / picture.scene.height());
+  if (picture.view.empty) {
+    draw_centred(painter, picture.scene.center(), QStringLiteral("neither powder nor tools to show"),
+                 kLabelPixels, picture.scene.width());
+    return picture;
+  }
+  const QSize size = picture.scene.toRect().size();
+  painter.drawImage(picture.scene.topLeft(),
+                    draw_grains(result, colours, picture.view, size.width(), size.height()));
+  picture.scale_bar = scale_bar_length(1e3 * picture.view.width);
+  picture.scale_pixels = picture.scale_bar / (1e3 * picture.view.width) * picture.scene.width();
+  draw_foot(painter, picture, closed < values.size());
+  if (closed) {
+    const double height = std::min(760.0, picture.scene.height() - 2 * kBarPoint);
+    picture.bar_rect =
+        QRectF(picture.scene.right() + 44, std::round(picture.scene.center().y() - 0.5 * height), kBarWidth,
+               std::round(height));
+    draw_colour_bar(painter, picture.bar, picture.bar_rect);
+  }
+  return picture;
+}
+
+void draw_snapshot(const std::filesystem::path& png, const results::FillResult& result) {
+  write_png(png, compose_snapshot(result).image);
+}
+
+}  // namespace diefill::render

@@ -1,0 +1,89 @@
+#include "render/view_choice.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+
+namespace diefill::render {
+namespace {
+
+using Box = Eigen::AlignedBox3d;
+
+constexpr double kElevation = 0.35;  // rad, some 20 degrees: the powder's surface shows, depths stay readable
+constexpr double kSideRoom = 0.25;   // of the cavity's width, around the cavity
+constexpr double kNearPowder = 0.75;  // of the cavity's width: powder this far beside it is framed
+constexpr double kNearShoe = 1.0;     // of the cavity's width: a shoe this near is framed
+constexpr double kWidestView = 2.6;   // of the cavity's width: never further away than this
+constexpr double kFrame = 1.06;       // air around what is framed
+
+Box powder_box(const results::PowderState& powder) {
+  Box box;
+  const Eigen::Vector3d half = Eigen::Vector3d::Constant(0.5 * powder.grain_diameter);
+  for (const auto& position : powder.position) box.extend(Box(position - half, position + half));
+  return box;
+}
+
+Box tool_box(const results::ToolState& tool) {
+  Box box;
+  for (const auto& vertex : tool.vertices) box.extend(vertex);
+  return box;
+}
+
+// The cavity, widened so that its walls show, with powder and a shoe beside it.
+Box cavity_region(const results::FillResult& result, const Box& cavity) {
+  const double width = std::max(cavity.sizes().x(), cavity.sizes().y());
+  Box region = cavity;
+  region.extend(cavity.min() - Eigen::Vector3d(kSideRoom * width, 0, 0.12 * width));
+  region.extend(cavity.max() + Eigen::Vector3d(kSideRoom * width, 0, 0.05 * width));
+  Box near(cavity.min() - Eigen::Vector3d::Constant(kNearPowder * width),
+           cavity.max() + Eigen::Vector3d::Constant(kNearPowder * width));
+  near.max().z() = cavity.max().z() + 2 * width;
+  for (const auto& position : result.powder.position)
+    if (near.contains(position)) region.extend(position);
+  for (const auto& tool : result.tools) {
+    if (tool.role != "shoe" || tool.vertices.empty()) continue;
+    const Box shoe = tool_box(tool);
+    const double gap = std::max(shoe.min().x() - cavity.max().x(), cavity.min().x() - shoe.max().x());
+    if (gap < kNearShoe * width) region.extend(shoe);
+  }
+  const double centre = cavity.center().x(), half = 0.5 * kWidestView * width;
+  region.min().x() = std::max(region.min().x(), centre - half);
+  region.max().x() = std::min(region.max().x(), centre + half);
+  region.max().z() = std::min(region.max().z(), cavity.max().z() + 1.2 * width);
+  return region;
+}
+
+}  // namespace
+
+ViewChoice choose_view(const results::FillResult& result, double aspect) {
+  ViewChoice view;
+  view.elevation = kElevation;
+  const Box cavity(result.cavity.lower_corner, result.cavity.upper_corner);
+  const Box powder = powder_box(result.powder);
+  Box region;
+  if (cavity.sizes().minCoeff() > 0) {
+    view.cut_y = result.cavity.is_ring ? result.cavity.axis_origin.y() : cavity.center().y();
+    region = cavity_region(result, cavity);
+  } else {
+    region = powder;
+    if (region.isEmpty())
+      for (const auto& tool : result.tools) region.extend(tool_box(tool));
+    if (region.isEmpty()) {
+      view.empty = true;
+      return view;
+    }
+    view.cut_y = region.center().y();
+  }
+  // In the picture, up is z lifted by the view's tilt: a point behind the cut appears higher by its depth's
+  // sine.
+  const double depth = std::max(0.0, region.max().y() - view.cut_y);
+  const double low = region.min().z() * std::cos(kElevation);
+  const double high = region.max().z() * std::cos(kElevation) + depth * std::sin(kElevation);
+  const double needed_width = kFrame * region.sizes().x(), needed_height = kFrame * (high - low);
+  view.width = std::max({needed_width, needed_height * aspect, 1e-6});
+  view.height = view.width / aspect;
+  view.target = {region.center().x(), view.cut_y, 0.5 * (low + high) / std::cos(kElevation)};
+  return view;
+}
+
+}  // namespace diefill::render

@@ -1,0 +1,23 @@
+// What a snapshot shows: where the scene is cut open, and which part of it fills the picture. Plain geometry.
+#pragma once
+
+#include <Eigen/Core>
+
+#include "process/results/fill_result.h"
+
+namespace diefill::render {
+
+/// A parallel view from the front (against +y) and slightly above, in m and the laboratory frame.
+struct ViewChoice {
+  double cut_y = 0;                                  ///< m: everything at smaller y is taken away
+  Eigen::Vector3d target = Eigen::Vector3d::Zero();  ///< m: centre of the picture, in the cutting plane
+  double width = 0, height = 0;                      ///< m: what the picture spans
+  double elevation = 0;                              ///< rad: how far the eye is above the horizon
+  bool empty = false;                                ///< neither powder nor tools: nothing to show
+};
+
+/// Cuts through the cavity's axis (or the middle of its box, or of the powder), and frames the cavity, the
+/// powder over it and a shoe that stands near; `aspect` is the picture's width over its height.
+ViewChoice choose_view(const results::FillResult& result, double aspect);
+
+}  // namespace diefill::render
