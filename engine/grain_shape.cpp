@@ -9,7 +9,9 @@ namespace diefill::engine {
 
 namespace {
 
-double sphere_volume(double radius) { return 4.0 / 3.0 * std::numbers::pi * radius * radius * radius; }
+double sphere_volume(double radius) {
+  return 4.0 / 3.0 * std::numbers::pi * radius * radius * radius;
+}
 
 std::vector<Eigen::Vector3d> octahedron(double distance) {
   std::vector<Eigen::Vector3d> corners;
@@ -18,7 +20,8 @@ std::vector<Eigen::Vector3d> octahedron(double distance) {
   return corners;
 }
 
-/// Inertia tensor about the origin: spheres of mass `mass` each at `offsets`, self term 2/5 m R^2 included (OP-6).
+/// Inertia tensor about the origin: spheres of mass `mass` each at `offsets`, self term 2/5 m R^2 included
+/// (OP-6).
 Eigen::Matrix3d inertia_tensor(const std::vector<Eigen::Vector3d>& offsets, double radius, double mass) {
   Eigen::Matrix3d tensor = Eigen::Matrix3d::Zero();
   for (const auto& b : offsets) {
@@ -45,12 +48,17 @@ double GrainShape::bounding_radius() const {
   return farthest + sphere_radius;
 }
 
-GrainShape model_a(double sphere_radius, double mass) { return single_sphere(sphere_radius, mass, false); }
+GrainShape model_a(double sphere_radius, double mass) {
+  return single_sphere(sphere_radius, mass, false);
+}
 
-GrainShape model_b(double sphere_radius, double mass) { return single_sphere(sphere_radius, mass, true); }
+GrainShape model_b(double sphere_radius, double mass) {
+  return single_sphere(sphere_radius, mass, true);
+}
 
 GrainShape model_c(double sphere_radius, double mass) {
-  return rigid_grain(sphere_radius, octahedron(sphere_radius), mass, kUnionOfModelC * sphere_volume(sphere_radius));
+  return rigid_grain(sphere_radius, octahedron(sphere_radius), mass,
+                     kUnionOfModelC * sphere_volume(sphere_radius));
 }
 
 GrainShape model_d(double sphere_radius, double mass) {
@@ -59,7 +67,8 @@ GrainShape model_d(double sphere_radius, double mass) {
   return rigid_grain(sphere_radius, std::move(offsets), mass, 7 * sphere_volume(sphere_radius));
 }
 
-GrainShape rigid_grain(double sphere_radius, std::vector<Eigen::Vector3d> offsets, double mass, double solid_volume) {
+GrainShape rigid_grain(double sphere_radius, std::vector<Eigen::Vector3d> offsets, double mass,
+                       double solid_volume) {
   if (offsets.empty()) throw std::invalid_argument("a grain needs at least one sphere");
   if (!(sphere_radius > 0 && mass > 0 && solid_volume > 0))
     throw std::invalid_argument("radius, mass and solid volume of a grain must be positive");

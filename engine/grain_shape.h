@@ -6,15 +6,15 @@
 
 namespace diefill::engine {
 
-/// A rigid grain in its body frame. All spheres have the same radius; the frame is the principal one and its origin
-/// the centre of mass. SI units.
+/// A rigid grain in its body frame. All spheres have the same radius; the frame is the principal one and its
+/// origin the centre of mass. SI units.
 struct GrainShape {
-  double sphere_radius = 0;                             ///< m, R
-  std::vector<Eigen::Vector3d> sphere_offsets;          ///< m, sphere centres in the body frame
-  double mass = 0;                                      ///< kg
-  Eigen::Vector3d inertia = Eigen::Vector3d::Zero();    ///< kg m^2, principal moments
-  double solid_volume = 0;                              ///< m^3, of the union of the spheres
-  bool rotates = true;                                  ///< model A ignores torques
+  double sphere_radius = 0;                           ///< m, R
+  std::vector<Eigen::Vector3d> sphere_offsets;        ///< m, sphere centres in the body frame
+  double mass = 0;                                    ///< kg
+  Eigen::Vector3d inertia = Eigen::Vector3d::Zero();  ///< kg m^2, principal moments
+  double solid_volume = 0;                            ///< m^3, of the union of the spheres
+  bool rotates = true;                                ///< model A ignores torques
 
   std::size_t spheres() const { return sphere_offsets.size(); }
   /// m, radius of the smallest sphere about the centre of mass that holds the grain.
@@ -30,9 +30,11 @@ GrainShape model_c(double sphere_radius, double mass);
 /// Model D: a central sphere and six that touch it at +-2R. d = 6R.
 GrainShape model_d(double sphere_radius, double mass);
 
-/// Any rigid grain of equal spheres, each of the same mass, with the spheres' self inertia 2/5 m R^2 (OP-6). Offsets are
-/// moved to the centre of mass and turned into the principal frame. `solid_volume` is that of the union of spheres.
-/// Throws std::invalid_argument for no spheres, or a radius, mass or volume that is not positive.
-GrainShape rigid_grain(double sphere_radius, std::vector<Eigen::Vector3d> offsets, double mass, double solid_volume);
+/// Any rigid grain of equal spheres, each of the same mass, with the spheres' self inertia 2/5 m R^2 (OP-6).
+/// Offsets are moved to the centre of mass and turned into the principal frame. `solid_volume` is that of the
+/// union of spheres. Throws std::invalid_argument for no spheres, or a radius, mass or volume that is not
+/// positive.
+GrainShape rigid_grain(double sphere_radius, std::vector<Eigen::Vector3d> offsets, double mass,
+                       double solid_volume);
 
 }  // namespace diefill::engine

@@ -1,0 +1,46 @@
+// The state of the powder: structure-of-arrays over grains, and the working records that contacts read.
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <vector>
+
+namespace diefill::engine {
+
+/// Unit quaternion (w, x, y, z), body to laboratory. In the thesis' order and sign (xi, eta, zeta, chi) of
+/// Eq. 2.12 it is w = chi, x = eta, y = -xi, z = zeta.
+using Quaternion = Eigen::Vector4d;
+
+/// What a restart needs of every grain; entry k of every array belongs to one grain. The order follows space
+/// and changes whenever contacts are searched anew; `id` stays with the grain.
+struct Grains {
+  std::vector<std::uint64_t> id;
+  std::vector<Eigen::Vector3d> position;  ///< m, centre of mass, laboratory frame
+  std::vector<Eigen::Vector3d> velocity;  ///< m/s
+  std::vector<Quaternion> orientation;
+  std::vector<Eigen::Vector3d> spin;    ///< rad/s, angular velocity in the body frame
+  std::vector<Eigen::Vector3d> force;   ///< N, all forces at the present time, laboratory frame
+  std::vector<Eigen::Vector3d> torque;  ///< N m, all torques at the present time, body frame
+
+  std::size_t size() const { return id.size(); }
+  void resize(std::size_t count);
+  /// Entry k becomes the former entry order[k]; grains not named in `order` leave.
+  void reorder(const std::vector<std::uint32_t>& order);
+};
+
+/// What a contact reads of a grain, kept together because contacts meet grains in no order a cache could
+/// guess. Velocities are those predicted for the end of the step (OP-3).
+struct GrainMotion {
+  Eigen::Vector3d position;          ///< m
+  Eigen::Vector3d velocity;          ///< m/s
+  Eigen::Vector3d angular_velocity;  ///< rad/s, laboratory frame
+};
+
+/// Sum of contact forces on a grain. `rolling_load` is the sum of mu_r |f_e + f_v| (N m, model B).
+struct ContactSum {
+  Eigen::Vector3d force = Eigen::Vector3d::Zero();   ///< N
+  Eigen::Vector3d torque = Eigen::Vector3d::Zero();  ///< N m about the grain's centre, laboratory frame
+  double rolling_load = 0;
+};
+
+}  // namespace diefill::engine

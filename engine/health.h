@@ -1,0 +1,47 @@
+// The method's valid range, watched while running: a run that leaves it says so and stops instead of
+// delivering garbage.
+#pragma once
+
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "engine/simulation.h"
+
+namespace diefill::engine {
+
+/// A run that has left the method's valid range. The message is one line: what was seen, where, the limit,
+/// what to change.
+struct OutOfRange : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+/// Limits of the method. Between comfortable and forbidden a run goes on with a warning in its report.
+struct HealthLimits {
+  double comfortable_overlap = 0.2;  ///< over the sphere radius: Hertz' law is a small-overlap law
+  double forbidden_overlap = 0.6;    ///< over the sphere radius
+  double energy_error = 0.05;        ///< of the energy turned over, gained without any work that explains it
+};
+
+/// Watches one run.
+class Health {
+ public:
+  explicit Health(const HealthLimits& limits = {}) : limits_(limits) {}
+
+  /// Looks at the simulation as it is now; call every so many steps. Throws OutOfRange past a limit.
+  void check(const Simulation& simulation);
+  /// Warnings so far, each once.
+  const std::vector<std::string>& warnings() const { return warnings_; }
+
+ private:
+  void check_numbers(const Simulation& simulation) const;
+  void check_overlap(const Simulation& simulation);
+  void check_time_step(const Simulation& simulation) const;
+  void check_energy(const Simulation& simulation) const;
+
+  HealthLimits limits_;
+  bool warned_of_overlap_ = false;
+  std::vector<std::string> warnings_;
+};
+
+}  // namespace diefill::engine

@@ -1,0 +1,47 @@
+// A contact law put together from its parts. Plain numbers in, forces out: the pair loop for grains, the one
+// for walls and the tests all call these few lines.
+#pragma once
+
+#include "engine/contact_parameters.h"
+#include "engine/laws/cohesion.h"
+#include "engine/laws/damping.h"
+#include "engine/laws/hertz.h"
+#include "engine/laws/tangential_spring.h"
+
+namespace diefill::engine::laws {
+
+/// Normal parts of a contact force in N, positive when repulsive.
+struct NormalForce {
+  double elastic, cohesive, viscous;
+  double total() const { return elastic + cohesive + viscous; }
+  /// |f_e + f_v|: what Coulomb's limit and rolling friction are taken of (Bierwisch 2009, Eqs. 2.7, 2.11).
+  double load() const { return std::abs(elastic + viscous); }
+};
+
+/// Hertz, cohesion, damping and friction between spheres of one effective radius.
+template <class Cohesion, class Friction>
+struct ContactLaw {
+  static constexpr bool kHasSpring = Friction::kHasSpring;
+  Hertz elastic;
+  Cohesion cohesion;
+  HertzianDamping damping;
+  Friction friction;
+  double rolling_friction = 0;  ///< m, mu_r
+
+  ContactLaw(const ContactParameters& parameters, double effective_radius)
+      : elastic(parameters.reduced_modulus, effective_radius),
+        cohesion(parameters.work_of_adhesion, parameters.reduced_modulus, effective_radius),
+        damping(parameters.damping, effective_radius),
+        friction(parameters.tangential, parameters.friction, effective_radius),
+        rolling_friction(parameters.rolling_friction) {}
+
+  /// Normal forces at overlap h (m) and speed of separation (m/s), given sqrt(h).
+  NormalForce normal(double overlap, double root_overlap, double separation_speed) const {
+    return {elastic.force(overlap, root_overlap), cohesion.force(overlap, root_overlap),
+            damping.force(root_overlap, separation_speed)};
+  }
+  /// Energy in J that the normal springs hold at overlap h (m).
+  double energy(double overlap) const { return elastic.energy(overlap) + cohesion.energy(overlap); }
+};
+
+}  // namespace diefill::engine::laws

@@ -1,0 +1,79 @@
+// Which spheres may come to touch: near pairs with a skin, renewed when motion has used the skin up. Motion
+// is measured against that of the powder as a whole, so that powder riding in a shoe does not age its list.
+#pragma once
+
+#include <optional>
+
+#include "engine/contact_history.h"
+#include "engine/parallel.h"
+#include "engine/periodic_box.h"
+#include "engine/sphere_cells.h"
+#include "engine/walls.h"
+
+namespace diefill::engine {
+
+/// The spheres of all grains and of their images at one instant.
+struct SphereField {
+  std::size_t spheres_per_grain = 1;
+  std::size_t grains = 0;                 ///< real ones; images follow
+  std::vector<Eigen::Vector3d> position;  ///< m, grain after grain
+  std::vector<GrainImage> images;
+};
+
+/// What the search needs to know.
+struct NeighbourSettings {
+  double sphere_radius = 0;    ///< m
+  double farthest_sphere = 0;  ///< m, of a sphere's centre from its grain's centre
+  double skin = 0;             ///< m, how much nearer two spheres may come before the list must be renewed
+};
+
+/// The powder and the bodies as they stood when the list was made: all that is needed to tell when it is too
+/// old, and to make it again.
+struct ListReference {
+  std::vector<Eigen::Vector3d> position;  ///< m, of grains
+  std::vector<Quaternion> orientation;
+  std::vector<BodyMotion> bodies;
+  Eigen::Vector3d drift = Eigen::Vector3d::Zero();  ///< m/s, mean velocity of the powder
+  double time = 0;                                  ///< s
+};
+
+/// Near pairs in blocks.
+class NeighbourList {
+ public:
+  /// `body_first`: number of the first wall sphere of each body when all are counted through.
+  NeighbourList(const NeighbourSettings& settings, std::vector<std::uint32_t> body_first);
+
+  /// Finds all near pairs, with the memory of `history` (sphere pairs) and `wall_history`.
+  void build(const SphereField& spheres, const std::vector<WallBody>& bodies,
+             const std::vector<BodyMotion>& poses, const ContactHistory& history,
+             const ContactHistory& wall_history, Workers& workers);
+
+  std::vector<Block>& blocks() { return blocks_; }
+  const std::vector<Block>& blocks() const { return blocks_; }
+  const std::vector<std::uint32_t>& body_first() const { return body_first_; }
+  const NeighbourSettings& settings() const { return settings_; }
+
+  /// Where a grain's forces are summed outside its own block: (block, slot) in fixed order.
+  struct ForeignSum {
+    std::uint32_t block, slot;
+  };
+  /// Foreign sums of grain g are [foreign_first()[g], foreign_first()[g + 1]).
+  const std::vector<std::uint32_t>& foreign_first() const { return foreign_first_; }
+  const std::vector<ForeignSum>& foreign_sums() const { return foreign_sums_; }
+
+ private:
+  void cut_into_blocks(std::size_t grains);
+  void find_grain_pairs(Block& block, const SphereField& spheres, const ContactHistory& history) const;
+  void find_wall_pairs(Block& block, const SphereField& spheres, const std::vector<WallBody>& bodies,
+                       const std::vector<BodyMotion>& poses, const ContactHistory& history) const;
+  void index_foreign_sums(std::size_t grains);
+
+  NeighbourSettings settings_;
+  std::vector<std::uint32_t> body_first_;
+  std::vector<Block> blocks_;
+  SphereCells cells_;
+  std::vector<std::uint32_t> foreign_first_;
+  std::vector<ForeignSum> foreign_sums_;
+};
+
+}  // namespace diefill::engine

@@ -1,0 +1,54 @@
+// The one loop over touching pairs, for grains and for walls, templated on the contact law so that terms a
+// scene does not use are not in it. A scene picks its instantiation once.
+#pragma once
+
+#include <memory>
+
+#include "engine/contact_parameters.h"
+#include "engine/neighbour_list.h"
+
+namespace diefill::engine {
+
+/// What one block did in one step.
+struct BlockTally {
+  double viscous_work = 0;                  ///< J, done by damping (negative)
+  double tangential_work = 0;               ///< J, done by tangential forces
+  double drag_work = 0;                     ///< J, done by air (negative)
+  double rolling_work = 0;                  ///< J, done by rolling friction (negative)
+  double deepest_overlap = 0;               ///< m
+  double displacement = 0;                  ///< m, largest of the block's grains since contacts were searched
+  std::uint64_t touching = 0;               ///< pairs
+  std::vector<Eigen::Vector3d> body_force;  ///< N on each wall body
+  std::vector<Eigen::Vector3d> body_torque;  ///< N m about the origin of each body's frame
+
+  void start(std::size_t bodies);
+};
+
+/// State of the powder and the tools that contacts are computed from.
+struct ContactScene {
+  const SphereField& spheres;
+  const std::vector<GrainMotion>& motion;  ///< real grains, then images
+  const std::vector<WallBody>& bodies;
+  const std::vector<BodyMotion>& body_motion;
+  double sphere_radius;  ///< m
+  double time_step;      ///< s
+};
+
+/// Contact forces of a block's pairs.
+class PairLoop {
+ public:
+  virtual ~PairLoop() = default;
+  /// Adds the forces of the block's touching pairs to its sums and advances their springs.
+  virtual void add_forces(Block& block, const ContactScene& scene, BlockTally& tally) const = 0;
+  /// Energy (J) that the normal springs of the block's pairs hold.
+  virtual double stored_energy(const Block& block, const ContactScene& scene) const = 0;
+};
+
+/// The loop for pairs between grains of spheres of `sphere_radius` (m).
+std::unique_ptr<PairLoop> make_grain_loop(const ContactParameters& parameters, LeverArm arm,
+                                          SpringLimit limit, double sphere_radius);
+/// The loop for pairs of grains with walls; one law for each radius of wall spheres (m, one entry a body).
+std::unique_ptr<PairLoop> make_wall_loop(const ContactParameters& parameters, LeverArm arm, SpringLimit limit,
+                                         double sphere_radius, const std::vector<double>& wall_radii);
+
+}  // namespace diefill::engine

@@ -1,0 +1,40 @@
+// Threads for the engine. Work is cut into the same blocks whatever the number of threads, and what blocks
+// have in common is summed in block order, so that results do not depend on who computed what.
+#pragma once
+
+#include <oneapi/tbb/parallel_for.h>
+#include <oneapi/tbb/task_arena.h>
+
+#include <cstddef>
+
+namespace diefill::engine {
+
+/// Runs independent pieces of work on a fixed number of threads.
+class Workers {
+ public:
+  explicit Workers(int threads) : threads_(threads), arena_(threads) {}
+  int threads() const { return threads_; }
+
+  /// Calls action(k) for k in [0, count), each once; order and thread are unspecified.
+  template <class Action>
+  void for_each(std::size_t count, const Action& action) {
+    if (threads_ == 1 || count < 2) {
+      for (std::size_t k = 0; k < count; ++k) action(k);
+      return;
+    }
+    arena_.execute([&] {
+      oneapi::tbb::parallel_for(
+          oneapi::tbb::blocked_range<std::size_t>(0, count, 1),
+          [&](const auto& range) {
+            for (std::size_t k = range.begin(); k != range.end(); ++k) action(k);
+          },
+          oneapi::tbb::simple_partitioner());
+    });
+  }
+
+ private:
+  int threads_;
+  oneapi::tbb::task_arena arena_;
+};
+
+}  // namespace diefill::engine

@@ -1,0 +1,141 @@
+// The DEM: owns powder, tools and contacts, and steps them through time.
+#pragma once
+
+#include <functional>
+#include <memory>
+
+#include "engine/grain_shape.h"
+#include "engine/ledger.h"
+#include "engine/pair_loop.h"
+#include "engine/phase_timers.h"
+#include "engine/state.h"
+
+namespace diefill::engine {
+
+/// All that stays the same during a run. SI units.
+struct SimulationSettings {
+  GrainShape shape;
+  ContactParameters grain_contact, wall_contact;
+  LeverArm lever_arm =
+      LeverArm::center;  ///< ignored for single spheres: none or surface, after GrainShape::rotates
+  SpringLimit spring_limit = SpringLimit::cut_back;
+  Eigen::Vector3d gravity = {0, 0, -9.81};  ///< m/s^2
+  double air_viscosity = 0;                 ///< Pa s, Stokes drag on every sphere (Bierwisch 2009, Eq. 2.9)
+  double time_step = 0;                     ///< s
+  std::array<std::optional<double>, 2> period;  ///< m along x and y, box centred on the origin
+  double skin = 0;                              ///< m; 0: a default from the sphere radius
+  int threads = 1;
+};
+
+/// A grain to be added.
+struct NewGrain {
+  Eigen::Vector3d position = Eigen::Vector3d::Zero();          ///< m
+  Eigen::Vector3d velocity = Eigen::Vector3d::Zero();          ///< m/s
+  Quaternion orientation = {1, 0, 0, 0};                       ///< (w, x, y, z), body to laboratory
+  Eigen::Vector3d angular_velocity = Eigen::Vector3d::Zero();  ///< rad/s, laboratory frame
+};
+
+/// Force and torque of the powder on a wall body. Torque about the origin of the body's frame.
+struct WallLoad {
+  Eigen::Vector3d force = Eigen::Vector3d::Zero();   ///< N
+  Eigen::Vector3d torque = Eigen::Vector3d::Zero();  ///< N m
+};
+
+/// Powder, tools and time. Same settings, grains and steps give bitwise the same state on any number of
+/// threads.
+class Simulation {
+ public:
+  /// Throws std::invalid_argument when the time step, the shape or a period cannot work.
+  Simulation(const SimulationSettings& settings, std::vector<WallBodySpec> walls);
+
+  /// Adds grains at rest or moving; ids continue from the last one given.
+  void add_grains(const std::vector<NewGrain>& grains);
+  /// Takes out every grain for which `leaves(position)` is true; returns how many.
+  std::size_t remove_grains(const std::function<bool(const Eigen::Vector3d&)>& leaves);
+  /// Prescribes a body's motion from now on: pose and velocity at time t (s since the start of the run).
+  void set_motion(std::size_t body, std::function<BodyMotion(double)> motion);
+
+  /// One time step (Bierwisch 2009, section 2.2).
+  void step();
+
+  std::uint64_t steps() const { return step_; }
+  double time() const { return time_; }
+  const SimulationSettings& settings() const { return settings_; }
+  const Grains& grains() const { return grains_; }
+  const std::vector<WallBody>& bodies() const { return bodies_; }
+  /// Pose of body b at the present time.
+  const BodyMotion& body_motion(std::size_t b) const { return body_motion_[b]; }
+  /// Load on body b in the last step.
+  const WallLoad& wall_load(std::size_t b) const { return wall_loads_[b]; }
+  const NeighbourList& neighbours() const { return list_; }
+  const Ledger& ledger() const { return ledger_; }
+  const PhaseTimers& timers() const { return timers_; }
+  std::uint64_t searches() const { return searches_; }
+  /// Pairs that touched in the last step.
+  std::uint64_t touching_pairs() const { return touching_; }
+  /// m, deepest overlap of the last step and of the whole run.
+  double deepest_overlap() const { return deepest_now_; }
+  double deepest_overlap_of_run() const { return deepest_ever_; }
+  /// Angular velocity (rad/s) of grain k in the laboratory frame.
+  Eigen::Vector3d angular_velocity(std::size_t k) const;
+  /// Sphere centres (m) of the last contact computation, grain after grain, images last.
+  const SphereField& spheres() const { return spheres_; }
+
+  /// Energy of the powder now, summed in a fixed order.
+  Energy energy() const;
+  /// Difference between the energy there is and the energy the ledger expects, over the energy turned over so
+  /// far.
+  double energy_balance_error() const;
+
+  Snapshot snapshot() const;
+  /// Goes on from `snapshot`, which must come from the same settings and walls; bodies' motions must have
+  /// been set.
+  void restore(const Snapshot& snapshot);
+  std::uint64_t hash() const { return state_hash(step_, grains_); }
+
+ private:
+  void advance_grains();
+  void advance_grain(std::size_t k);
+  void move_bodies();
+  double displacement_since_search(std::size_t k) const;
+  bool list_is_old() const;
+  void sort_and_search();
+  void search_in_order(const std::vector<std::uint32_t>& order);
+  void search(const ContactHistory& history, const ContactHistory& wall_history);
+  void remember_reference();
+  void find_images();
+  void place_spheres(const std::vector<Eigen::Vector3d>& position,
+                     const std::vector<Quaternion>& orientation);
+  void place_images();
+  void compute_contacts();
+  void finish_grains();
+  ContactSum gathered(std::size_t block, std::size_t k) const;
+  void finish_grain(std::size_t k, const ContactSum& contacts, BlockTally& tally);
+  void book_step();
+  ContactScene contact_scene() const;
+
+  SimulationSettings settings_;
+  Workers workers_;
+  PeriodicBox box_;
+  std::vector<WallBody> bodies_;
+  std::vector<BodyMotion> body_motion_;
+  std::vector<WallLoad> wall_loads_;
+  NeighbourList list_;
+  ListReference reference_;
+  std::unique_ptr<PairLoop> grain_loop_, wall_loop_;
+  Eigen::Vector3d drag_inertia_ =
+      Eigen::Vector3d::Zero();  ///< m^2, sum over spheres of (b^2 - b_a^2), body frame
+
+  Grains grains_;
+  std::vector<GrainMotion> motion_;
+  SphereField spheres_;
+  std::vector<BlockTally> tallies_;
+  std::vector<double> clearance_;  ///< m a body, how far it stood from the powder when contacts were searched
+
+  std::uint64_t step_ = 0, next_id_ = 0, searches_ = 0, touching_ = 0;
+  double time_ = 0, deepest_now_ = 0, deepest_ever_ = 0;
+  Ledger ledger_;
+  PhaseTimers timers_;
+};
+
+}  // namespace diefill::engine

@@ -1,0 +1,31 @@
+// The energy that a simulation's powder holds, held against its ledger.
+#include <algorithm>
+#include <cmath>
+
+#include "engine/simulation.h"
+
+namespace diefill::engine {
+
+Energy Simulation::energy() const {
+  const GrainShape& shape = settings_.shape;
+  Energy energy;
+  for (std::size_t k = 0; k < grains_.size(); ++k) {
+    energy.translation += 0.5 * shape.mass * grains_.velocity[k].squaredNorm();
+    if (shape.rotates) energy.rotation += 0.5 * shape.inertia.dot(grains_.spin[k].cwiseAbs2());
+    energy.height -= shape.mass * settings_.gravity.dot(grains_.position[k]);
+  }
+  const ContactScene scene = contact_scene();
+  for (const auto& block : list_.blocks())
+    energy.contacts += grain_loop_->stored_energy(block, scene) + wall_loop_->stored_energy(block, scene);
+  return energy;
+}
+
+double Simulation::energy_balance_error() const {
+  const Energy now = energy();
+  const double turned_over = std::abs(ledger_.viscous_work) + std::abs(ledger_.tangential_work) +
+                             std::abs(ledger_.drag_work) + std::abs(ledger_.rolling_work) +
+                             std::abs(ledger_.wall_work) + now.kinetic() + std::abs(now.contacts);
+  return turned_over > 0 ? (now.total() - ledger_.expected()) / turned_over : 0;
+}
+
+}  // namespace diefill::engine

@@ -1,0 +1,197 @@
+// How a simulation renews its list of near pairs, and how it stops and goes on.
+#include <algorithm>
+#include <numeric>
+
+#include "engine/rigid_motion.h"
+#include "engine/simulation.h"
+#include "engine/spatial_order.h"
+
+namespace diefill::engine {
+
+namespace {
+
+/// How far (m) body and powder are apart at least, beyond `reach`; 0 when near. Coarse: the powder's box as a
+/// ball.
+double clearance_of(const WallBody& body, const BodyMotion& pose, const Eigen::Vector3d& lower,
+                    const Eigen::Vector3d& upper, double reach) {
+  const Eigen::Vector3d middle = pose.rotation.transpose() * (0.5 * (lower + upper) - pose.translation);
+  const Eigen::Vector3d beyond = (body.lower() - middle).cwiseMax(middle - body.upper()).cwiseMax(0.0);
+  return std::max(0.0, beyond.norm() - 0.5 * (upper - lower).norm() - reach);
+}
+
+}  // namespace
+
+bool Simulation::list_is_old() const {
+  double moved = 0;
+  for (const auto& tally : tallies_) moved = std::max(moved, tally.displacement);
+  if (2 * moved > settings_.skin) return true;
+  const Eigen::Vector3d drifted = reference_.drift * (time_ - reference_.time);
+  for (std::size_t b = 0; b < bodies_.size(); ++b) {
+    const BodyMotion &now = body_motion_[b], &then = reference_.bodies[b];
+    const double body_moved = (now.translation - then.translation - drifted).norm() +
+                              bodies_[b].extent() * (now.rotation - then.rotation).norm();
+    if (moved + body_moved > settings_.skin + clearance_[b]) return true;
+  }
+  return false;
+}
+
+void Simulation::sort_and_search() {
+  if (box_.any())
+    for (std::size_t k = 0; k < grains_.size(); ++k)
+      grains_.position[k] = motion_[k].position = box_.wrapped(grains_.position[k]);
+  search_in_order(spatial_order(grains_.position, 2 * settings_.shape.bounding_radius()));
+}
+
+void Simulation::search_in_order(const std::vector<std::uint32_t>& order) {
+  std::vector<std::uint32_t> owners;
+  for (const auto& image : spheres_.images) owners.push_back(image.owner);
+  const PairNaming naming{spheres_.spheres_per_grain, spheres_.grains, &owners, &list_.body_first()};
+  std::vector<std::uint32_t> new_place(grains_.size(), kGone);
+  for (std::uint32_t k = 0; k < order.size(); ++k) new_place[order[k]] = k;
+  const std::size_t spheres = order.size() * settings_.shape.spheres();
+  const ContactHistory history(remember_grain_contacts(list_.blocks(), naming, new_place), spheres);
+  const ContactHistory wall_history(remember_wall_contacts(list_.blocks(), naming, new_place), spheres);
+
+  grains_.reorder(order);
+  std::vector<GrainMotion> motion(order.size());
+  for (std::size_t k = 0; k < order.size(); ++k) motion[k] = motion_[order[k]];
+  motion_.swap(motion);
+  remember_reference();
+  search(history, wall_history);
+}
+
+void Simulation::remember_reference() {
+  reference_.position = grains_.position;
+  reference_.orientation = grains_.orientation;
+  reference_.bodies = body_motion_;
+  reference_.time = time_;
+  reference_.drift.setZero();
+  for (const auto& velocity : grains_.velocity) reference_.drift += velocity;
+  if (grains_.size() > 0) reference_.drift /= static_cast<double>(grains_.size());
+}
+
+void Simulation::search(const ContactHistory& history, const ContactHistory& wall_history) {
+  ++searches_;
+  spheres_.grains = reference_.position.size();
+  find_images();
+  motion_.resize(spheres_.grains + spheres_.images.size());
+  spheres_.position.resize(motion_.size() * spheres_.spheres_per_grain);
+  place_spheres(reference_.position, reference_.orientation);
+  list_.build(spheres_, bodies_, reference_.bodies, history, wall_history, workers_);
+  tallies_.resize(list_.blocks().size());
+
+  Eigen::Vector3d lower = Eigen::Vector3d::Constant(1e300), upper = -lower;
+  for (const auto& centre : spheres_.position) {
+    lower = lower.cwiseMin(centre);
+    upper = upper.cwiseMax(centre);
+  }
+  for (std::size_t b = 0; b < bodies_.size(); ++b) {
+    const double reach = settings_.shape.sphere_radius + bodies_[b].sphere_radius() + settings_.skin;
+    clearance_[b] =
+        spheres_.grains == 0 ? 0 : clearance_of(bodies_[b], reference_.bodies[b], lower, upper, reach);
+  }
+}
+
+void Simulation::find_images() {
+  spheres_.images.clear();
+  if (!box_.any()) return;
+  // A grain on the border meets others whose centre is up to two grain radii and the skin beyond it.
+  const double margin = 2 * settings_.shape.bounding_radius() + settings_.skin;
+  std::vector<Eigen::Vector3d> shifts;
+  for (std::uint32_t k = 0; k < reference_.position.size(); ++k) {
+    shifts.clear();
+    box_.image_shifts(reference_.position[k], margin, shifts);
+    for (const auto& shift : shifts) spheres_.images.push_back({k, shift});
+  }
+}
+
+void Simulation::place_spheres(const std::vector<Eigen::Vector3d>& position,
+                               const std::vector<Quaternion>& orientation) {
+  const GrainShape& shape = settings_.shape;
+  for (std::size_t k = 0; k < spheres_.grains; ++k) {
+    const Eigen::Matrix3d to_lab = rotation_matrix(orientation[k]);
+    for (std::size_t s = 0; s < shape.spheres(); ++s)
+      spheres_.position[k * shape.spheres() + s] = position[k] + to_lab * shape.sphere_offsets[s];
+  }
+  place_images();
+}
+
+void Simulation::place_images() {
+  const std::size_t per_grain = spheres_.spheres_per_grain;
+  for (std::size_t m = 0; m < spheres_.images.size(); ++m) {
+    const GrainImage& image = spheres_.images[m];
+    const std::size_t copy = spheres_.grains + m;
+    motion_[copy] = motion_[image.owner];
+    motion_[copy].position += image.shift;
+    for (std::size_t s = 0; s < per_grain; ++s)
+      spheres_.position[copy * per_grain + s] = spheres_.position[image.owner * per_grain + s] + image.shift;
+  }
+}
+
+namespace {
+
+/// Touching pairs of one kind over all blocks, by their number.
+template <class Table>
+std::vector<Snapshot::PairMemory> memory_of(const std::vector<Block>& blocks, Table Block::*table) {
+  std::vector<Snapshot::PairMemory> memory;
+  std::uint64_t before = 0;
+  for (const auto& block : blocks) {
+    const auto& pairs = block.*table;
+    for (std::size_t p = 0; p < pairs.touching.size(); ++p)
+      if (pairs.touching[p]) memory.push_back({before + p, pairs.spring[p]});
+    before += pairs.touching.size();
+  }
+  return memory;
+}
+
+/// Puts what memory_of() took back into the tables.
+template <class Table>
+void recall(std::vector<Block>& blocks, Table Block::*table,
+            const std::vector<Snapshot::PairMemory>& memory) {
+  std::uint64_t before = 0;
+  auto next = memory.begin();
+  for (auto& block : blocks) {
+    auto& pairs = block.*table;
+    for (; next != memory.end() && next->pair < before + pairs.touching.size(); ++next) {
+      pairs.touching[next->pair - before] = 1;
+      pairs.spring[next->pair - before] = next->spring;
+    }
+    before += pairs.touching.size();
+  }
+}
+
+}  // namespace
+
+Snapshot Simulation::snapshot() const {
+  Snapshot copy;
+  copy.step = step_;
+  copy.time = time_;
+  copy.grains = grains_;
+  copy.reference = reference_;
+  copy.grain_springs = memory_of(list_.blocks(), &Block::grain_pairs);
+  copy.wall_springs = memory_of(list_.blocks(), &Block::wall_pairs);
+  copy.ledger = ledger_;
+  copy.next_id = next_id_;
+  copy.deepest_overlap = deepest_ever_;
+  return copy;
+}
+
+void Simulation::restore(const Snapshot& snapshot) {
+  step_ = snapshot.step;
+  time_ = snapshot.time;
+  ledger_ = snapshot.ledger;
+  next_id_ = snapshot.next_id;
+  deepest_ever_ = snapshot.deepest_overlap;
+  grains_ = snapshot.grains;
+  reference_ = snapshot.reference;
+  motion_.assign(grains_.size(), {});
+  search({}, {});
+  recall(list_.blocks(), &Block::grain_pairs, snapshot.grain_springs);
+  recall(list_.blocks(), &Block::wall_pairs, snapshot.wall_springs);
+  for (std::size_t k = 0; k < grains_.size(); ++k)
+    motion_[k] = {grains_.position[k], grains_.velocity[k], angular_velocity(k)};
+  place_spheres(grains_.position, grains_.orientation);
+  move_bodies();
+}
+
+}  // namespace diefill::engine

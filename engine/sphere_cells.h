@@ -1,0 +1,47 @@
+// Spheres sorted into cubic cells, for finding pairs that are near.
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <vector>
+
+namespace diefill::engine {
+
+/// A grid of cells over points (m). Points of a cell lie together, and cells along x follow each other, so
+/// that a neighbourhood of 27 cells is nine runs.
+class SphereCells {
+ public:
+  /// Sorts `points` into cells of edge at least `cell` (m).
+  void build(const std::vector<Eigen::Vector3d>& points, double cell);
+
+  /// Calls visit(index, position) for every point in the cell of `point` and its 26 neighbours, in a fixed
+  /// order.
+  template <class Visit>
+  void visit_neighbourhood(const Eigen::Vector3d& point, const Visit& visit) const {
+    const Eigen::Vector3i cell = cell_of(point);
+    const Eigen::Vector3i low = (cell.array() - 1).max(0), high = (cell.array() + 1).min(cells_.array() - 1);
+    for (int z = low[2]; z <= high[2]; ++z)
+      for (int y = low[1]; y <= high[1]; ++y) {
+        const std::uint32_t end = first_[index_of(high[0], y, z) + 1];
+        for (std::uint32_t k = first_[index_of(low[0], y, z)]; k < end; ++k) visit(index_[k], position_[k]);
+      }
+  }
+
+ private:
+  Eigen::Vector3i cell_of(const Eigen::Vector3d& point) const {
+    return ((point - lower_) / edge_).array().floor().cast<int>();
+  }
+  std::size_t index_of(int x, int y, int z) const {
+    return (static_cast<std::size_t>(z) * static_cast<std::size_t>(cells_[1]) + static_cast<std::size_t>(y)) *
+               static_cast<std::size_t>(cells_[0]) +
+           static_cast<std::size_t>(x);
+  }
+
+  Eigen::Vector3d lower_ = Eigen::Vector3d::Zero();
+  Eigen::Vector3i cells_ = Eigen::Vector3i::Ones();
+  double edge_ = 1;
+  std::vector<std::uint32_t> first_, index_, cell_;
+  std::vector<Eigen::Vector3d> position_;
+};
+
+}  // namespace diefill::engine

@@ -1,0 +1,34 @@
+// A snapshot: everything that a run needs to go on bit for bit as if it had never stopped.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "engine/grains.h"
+#include "engine/ledger.h"
+#include "engine/neighbour_list.h"
+
+namespace diefill::engine {
+
+/// Snapshot of a Simulation. Pair tables are not kept: they are found again from `reference`, in the same
+/// order, and `grain_springs`, `wall_springs` name the touching pairs by their place in them.
+struct Snapshot {
+  std::uint64_t step = 0;
+  double time = 0;  ///< s
+  Grains grains;
+  ListReference reference;
+  struct PairMemory {
+    std::uint64_t pair;  ///< number over all blocks, in block order
+    Eigen::Vector3d spring;
+  };
+  std::vector<PairMemory> grain_springs, wall_springs;
+  Ledger ledger;
+  std::uint64_t next_id = 0;
+  double deepest_overlap = 0;  ///< m, over the whole run
+};
+
+/// 64-bit FNV-1a hash of the powder's state, grain by grain in the order of their ids: equal exactly if step
+/// and all positions, orientations, velocities and spins are equal bit for bit.
+std::uint64_t state_hash(std::uint64_t step, const Grains& grains);
+
+}  // namespace diefill::engine

@@ -1,0 +1,93 @@
+#include "engine/walls.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace diefill::engine {
+
+namespace {
+
+/// Cells of a body are limited to this number; larger cells then make up for it.
+constexpr double kMostCells = 1.6e7;
+
+}  // namespace
+
+WallBody::WallBody(WallBodySpec spec, double reach) : spec_(std::move(spec)), reach_(reach) {
+  lower_ = Eigen::Vector3d::Constant(1e300);
+  upper_ = Eigen::Vector3d::Constant(-1e300);
+  for (const auto& centre : spec_.centres) {
+    lower_ = lower_.cwiseMin(centre);
+    upper_ = upper_.cwiseMax(centre);
+    extent_ = std::max(extent_, centre.norm());
+  }
+  if (spec_.centres.empty()) return;
+  cell_size_ = reach;
+  const Eigen::Vector3d size = upper_ - lower_ + Eigen::Vector3d::Constant(4 * reach);
+  while (size.prod() / (cell_size_ * cell_size_ * cell_size_) > kMostCells) cell_size_ *= 1.2;
+  // One empty cell all round, so that neighbours of a cell with spheres always exist.
+  for (int axis = 0; axis < 3; ++axis)
+    cells_[axis] = static_cast<int>(std::floor((upper_[axis] - lower_[axis]) / cell_size_)) + 3;
+  sort_into_cells();
+  mark_neighbourhoods();
+}
+
+Eigen::Vector3i WallBody::cell_of(const Eigen::Vector3d& body_point) const {
+  return ((body_point - lower_) / cell_size_).array().floor().cast<int>() + 1;
+}
+
+std::size_t WallBody::index_of(const Eigen::Vector3i& cell) const {
+  return (static_cast<std::size_t>(cell[2]) * static_cast<std::size_t>(cells_[1]) +
+          static_cast<std::size_t>(cell[1])) *
+             static_cast<std::size_t>(cells_[0]) +
+         static_cast<std::size_t>(cell[0]);
+}
+
+void WallBody::sort_into_cells() {
+  const std::size_t count = spec_.centres.size();
+  std::vector<std::size_t> cell(count);
+  for (std::size_t w = 0; w < count; ++w) cell[w] = index_of(cell_of(spec_.centres[w]));
+  std::vector<std::uint32_t> order(count);
+  std::iota(order.begin(), order.end(), 0U);
+  std::stable_sort(order.begin(), order.end(), [&](auto a, auto b) { return cell[a] < cell[b]; });
+
+  std::vector<Eigen::Vector3d> sorted(count);
+  for (std::size_t w = 0; w < count; ++w) sorted[w] = spec_.centres[order[w]];
+  spec_.centres.swap(sorted);
+  first_.assign(static_cast<std::size_t>(cells_.cast<double>().prod()) + 1, 0);
+  for (std::size_t w = 0; w < count; ++w) ++first_[cell[w] + 1];
+  std::partial_sum(first_.begin(), first_.end(), first_.begin());
+}
+
+void WallBody::mark_neighbourhoods() {
+  neighbourhood_.assign(first_.size() - 1, 0);
+  for (int z = 1; z + 1 < cells_[2]; ++z)
+    for (int y = 1; y + 1 < cells_[1]; ++y)
+      for (int x = 1; x + 1 < cells_[0]; ++x) {
+        const std::size_t here = index_of({x, y, z});
+        if (first_[here] == first_[here + 1]) continue;
+        for (int dz = -1; dz <= 1; ++dz)
+          for (int dy = -1; dy <= 1; ++dy)
+            for (int dx = -1; dx <= 1; ++dx) neighbourhood_[index_of({x + dx, y + dy, z + dz})] = 1;
+      }
+}
+
+void WallBody::find(const Eigen::Vector3d& body_point, std::vector<std::uint32_t>& found) const {
+  if (spec_.centres.empty()) return;
+  const Eigen::Vector3d beyond = (lower_ - body_point).cwiseMax(body_point - upper_);
+  if (beyond.maxCoeff() > reach_) return;
+  const Eigen::Vector3i cell = cell_of(body_point);
+  if ((cell.array() < 0).any() || (cell.array() >= cells_.array()).any()) return;
+  if (!neighbourhood_[index_of(cell)]) return;
+  const Eigen::Vector3i low = (cell.array() - 1).max(0), high = (cell.array() + 1).min(cells_.array() - 1);
+  for (int z = low[2]; z <= high[2]; ++z)
+    for (int y = low[1]; y <= high[1]; ++y) {
+      // Cells along x lie together: one run of wall spheres for all three.
+      const std::uint32_t begin = first_[index_of({low[0], y, z})];
+      const std::uint32_t end = first_[index_of({high[0], y, z}) + 1];
+      for (std::uint32_t w = begin; w < end; ++w)
+        if ((spec_.centres[w] - body_point).squaredNorm() < reach_ * reach_) found.push_back(w);
+    }
+}
+
+}  // namespace diefill::engine

@@ -1,0 +1,76 @@
+// Tools as the engine sees them: rigid bodies made of wall spheres, carried by a prescribed motion. Their
+// mass is infinite; forces on them are summed for measurement (Bierwisch 2009, section 2.3).
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace diefill::engine {
+
+/// Pose and velocity of a body at one time: a body point p stands at rotation * p + translation.
+struct BodyMotion {
+  Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();
+  Eigen::Vector3d translation = Eigen::Vector3d::Zero();       ///< m
+  Eigen::Vector3d velocity = Eigen::Vector3d::Zero();          ///< m/s, of the body frame's origin
+  Eigen::Vector3d angular_velocity = Eigen::Vector3d::Zero();  ///< rad/s, laboratory frame
+
+  Eigen::Vector3d point(const Eigen::Vector3d& body_point) const {
+    return rotation * body_point + translation;
+  }
+  /// Velocity (m/s) of the material point that is at `lab_point` (m).
+  Eigen::Vector3d velocity_at(const Eigen::Vector3d& lab_point) const {
+    return velocity + angular_velocity.cross(lab_point - translation);
+  }
+};
+
+/// A tool to be built into a simulation.
+struct WallBodySpec {
+  std::string name;
+  std::vector<Eigen::Vector3d> centres;  ///< m, wall sphere centres in the body frame
+  double sphere_radius = 1.5e-4;         ///< m, R_w
+  /// Motion at time t (s); empty: the body stands still where its frame is the laboratory's.
+  std::function<BodyMotion(double)> motion;
+};
+
+/// Wall spheres of one body in cells of its own frame, so that a search costs nothing where the body is far.
+class WallBody {
+ public:
+  /// `reach`: largest distance (m) from a wall sphere's centre at which a grain sphere's centre may ask for
+  /// it.
+  WallBody(WallBodySpec spec, double reach);
+
+  const std::string& name() const { return spec_.name; }
+  double sphere_radius() const { return spec_.sphere_radius; }
+  std::size_t size() const { return spec_.centres.size(); }
+  bool moves() const { return static_cast<bool>(spec_.motion); }
+  void set_motion(std::function<BodyMotion(double)> motion) { spec_.motion = std::move(motion); }
+  BodyMotion motion_at(double time) const { return spec_.motion ? spec_.motion(time) : BodyMotion{}; }
+  const std::vector<Eigen::Vector3d>& centres() const { return spec_.centres; }
+  /// m, distance of the farthest wall sphere centre from the body frame's origin.
+  double extent() const { return extent_; }
+  Eigen::Vector3d lower() const { return lower_; }
+  Eigen::Vector3d upper() const { return upper_; }
+
+  /// Appends to `found` the wall spheres (index in centres()) no farther than `reach` from `body_point` (m,
+  /// body frame).
+  void find(const Eigen::Vector3d& body_point, std::vector<std::uint32_t>& found) const;
+
+ private:
+  Eigen::Vector3i cell_of(const Eigen::Vector3d& body_point) const;
+  std::size_t index_of(const Eigen::Vector3i& cell) const;
+  void sort_into_cells();
+  void mark_neighbourhoods();
+
+  WallBodySpec spec_;
+  double reach_ = 0, cell_size_ = 0, extent_ = 0;
+  Eigen::Vector3d lower_, upper_;
+  Eigen::Vector3i cells_ = Eigen::Vector3i::Zero();
+  std::vector<std::uint32_t> first_;  ///< first wall sphere of a cell; centres are sorted by cell
+  std::vector<std::uint8_t>
+      neighbourhood_;  ///< 1 where a cell or one of its 26 neighbours holds a wall sphere
+};
+
+}  // namespace diefill::engine
