@@ -1,64 +1,64 @@
-// Points sorted into the cells of a regular grid, for fast questions about who is near. Visits in a fixed
-// order that depends on the points alone, so that sums over neighbours are the same in every run.
+// Points in a hashed grid of cubes, for questions about what lies near.
 #pragma once
 
-#include <array>
+#include <Eigen/Core>
 #include <cstdint>
-#include <optional>
 #include <vector>
-
-#include "geometry/mesh.h"
 
 namespace diefill::geometry {
 
-/// Points and, for each, the index of the point it is (an image of).
-struct PointImages {
-  std::vector<Eigen::Vector3d> points;
-  std::vector<std::uint32_t> source;
-};
-
-/// The points wrapped into the periodic box (centred on the origin, periodic along x and/or y) followed by
-/// all their periodic images within `margin` (m) of that box. Throws std::invalid_argument for a period that
-/// is not positive.
-PointImages with_periodic_images(const std::vector<Eigen::Vector3d>& points,
-                                 const std::array<std::optional<double>, 2>& period, double margin);
-
-/// Finds points within a distance of a place. Questions may be asked from several threads at once.
+/// A growing set of points. Answers do not depend on the hash: ties go to the point inserted first.
 class PointGrid {
  public:
-  /// `spacing` (m): edge of a grid cell, best about the distance asked for; made larger where cells would far
-  /// outnumber points.
-  PointGrid(const std::vector<Eigen::Vector3d>& points, double spacing);
+  /// `cell` is the edge of a cube in m, best about the radius (m) asked with.
+  explicit PointGrid(double cell);
 
-  /// Calls `visit(index, offset, squared_distance)` for every point within `radius` (m) of `centre`; `offset`
-  /// runs from `centre` to the point.
-  template <class Visit>
-  void for_each_within(const Eigen::Vector3d& centre, double radius, Visit&& visit) const {
-    if (points_.empty()) return;
-    const Eigen::Array3i first = cell_of(centre.array() - radius), last = cell_of(centre.array() + radius);
-    for (int k = first.z(); k <= last.z(); ++k) {
-      for (int j = first.y(); j <= last.y(); ++j) {
-        const std::size_t row = (static_cast<std::size_t>(k) * cells_.y() + j) * cells_.x();
-        for (std::uint32_t n = start_[row + first.x()]; n < start_[row + last.x() + 1]; ++n) {
-          const Eigen::Vector3d offset = points_[n] - centre;
-          const double squared = offset.squaredNorm();
-          if (squared <= radius * radius) visit(index_[n], offset, squared);
-        }
-      }
-    }
+  /// Adds a point (m) and returns its index.
+  std::size_t insert(const Eigen::Vector3d& point);
+
+  static constexpr std::size_t kNone = static_cast<std::size_t>(-1);
+  /// The nearest point within `radius` (m) of `place`, or kNone.
+  std::size_t nearest_within(const Eigen::Vector3d& place, double radius) const;
+
+  /// Calls `visit(index)` for every point within `radius` of `place`, in an order that depends only on the
+  /// insertions.
+  template <typename Visit>
+  void for_each_within(const Eigen::Vector3d& place, double radius, Visit visit) const {
+    const Eigen::Vector3i low = cell_of(place - Eigen::Vector3d::Constant(radius));
+    const Eigen::Vector3i high = cell_of(place + Eigen::Vector3d::Constant(radius));
+    const double radius_squared = radius * radius;
+    for (int z = low.z(); z <= high.z(); ++z)
+      for (int y = low.y(); y <= high.y(); ++y)
+        for (int x = low.x(); x <= high.x(); ++x)
+          for (std::uint32_t i = heads_[bucket({x, y, z})]; i != kEnd; i = next_[i])
+            if (cells_[i] == Eigen::Vector3i(x, y, z) && (points_[i] - place).squaredNorm() <= radius_squared)
+              visit(static_cast<std::size_t>(i));
   }
+
+  const std::vector<Eigen::Vector3d>& points() const { return points_; }
 
  private:
-  Eigen::Array3i cell_of(const Eigen::Array3d& place) const {
-    return ((place - lower_) / edge_).floor().max(0.0).min(cells_.cast<double>() - 1.0).cast<int>();
-  }
+  static constexpr std::uint32_t kEnd = 0xffffffffU;
 
-  Eigen::Array3d lower_ = Eigen::Array3d::Zero();
-  Eigen::Array3d edge_ = Eigen::Array3d::Ones();
-  Eigen::Array3i cells_ = Eigen::Array3i::Ones();
-  std::vector<std::uint32_t> start_;     ///< first entry of each cell, and one past the last
-  std::vector<std::uint32_t> index_;     ///< index of the point, cell after cell
-  std::vector<Eigen::Vector3d> points_;  ///< in the same order
+  Eigen::Vector3i cell_of(const Eigen::Vector3d& place) const {
+    return (place * inverse_cell_).array().floor().cast<int>();
+  }
+  std::size_t bucket(const Eigen::Vector3i& cell) const {
+    const auto part = [](int coordinate, std::uint64_t factor) {
+      return static_cast<std::uint64_t>(static_cast<std::int64_t>(coordinate)) * factor;
+    };
+    std::uint64_t hash = part(cell.x(), 0x9e3779b97f4a7c15U) ^ part(cell.y(), 0xc2b2ae3d27d4eb4fU) ^
+                         part(cell.z(), 0x165667b19e3779f9U);
+    hash ^= hash >> 32;
+    return static_cast<std::size_t>(hash) & (heads_.size() - 1);
+  }
+  void grow();
+
+  double inverse_cell_;
+  std::vector<Eigen::Vector3d> points_;
+  std::vector<Eigen::Vector3i> cells_;
+  std::vector<std::uint32_t> next_;
+  std::vector<std::uint32_t> heads_;  ///< size a power of two
 };
 
 }  // namespace diefill::geometry

@@ -2,10 +2,10 @@
 
 #include <Eigen/Geometry>
 #include <cmath>
-#include <numbers>
 
 #include "geometry/topology.h"
 #include "geometry/triangle_tree.h"
+#include "geometry/winding.h"
 
 namespace diefill::geometry {
 
@@ -16,17 +16,6 @@ double angle_at(const Corners& corners, int k) {
   const Eigen::Vector3d u = at(k + 1) - at(k);
   const Eigen::Vector3d v = at(k + 2) - at(k);
   return std::atan2(u.cross(v).norm(), u.dot(v));
-}
-
-/// Solid angle of a triangle seen from `eye`, sr, positive seen from inside (Van Oosterom and Strackee 1983).
-double solid_angle(const Corners& corners, const Eigen::Vector3d& eye) {
-  const Eigen::Vector3d a = corners[0] - eye;
-  const Eigen::Vector3d b = corners[1] - eye;
-  const Eigen::Vector3d c = corners[2] - eye;
-  const double la = a.norm();
-  const double lb = b.norm();
-  const double lc = c.norm();
-  return 2 * std::atan2(a.dot(b.cross(c)), la * lb * lc + a.dot(b) * lc + b.dot(c) * la + c.dot(a) * lb);
 }
 
 std::vector<Corners> useful_triangles(const Mesh& mesh, const Topology& topology) {
@@ -48,7 +37,6 @@ struct SolidQuery::Implementation {
 
   Implementation(const Mesh& mesh, const Topology& topology);
   void collect_pseudo_normals(const Mesh& mesh, const Topology& topology);
-  double winding_number(const Eigen::Vector3d& point) const;
   bool is_behind(std::size_t triangle, const TriangleFoot& foot, const Eigen::Vector3d& point) const;
 };
 
@@ -93,12 +81,6 @@ void SolidQuery::Implementation::collect_pseudo_normals(const Mesh& mesh, const 
   }
 }
 
-double SolidQuery::Implementation::winding_number(const Eigen::Vector3d& point) const {
-  double sum = 0;
-  for (std::size_t i = 0; i < tree.size(); ++i) sum += solid_angle(tree.corners(i), point);
-  return sum / (4 * std::numbers::pi);
-}
-
 bool SolidQuery::Implementation::is_behind(std::size_t triangle, const TriangleFoot& foot,
                                            const Eigen::Vector3d& point) const {
   const auto slot = static_cast<std::size_t>(foot.feature.index);
@@ -114,7 +96,7 @@ bool SolidQuery::Implementation::is_behind(std::size_t triangle, const TriangleF
       normal = corner_normal[triangle][slot];
       break;
   }
-  if (normal.isZero(0)) return winding_number(point) > 0.5;
+  if (normal.isZero(0)) return winding_number(tree.triangles(), point) > 0.5;
   return normal.dot(point - foot.point) < 0;
 }
 

@@ -27,7 +27,7 @@ class TriangleTree {
   Hit nearest(const Eigen::Vector3d& point) const;
 
   const Corners& corners(std::size_t triangle) const { return triangles_[triangle]; }
-  std::size_t size() const { return triangles_.size(); }
+  const std::vector<Corners>& triangles() const { return triangles_; }
   const Box& box() const { return nodes_.front().box; }
 
  private:

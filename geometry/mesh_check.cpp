@@ -1,0 +1,215 @@
+#include "geometry/mesh_check.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <map>
+#include <numeric>
+#include <tuple>
+
+#include "geometry/mesh_crossings.h"
+#include "geometry/topology.h"
+#include "geometry/winding.h"
+
+namespace diefill::geometry {
+
+namespace {
+
+/// How far, in square roots of a triangle's area, the two sides of it are probed for inside and outside.
+constexpr double kProbeDepth = 1e-4;
+
+/// One side of a triangle, ordered by the edge it lies on.
+struct HalfEdge {
+  std::int64_t low, high;
+  std::size_t triangle;
+  bool forward;  ///< runs from low to high
+  bool operator<(const HalfEdge& other) const {
+    return std::tie(low, high, triangle, forward) <
+           std::tie(other.low, other.high, other.triangle, other.forward);
+  }
+};
+
+/// Connected pieces of surface.
+class Pieces {
+ public:
+  explicit Pieces(std::size_t count) : parent_(count) {
+    std::iota(parent_.begin(), parent_.end(), std::size_t{0});
+  }
+  std::size_t root(std::size_t i) {
+    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
+    return i;
+  }
+  void join(std::size_t a, std::size_t b) {
+    const std::size_t root_a = root(a);
+    const std::size_t root_b = root(b);
+    parent_[std::max(root_a, root_b)] = std::min(root_a, root_b);
+  }
+
+ private:
+  std::vector<std::size_t> parent_;
+};
+
+/// The check of one mesh, a kind of finding at a time.
+class Examination {
+ public:
+  explicit Examination(const Mesh& mesh) : mesh_(mesh) { findings_.triangles = mesh.triangles.size(); }
+  MeshFindings run();
+
+ private:
+  /// Counts one finding and keeps the place of the first of its kind.
+  void count(std::size_t& counter, const Eigen::Vector3d& place) {
+    if (counter++ == 0) places_[&counter] = place;
+  }
+  Eigen::Vector3d middle(std::size_t triangle) const {
+    const Corners c = corners_of(mesh_, triangle);
+    return (c[0] + c[1] + c[2]) / 3;
+  }
+  bool every_corner_is_a_place();
+  void find_degenerate_and_duplicate();
+  void examine_edges();
+  void examine_edge(const HalfEdge* begin, const HalfEdge* end);
+  void find_self_intersections();
+  void find_inward_shells();
+  void list_places();
+
+  const Mesh& mesh_;
+  MeshFindings findings_;
+  std::map<const std::size_t*, Eigen::Vector3d> places_;  ///< by counter; only ever looked up
+  Topology topology_;
+  std::vector<std::uint8_t> duplicate_;
+  std::vector<std::size_t> piece_;  ///< of a triangle: the first triangle of its shell
+};
+
+bool Examination::every_corner_is_a_place() {
+  const auto count_of_vertices = static_cast<int>(mesh_.vertices.size());
+  for (const Eigen::Vector3i& triangle : mesh_.triangles) {
+    const bool exist = triangle.minCoeff() >= 0 && triangle.maxCoeff() < count_of_vertices;
+    const bool finite = exist && mesh_.vertices[static_cast<std::size_t>(triangle[0])].allFinite() &&
+                        mesh_.vertices[static_cast<std::size_t>(triangle[1])].allFinite() &&
+                        mesh_.vertices[static_cast<std::size_t>(triangle[2])].allFinite();
+    if (!finite) count(findings_.not_finite, Eigen::Vector3d::Zero());
+  }
+  return findings_.not_finite == 0;
+}
+
+void Examination::find_degenerate_and_duplicate() {
+  duplicate_.assign(mesh_.triangles.size(), 0);
+  for (std::size_t t = 0; t < mesh_.triangles.size(); ++t) {
+    if (is_degenerate(corners_of(mesh_, t)))
+      count(findings_.degenerate_triangles, middle(t));
+    else if (topology_.left_out[t]) {
+      duplicate_[t] = 1;
+      count(findings_.duplicate_triangles, middle(t));
+    }
+  }
+}
+
+/// Triangles without area but with three different corners close the surface between split and unsplit edges,
+/// so they take part here.
+void Examination::examine_edges() {
+  std::vector<HalfEdge> edges;
+  Pieces pieces(mesh_.triangles.size());
+  for (std::size_t t = 0; t < mesh_.triangles.size(); ++t) {
+    const std::int64_t corner[3] = {topology_.corner(mesh_, t, 0), topology_.corner(mesh_, t, 1),
+                                    topology_.corner(mesh_, t, 2)};
+    if (duplicate_[t] || corner[0] == corner[1] || corner[1] == corner[2] || corner[2] == corner[0]) continue;
+    for (int k = 0; k < 3; ++k) {
+      const std::int64_t from = corner[k];
+      const std::int64_t to = corner[(k + 1) % 3];
+      edges.push_back({std::min(from, to), std::max(from, to), t, from < to});
+    }
+  }
+  std::sort(edges.begin(), edges.end());
+  for (std::size_t begin = 0; begin < edges.size();) {
+    std::size_t end = begin + 1;
+    while (end < edges.size() && edges[end].low == edges[begin].low && edges[end].high == edges[begin].high) {
+      pieces.join(edges[begin].triangle, edges[end].triangle);
+      ++end;
+    }
+    examine_edge(&edges[begin], &edges[begin] + (end - begin));
+    begin = end;
+  }
+  findings_.consistently_oriented = findings_.badly_oriented_edges == 0 && findings_.non_manifold_edges == 0;
+  piece_.resize(mesh_.triangles.size());
+  for (std::size_t t = 0; t < piece_.size(); ++t) piece_[t] = pieces.root(t);
+}
+
+void Examination::examine_edge(const HalfEdge* begin, const HalfEdge* end) {
+  const Eigen::Vector3d place = (mesh_.vertices[static_cast<std::size_t>(begin->low)] +
+                                 mesh_.vertices[static_cast<std::size_t>(begin->high)]) /
+                                2;
+  const auto sides = end - begin;
+  if (sides == 1) count(findings_.open_edges, place);
+  if (sides > 2) count(findings_.non_manifold_edges, place);
+  if (sides == 2 && begin->forward == (begin + 1)->forward) count(findings_.badly_oriented_edges, place);
+}
+
+void Examination::find_self_intersections() {
+  const auto box_of = [&](std::size_t triangle) {
+    Box box;
+    for (const Eigen::Vector3d& corner : corners_of(mesh_, triangle)) box.include(corner);
+    return box;
+  };
+  for (const auto& [one, other] : find_crossings(mesh_, topology_.left_out)) {
+    const Box a = box_of(one);
+    const Box b = box_of(other);
+    count(findings_.self_intersections, (a.lower.cwiseMax(b.lower) + a.upper.cwiseMin(b.upper)) / 2);
+  }
+}
+
+/// A shell faces outward when there is no solid before its largest triangle and solid behind it: this holds
+/// for the walls of closed hollows inside a solid too. Open or contradictory surfaces enclose nothing, so
+/// nothing is said.
+void Examination::find_inward_shells() {
+  std::map<std::size_t, std::size_t> largest;  // of a shell: its largest triangle
+  const auto area = [&](std::size_t t) { return area_vector(corners_of(mesh_, t)).norm(); };
+  for (std::size_t t = 0; t < mesh_.triangles.size(); ++t) {
+    if (topology_.left_out[t]) continue;
+    const auto [shell, is_new] = largest.try_emplace(piece_[t], t);
+    if (!is_new && area(t) > area(shell->second)) shell->second = t;
+  }
+  findings_.shells = largest.size();
+  if (findings_.open_edges > 0 || !findings_.consistently_oriented) return;
+  std::vector<Corners> triangles;
+  for (std::size_t t = 0; t < mesh_.triangles.size(); ++t)
+    if (!topology_.left_out[t]) triangles.push_back(corners_of(mesh_, t));
+  for (const auto& [shell, triangle] : largest) {
+    const Eigen::Vector3d normal = area_vector(corners_of(mesh_, triangle)).normalized();
+    const Eigen::Vector3d step = kProbeDepth * std::sqrt(area(triangle)) * normal;
+    const double before = winding_number(triangles, middle(triangle) + step);
+    const double behind = winding_number(triangles, middle(triangle) - step);
+    if (std::abs(before) > 0.5 || behind < 0.5) count(findings_.inward_shells, middle(triangle));
+  }
+  findings_.outward = !largest.empty() && findings_.inward_shells == 0;
+}
+
+void Examination::list_places() {
+  for (const std::size_t* counter :
+       {&findings_.not_finite, &findings_.open_edges, &findings_.non_manifold_edges,
+        &findings_.self_intersections, &findings_.badly_oriented_edges, &findings_.inward_shells,
+        &findings_.degenerate_triangles, &findings_.duplicate_triangles})
+    if (*counter > 0) findings_.places.push_back(places_.at(counter));
+}
+
+MeshFindings Examination::run() {
+  if (every_corner_is_a_place()) {
+    topology_ = find_topology(mesh_);
+    find_degenerate_and_duplicate();
+    examine_edges();
+    find_self_intersections();
+    find_inward_shells();
+    findings_.volume = mesh_.volume();
+  }
+  list_places();
+  if (findings_.triangles == 0) findings_.places.push_back(Eigen::Vector3d::Zero());
+  return findings_;
+}
+
+}  // namespace
+
+MeshFindings check_mesh(const Mesh& mesh) {
+  return Examination(mesh).run();
+}
+
+}  // namespace diefill::geometry
