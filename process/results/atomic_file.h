@@ -7,8 +7,9 @@
 
 namespace diefill::results {
 
-/// Calls `write` with a temporary path beside `target`, then flushes that file to the disk and renames it to `target`.
-/// If `write` throws or the disk is full the temporary file is removed, `target` is as before, and ResultError is thrown.
+/// Calls `write` with a temporary path beside `target`, then flushes that file to the disk and renames it to
+/// `target`. If `write` throws or the disk is full the temporary file is removed, `target` is as before, and
+/// ResultError is thrown.
 void write_atomically(const std::filesystem::path& target,
                       const std::function<void(const std::filesystem::path&)>& write);
 

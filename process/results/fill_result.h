@@ -13,17 +13,17 @@ namespace diefill::results {
 
 /// The powder at one instant. Arrays run over grains (n) unless said otherwise.
 struct PowderState {
-  double time = 0;                             ///< s since the start of the scene
-  double grain_diameter = 0;                   ///< m, model grain size d (2R, 4R or 6R after the grain model)
-  double sphere_radius = 0;                    ///< m, radius R of the basic spheres
-  double grain_mass = 0;                       ///< kg
-  double grain_solid_volume = 0;               ///< m^3, true solid volume (union of the spheres)
-  std::vector<Eigen::Vector3d> sphere_offsets; ///< m, sphere centres in the grain's body frame (one entry a sphere)
-  std::vector<std::uint64_t> id;               ///< identity of the grain, kept through sorting and restarts
-  std::vector<Eigen::Vector3d> position;       ///< m, grain centres, laboratory frame
-  std::vector<Eigen::Vector4d> orientation;    ///< unit quaternion (w, x, y, z), body to laboratory
-  std::vector<Eigen::Vector3d> velocity;       ///< m/s
-  std::vector<Eigen::Vector3d> angular_velocity; ///< rad/s, laboratory frame
+  double time = 0;                ///< s since the start of the scene
+  double grain_diameter = 0;      ///< m, model grain size d (2R, 4R or 6R after the grain model)
+  double sphere_radius = 0;       ///< m, radius R of the basic spheres
+  double grain_mass = 0;          ///< kg
+  double grain_solid_volume = 0;  ///< m^3, true solid volume (union of the spheres)
+  std::vector<Eigen::Vector3d> sphere_offsets;  ///< m, sphere centres in the grain's body frame
+  std::vector<std::uint64_t> id;                ///< identity of the grain, kept through sorting and restarts
+  std::vector<Eigen::Vector3d> position;        ///< m, grain centres, laboratory frame
+  std::vector<Eigen::Vector4d> orientation;     ///< unit quaternion (w, x, y, z), body to laboratory
+  std::vector<Eigen::Vector3d> velocity;        ///< m/s
+  std::vector<Eigen::Vector3d> angular_velocity;  ///< rad/s, laboratory frame
 
   /// Lab-frame centres of all basic spheres, grain after grain: sphere s of grain k is entry k * spheres + s.
   std::vector<Eigen::Vector3d> sphere_centres() const;
@@ -32,54 +32,56 @@ struct PowderState {
 /// Voronoi measure of every grain, in the order of PowderState. A cell cut short by the limit on cell size (a
 /// free surface) is open: it has no meaningful volume and stays out of averages.
 struct GrainSolidFraction {
-  std::vector<double> cell_volume;    ///< m^3
-  std::vector<double> solid_fraction; ///< grain solid volume over cell volume
-  std::vector<std::uint8_t> open;     ///< 1 where the cell reaches the free surface or found no cell
-  std::vector<std::uint8_t> in_cavity;///< 1 where the grain centre lies in the cavity
+  std::vector<double> cell_volume;      ///< m^3
+  std::vector<double> solid_fraction;   ///< grain solid volume over cell volume
+  std::vector<std::uint8_t> open;       ///< 1 where the cell reaches the free surface or found no cell
+  std::vector<std::uint8_t> in_cavity;  ///< 1 where the grain centre lies in the cavity
 };
 
 /// A tool as it stood at the time of the powder state. Mesh in the laboratory frame (m).
 struct ToolState {
   std::string name;
-  std::string role;                                 ///< die, core, punch, shoe, plate
-  std::vector<Eigen::Vector3d> vertices;            ///< m, laboratory frame
-  std::vector<Eigen::Vector3i> triangles;           ///< counter-clockwise seen from outside
-  std::vector<Eigen::Vector3d> wall_sphere_centres; ///< m, laboratory frame
-  double wall_sphere_radius = 0;                    ///< m
-  std::string mesh_hash;                            ///< of the CAD file's bytes
+  std::string role;                                  ///< die, core, punch, shoe, plate
+  std::vector<Eigen::Vector3d> vertices;             ///< m, laboratory frame
+  std::vector<Eigen::Vector3i> triangles;            ///< counter-clockwise seen from outside
+  std::vector<Eigen::Vector3d> wall_sphere_centres;  ///< m, laboratory frame
+  double wall_sphere_radius = 0;                     ///< m
+  std::string mesh_hash;                             ///< of the CAD file's bytes
 };
 
 /// Where the powder is collected. Rings have an axis and radii; other dies only the box.
 struct CavityState {
   bool is_ring = false;
-  Eigen::Vector3d axis_origin = Eigen::Vector3d::Zero(); ///< m, on the ring's axis (vertical) at the fill plane
-  double inner_radius = 0;                               ///< m, ring only: smallest inner radius
-  double outer_radius = 0;                               ///< m, ring only: largest outer radius
-  Eigen::Vector3d lower_corner = Eigen::Vector3d::Zero();///< m, box around the cavity
-  Eigen::Vector3d upper_corner = Eigen::Vector3d::Zero();///< m, its top is the fill plane
-  double volume = 0;                                     ///< m^3 below the fill plane, 0 if unknown
-  double narrowest_width = 0;                            ///< m, 0 if unknown
+  Eigen::Vector3d axis_origin =
+      Eigen::Vector3d::Zero();  ///< m, on the ring's axis (vertical) at the fill plane
+  double inner_radius = 0;      ///< m, ring only: smallest inner radius
+  double outer_radius = 0;      ///< m, ring only: largest outer radius
+  Eigen::Vector3d lower_corner = Eigen::Vector3d::Zero();  ///< m, box around the cavity
+  Eigen::Vector3d upper_corner = Eigen::Vector3d::Zero();  ///< m, its top is the fill plane
+  double volume = 0;                                       ///< m^3 below the fill plane, 0 if unknown
+  double narrowest_width = 0;                              ///< m, 0 if unknown
   /// Unit vector (horizontal) from the axis to azimuth 0: where the shoe first arrives.
   Eigen::Vector3d azimuth_zero = Eigen::Vector3d::UnitX();
 };
 
 /// A scalar field on a rectangular grid of (first, second) coordinates; NaN where there is no powder.
 struct Field2D {
-  std::string quantity;       ///< such as "solid fraction"
-  std::string first_name;     ///< such as "azimuth"
-  std::string first_unit;     ///< such as "deg"
-  std::string second_name;    ///< such as "height"
-  std::string second_unit;    ///< such as "mm"
-  std::vector<double> first;  ///< node coordinates in first_unit
-  std::vector<double> second; ///< node coordinates in second_unit
-  std::vector<double> value;  ///< value[j * first.size() + i] at (first[i], second[j])
-  double averaging_width = 0; ///< m, sigma of Eq. 2.27
+  std::string quantity;        ///< such as "solid fraction"
+  std::string first_name;      ///< such as "azimuth"
+  std::string first_unit;      ///< such as "deg"
+  std::string second_name;     ///< such as "height"
+  std::string second_unit;     ///< such as "mm"
+  std::vector<double> first;   ///< node coordinates in first_unit
+  std::vector<double> second;  ///< node coordinates in second_unit
+  std::vector<double> value;   ///< value[j * first.size() + i] at (first[i], second[j])
+  double averaging_width = 0;  ///< m, sigma of Eq. 2.27
 };
 
-/// A plane through the scene: origin, unit normal, and the in-plane axes that the field's coordinates run along.
+/// A plane through the scene: origin, unit normal, and the in-plane axes that the field's coordinates run
+/// along.
 struct SectionPlane {
   std::string name;
-  Eigen::Vector3d origin = Eigen::Vector3d::Zero(); ///< m
+  Eigen::Vector3d origin = Eigen::Vector3d::Zero();  ///< m
   Eigen::Vector3d normal = Eigen::Vector3d::UnitY();
   Eigen::Vector3d first_axis = Eigen::Vector3d::UnitX();
   Eigen::Vector3d second_axis = Eigen::Vector3d::UnitZ();
@@ -93,40 +95,42 @@ struct SectionField {
 
 /// A curve, such as fill level against azimuth.
 struct Profile {
-  std::string quantity, unit;     ///< such as "fill level", "mm"
-  std::string x_name, x_unit;     ///< such as "azimuth", "deg"
-  std::vector<double> x, y;       ///< NaN where nothing was found
+  std::string quantity, unit;  ///< such as "fill level", "mm"
+  std::string x_name, x_unit;  ///< such as "azimuth", "deg"
+  std::vector<double> x, y;    ///< NaN where nothing was found
 };
 
-/// Statistics of the grains' solid fractions in the cavity (closed cells at least 2 d below the powder surface).
+/// Statistics of the grains' solid fractions in the cavity (closed cells at least 2 d below the powder
+/// surface).
 struct SolidFractionSummary {
-  double mean = 0;           ///< sum of solid volumes over sum of cell volumes (Bierwisch OP-11, primary)
-  double arithmetic_mean = 0;///< plain mean of the grains' values
+  double mean = 0;             ///< sum of solid volumes over sum of cell volumes (Bierwisch OP-11, primary)
+  double arithmetic_mean = 0;  ///< plain mean of the grains' values
   double std = 0, min = 0, max = 0;
   double cv = 0;             ///< std over arithmetic mean
   std::uint64_t grains = 0;  ///< grains counted
 };
 
-/// Everything that describes one run. `figures` are the numbers of report.json at the top level; `texts` its strings.
+/// Everything that describes one run. `figures` are the numbers of report.json at the top level; `texts` its
+/// strings.
 struct FillResult {
-  std::string title;              ///< for people: strategy and powder
-  std::string strategy;           ///< one line, such as "1 passage at 0.2 m/s"
+  std::string title;     ///< for people: strategy and powder
+  std::string strategy;  ///< one line, such as "1 passage at 0.2 m/s"
   std::string powder_name;
-  std::string scene_text;         ///< the scene file as read
+  std::string scene_text;  ///< the scene file as read
   std::string program_version;
   std::uint64_t seed = 0;
-  std::string state_hash;         ///< of the engine's final state
+  std::string state_hash;  ///< of the engine's final state
   PowderState powder;
   GrainSolidFraction solid_fraction;
   std::vector<ToolState> tools;
   CavityState cavity;
   SolidFractionSummary summary;
-  std::vector<Field2D> maps;          ///< cylindrical (azimuth, height) maps; empty for cavities that are no rings
+  std::vector<Field2D> maps;  ///< cylindrical (azimuth, height) maps; empty for cavities that are no rings
   std::vector<SectionField> sections;
   std::vector<Profile> profiles;
-  std::map<std::string, double> figures;           ///< grains, spheres, wall_spheres, steps, time_step_s, ...
-  std::map<std::string, double> phase_seconds;     ///< the engine's phase timers
-  std::vector<std::string> warnings;               ///< for people, such as "d over ring width is beyond 1/3"
+  std::map<std::string, double> figures;        ///< grains, spheres, wall_spheres, steps, time_step_s, ...
+  std::map<std::string, double> phase_seconds;  ///< the engine's phase timers
+  std::vector<std::string> warnings;            ///< for people, such as "d over ring width is beyond 1/3"
 };
 
 }  // namespace diefill::results

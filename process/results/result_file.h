@@ -1,5 +1,5 @@
-// Stores a FillResult as one HDF5 file that explains itself, beside an XDMF file for ParaView and report.json.
-// The schema is documented in process/results/README.md.
+// Stores a FillResult as one HDF5 file that explains itself, beside an XDMF file for ParaView and
+// report.json. The schema is documented in process/results/README.md.
 #pragma once
 
 #include <filesystem>

@@ -1,0 +1,23 @@
+// Where a point lies in a cavity: inside or not, and its azimuth, radius and height in a ring.
+#pragma once
+
+#include "process/results/fill_result.h"
+
+namespace diefill::process {
+
+/// True where `point` (m, laboratory frame) lies in the cavity's box, in rings also between its radii. An
+/// empty box holds nothing.
+bool lies_in_cavity(const results::CavityState& cavity, const Eigen::Vector3d& point);
+
+/// Cylindrical coordinates in a ring.
+struct RingPosition {
+  double azimuth = 0;  ///< deg in [0, 360), counter-clockwise seen from above, from CavityState::azimuth_zero
+  double radius = 0;   ///< m from the axis
+  double height = 0;   ///< m above the cavity floor
+};
+RingPosition ring_position(const results::CavityState& cavity, const Eigen::Vector3d& point);
+
+/// The point (m, laboratory frame) at these coordinates.
+Eigen::Vector3d ring_point(const results::CavityState& cavity, const RingPosition& position);
+
+}  // namespace diefill::process

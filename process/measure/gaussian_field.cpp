@@ -1,0 +1,75 @@
+#include "process/measure/gaussian_field.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+namespace diefill::process {
+namespace {
+
+constexpr double kReachOverWidth = 4;  // weights beyond are below 4e-4
+constexpr double kHoleOverDiameter = 1.2;
+constexpr double kHoleOverWidth = 1.5;
+
+double checked(double averaging_width) {
+  if (!(averaging_width > 0)) throw std::invalid_argument("the averaging width of a field must be positive");
+  return averaging_width;
+}
+
+double hole_distance(double averaging_width, double grain_diameter) {
+  return std::max(kHoleOverDiameter * grain_diameter, kHoleOverWidth * averaging_width);
+}
+
+double reach(double averaging_width, double hole) {
+  return std::max(kReachOverWidth * averaging_width, hole);
+}
+
+}  // namespace
+
+GaussianField::GaussianField(const results::PowderState& powder, const results::GrainSolidFraction& fraction,
+                             double averaging_width, const Period& period)
+    : GaussianField(
+          closed_grains(
+              powder, fraction,
+              reach(checked(averaging_width), hole_distance(averaging_width, powder.grain_diameter)), period),
+          averaging_width, hole_distance(averaging_width, powder.grain_diameter)) {}
+
+GaussianField::GaussianField(Source source, double averaging_width, double hole)
+    : averaging_width_(averaging_width),
+      hole_(hole),
+      reach_(reach(averaging_width, hole)),
+      values_(std::move(source.values)),
+      grid_(source.centres, 0.5 * reach_) {}
+
+GaussianField::Source GaussianField::closed_grains(const results::PowderState& powder,
+                                                   const results::GrainSolidFraction& fraction, double margin,
+                                                   const Period& period) {
+  Source source;
+  for (std::size_t k = 0; k < powder.position.size(); ++k) {
+    if (fraction.open[k] != 0) continue;
+    source.centres.push_back(powder.position[k]);
+    source.values.push_back(fraction.solid_fraction[k]);
+  }
+  const geometry::PointImages images = geometry::with_periodic_images(source.centres, period, margin);
+  source.centres = images.points;
+  std::vector<double> values;
+  values.reserve(images.source.size());
+  for (const std::uint32_t grain : images.source) values.push_back(source.values[grain]);
+  source.values = std::move(values);
+  return source;
+}
+
+double GaussianField::at(const Eigen::Vector3d& point) const {
+  const double exponent = -0.5 / (averaging_width_ * averaging_width_);
+  double nearest = std::numeric_limits<double>::max(), weights = 0, sum = 0;
+  grid_.for_each_within(point, reach_, [&](std::uint32_t grain, const auto&, double squared) {
+    const double weight = std::exp(exponent * squared);
+    nearest = std::min(nearest, squared);
+    weights += weight;
+    sum += weight * values_[grain];
+  });
+  return nearest <= hole_ * hole_ && weights > 0 ? sum / weights : std::numeric_limits<double>::quiet_NaN();
+}
+
+}  // namespace diefill::process

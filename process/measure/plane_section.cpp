@@ -1,0 +1,109 @@
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+#include "geometry/solid_query.h"
+#include "process/measure/gaussian_field.h"
+#include "process/measure/measure.h"
+
+namespace diefill::process {
+namespace {
+
+constexpr double kMillimetre = 1e-3;
+constexpr double kMostNodes = 400;  // along either axis
+
+/// A rectangle in the plane, m from its origin.
+struct Extent {
+  Eigen::Array2d lower = Eigen::Array2d::Constant(std::numeric_limits<double>::max());
+  Eigen::Array2d upper = Eigen::Array2d::Constant(std::numeric_limits<double>::lowest());
+  bool empty() const { return (lower > upper).any(); }
+};
+
+Eigen::Array2d in_plane(const results::SectionPlane& plane, const Eigen::Vector3d& point) {
+  const Eigen::Vector3d from_origin = point - plane.origin;
+  return {from_origin.dot(plane.first_axis), from_origin.dot(plane.second_axis)};
+}
+
+/// Of the grains within `thickness` of the plane, those in the cavity or all.
+Extent extent_of_grains(const results::PowderState& powder, const results::GrainSolidFraction& fraction,
+                        const results::SectionPlane& plane, double thickness, bool only_cavity) {
+  Extent extent;
+  for (std::size_t k = 0; k < powder.position.size(); ++k) {
+    if (only_cavity && fraction.in_cavity[k] == 0) continue;
+    if (std::abs((powder.position[k] - plane.origin).dot(plane.normal)) > thickness) continue;
+    const Eigen::Array2d place = in_plane(plane, powder.position[k]);
+    extent.lower = extent.lower.min(place);
+    extent.upper = extent.upper.max(place);
+  }
+  return extent;
+}
+
+/// Axes along the laboratory's go by its names.
+std::string axis_name(const Eigen::Vector3d& axis, const char* otherwise) {
+  const std::array<const char*, 3> names = {"x", "y", "z"};
+  for (int n = 0; n < 3; ++n)
+    if (axis[n] > 1 - 1e-9) return names[n];
+  return otherwise;
+}
+
+std::vector<double> nodes(double lower, double upper, double step) {
+  const int intervals = static_cast<int>(std::ceil((upper - lower) / step));
+  std::vector<double> places;
+  for (int n = 0; n <= intervals; ++n) places.push_back((lower + n * step) / kMillimetre);
+  return places;
+}
+
+std::vector<geometry::SolidQuery> solids_of(const std::vector<results::ToolState>& tools) {
+  std::vector<geometry::SolidQuery> solids;
+  for (const auto& tool : tools)
+    if (!tool.triangles.empty()) solids.emplace_back(geometry::Mesh{tool.vertices, tool.triangles});
+  return solids;
+}
+
+bool in_a_tool(const std::vector<geometry::SolidQuery>& solids, const Eigen::Vector3d& point) {
+  return std::any_of(solids.begin(), solids.end(), [&](const auto& solid) { return solid.inside(point); });
+}
+
+}  // namespace
+
+results::SectionField plane_section(const results::PowderState& powder,
+                                    const results::GrainSolidFraction& fraction,
+                                    const std::vector<results::ToolState>& tools,
+                                    const results::SectionPlane& plane, double averaging_width,
+                                    const Period& period) {
+  const GaussianField field(powder, fraction, averaging_width, period);
+  const std::vector<geometry::SolidQuery> solids = solids_of(tools);
+  results::SectionField section{plane,
+                                {"solid fraction",
+                                 axis_name(plane.first_axis, "first axis"),
+                                 "mm",
+                                 axis_name(plane.second_axis, "second axis"),
+                                 "mm",
+                                 {},
+                                 {},
+                                 {},
+                                 averaging_width}};
+  const double thickness = std::max(powder.grain_diameter, 2 * averaging_width);
+  Extent extent = extent_of_grains(powder, fraction, plane, thickness, true);
+  if (extent.empty()) extent = extent_of_grains(powder, fraction, plane, thickness, false);
+  if (extent.empty()) return section;  // no powder near the plane: a field without nodes
+  extent.lower -= 2 * powder.grain_diameter;
+  extent.upper += 2 * powder.grain_diameter;
+  const double step = std::max(0.5 * averaging_width, (extent.upper - extent.lower).maxCoeff() / kMostNodes);
+  results::Field2D& grid = section.field;
+  grid.first = nodes(extent.lower.x(), extent.upper.x(), step);
+  grid.second = nodes(extent.lower.y(), extent.upper.y(), step);
+  for (const double second : grid.second) {
+    for (const double first : grid.first) {
+      const Eigen::Vector3d point =
+          plane.origin + kMillimetre * (first * plane.first_axis + second * plane.second_axis);
+      double value = field.at(point);
+      if (!std::isnan(value) && in_a_tool(solids, point)) value = std::numeric_limits<double>::quiet_NaN();
+      grid.value.push_back(value);
+    }
+  }
+  return section;
+}
+
+}  // namespace diefill::process

@@ -1,0 +1,61 @@
+#include "process/results/figure_meaning.h"
+
+#include <array>
+#include <string_view>
+
+namespace diefill::results {
+namespace {
+
+struct Meaning {
+  std::string_view name;
+  const char* unit;
+  const char* description;
+};
+
+constexpr std::array kKnown = {
+    Meaning{"filled_mass_kg", "kg", "mass of the grains whose centre lies in the cavity"},
+    Meaning{"grains", "1", "number of grains"},
+    Meaning{"spheres", "1", "number of basic spheres of the powder"},
+    Meaning{"wall_spheres", "1", "number of wall spheres of all tools"},
+    Meaning{"steps", "1", "time steps done"},
+    Meaning{"time_step_s", "s", "time step"},
+    Meaning{"simulated_s", "s", "simulated time"},
+    Meaning{"wall_seconds", "s", "wall-clock time of the run"},
+    Meaning{"sphere_steps_per_second", "1/s", "powder spheres times steps over wall-clock time"},
+    Meaning{"energy_balance_error", "1", "energy unaccounted for, relative to the energy turned over"},
+};
+
+constexpr const char* kUnknown = "figure of the run, as in report.json";
+
+// Longest endings first: "_per_second" is not "_second".
+constexpr std::array kEndings = {
+    Meaning{"_per_second", "1/s", kUnknown},
+    Meaning{"_seconds", "s", kUnknown},
+    Meaning{"_deg", "deg", kUnknown},
+    Meaning{"_kg_m3", "kg/m^3", kUnknown},
+    Meaning{"_m_s", "m/s", kUnknown},
+    Meaning{"_m3", "m^3", kUnknown},
+    Meaning{"_mm", "mm", kUnknown},
+    Meaning{"_kg", "kg", kUnknown},
+    Meaning{"_Pa", "Pa", kUnknown},
+    Meaning{"_s", "s", kUnknown},
+    Meaning{"_m", "m", kUnknown},
+    Meaning{"_J", "J", kUnknown},
+    Meaning{"_N", "N", kUnknown},
+};
+
+}  // namespace
+
+std::pair<const char*, const char*> figure_meaning(const std::string& name) {
+  for (const Meaning& known : kKnown)
+    if (known.name == name) return {known.unit, known.description};
+  for (const Meaning& ending : kEndings)
+    if (name.ends_with(ending.name)) return {ending.unit, ending.description};
+  return {"1", kUnknown};
+}
+
+bool counts(const std::string& name) {
+  return name == "grains" || name == "spheres" || name == "wall_spheres" || name == "steps";
+}
+
+}  // namespace diefill::results

@@ -1,0 +1,95 @@
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "process/results/atomic_file.h"
+#include "process/results/figure_meaning.h"
+#include "process/results/result_file.h"
+
+namespace diefill::results {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// JSON knows no NaN and no infinity: such numbers are null.
+Json number(double value) {
+  return std::isfinite(value) ? Json(value) : Json(nullptr);
+}
+
+Json numbers(const std::vector<double>& values) {
+  Json list = Json::array();
+  for (const double value : values) list.push_back(number(value));
+  return list;
+}
+
+Json figure(const std::string& name, double value) {
+  const bool whole = counts(name) && std::isfinite(value) && std::abs(value) < 9e15;
+  return whole ? Json(std::llround(value)) : number(value);
+}
+
+Json summary(const SolidFractionSummary& solid_fraction) {
+  return {{"mean", number(solid_fraction.mean)}, {"arithmetic_mean", number(solid_fraction.arithmetic_mean)},
+          {"std", number(solid_fraction.std)},   {"min", number(solid_fraction.min)},
+          {"max", number(solid_fraction.max)},   {"cv", number(solid_fraction.cv)},
+          {"grains", solid_fraction.grains}};
+}
+
+/// Numbers that the state itself gives, for runs that did not put them among the figures.
+std::map<std::string, double> all_figures(const FillResult& result) {
+  std::map<std::string, double> figures = result.figures;
+  const auto count = [](std::size_t n) { return static_cast<double>(n); };
+  std::size_t wall_spheres = 0;
+  for (const ToolState& tool : result.tools) wall_spheres += tool.wall_sphere_centres.size();
+  const std::size_t grains = result.powder.position.size();
+  figures.emplace("grains", count(grains));
+  figures.emplace("spheres", count(grains * result.powder.sphere_offsets.size()));
+  figures.emplace("wall_spheres", count(wall_spheres));
+  figures.emplace("simulated_s", result.powder.time);
+  for (const char* name : {"filled_mass_kg", "steps", "time_step_s", "wall_seconds",
+                           "sphere_steps_per_second", "energy_balance_error"})
+    figures.emplace(name, std::nan(""));
+  return figures;
+}
+
+Json profile(const Profile& curve) {
+  return {{"quantity", curve.quantity}, {"unit", curve.unit},    {"x_name", curve.x_name},
+          {"x_unit", curve.x_unit},     {"x", numbers(curve.x)}, {"y", numbers(curve.y)}};
+}
+
+Json report(const FillResult& result) {
+  std::map<std::string, double> figures = all_figures(result);
+  Json json;
+  const auto take = [&](const char* name) {
+    json[name] = figure(name, figures.at(name));
+    figures.erase(name);
+  };
+  json["title"] = result.title;
+  json["strategy"] = result.strategy;
+  json["powder"] = result.powder_name;
+  take("filled_mass_kg");
+  json["solid_fraction"] = summary(result.summary);
+  for (const char* name : {"grains", "spheres", "wall_spheres", "steps", "time_step_s", "simulated_s",
+                           "wall_seconds", "sphere_steps_per_second", "energy_balance_error"})
+    take(name);
+  json["state_hash"] = result.state_hash;
+  json["seed"] = result.seed;
+  json["program_version"] = result.program_version;
+  json["warnings"] = result.warnings;
+  json["phase_seconds"] = Json::object();
+  for (const auto& [phase, seconds] : result.phase_seconds) json["phase_seconds"][phase] = number(seconds);
+  for (const auto& [name, value] : figures) json.emplace(name, figure(name, value));
+  for (const Profile& curve : result.profiles)
+    if (curve.quantity == "fill level") json["fill_level"] = profile(curve);
+  return json;
+}
+
+}  // namespace
+
+void write_report(const std::filesystem::path& directory, const FillResult& result) {
+  std::error_code error;
+  std::filesystem::create_directories(directory, error);
+  // Bytes that are no UTF-8 (from a scene's title, say) become replacement characters instead of an error.
+  const std::string text = report(result).dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  write_text_atomically(directory / "report.json", text);
+}
+
+}  // namespace diefill::results

@@ -1,0 +1,49 @@
+#include "process/results/result_check.h"
+
+#include "process/results/result_file.h"
+
+namespace diefill::results {
+namespace {
+
+void same_or_none(const std::string& what, std::size_t found, std::size_t grains) {
+  if (found == grains || found == 0) return;
+  throw ResultError(what + " has " + std::to_string(found) + " entries for " + std::to_string(grains) +
+                    " grains");
+}
+
+void check_field(const Field2D& field, const std::string& where) {
+  if (field.value.size() != field.first.size() * field.second.size())
+    throw ResultError(where + " \"" + field.quantity + "\" has " + std::to_string(field.value.size()) +
+                      " values on a grid of " + std::to_string(field.first.size()) + " by " +
+                      std::to_string(field.second.size()));
+}
+
+void check_tool(const ToolState& tool) {
+  const int vertices = static_cast<int>(tool.vertices.size());
+  for (const auto& triangle : tool.triangles)
+    if (triangle.minCoeff() < 0 || triangle.maxCoeff() >= vertices)
+      throw ResultError("tool \"" + tool.name + "\" has a triangle without its vertices");
+}
+
+}  // namespace
+
+void check_lengths(const FillResult& result) {
+  const PowderState& powder = result.powder;
+  const std::size_t grains = powder.position.size();
+  same_or_none("powder id", powder.id.size(), grains);
+  same_or_none("powder orientation", powder.orientation.size(), grains);
+  same_or_none("powder velocity", powder.velocity.size(), grains);
+  same_or_none("powder angular velocity", powder.angular_velocity.size(), grains);
+  same_or_none("cell volume", result.solid_fraction.cell_volume.size(), grains);
+  same_or_none("solid fraction", result.solid_fraction.solid_fraction.size(), grains);
+  same_or_none("open cells", result.solid_fraction.open.size(), grains);
+  same_or_none("grains in the cavity", result.solid_fraction.in_cavity.size(), grains);
+  for (const ToolState& tool : result.tools) check_tool(tool);
+  for (const Field2D& map : result.maps) check_field(map, "map");
+  for (const SectionField& section : result.sections) check_field(section.field, "section");
+  for (const Profile& profile : result.profiles)
+    if (profile.x.size() != profile.y.size())
+      throw ResultError("profile \"" + profile.quantity + "\" has unequal numbers of x and y");
+}
+
+}  // namespace diefill::results

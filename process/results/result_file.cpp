@@ -1,0 +1,88 @@
+#include "process/results/result_file.h"
+
+#include <new>
+
+#include "process/results/atomic_file.h"
+#include "process/results/hdf5_read.h"
+#include "process/results/hdf5_write.h"
+#include "process/results/result_check.h"
+#include "process/results/schema.h"
+#include "process/results/sphere_view.h"
+#include "process/results/xdmf.h"
+
+namespace diefill::results {
+namespace {
+
+constexpr const char* kFileName = "results.h5";
+
+void make_directory(const std::filesystem::path& directory) {
+  std::error_code error;
+  std::filesystem::create_directories(directory, error);
+  if (error)
+    throw ResultError("cannot make the directory " + directory.string() + ": " + error.message() +
+                      "; name a directory that can be written");
+}
+
+/// Derived from the rest and not read back.
+void write_spheres(Hdf5Writer& file, const FillResult& result) {
+  const SphereView view = view_spheres(result);
+  file.group("spheres", "basic spheres one by one, derived from /powder for results.xdmf", [&] {
+    file.field("centre", view.centre, "m", "sphere centres, laboratory frame");
+    file.field("radius", view.radius, "m", "sphere radii");
+    file.field("solid_fraction", view.solid_fraction, "1",
+               "solid fraction of the sphere's grain; NaN: open cell");
+    file.field("grain", view.grain, "1", "id of the sphere's grain");
+  });
+}
+
+std::string file_image(const FillResult& result) {
+  Hdf5Writer file;
+  file.file_attribute("format", kFormat);
+  file.file_attribute("schema_version", kSchemaVersion);
+  file.file_attribute("program_version", result.program_version);
+  file.file_attribute(
+      "description",
+      "Result of a simulated die filling in SI units unless a dataset's attribute `unit` says "
+      "otherwise; every dataset is described by its attribute `description`.");
+  describe(file, result);
+  write_spheres(file, result);
+  return file.finish();
+}
+
+FillResult read_checked(const std::filesystem::path& path) {
+  Hdf5Reader file(path);
+  if (file.file_text("format") != kFormat)
+    throw ResultError(path.string() + ": an HDF5 file, but not results of diefill; name another directory");
+  const int version = file.file_number("schema_version");
+  if (version != kSchemaVersion)
+    throw ResultError(path.string() + ": results of schema version " + std::to_string(version) +
+                      ", but this program reads version " + std::to_string(kSchemaVersion) +
+                      "; run the scene again with this program");
+  FillResult result;
+  describe(file, result);
+  return result;
+}
+
+}  // namespace
+
+void write_results(const std::filesystem::path& directory, const FillResult& result) {
+  check_lengths(result);
+  make_directory(directory);
+  write_text_atomically(directory / kFileName, file_image(result));
+  write_text_atomically(directory / "results.xdmf", xdmf_text(result, kFileName));
+}
+
+FillResult read_results(const std::filesystem::path& directory) {
+  const std::filesystem::path path = directory / kFileName;
+  try {
+    FillResult result = read_checked(path);
+    check_lengths(result);
+    return result;
+  } catch (const std::bad_alloc&) {
+    throw ResultError(path.string() + ": does not fit into memory or is damaged");
+  } catch (const std::length_error&) {
+    throw ResultError(path.string() + ": an array has an impossible length; the file is damaged");
+  }
+}
+
+}  // namespace diefill::results

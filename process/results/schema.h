@@ -1,0 +1,170 @@
+// The HDF5 schema, said once: writer and reader walk through the same description, so that what is written is
+// what can be read. README.md lists the same for people. Change kSchemaVersion with every change here.
+#pragma once
+
+#include <string>
+#include <utility>
+
+#include "process/results/figure_meaning.h"
+#include "process/results/fill_result.h"
+
+namespace diefill::results {
+
+inline constexpr const char* kFormat = "diefill results";
+inline constexpr int kSchemaVersion = 1;
+
+template <class Archive, class Powder>
+void describe_powder(Archive& archive, Powder& powder) {
+  archive.group("powder", "the powder at one instant; arrays run over grains", [&] {
+    archive.field("time", powder.time, "s", "time since the start of the scene");
+    archive.field("grain_diameter", powder.grain_diameter, "m", "model grain size d");
+    archive.field("sphere_radius", powder.sphere_radius, "m",
+                  "radius of the basic spheres that grains are made of");
+    archive.field("grain_mass", powder.grain_mass, "kg", "mass of one grain");
+    archive.field("grain_solid_volume", powder.grain_solid_volume, "m^3", "solid volume of one grain");
+    archive.field("sphere_offsets", powder.sphere_offsets, "m", "sphere centres in the grain's body frame");
+    archive.field("id", powder.id, "1", "identity of the grain, kept through restarts");
+    archive.field("position", powder.position, "m", "grain centres, laboratory frame, z up");
+    archive.field("orientation", powder.orientation, "1", "unit quaternion (w, x, y, z), body to laboratory");
+    archive.field("velocity", powder.velocity, "m/s", "velocity of the grain centre");
+    archive.field("angular_velocity", powder.angular_velocity, "rad/s", "angular velocity, laboratory frame");
+  });
+}
+
+template <class Archive, class Summary>
+void describe_summary(Archive& archive, Summary& summary) {
+  const char* scope = "statistics over closed cells in the cavity at least 2 d below the powder surface";
+  archive.group("summary", scope, [&] {
+    archive.field("mean", summary.mean, "1", "sum of solid volumes over sum of cell volumes");
+    archive.field("arithmetic_mean", summary.arithmetic_mean, "1", "mean of the grains' solid fractions");
+    archive.field("std", summary.std, "1", "standard deviation of the grains' solid fractions");
+    archive.field("min", summary.min, "1", "smallest solid fraction");
+    archive.field("max", summary.max, "1", "largest solid fraction");
+    archive.field("cv", summary.cv, "1", "standard deviation over arithmetic mean");
+    archive.field("grains", summary.grains, "1", "grains counted");
+  });
+}
+
+template <class Archive, class Result>
+void describe_solid_fraction(Archive& archive, Result& result) {
+  auto& fraction = result.solid_fraction;
+  archive.group("solid_fraction", "Voronoi measure of every grain, in the order of /powder", [&] {
+    archive.field("cell_volume", fraction.cell_volume, "m^3", "volume of the grain's Voronoi cell");
+    archive.field("solid_fraction", fraction.solid_fraction, "1",
+                  "solid volume of the grain over its cell volume");
+    archive.field("open", fraction.open, "1",
+                  "1 where the cell reaches a free surface: its volume means nothing");
+    archive.field("in_cavity", fraction.in_cavity, "1", "1 where the grain centre lies in the cavity");
+    describe_summary(archive, result.summary);
+  });
+}
+
+template <class Archive, class Tools>
+void describe_tools(Archive& archive, Tools& tools) {
+  const auto name_of = [](const ToolState& tool) { return tool.name; };
+  archive.list("tools", "tools as they stood at the time of the powder", tools, name_of, [&](auto& tool) {
+    archive.field("name", tool.name, "text", "name of the tool in the scene");
+    archive.field("role", tool.role, "text", "die, core, punch, shoe or plate");
+    archive.field("vertices", tool.vertices, "m", "mesh vertices, laboratory frame");
+    archive.field("triangles", tool.triangles, "1", "vertex numbers, counter-clockwise seen from outside");
+    archive.field("wall_sphere_centres", tool.wall_sphere_centres, "m",
+                  "wall sphere centres, laboratory frame");
+    archive.field("wall_sphere_radius", tool.wall_sphere_radius, "m", "radius of the wall spheres");
+    archive.field("mesh_hash", tool.mesh_hash, "text", "hash of the CAD file's bytes");
+  });
+}
+
+template <class Archive, class Cavity>
+void describe_cavity(Archive& archive, Cavity& cavity) {
+  archive.group("cavity", "where the powder is collected", [&] {
+    archive.field("is_ring", cavity.is_ring, "1", "1 for a cavity with a vertical axis and a core");
+    archive.field("axis_origin", cavity.axis_origin, "m", "point of the ring's axis at the fill plane");
+    archive.field("inner_radius", cavity.inner_radius, "m", "smallest inner radius of the ring");
+    archive.field("outer_radius", cavity.outer_radius, "m", "largest outer radius of the ring");
+    archive.field("lower_corner", cavity.lower_corner, "m", "lower corner of the box around the cavity");
+    archive.field("upper_corner", cavity.upper_corner, "m",
+                  "upper corner of that box; its z is the fill plane");
+    archive.field("volume", cavity.volume, "m^3", "volume below the fill plane, 0 if unknown");
+    archive.field("narrowest_width", cavity.narrowest_width, "m", "smallest horizontal width, 0 if unknown");
+    archive.field("azimuth_zero", cavity.azimuth_zero, "1",
+                  "direction of azimuth 0; azimuth counts counter-clockwise");
+  });
+}
+
+template <class Archive, class Field>
+void describe_field(Archive& archive, Field& field) {
+  archive.field("quantity", field.quantity, "text", "what the values are");
+  archive.field("first_name", field.first_name, "text", "name of the first coordinate");
+  archive.field("first_unit", field.first_unit, "text", "unit of the first coordinate");
+  archive.field("second_name", field.second_name, "text", "name of the second coordinate");
+  archive.field("second_unit", field.second_unit, "text", "unit of the second coordinate");
+  archive.field("first", field.first, "see first_unit", "nodes along the first coordinate, n of them");
+  archive.field("second", field.second, "see second_unit", "nodes along the second coordinate, m of them");
+  archive.field("value", field.value, "1", "m x n values, the first coordinate runs fastest; NaN: no powder");
+  archive.field("averaging_width", field.averaging_width, "m", "Gaussian width of the average over grains");
+}
+
+template <class Archive, class Sections>
+void describe_sections(Archive& archive, Sections& sections) {
+  const auto name_of = [](const SectionField& section) { return section.plane.name; };
+  archive.list(
+      "sections", "fields in planes; coordinates from the origin", sections, name_of, [&](auto& section) {
+        archive.field("name", section.plane.name, "text", "name of the plane");
+        archive.field("origin", section.plane.origin, "m", "origin of the plane, laboratory frame");
+        archive.field("normal", section.plane.normal, "1", "unit normal of the plane");
+        archive.field("first_axis", section.plane.first_axis, "1", "direction of the first coordinate");
+        archive.field("second_axis", section.plane.second_axis, "1", "direction of the second coordinate");
+        archive.group("field", "the field in the plane", [&] { describe_field(archive, section.field); });
+      });
+}
+
+template <class Archive, class Profiles>
+void describe_profiles(Archive& archive, Profiles& profiles) {
+  const auto name_of = [](const Profile& profile) { return profile.quantity; };
+  archive.list("profiles", "curves, such as fill level against azimuth", profiles, name_of,
+               [&](auto& profile) {
+                 archive.field("quantity", profile.quantity, "text", "what y is");
+                 archive.field("unit", profile.unit, "text", "unit of y");
+                 archive.field("x_name", profile.x_name, "text", "what x is");
+                 archive.field("x_unit", profile.x_unit, "text", "unit of x");
+                 archive.field("x", profile.x, "see x_unit", "abscissae");
+                 archive.field("y", profile.y, "see unit", "ordinates; NaN where nothing was found");
+               });
+}
+
+template <class Archive, class Result>
+void describe_scene(Archive& archive, Result& result) {
+  archive.group("scene", "what was run, enough to run it again", [&] {
+    archive.field("title", result.title, "text", "title for people");
+    archive.field("strategy", result.strategy, "text", "filling strategy in one line");
+    archive.field("powder_name", result.powder_name, "text", "name of the powder");
+    archive.field("text", result.scene_text, "text", "the scene file as read");
+    archive.field("program_version", result.program_version, "text", "version of the program");
+    archive.field("seed", result.seed, "1", "seed of all random numbers");
+    archive.field("state_hash", result.state_hash, "text", "hash of the engine's final state");
+    archive.field("warnings", result.warnings, "text", "warnings for people");
+  });
+}
+
+/// Walks through everything; `Result` is FillResult for reading and const FillResult for writing.
+template <class Archive, class Result>
+void describe(Archive& archive, Result& result) {
+  describe_scene(archive, result);
+  describe_powder(archive, result.powder);
+  describe_solid_fraction(archive, result);
+  describe_tools(archive, result.tools);
+  describe_cavity(archive, result.cavity);
+  const auto quantity_of = [](const Field2D& field) { return field.quantity; };
+  archive.list("maps", "cylindrical maps of rings", result.maps, quantity_of,
+               [&](auto& map) { describe_field(archive, map); });
+  describe_sections(archive, result.sections);
+  describe_profiles(archive, result.profiles);
+  archive.numbers("figures", "single numbers of the run, as in report.json", result.figures, figure_meaning);
+  const auto phase_meaning = [](const std::string&) {
+    return std::pair("s", "wall-clock time in this phase");
+  };
+  archive.numbers("phase_seconds", "wall-clock time by phase of the step", result.phase_seconds,
+                  phase_meaning);
+}
+
+}  // namespace diefill::results
