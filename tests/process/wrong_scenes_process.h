@@ -1,0 +1,145 @@
+// Faults in [pour], [[step]], [numerics] and [measure].
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "tests/process/wrong_scene.h"
+
+namespace diefill::process {
+
+inline std::vector<WrongScene> wrong_pours() {
+  const std::string from = "from = [\"19.4 mm\", \"-14.5 mm\", \"0 mm\"]",
+                    to = "to = [\"51.4 mm\", \"14.5 mm\", \"110 mm\"]";
+  const std::string height = "fill_height = \"24 mm\"";
+  const std::string rest = scene_up_to("[measure]").substr(scene_up_to("from =").size());
+  return {
+      spoil("pour_from_missing", "[pour]\n" + from, "@[pour]",
+            {"pour.from", "found nothing, this must be given"}),
+      spoil("pour_box_empty", to, "to = @[\"51.4 mm\", \"-14.5 mm\", \"110 mm\"]",
+            {"pour.to", "found a list", "empty along y", "must be more than from (-14.5 mm)"}),
+      spoil("pour_box_thinner_than_a_grain", to, "to = @[\"51.4 mm\", \"-14 mm\", \"110 mm\"]",
+            {"pour.to", "along y the box measures 0.5 mm", "less than one grain of 1.8816 mm", "widen it"}),
+      spoil("pour_height_above_box", height, "fill_height = @\"240 mm\"",
+            {"pour.fill_height", "found \"240 mm\"", "only 110 mm high"}),
+      spoil("pour_height_zero", height, "fill_height = @\"0 mm\"",
+            {"pour.fill_height", "found \"0 mm\"", "more than 0 mm"}),
+      spoil("pour_height_misspelt", "[pour]\n" + from + "\n" + to + "\n" + height,
+            "@[pour]\n" + from + "\n" + to + "\nfil_height = \"24 mm\"",
+            {"pour.fill_height", "found nothing", "is \"fil_height\" a slip of the pen"}),
+      spoil("pour_lattice_too_tight", height, height + "\nlattice_constant = @1.1",
+            {"pour.lattice_constant", "found 1.1", "at least 1.2 is allowed", "no grains overlap"}),
+      spoil("pour_solid_fraction_above_densest", height, height + "\nsolid_fraction = @0.9",
+            {"pour.solid_fraction", "found 0.9", "at least 0.05 and at most 0.74"}),
+      spoil("pour_rim_speed_negative", height, height + "\nrim_speed = @\"-1 m/s\"",
+            {"pour.rim_speed", "found \"-1 m/s\"", "at least 0 m/s"}),
+      spoil(
+          "pour_outside_the_period", rest, "from = @" + rest.substr(7) + "\nperiodic = { y = \"20 mm\" }\n\n",
+          {"pour.from", "along y the box reaches -14.5 mm", "numerics.periodic leaves only -10 mm to 10 mm"}),
+      spoil("pour_missing", scene_up_to("[[step]]"), "@" + scene_up_to("[pour]"),
+            {"pour", "found nothing, this must be given", "[pour]"}),
+  };
+}
+
+inline std::vector<WrongScene> wrong_steps() {
+  const std::string kind = "kind = \"passage\"", tool = "tool = \"shoe\"",
+                    velocity = "velocity = \"0.2 m/s\"", direction = "direction = \"-x\"";
+  const std::string header = "[[step]]\n" + kind + "\n";
+  return {
+      spoil("step_kind_unknown", kind, "kind = @\"pasage\"",
+            {"step.kind", "found \"pasage\"", "allowed is \"passage\", \"settle\" or \"wait\"",
+             "did you mean \"passage\"?"}),
+      spoil("step_kind_missing", header, "@[[step]]\n", {"step.kind", "found nothing", "\"passage\""}),
+      spoil("step_tool_unknown", tool, "tool = @\"feeder\"",
+            {"step.tool", "found \"feeder\"", "allowed is \"die\" or \"shoe\""}),
+      spoil("step_tool_missing", header + tool, "@[[step]]\n" + kind, {"step.tool", "found nothing"}),
+      spoil("step_moves_the_die", tool, "tool = @\"die\"",
+            {"step.tool", "found \"die\"", "its role is die", "moves a shoe or plate"}),
+      spoil("step_velocity_zero", velocity, "velocity = @\"0 m/s\"",
+            {"step.velocity", "found \"0 m/s\"", "more than 0 m/s and at most 10 m/s"}),
+      spoil("step_velocity_negative", velocity, "velocity = @\"-0.2 m/s\"",
+            {"step.velocity", "found \"-0.2 m/s\"", "more than 0 m/s"}),
+      spoil("step_velocity_too_fast", velocity, "velocity = @\"200 m/s\"",
+            {"step.velocity", "found \"200 m/s\"", "at most 10 m/s"}),
+      spoil("step_velocity_as_length", velocity, "velocity = @\"200 mm\"",
+            {"step.velocity", "found \"200 mm\"", "\"mm\" is not a unit of velocity", "\"0.2 m/s\""}),
+      spoil("step_velocity_as_slowness", velocity, "velocity = @\"5 s/m\"",
+            {"step.velocity", "found \"5 s/m\"", "\"s/m\" is not a unit of velocity"}),
+      spoil("step_velocity_missing", header + tool + "\n" + velocity, "@" + header + tool,
+            {"step.velocity", "found nothing", "\"0.2 m/s\""}),
+      spoil("step_direction_unknown", direction, "direction = @\"left\"",
+            {"step.direction", "found \"left\"", "allowed is \"-x\", \"+x\", \"-y\" or \"+y\""}),
+      spoil("step_passages_none", direction, direction + "\npassages = @0",
+            {"step.passages", "found 0", "a whole number from 1 to 1000 is needed"}),
+      spoil("step_passages_a_half", direction, direction + "\npassages = @1.5",
+            {"step.passages", "found 1.5", "a whole number from 1 to 1000 is needed"}),
+      spoil("step_acceleration_as_velocity", direction, direction + "\nacceleration = @\"10 m/s\"",
+            {"step.acceleration", "\"m/s\" is not a unit of acceleration", "\"10 m/s^2\""}),
+      spoil("step_pause_as_frequency", direction, direction + "\npause = @\"20 Hz\"",
+            {"step.pause", "found \"20 Hz\"", "\"Hz\" is not a unit of time", "\"50 ms\""}),
+      spoil("step_travel_zero", direction, direction + "\ntravel = @\"0 mm\"",
+            {"step.travel", "found \"0 mm\"", "more than 0 mm"}),
+      spoil("step_key_misspelt", direction, direction + "\n@passage = 2",
+            {"step.passage", "found 2", "did you mean \"passages\"?"}),
+      spoil("step_wait_without_duration", "[[step]]", "@[[step]]\nkind = \"wait\"\n[[step]]",
+            {"step.duration", "found nothing", "\"50 ms\""}),
+      spoil("step_settle_key_unknown", "[[step]]", "[[step]]\nkind = \"settle\"\n@until = \"rest\"\n[[step]]",
+            {"step.until", "not known", "kind, duration"}),
+  };
+}
+
+inline std::vector<WrongScene> wrong_numerics() {
+  const std::string time = "max_time = \"5 s\"";
+  return {
+      spoil("time_step_given_twice", time, "time_step_fraction = 0.1\ntime_step = @\"2 us\"",
+            {"numerics.time_step", "found \"2 us\"", "time_step_fraction is given as well", "leave one out"}),
+      spoil("time_step_too_long", time, "time_step = @\"2 s\"",
+            {"numerics.time_step", "found \"2 s\"", "at most 1 ms"}),
+      spoil("time_step_fraction_above_one", time, "time_step_fraction = @1.5",
+            {"numerics.time_step_fraction", "found 1.5", "more than 0 and at most 1"}),
+      spoil("lever_arm_unknown", time, "lever_arm = @\"centre\"",
+            {"numerics.lever_arm", "found \"centre\"", "allowed is \"center\" or \"contact\"",
+             "did you mean \"center\"?"}),
+      spoil("tangential_spring_unknown", time, "tangential_spring = @\"cut_back\"",
+            {"numerics.tangential_spring", "allowed is \"cut back\" or \"free\""}),
+      spoil("opening_unknown", time, "opening = @\"walls\"",
+            {"numerics.opening", "found \"walls\"", "allowed is \"surfaces\" or \"centres\""}),
+      spoil("energy_ledger_in_quotes", time, "energy_ledger = @\"true\"",
+            {"numerics.energy_ledger", "found \"true\"", "true or false without quotes"}),
+      spoil("period_too_short", time, "periodic = { y = @\"2.16 mm\" }",
+            {"numerics.periodic.y", "found \"2.16 mm\"", "at least 7.5264 mm is allowed",
+             "four grain diameters"}),
+      spoil("period_along_z", time, "periodic = { @z = \"10 mm\" }",
+            {"numerics.periodic.z", "not known", "x, y"}),
+      spoil("max_time_negative", time, "max_time = @\"-5 s\"",
+            {"numerics.max_time", "found \"-5 s\"", "more than 0 s"}),
+      spoil("checkpoint_interval_too_short", time, "checkpoint_interval = @\"1 ms\"",
+            {"numerics.checkpoint_interval", "found \"1 ms\"", "at least 1 s"}),
+      spoil("numerics_key_unknown", time, "@threads = 4",
+            {"numerics.threads", "found 4", "not known", "the keys here are time_step_fraction"}),
+  };
+}
+
+inline std::vector<WrongScene> wrong_measures() {
+  const std::string plane = "fill_plane = \"0 mm\"\n";
+  return {
+      spoil("averaging_width_zero", plane, "averaging_width = @\"0 mm\"\n",
+            {"measure.averaging_width", "found \"0 mm\"", "more than 0 mm"}),
+      spoil("azimuth_bins_too_few", plane, "azimuth_bins = @1\n",
+            {"measure.azimuth_bins", "found 1", "a whole number from 4 to 360"}),
+      spoil("section_normal_zero", plane, plane + "[[measure.section]]\nname = \"a\"\nnormal = @[0, 0, 0]\n",
+            {"measure.section.normal", "not all zero", "[0, 1, 0]"}),
+      spoil("section_normal_of_texts", plane,
+            plane + "[[measure.section]]\nname = \"a\"\nnormal = @[\"0\", \"1\", \"0\"]\n",
+            {"measure.section.normal", "three numbers"}),
+      spoil("section_without_name", plane, plane + "@[[measure.section]]\nnormal = \"x\"\n",
+            {"measure.section.name", "found nothing"}),
+      spoil("section_name_twice", plane,
+            plane + "[[measure.section]]\nname = \"a\"\n[[measure.section]]\nname = @\"a\"\n",
+            {"measure.section.name", "found \"a\"", "an earlier section has that name"}),
+      spoil("section_of_one_bracket", plane, plane + "@[measure.section]\nname = \"a\"\n",
+            {"measure.section", "found a table", "write [[measure.section]] with double brackets"}),
+  };
+}
+
+}  // namespace diefill::process
