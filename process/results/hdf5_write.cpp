@@ -36,6 +36,13 @@ void attach_text(hid_t object, const char* name, const char* text) {
           std::string("attach ") + name);
 }
 
+/// Without the time of writing: the same result makes the same file.
+hid_t dataset_creation() {
+  const hid_t creation = H5Pcreate(H5P_DATASET_CREATE);
+  require(creation >= 0 && H5Pset_obj_track_times(creation, false) >= 0, "prepare a dataset");
+  return creation;
+}
+
 /// Compression, and a checksum that tells a damaged chunk from data. Scalars and empty arrays have no chunks.
 void set_chunks(hid_t creation, const std::vector<hsize_t>& shape) {
   if (shape.empty() || std::find(shape.begin(), shape.end(), hsize_t{0}) != shape.end()) return;
@@ -56,6 +63,7 @@ Hdf5Writer::Hdf5Writer() : file_(create_image(), H5Fclose) {
 void Hdf5Writer::create_group(const char* description) {
   Hdf5Handle creation(H5Pcreate(H5P_GROUP_CREATE), H5Pclose);
   H5Pset_link_creation_order(creation.id(), H5P_CRT_ORDER_TRACKED | H5P_CRT_ORDER_INDEXED);
+  H5Pset_obj_track_times(creation.id(), false);
   Hdf5Handle group(H5Gcreate2(file_.id(), path_.c_str(), H5P_DEFAULT, creation.id(), H5P_DEFAULT), H5Gclose);
   require(group.valid(), "create group " + path_);
   if (*description != '\0') attach_text(group.id(), "description", description);
@@ -73,7 +81,7 @@ void Hdf5Writer::array(const std::string& name, NumberType type, const std::vect
   Hdf5Handle space(shape.empty() ? H5Screate(H5S_SCALAR)
                                  : H5Screate_simple(static_cast<int>(shape.size()), shape.data(), nullptr),
                    H5Sclose);
-  Hdf5Handle creation(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
+  Hdf5Handle creation(dataset_creation(), H5Pclose);
   set_chunks(creation.id(), shape);
   Hdf5Handle dataset(
       H5Dcreate2(file_.id(), path.c_str(), type.file, space.id(), H5P_DEFAULT, creation.id(), H5P_DEFAULT),
@@ -89,9 +97,9 @@ void Hdf5Writer::array(const std::string& name, NumberType type, const std::vect
 void Hdf5Writer::texts(const std::string& name, hid_t space, const std::vector<const char*>& texts,
                        const char* unit, const char* description) {
   const std::string path = path_ + "/" + name;
-  Hdf5Handle type(text_type(), H5Tclose);
+  Hdf5Handle type(text_type(), H5Tclose), creation(dataset_creation(), H5Pclose);
   Hdf5Handle dataset(
-      H5Dcreate2(file_.id(), path.c_str(), type.id(), space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT),
+      H5Dcreate2(file_.id(), path.c_str(), type.id(), space, H5P_DEFAULT, creation.id(), H5P_DEFAULT),
       H5Dclose);
   require(dataset.valid(), "create " + path);
   if (!texts.empty())
