@@ -58,7 +58,7 @@ INSTANTIATE_TEST_SUITE_P(Machine, StraightMoves,
                          testing::Values(Move{0.07, 0.2, 10}, Move{0.07, 0.09, 10}, Move{0.07, 0.5, 10},
                                          Move{0.001, 0.2, 10},  // too short to reach 0.2 m/s
                                          Move{0.004, 0.2, 10},  // just reaches it
-                                         Move{2.0, 0.022, 1}));
+                                         Move{0.3, 0.022, 0.1}));
 
 TEST(StraightMove, TakesDistanceOverVelocityPlusOneRamp) {
   EXPECT_DOUBLE_EQ(StraightMove(0.07, 0.2, 10).duration(), 0.07 / 0.2 + 0.2 / 10);
