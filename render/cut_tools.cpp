@@ -22,10 +22,10 @@ struct Tone {
 
 // Steels a little apart, so that die, core, punch and shoe are told from each other where they touch.
 Tone tone_of(const std::string& role) {
-  if (role == "core") return {{0.70, 0.72, 0.77}, {0.42, 0.45, 0.52}};
-  if (role == "punch") return {{0.62, 0.66, 0.72}, {0.32, 0.35, 0.42}};
-  if (role == "shoe") return {{0.86, 0.80, 0.70}, {0.58, 0.50, 0.38}};
-  return {{0.78, 0.80, 0.84}, {0.50, 0.53, 0.59}};
+  if (role == "core") return {{0.80, 0.82, 0.86}, {0.62, 0.65, 0.71}};
+  if (role == "punch") return {{0.74, 0.77, 0.82}, {0.50, 0.54, 0.62}};
+  if (role == "shoe") return {{0.90, 0.85, 0.76}, {0.72, 0.64, 0.51}};
+  return {{0.84, 0.86, 0.89}, {0.69, 0.72, 0.77}};
 }
 
 vtkSmartPointer<vtkPolyData> to_polydata(const results::ToolState& tool) {

@@ -77,15 +77,14 @@ double FieldSampler::at(double first, double second) const {
   const std::array<double, 4> weights{(1 - column.weight) * (1 - row.weight),
                                       column.weight * (1 - row.weight), (1 - column.weight) * row.weight,
                                       column.weight * row.weight};
-  const std::size_t nearest = (column.weight > 0.5 ? 1U : 0U) + (row.weight > 0.5 ? 2U : 0U);
-  if (!std::isfinite(values[nearest])) return std::nan("");
   double sum = 0, weight = 0;
   for (std::size_t k = 0; k < 4; ++k) {
     if (!std::isfinite(values[k])) continue;
     sum += weights[k] * values[k];
     weight += weights[k];
   }
-  return sum / weight;
+  // The hole begins where its corners outweigh the others: half-way between nodes, rounded at corners.
+  return weight >= 0.5 ? sum / weight : std::nan("");
 }
 
 }  // namespace diefill::render

@@ -23,8 +23,8 @@ class FieldSampler {
   /// `field` must outlive the sampler.
   explicit FieldSampler(const results::Field2D& field);
 
-  /// Value at (first, second) in the field's units, clamped to the grid; NaN where the nearest node is NaN.
-  /// Next to a hole only the corners with values count.
+  /// Value at (first, second) in the field's units, clamped to the grid. Next to a hole only the
+  /// corners with values count; NaN where those weigh less than half.
   double at(double first, double second) const;
 
  private:

@@ -2,6 +2,7 @@
 
 #include <vtkActor.h>
 #include <vtkCamera.h>
+#include <vtkCellArray.h>
 #include <vtkLightKit.h>
 #include <vtkOpenGLSphereMapper.h>
 #include <vtkPointData.h>
@@ -44,6 +45,11 @@ vtkSmartPointer<vtkPolyData> spheres_behind_cut(const results::PowderState& powd
   auto data = vtkSmartPointer<vtkPolyData>::New();
   data->SetPoints(points);
   data->GetPointData()->SetScalars(colours);
+  // Without cells VTK takes the data for empty, and draws nothing.
+  const auto all_points = vtkSmartPointer<vtkCellArray>::New();
+  all_points->InsertNextCell(static_cast<int>(points->GetNumberOfPoints()));
+  for (vtkIdType k = 0; k < points->GetNumberOfPoints(); ++k) all_points->InsertCellPoint(k);
+  data->SetVerts(all_points);
   return data;
 }
 

@@ -17,8 +17,7 @@ QImage white_canvas(int width, int height) {
 void write_png(const std::filesystem::path& png, const QImage& image) {
   results::write_atomically(png, [&](const std::filesystem::path& temporary) {
     if (!image.save(QString::fromStdString(temporary.string()), "PNG"))
-      throw std::runtime_error(png.string() +
-                               ": the picture could not be written; is there space, may you write here?");
+      throw std::runtime_error("the picture could not be stored");
   });
 }
 

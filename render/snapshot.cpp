@@ -131,6 +131,9 @@ SnapshotPicture compose_snapshot(const results::FillResult& result) {
   const QSize size = picture.scene.toRect().size();
   painter.drawImage(picture.scene.topLeft(),
                     draw_grains(result, colours, picture.view, size.width(), size.height()));
+  painter.setPen(QPen(QColor(150, 150, 150), 1.5));
+  painter.setBrush(Qt::NoBrush);
+  painter.drawRect(picture.scene);
   picture.scale_bar = scale_bar_length(1e3 * picture.view.width);
   picture.scale_pixels = picture.scale_bar / (1e3 * picture.view.width) * picture.scene.width();
   draw_foot(painter, picture, closed < values.size());

@@ -34,17 +34,32 @@ double percentile(const std::vector<double>& sorted, double fraction) {
   return sorted[below] + (place - static_cast<double>(below)) * (sorted[above] - sorted[below]);
 }
 
+std::string power_of_ten(int exponent) {
+  static constexpr std::array<const char*, 10> kRaised{"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
+  std::string text = exponent < 0 ? "10⁻" : "10";
+  for (const char digit : std::to_string(std::abs(exponent)))
+    text += kRaised[static_cast<std::size_t>(digit - '0')];
+  return text;
+}
+
 std::string decade_label(int mantissa, int exponent) {
   if (exponent >= -3 && exponent <= 4) {
     const double value = mantissa * std::pow(10.0, exponent);
     return tick_label(value, std::pow(10.0, exponent));
   }
-  static constexpr std::array<const char*, 10> kRaised{"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
-  std::string label = mantissa == 1 ? "10" : std::to_string(mantissa) + "·10";
-  if (exponent < 0) label += "⁻";
-  for (const char digit : std::to_string(std::abs(exponent)))
-    label += kRaised[static_cast<std::size_t>(digit - '0')];
-  return label;
+  return (mantissa == 1 ? "" : std::to_string(mantissa) + "·") + power_of_ten(exponent);
+}
+
+std::string written(double value, std::chars_format format, int decimals) {
+  std::array<char, 64> text{};
+  const auto result = std::to_chars(text.begin(), text.end(), value, format, decimals);
+  return {text.data(), result.ptr};
+}
+
+// "1.5e-07" -> "1.5·10⁻⁷".
+std::string typeset(const std::string& scientific) {
+  const auto mark = scientific.find('e');
+  return scientific.substr(0, mark) + "·" + power_of_ten(std::stoi(scientific.substr(mark + 1)));
 }
 
 }  // namespace
@@ -115,17 +130,15 @@ Interval robust_range(std::span<const double> values, double least_relative_span
 
 std::string tick_label(double value, double step) {
   const double size = std::max(std::abs(value), step);
-  std::array<char, 64> text{};
-  std::to_chars_result written{};
-  if (size >= 1e6 || step < 1e-6) {
-    written = std::to_chars(text.begin(), text.end(), std::abs(value), std::chars_format::general, 4);
-  } else {
-    const int decimals = std::max(0, static_cast<int>(-std::floor(std::log10(step) + kRoundingSlack)));
-    written = std::to_chars(text.begin(), text.end(), std::abs(value), std::chars_format::fixed, decimals);
-  }
-  const std::string digits(text.data(), written.ptr);
-  const bool is_zero = digits.find_first_not_of("0.") == std::string::npos;
-  return value < 0 && !is_zero ? "−" + digits : digits;
+  const auto order = [](double number) {
+    return static_cast<int>(std::floor(std::log10(number) + kRoundingSlack));
+  };
+  const bool is_zero = std::abs(value) < 1e-6 * step;
+  if (is_zero && step < 1e-4) return "0";
+  const std::string sign = value < 0 && !is_zero ? "−" : "";
+  if (!is_zero && (size >= 1e6 || size < 1e-4))
+    return sign + typeset(written(std::abs(value), std::chars_format::scientific, order(size) - order(step)));
+  return sign + written(std::abs(value), std::chars_format::fixed, std::max(0, -order(step)));
 }
 
 }  // namespace diefill::render

@@ -41,7 +41,8 @@ Interval widen_to_nice(const Interval& range, int most);
 /// Without finite values 0..1.
 Interval robust_range(std::span<const double> values, double least_relative_span = 0.02);
 
-/// `value` written with the decimals that `step` needs and a true minus sign; never "-0".
+/// `value` written with the decimals that `step` needs and a true minus sign; never "-0". Below 1e-4 and from
+/// 1e6 with a power of ten.
 std::string tick_label(double value, double step);
 
 }  // namespace diefill::render

@@ -49,6 +49,8 @@ Box cavity_region(const results::FillResult& result, const Box& cavity) {
   const double centre = cavity.center().x(), half = 0.5 * kWidestView * width;
   region.min().x() = std::max(region.min().x(), centre - half);
   region.max().x() = std::min(region.max().x(), centre + half);
+  // What lies far behind the cavity may leave the picture; drawn tilted, it would push the cavity out of it.
+  region.max().y() = std::min(region.max().y(), cavity.max().y() + kSideRoom * width);
   region.max().z() = std::min(region.max().z(), cavity.max().z() + 1.2 * width);
   return region;
 }

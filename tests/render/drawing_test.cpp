@@ -1,6 +1,8 @@
 #include "tests/render/drawing_test.h"
 
 #include <cstdlib>
+#include <fstream>
+#include <iterator>
 #include <stdexcept>
 
 #include "render/pictures.h"
@@ -44,6 +46,11 @@ Rgb pixel_at(const QImage& image, const QPointF& place) {
 bool close_to(const Rgb& one, const Rgb& other, int tolerance) {
   return std::abs(one.red - other.red) <= tolerance && std::abs(one.green - other.green) <= tolerance &&
          std::abs(one.blue - other.blue) <= tolerance;
+}
+
+std::string bytes_of(const std::filesystem::path& path) {
+  std::ifstream stream(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(stream), {}};
 }
 
 int ink(const QImage& image, const QRect& area) {

@@ -33,6 +33,9 @@ Rgb pixel_at(const QImage& image, const QPointF& place);
 /// Whether two colours differ by at most `tolerance` in every channel.
 bool close_to(const Rgb& one, const Rgb& other, int tolerance);
 
+/// The bytes of a file.
+std::string bytes_of(const std::filesystem::path& path);
+
 /// Number of pixels in `area` that are not white.
 int ink(const QImage& image, const QRect& area);
 
