@@ -40,8 +40,8 @@ results::Profile solid_fraction_profile(const results::PowderState& powder,
     if (fraction.open[k] == 0) grains.emplace_back(powder.position[k].z(), fraction.solid_fraction[k]);
   std::sort(grains.begin(), grains.end());
   if (grains.empty()) return profile;
-  const double hole = std::max(0.5 * powder.grain_diameter, 1.5 * averaging_width);
-  const double top = grains.back().first + hole * (1 - 1e-9);  // so that rounding leaves no node out of reach
+  const double hole = std::max(powder.grain_diameter, 1.5 * averaging_width);
+  const double top = grains.back().first + 0.5 * powder.grain_diameter;
   for (int n = 0; floor + n * 0.5 * averaging_width <= top; ++n) {
     const double height = n * 0.5 * averaging_width;
     profile.x.push_back(height * 1e3);
