@@ -13,6 +13,7 @@ namespace diefill::render {
 namespace {
 
 constexpr double kWidth = 1600, kHeight = 1000;
+constexpr double kUsualLegend = 126;  // pixels; a taller legend makes the picture taller
 constexpr double kMargin = 36;
 constexpr double kRightMargin = 64;  // half a tick label reaches beyond the data rectangle
 constexpr int kXTicks = 9, kYTicks = 8;
@@ -28,6 +29,20 @@ std::vector<double> x_values(const Chart& chart) {
   return values;
 }
 
+void add_air(std::vector<double>& values) {
+  double lowest = INFINITY, highest = -INFINITY;
+  for (const double value : values) {
+    if (!std::isfinite(value)) continue;
+    lowest = std::min(lowest, value);
+    highest = std::max(highest, value);
+  }
+  const double air = 0.02 * (highest - lowest);
+  // Zero stays a limit of its own: a mass or a count does not go below it.
+  if (lowest != 0) values.push_back(lowest - air);
+  if (highest != 0) values.push_back(highest + air);
+}
+
+// All heights, error bars included, and a little air on linear axes: a curve shall not run along the frame.
 std::vector<double> y_values(const Chart& chart) {
   std::vector<double> values;
   for (const auto& curve : chart.curves) {
@@ -37,6 +52,7 @@ std::vector<double> y_values(const Chart& chart) {
       values.push_back(curve.y[k] + curve.y_error[k]);
     }
   }
+  if (!chart.y.logarithmic) add_air(values);
   return values;
 }
 
@@ -100,34 +116,37 @@ void check_chart(const Chart& chart) {
 
 ChartPicture compose_chart(const Chart& chart) {
   check_chart(chart);
-  ChartPicture picture{white_canvas(static_cast<int>(kWidth), static_cast<int>(kHeight)), {}};
+  ChartPicture picture;
   const bool has_bars = std::any_of(chart.curves.begin(), chart.curves.end(),
                                     [](const Curve& curve) { return curve.style == CurveStyle::kBars; });
   picture.plot.x = make_axis(chart.x, axis_range(chart.x, x_values(chart), false), kXTicks);
   picture.plot.y = make_axis(chart.y, axis_range(chart.y, y_values(chart), has_bars), kYTicks);
 
-  QPainter painter(&picture.image);
-  painter.setRenderHints(QPainter::Antialiasing | QPainter::TextAntialiasing);
   const Heading heading(chart.title, chart.subtitle, kWidth - 2 * kMargin);
-  heading.draw(painter, kMargin, kMargin - 8);
   const double left = kMargin + left_margin(picture.plot.y), right = kWidth - kRightMargin;
   const double legend_top = kMargin + heading.height() + 8;
-  const double legend = draw_legend(&painter, chart.curves, left, legend_top, right - left);
+  const double legend = draw_legend(nullptr, chart.curves, left, legend_top, right - left);
+  const double height = kHeight + std::max(0.0, legend - kUsualLegend);
   const double top = legend_top + legend + (chart.markers.empty() ? 12 : kMarkerBand);
-  const double bottom = kHeight - kMargin - bottom_margin() - (chart.note.empty() ? 0 : 44);
+  const double bottom = height - kMargin - bottom_margin() - (chart.note.empty() ? 0 : 44);
   picture.plot.rect = QRectF(QPointF(std::round(left), std::round(top)), QPointF(right, std::round(bottom)));
+  picture.image = white_canvas(static_cast<int>(kWidth), static_cast<int>(height));
 
+  QPainter painter(&picture.image);
+  painter.setRenderHints(QPainter::Antialiasing | QPainter::TextAntialiasing);
+  heading.draw(painter, kMargin, kMargin - 8);
+  draw_legend(&painter, chart.curves, left, legend_top, right - left);
   draw_grid(painter, picture.plot);
   painter.save();
-  painter.setClipRect(picture.plot.rect.adjusted(-6, -6, 6, 6));
-  for (std::size_t k = 0; k < chart.curves.size(); ++k) draw_curve(painter, picture.plot, chart.curves[k], k);
+  painter.setClipRect(picture.plot.rect.adjusted(-12, -12, 12, 12));
+  for (std::size_t k = 0; k < chart.curves.size(); ++k) draw_curve(painter, picture.plot, chart.curves, k);
   painter.restore();
-  draw_axes(painter, picture.plot, {kWidth, kHeight});
+  draw_axes(painter, picture.plot, {kWidth, height});
   std::vector<AxisMarker> markers;
   for (const auto& marker : chart.markers) markers.push_back({marker.x, QString::fromStdString(marker.text)});
   draw_markers(painter, picture.plot, markers);
-  draw_centred(painter, {0.5 * kWidth, kHeight - kMargin - 8}, QString::fromStdString(chart.note),
-               kNotePixels, kWidth - 2 * kMargin);
+  draw_centred(painter, {0.5 * kWidth, height - kMargin - 8}, QString::fromStdString(chart.note), kNotePixels,
+               kWidth - 2 * kMargin);
   return picture;
 }
 

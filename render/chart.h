@@ -49,8 +49,9 @@ struct Chart {
   std::string note;  ///< small print at the foot
 };
 
-/// Draws the chart as a PNG of 1600 x 1000 pixels. Throws std::runtime_error where a curve's arrays differ in
-/// length, a logarithmic axis has limits that are not positive, or the file cannot be written.
+/// Draws the chart as a PNG of 1600 x 1000 pixels (taller where the legend is long). Throws
+/// std::runtime_error where a curve's arrays differ in length, a logarithmic axis has limits that are not
+/// positive, or the file cannot be written.
 void draw_chart(const std::filesystem::path& png, const Chart& chart);
 
 }  // namespace diefill::render

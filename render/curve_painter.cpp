@@ -15,33 +15,52 @@ constexpr double kMarkerRadius = 8;
 constexpr double kSampleLength = 64;  // of the piece of curve in the legend
 constexpr double kLegendRow = 42;
 
-QPen curve_pen(std::size_t index) {
+// How a curve looks: colours go through all curves; dashes only through those with lines, so that a model's
+// line among measured points is solid; with five marker shapes to eight colours no look repeats within forty
+// curves.
+struct Look {
+  QColor colour;
+  Qt::PenStyle dash;
+  std::size_t shape;
+};
+
+Look look_of(const std::vector<Curve>& curves, std::size_t index) {
   static constexpr std::array<Qt::PenStyle, 4> kDashes{Qt::SolidLine, Qt::DashLine, Qt::DashDotLine,
                                                        Qt::DotLine};
-  QPen pen(curve_colour(index), kLineWidth, kDashes[index % kDashes.size()]);
+  std::size_t lines_before = 0;
+  for (std::size_t k = 0; k < index; ++k)
+    lines_before += curves[k].style == CurveStyle::kLine || curves[k].style == CurveStyle::kLineAndMarkers;
+  return {curve_colour(index), kDashes[(lines_before + lines_before / 8) % kDashes.size()], index % 5};
+}
+
+QPen curve_pen(const Look& look) {
+  QPen pen(look.colour, kLineWidth, look.dash);
   pen.setJoinStyle(Qt::RoundJoin);
   pen.setCapStyle(Qt::FlatCap);
   return pen;
 }
 
-void draw_marker(QPainter& painter, const QPointF& at, std::size_t index) {
-  const double r = kMarkerRadius;
-  painter.setPen(QPen(Qt::white, 1.5));
-  painter.setBrush(curve_colour(index));
-  switch (index % 4) {
-    case 0:
-      painter.drawEllipse(at, r, r);
-      break;
+QPolygonF marker_outline(std::size_t shape) {
+  constexpr double r = kMarkerRadius;
+  switch (shape) {
     case 1:
-      painter.drawRect(QRectF(at.x() - r, at.y() - r, 2 * r, 2 * r));
-      break;
+      return QRectF(-r, -r, 2 * r, 2 * r);
     case 2:
-      painter.drawPolygon(
-          QPolygonF({at + QPointF(0, -1.3 * r), at + QPointF(1.2 * r, r), at + QPointF(-1.2 * r, r)}));
-      break;
+      return QPolygonF({{0, -1.3 * r}, {1.2 * r, r}, {-1.2 * r, r}});
+    case 3:
+      return QPolygonF({{0, -1.4 * r}, {1.4 * r, 0}, {0, 1.4 * r}, {-1.4 * r, 0}});
     default:
-      painter.drawPolygon(QPolygonF({at + QPointF(0, -1.4 * r), at + QPointF(1.4 * r, 0),
-                                     at + QPointF(0, 1.4 * r), at + QPointF(-1.4 * r, 0)}));
+      return QPolygonF({{0, 1.3 * r}, {1.2 * r, -r}, {-1.2 * r, -r}});
+  }
+}
+
+void draw_marker(QPainter& painter, const QPointF& at, const Look& look) {
+  painter.setPen(QPen(Qt::white, 1.5));
+  painter.setBrush(look.colour);
+  if (look.shape == 0) {
+    painter.drawEllipse(at, kMarkerRadius, kMarkerRadius);
+  } else {
+    painter.drawPolygon(marker_outline(look.shape).translated(at));
   }
 }
 
@@ -49,7 +68,7 @@ bool is_drawable(const QPointF& point) {
   return std::isfinite(point.x()) && std::isfinite(point.y());
 }
 
-void draw_line(QPainter& painter, const PlotArea& area, const Curve& curve, std::size_t index) {
+void draw_line(QPainter& painter, const PlotArea& area, const Curve& curve, const Look& look) {
   QPainterPath path;
   bool in_piece = false;
   for (std::size_t k = 0; k < curve.x.size(); ++k) {
@@ -64,14 +83,14 @@ void draw_line(QPainter& painter, const PlotArea& area, const Curve& curve, std:
       path.moveTo(point);
     in_piece = true;
   }
-  painter.setPen(curve_pen(index));
+  painter.setPen(curve_pen(look));
   painter.setBrush(Qt::NoBrush);
   painter.drawPath(path);
 }
 
-void draw_error_bars(QPainter& painter, const PlotArea& area, const Curve& curve, std::size_t index) {
+void draw_error_bars(QPainter& painter, const PlotArea& area, const Curve& curve, const Look& look) {
   constexpr double kCap = 7;
-  painter.setPen(QPen(curve_colour(index), 2.5));
+  painter.setPen(QPen(look.colour, 2.5));
   for (std::size_t k = 0; k < curve.y_error.size(); ++k) {
     const QPointF top = area.pixel(curve.x[k], curve.y[k] + curve.y_error[k]);
     QPointF foot = area.pixel(curve.x[k], curve.y[k] - curve.y_error[k]);
@@ -83,11 +102,11 @@ void draw_error_bars(QPainter& painter, const PlotArea& area, const Curve& curve
   }
 }
 
-void draw_bars(QPainter& painter, const PlotArea& area, const Curve& curve, std::size_t index) {
-  QColor fill = curve_colour(index);
+void draw_bars(QPainter& painter, const PlotArea& area, const Curve& curve, const Look& look) {
+  QColor fill = look.colour;
   fill.setAlpha(150);
   painter.setBrush(fill);
-  painter.setPen(QPen(curve_colour(index), 2));
+  painter.setPen(QPen(look.colour, 2));
   const std::size_t count = curve.x.size();
   for (std::size_t k = 0; k < count; ++k) {
     const double spacing = count < 2       ? 1
@@ -100,20 +119,20 @@ void draw_bars(QPainter& painter, const PlotArea& area, const Curve& curve, std:
   }
 }
 
-void draw_sample(QPainter& painter, const Curve& curve, std::size_t index, double left, double middle) {
+void draw_sample(QPainter& painter, const Curve& curve, const Look& look, double left, double middle) {
   if (curve.style == CurveStyle::kBars) {
-    QColor fill = curve_colour(index);
+    QColor fill = look.colour;
     fill.setAlpha(150);
     painter.setBrush(fill);
-    painter.setPen(QPen(curve_colour(index), 2));
+    painter.setPen(QPen(look.colour, 2));
     painter.drawRect(QRectF(left + 16, middle - 12, 32, 24));
     return;
   }
   if (curve.style != CurveStyle::kMarkers) {
-    painter.setPen(curve_pen(index));
+    painter.setPen(curve_pen(look));
     painter.drawLine(QPointF(left, middle), QPointF(left + kSampleLength, middle));
   }
-  if (curve.style != CurveStyle::kLine) draw_marker(painter, {left + 0.5 * kSampleLength, middle}, index);
+  if (curve.style != CurveStyle::kLine) draw_marker(painter, {left + 0.5 * kSampleLength, middle}, look);
 }
 
 }  // namespace
@@ -125,46 +144,52 @@ QColor curve_colour(std::size_t index) {
   return kColours[index % kColours.size()];
 }
 
-void draw_curve(QPainter& painter, const PlotArea& area, const Curve& curve, std::size_t index) {
+void draw_curve(QPainter& painter, const PlotArea& area, const std::vector<Curve>& curves,
+                std::size_t index) {
+  const Curve& curve = curves[index];
+  const Look look = look_of(curves, index);
   if (curve.style == CurveStyle::kBars) {
-    draw_bars(painter, area, curve, index);
+    draw_bars(painter, area, curve, look);
   } else if (curve.style != CurveStyle::kMarkers) {
-    draw_line(painter, area, curve, index);
+    draw_line(painter, area, curve, look);
   }
-  draw_error_bars(painter, area, curve, index);
+  draw_error_bars(painter, area, curve, look);
   if (curve.style != CurveStyle::kMarkers && curve.style != CurveStyle::kLineAndMarkers) return;
   for (std::size_t k = 0; k < curve.x.size(); ++k) {
     const QPointF point = area.pixel(curve.x[k], curve.y[k]);
-    if (is_drawable(point)) draw_marker(painter, point, index);
+    if (is_drawable(point)) draw_marker(painter, point, look);
   }
 }
 
 double draw_legend(QPainter* painter, const std::vector<Curve>& curves, double left, double top,
                    double width) {
+  constexpr double kTextGap = 12, kColumnGap = 40;
   const QFont font = text_font(kTickPixels);
-  double x = left, y = top;
-  bool any = false;
+  std::vector<std::size_t> named;
+  double widest = 0;
   for (std::size_t k = 0; k < curves.size(); ++k) {
     if (curves[k].name.empty()) continue;
-    const double room = width - kSampleLength - 12;
-    const QString name =
-        QFontMetricsF(font).elidedText(QString::fromStdString(curves[k].name), Qt::ElideRight, room);
-    const double length = kSampleLength + 12 + text_width(name, font);
-    if (x > left && x + length > left + width) {
-      x = left;
-      y += kLegendRow;
-    }
-    if (painter) {
-      draw_sample(*painter, curves[k], k, x, y + 0.5 * kLegendRow);
-      painter->setFont(font);
-      painter->setPen(Qt::black);
-      painter->drawText(QRectF(x + kSampleLength + 12, y, text_width(name, font) + 4, kLegendRow),
-                        Qt::AlignLeft | Qt::AlignVCenter, name);
-    }
-    x += length + 40;
-    any = true;
+    named.push_back(k);
+    widest = std::max(widest, text_width(QString::fromStdString(curves[k].name), font));
   }
-  return any ? y + kLegendRow - top : 0;
+  const double text_room = std::min(widest + 2, width - kSampleLength - kTextGap);
+  const double column_width = kSampleLength + kTextGap + text_room + kColumnGap;
+  const auto columns =
+      static_cast<std::size_t>(std::max(1.0, std::floor((width + kColumnGap) / column_width)));
+  const std::size_t rows = (named.size() + columns - 1) / columns;
+  for (std::size_t entry = 0; painter && entry < named.size(); ++entry) {
+    const Curve& curve = curves[named[entry]];
+    const double x = left + static_cast<double>(entry % columns) * column_width;
+    const double y = top + static_cast<double>(entry / columns) * kLegendRow;
+    draw_sample(*painter, curve, look_of(curves, named[entry]), x, y + 0.5 * kLegendRow);
+    painter->setFont(font);
+    painter->setPen(Qt::black);
+    const QString name = QString::fromStdString(curve.name);
+    painter->drawText(QRectF(x + kSampleLength + kTextGap, y, text_room + 4, kLegendRow),
+                      Qt::AlignLeft | Qt::AlignVCenter,
+                      QFontMetricsF(font).elidedText(name, Qt::ElideRight, text_room + 1));
+  }
+  return static_cast<double>(rows) * kLegendRow;
 }
 
 }  // namespace diefill::render

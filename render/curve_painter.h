@@ -11,10 +11,10 @@ namespace diefill::render {
 /// Colour of the k-th curve: Okabe and Ito's eight, which the colour-blind tell apart too.
 QColor curve_colour(std::size_t index);
 
-/// Draws the k-th curve inside the data rectangle.
-void draw_curve(QPainter& painter, const PlotArea& area, const Curve& curve, std::size_t index);
+/// Draws the k-th of `curves` inside the data rectangle.
+void draw_curve(QPainter& painter, const PlotArea& area, const std::vector<Curve>& curves, std::size_t index);
 
-/// Draws curve names in rows that wrap at `width`, from `top` down; without a painter only measures.
+/// Draws curve names in columns within `width`, from `top` down; without a painter only measures.
 /// Returns the height taken, 0 when no curve has a name.
 double draw_legend(QPainter* painter, const std::vector<Curve>& curves, double left, double top,
                    double width);

@@ -69,7 +69,7 @@ void draw_arrow(QPainter& painter, const QPointF& from, const QPointF& to, const
 
 // The three axes as the tilted view shows them: y points into the picture, and so upwards by the tilt's sine.
 void draw_triad(QPainter& painter, const QPointF& origin, double elevation) {
-  constexpr double kLength = 56;
+  constexpr double kLength = 52;
   const QPointF x(kLength, 0), z(0, -kLength * std::cos(elevation));
   const QPointF y(0.0, -kLength * std::sin(elevation));
   // Seen exactly from the front y would lie on z: a slant, as on drawings, keeps them apart.
@@ -83,7 +83,7 @@ void draw_foot(QPainter& painter, const SnapshotPicture& picture, bool has_open)
   const double middle = picture.scene.bottom() + 0.5 * kFoot + 8;
   if (picture.view.empty) return;
   draw_scale_bar(painter, picture, middle);
-  draw_triad(painter, {kWidth - kMargin - 110, middle + 22}, picture.view.elevation);
+  draw_triad(painter, {kWidth - kMargin - 110, middle + 34}, picture.view.elevation);
   if (!has_open) return;
   const QColor grey(kNoValueColour.red, kNoValueColour.green, kNoValueColour.blue);
   draw_swatch(painter, {picture.scene.left() + 0.36 * picture.scene.width(), middle - 14}, grey,

@@ -3,6 +3,7 @@
 
 #include <QFontDatabase>
 #include <QGuiApplication>
+#include <QLoggingCategory>
 #include <clocale>
 #include <stdexcept>
 
@@ -19,9 +20,12 @@ void start_offscreen(int& argc, char** argv) {
     static char nameless[] = "diefill";
     static int count = 1;
     static char* arguments[] = {argc > 0 ? argv[0] : nameless, nullptr};
+    // Qt remarks on missing session folders, which pictures do not need.
+    QLoggingCategory::setFilterRules(QStringLiteral("default.warning=false"));
     // Never deleted: pictures may be drawn until the very end, and static objects die in no helpful order.
     static const auto* const application = new QGuiApplication(count, arguments);
     static_cast<void>(application);
+    QLoggingCategory::setFilterRules(QString());
     std::setlocale(LC_NUMERIC, "C");  // Qt takes the user's locale; numbers in files keep their decimal point
   }
   if (QFontDatabase::families().isEmpty())
