@@ -2,6 +2,7 @@
 
 #include <toml++/toml.h>
 
+#include <algorithm>
 #include <cctype>
 #include <fstream>
 #include <iterator>
@@ -46,7 +47,12 @@ std::string line_of(const std::string& text, std::size_t number) {
 }
 
 /// What was probably meant on a line that is not TOML.
-std::string syntax_remedy(const std::string& line) {
+std::string syntax_remedy(const std::string& line, const std::string& reason) {
+  if (reason.find("cannot redefine") != std::string::npos)
+    return "; it is given above already, keep one of the two";
+  if (line.starts_with('[') && line.find(']') == std::string::npos)
+    return "; close the bracket, such as " + line + ']';
+  if (std::count(line.begin(), line.end(), '"') % 2 != 0) return "; close the quote";
   const std::size_t equals = line.find('=');
   if (equals == std::string::npos) return "; each line is key = value, [table] or # comment";
   const std::size_t start = line.find_first_not_of(" \t", equals + 1);
@@ -113,7 +119,7 @@ toml::table parse_scene_text(const std::string& text, const std::filesystem::pat
     throw SceneError(file.string() + ':' + std::to_string(at.line) + ':' + std::to_string(at.column) + ": " +
                      (bad_encoding ? "found bytes that are not UTF-8; save the scene as UTF-8 text"
                                    : "found `" + one_line(line) + "`, which is not TOML: " + reason +
-                                         syntax_remedy(line)));
+                                         syntax_remedy(line, reason)));
   }
 }
 

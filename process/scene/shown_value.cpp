@@ -2,6 +2,7 @@
 
 #include <toml++/toml.h>
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <sstream>
@@ -14,6 +15,18 @@ std::string shortest(double value) {
   std::array<char, 40> buffer{};
   const auto [end, error] = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value);
   return error == std::errc() ? std::string(buffer.data(), end) : std::to_string(value);
+}
+
+/// A point or axis as it was written; longer lists and lists of tables by their length.
+std::string shown_list(const toml::array& list) {
+  const bool plain =
+      list.size() <= 4 && std::none_of(list.begin(), list.end(), [](const toml::node& element) {
+        return element.is_table() || element.is_array();
+      });
+  if (!plain) return "a list of " + std::to_string(list.size()) + (list.size() == 1 ? " entry" : " entries");
+  std::string values;
+  for (const toml::node& element : list) values += (values.empty() ? "" : ", ") + shown_value(element);
+  return '[' + values + ']';
 }
 
 }  // namespace
@@ -39,9 +52,7 @@ std::string shown_value(const toml::node& node) {
   if (const auto number = node.value_exact<double>()) return shortest(*number);
   if (const auto flag = node.value_exact<bool>()) return *flag ? "true" : "false";
   if (node.is_table()) return "a table";
-  if (const toml::array* list = node.as_array()) {
-    return list->size() == 1 ? "a list of 1 value" : "a list of " + std::to_string(list->size()) + " values";
-  }
+  if (const toml::array* list = node.as_array()) return shown_list(*list);
   return "a date or time";
 }
 

@@ -12,7 +12,7 @@ namespace diefill::process {
 /// with "...".
 std::string one_line(std::string_view text, std::size_t longest = 60);
 
-/// Such as `"1.88"` for a text, `1.88` for a number, "a list of 2 values", "a table".
+/// Such as `"1.88"` for a text, `1.88` for a number, `[0, 0, 1]` for a short list, "a table".
 std::string shown_value(const toml::node& node);
 
 }  // namespace diefill::process

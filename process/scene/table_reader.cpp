@@ -147,9 +147,8 @@ std::optional<std::int64_t> TableReader::integer(const std::string& key, std::in
   if (node == nullptr) return std::nullopt;
   const auto value = node->value_exact<std::int64_t>();
   if (!value || *value < least || *value > most) {
-    reject_node(
-        *node, key,
-        "a whole number from " + std::to_string(least) + " to " + std::to_string(most) + " is needed");
+    const std::string end = most == INT64_MAX ? " up" : " to " + std::to_string(most);
+    reject_node(*node, key, "a whole number from " + std::to_string(least) + end + " is needed");
   }
   return value;
 }

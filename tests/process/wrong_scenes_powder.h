@@ -43,7 +43,7 @@ inline std::vector<WrongScene> wrong_powders() {
       spoil("size_too_fine", size, "grain_diameter = @\"0.01 mm\"",
             {"powder.grain_diameter", "found \"0.01 mm\"", "0.04704 mm to 9.408 mm is allowed"}),
       spoil("size_a_list", size, "grain_diameter = @[1, 2]",
-            {"powder.grain_diameter", "found a list of 2 values", "a length with its unit is needed"}),
+            {"powder.grain_diameter", "found [1, 2]", "a length with its unit is needed"}),
       spoil("preset_unknown", preset, "preset = @\"ASC100.29 D3\"",
             {"powder.preset", "found \"ASC100.29 D3\"", "\"ASC100.29 initial A\"", "\"Distaloy AE\"",
              "did you mean \"ASC100.29 D1\"?"}),
@@ -88,7 +88,7 @@ inline std::vector<WrongScene> wrong_powders() {
       spoil("key_unlike_any_other", size, "@colour = \"grey\"",
             {"powder.colour", "found \"grey\"", "the keys here are", "preset", "grain_diameter"}),
       spoil("powder_of_two_brackets", "[powder]\n" + both, "@[[powder]]\n" + both,
-            {"powder", "found a list of 1 value", "one table is needed", "[powder]"}),
+            {"powder", "found a list of 1 entry", "one table is needed", "[powder]"}),
   };
 }
 
