@@ -55,7 +55,9 @@ results::Profile fill_level(const results::PowderState& powder, const results::C
 double filled_mass(const results::PowderState& powder, const results::GrainSolidFraction& fraction);
 
 /// Solid fraction over height (mm above `floor`, which is z in m) of a bed that fills its box, mean over x
-/// and y: Eq. 2.27 along z alone over closed cells; sigma = d / 4 or less shows layers.
+/// and y: Eq. 2.27 along z alone over closed cells; sigma = d / 4 or less shows layers. Ends d / 2 above the
+/// highest closed cell's grain centre; NaN where no such centre is within the larger of d and 1.5 sigma in
+/// height.
 results::Profile solid_fraction_profile(const results::PowderState& powder,
                                         const results::GrainSolidFraction& fraction, double floor,
                                         double averaging_width);
