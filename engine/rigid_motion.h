@@ -38,9 +38,12 @@ inline Quaternion advance_orientation(const Quaternion& q, const Eigen::Vector3d
   const double first_squared = first.squaredNorm();
   const Quaternion second = quaternion_rate(q, rate_of_spin) - q * first_squared;
   const double t2 = time_step * time_step;
-  const double under_root = 1 - first_squared * t2 - first.dot(second) * t2 * time_step -
+  const double shortening = first_squared * t2;
+  const double correction = first.dot(second) * t2 * time_step +
                             0.25 * (second.squaredNorm() - first_squared * first_squared) * t2 * t2;
-  const double lambda_t2 = 1 - 0.5 * first_squared * t2 - std::sqrt(under_root);
+  // 1 - sqrt(1 - x) as x / (1 + sqrt(1 - x)): the plain form rounds alike in every step and lets |q| drift.
+  const double under_root = 1 - shortening - correction;
+  const double lambda_t2 = (shortening + correction) / (1 + std::sqrt(under_root)) - 0.5 * shortening;
   return q + first * time_step + 0.5 * t2 * second - lambda_t2 * q;
 }
 
