@@ -117,6 +117,12 @@ bool SolidQuery::inside(const Eigen::Vector3d& point) const {
   return implementation_->is_behind(hit.triangle, hit.foot, point);
 }
 
+SolidQuery::SignedNearest SolidQuery::signed_nearest(const Eigen::Vector3d& point) const {
+  const TriangleTree::Hit hit = implementation_->tree.nearest(point);
+  return {{hit.foot.point, std::sqrt(hit.distance_squared), implementation_->mesh_triangle[hit.triangle]},
+          implementation_->is_behind(hit.triangle, hit.foot, point)};
+}
+
 double SolidQuery::signed_distance(const Eigen::Vector3d& point) const {
   const TriangleTree::Hit hit = implementation_->tree.nearest(point);
   const double distance = std::sqrt(hit.distance_squared);

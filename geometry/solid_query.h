@@ -7,8 +7,8 @@
 
 namespace diefill::geometry {
 
-/// Answers geometric questions about one closed, outward mesh. Building costs O(n log n), a question O(log n).
-/// Questions may be asked from several threads at once.
+/// Answers geometric questions about one closed, outward mesh. Building costs O(n log n), a question O(log
+/// n). Questions may be asked from several threads at once.
 class SolidQuery {
  public:
   explicit SolidQuery(const Mesh& mesh);
@@ -17,11 +17,16 @@ class SolidQuery {
   SolidQuery& operator=(SolidQuery&&) noexcept;
 
   struct Nearest {
-    Eigen::Vector3d point;   ///< m, on the surface
-    double distance;         ///< m, not negative
+    Eigen::Vector3d point;  ///< m, on the surface
+    double distance;        ///< m, not negative
     std::size_t triangle;
   };
   Nearest nearest(const Eigen::Vector3d& point) const;
+  struct SignedNearest : Nearest {
+    bool inside;             ///< the point asked about is inside the solid
+  };
+  /// Both answers for the price of one.
+  SignedNearest signed_nearest(const Eigen::Vector3d& point) const;
   bool inside(const Eigen::Vector3d& point) const;
   /// Distance to the surface in m, negative inside the solid.
   double signed_distance(const Eigen::Vector3d& point) const;

@@ -1,0 +1,50 @@
+// The surface inside a solid at depth R from its boundary: where the centres of wall spheres lie.
+#pragma once
+
+#include <optional>
+
+#include "geometry/solid_query.h"
+
+namespace diefill::geometry {
+
+/// Finds places of depth R in one solid. All lengths in m.
+class OffsetSurface {
+ public:
+  OffsetSurface(const Mesh& mesh, double depth) : query_(mesh), depth_(depth) {}
+
+  /// A place at depth R and the nearest point of the boundary.
+  struct Place {
+    Eigen::Vector3d centre, foot;
+    Eigen::Vector3d normal() const { return (foot - centre).normalized(); }
+  };
+
+  /// The place at depth R that a first guess inside the solid leads to: never closer than R(1 - 1e-10) to the
+  /// boundary. A guess too close to one or several faces is moved away from them by the shortest way (to the
+  /// line at depth R below both faces of a convex edge, say); one too deep is moved towards the nearest point
+  /// of the boundary. Empty when the guess is outside or the solid is too thin there.
+  std::optional<Place> settle(const Eigen::Vector3d& guess) const {
+    double thickness = 0;
+    return settle(guess, thickness);
+  }
+
+  /// True when `place` is inside and not closer than R to the boundary, but for rounding.
+  bool is_deep_enough(const Eigen::Vector3d& place) const;
+
+  /// Diameter of the largest ball inside the solid that touches the boundary at `surface_point` (shrinking
+  /// ball, Ma, Bae and Choi 2012): the thickness of a plate. `outward_normal` is of unit length.
+  double thickness(const Eigen::Vector3d& surface_point, const Eigen::Vector3d& outward_normal) const;
+
+  /// Distance of the two facing surfaces that leave no room at depth R where settle() failed from `guess`;
+  /// empty when it did not fail for that reason.
+  std::optional<double> thickness_between_opposite_faces(const Eigen::Vector3d& guess) const;
+
+  double depth() const { return depth_; }
+
+ private:
+  std::optional<Place> settle(const Eigen::Vector3d& guess, double& thickness) const;
+
+  SolidQuery query_;
+  double depth_;
+};
+
+}  // namespace diefill::geometry

@@ -1,0 +1,70 @@
+// Points spread over a triangulated surface, each standing for a share of its area.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "geometry/surface_facets.h"
+#include "geometry/triangle.h"
+
+namespace diefill::geometry {
+
+/// A point of the surface.
+struct SurfaceSample {
+  Eigen::Vector3d point;   ///< m
+  Eigen::Vector3d normal;  ///< unit length, out of the solid
+  double area = 0;         ///< m^2 it stands for; 0 on edges
+};
+
+/// Calls `visit(sample)` for points in rows along the triangle's longest edge, at most `step` (m) apart;
+/// their areas add up to the triangle's.
+template <typename Visit>
+void sample_triangle(const Corners& corners, double step, Visit visit) {
+  std::size_t base = 0;
+  double longest = 0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const double length = (corners[(k + 1) % 3] - corners[k]).norm();
+    if (length <= longest) continue;
+    longest = length;
+    base = k;
+  }
+  const Eigen::Vector3d& a = corners[base];
+  const Eigen::Vector3d& b = corners[(base + 1) % 3];
+  const Eigen::Vector3d& tip = corners[(base + 2) % 3];
+  const Eigen::Vector3d area = area_vector(corners);
+  const Eigen::Vector3d normal = area.normalized();
+  const double height = area.norm() / longest;
+  const int rows = std::max(1, static_cast<int>(std::ceil(height / step)));
+  for (int row = 0; row < rows; ++row) {
+    const double up = (row + 0.5) / rows;
+    const Eigen::Vector3d left = a + up * (tip - a);
+    const Eigen::Vector3d right = b + up * (tip - b);
+    const double width = (1 - up) * longest;
+    const int count = std::max(1, static_cast<int>(std::ceil(width / step)));
+    for (int i = 0; i < count; ++i)
+      visit(
+          SurfaceSample{left + ((i + 0.5) / count) * (right - left), normal, width * height / rows / count});
+  }
+}
+
+/// Calls `visit(sample)` for points along an edge that is not convex and normals in between those of its two
+/// faces, at most `step` (m) apart at depth `depth` (m): the spheres of an inner corner lie on an arc about
+/// the edge.
+template <typename Visit>
+void sample_inner_edge(const BorderEdge& edge, const Eigen::Vector3d& normal,
+                       const Eigen::Vector3d& other_normal, double depth, double step, Visit visit) {
+  const int along = std::max(1, static_cast<int>(std::ceil((edge.to - edge.from).norm() / step)));
+  const int round = static_cast<int>(std::ceil(depth * edge.angle / step));
+  for (int j = 1; j < round; ++j) {
+    const double t = static_cast<double>(j) / round;
+    const Eigen::Vector3d between =
+        ((std::sin((1 - t) * edge.angle) * normal + std::sin(t * edge.angle) * other_normal) /
+         std::sin(edge.angle))
+            .normalized();
+    for (int i = 0; i < along; ++i)
+      visit(SurfaceSample{edge.from + ((i + 0.5) / along) * (edge.to - edge.from), between, 0});
+  }
+}
+
+}  // namespace diefill::geometry

@@ -1,0 +1,32 @@
+// Closes what the regular grids leave open, and measures how well the spheres follow the surface.
+#pragma once
+
+#include <functional>
+
+#include "geometry/surface_facets.h"
+#include "geometry/wall_layout.h"
+#include "geometry/wall_spheres.h"
+
+namespace diefill::geometry {
+
+/// The surface to cover, seen through its facets.
+struct CoverTarget {
+  const Mesh& mesh;
+  const Facets& facets;
+  const std::function<bool(const Eigen::Vector3d&, const Eigen::Vector3d&)>&
+      reachable;  ///< empty: everything
+};
+
+/// Points of the reachable surface, thinned to about `spacing` (m), for asking whether a place is near enough
+/// to it.
+PointGrid reachable_points(const CoverTarget& target, double spacing);
+
+/// Adds centres until every reachable point of the surface, moved to depth R, has one within half the
+/// diagonal of the grid's squares. Each new centre goes on growing a square lattice over the open surface
+/// around it. Throws MeshError where the solid is too thin to hold a sphere.
+void close_cover(const CoverTarget& target, WallLayout& layout);
+
+/// Fills in the deviations and the largest gap of `spheres` (see wall_spheres.h for what they mean).
+void measure_cover(const CoverTarget& target, const WallLayout& layout, WallSpheres& spheres);
+
+}  // namespace diefill::geometry

@@ -1,0 +1,48 @@
+// The growing set of wall sphere centres: which guesses become centres, and the regular grids and rows tried
+// first.
+#pragma once
+
+#include <functional>
+#include <optional>
+
+#include "geometry/offset_surface.h"
+#include "geometry/point_grid.h"
+#include "geometry/surface_strips.h"
+
+namespace diefill::geometry {
+
+/// Centres at depth R on a surface, and the rule by which guesses join them. Lengths in m.
+class WallLayout {
+ public:
+  /// `wanted(foot)` says whether a sphere touching the surface at `foot` is of use.
+  WallLayout(const OffsetSurface& offset, double spacing,
+             std::function<bool(const Eigen::Vector3d& foot)> wanted);
+
+  /// Settles `guess` at depth R and adds it unless a centre lies nearer than `least_distance`. Returns the
+  /// new centre.
+  std::optional<OffsetSurface::Place> add(const Eigen::Vector3d& guess, const Eigen::Vector3d& foot,
+                                          double least_distance);
+
+  /// A square grid fitted to the strip: its outermost rows lie on the strip's ends, spacings are at most the
+  /// spacing asked for. Its points keep their distance from what is there already.
+  void add_grid(const Strip& strip);
+
+  /// Distance from `place` to the nearest centre, or `limit` when none is nearer than that.
+  double distance_to_nearest(const Eigen::Vector3d& place, double limit) const;
+
+  const PointGrid& centres() const { return centres_; }
+  const OffsetSurface& offset() const { return offset_; }
+  double spacing() const { return spacing_; }
+  bool wanted(const Eigen::Vector3d& foot) const { return wanted_(foot); }
+
+  /// Guesses nearer to a centre than this part of the spacing do not become centres.
+  static constexpr double kLeastDistance = 0.7;
+
+ private:
+  const OffsetSurface& offset_;
+  double spacing_;
+  std::function<bool(const Eigen::Vector3d&)> wanted_;
+  PointGrid centres_;
+};
+
+}  // namespace diefill::geometry

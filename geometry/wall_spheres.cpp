@@ -1,0 +1,55 @@
+#include "geometry/wall_spheres.h"
+
+#include <cmath>
+#include <string>
+
+#include "geometry/wall_cover.h"
+#include "geometry/wall_layout.h"
+#include "geometry/wall_rows.h"
+
+namespace diefill::geometry {
+
+namespace {
+
+void check(const WallSphereOptions& options) {
+  if (!(std::isfinite(options.radius) && options.radius > 0))
+    throw MeshError("the radius of wall spheres must be positive, not " + std::to_string(options.radius) +
+                    " m");
+  if (!(std::isfinite(options.spacing) && options.spacing >= 0.2 && options.spacing <= 10))
+    throw MeshError("the spacing of wall spheres must be between 0.2 and 10 radii, not " +
+                    std::to_string(options.spacing) + "; 1.6 is usual");
+}
+
+}  // namespace
+
+WallSpheres make_wall_spheres(const Mesh& mesh, const WallSphereOptions& options) {
+  check(options);
+  const double spacing = options.spacing * options.radius;
+  const Facets facets = find_facets(mesh, find_topology(mesh));
+  const CoverTarget target{mesh, facets, options.reachable};
+  const OffsetSurface offset(mesh, options.radius);
+
+  std::function<bool(const Eigen::Vector3d&)> wanted = [](const Eigen::Vector3d&) { return true; };
+  PointGrid near_powder(spacing);
+  if (options.reachable) {
+    // Spheres up to about a spacing beyond the reachable surface close its edge.
+    near_powder = reachable_points(target, 0.4 * spacing);
+    wanted = [&](const Eigen::Vector3d& foot) {
+      return near_powder.nearest_within(foot, 1.4 * spacing) != PointGrid::kNone;
+    };
+  }
+  WallLayout layout(offset, spacing, wanted);
+  const Strips strips = find_strips(facets, options.radius, spacing);
+  for (const Strip& strip : strips.bent) layout.add_grid(strip);
+  add_edge_rows(facets, layout);
+  for (const Strip& strip : strips.plane) layout.add_grid(strip);
+  close_cover(target, layout);
+
+  WallSpheres spheres;
+  spheres.radius = options.radius;
+  spheres.centres = layout.centres().points();
+  measure_cover(target, layout, spheres);
+  return spheres;
+}
+
+}  // namespace diefill::geometry
