@@ -9,6 +9,7 @@
 namespace diefill::process {
 
 inline std::vector<WrongScene> wrong_pours() {
+  const std::string before_pour = scene_up_to("[pour]");
   const std::string from = "from = [\"19.4 mm\", \"-14.5 mm\", \"0 mm\"]",
                     to = "to = [\"51.4 mm\", \"14.5 mm\", \"110 mm\"]";
   const std::string height = "fill_height = \"24 mm\"";
@@ -37,7 +38,7 @@ inline std::vector<WrongScene> wrong_pours() {
       spoil(
           "pour_outside_the_period", rest, "from = @" + rest.substr(7) + "\nperiodic = { y = \"20 mm\" }\n\n",
           {"pour.from", "along y the box reaches -14.5 mm", "numerics.periodic leaves only -10 mm to 10 mm"}),
-      spoil("pour_missing", scene_up_to("[[step]]"), "@" + scene_up_to("[pour]"),
+      spoil("pour_missing", scene_up_to("[[step]]"), "@" + before_pour,
             {"pour", "found nothing, this must be given", "[pour]"}),
   };
 }
