@@ -1,0 +1,100 @@
+#include <csignal>
+#include <cstdio>
+#include <thread>
+
+#include "app/commands.h"
+#include "app/drawing.h"
+#include "app/exit_code.h"
+#include "process/results/result_file.h"
+#include "process/run/assemble.h"
+#include "process/run/material.h"
+
+namespace diefill::app {
+
+namespace {
+
+std::atomic<bool> stop_asked{false};
+
+void ask_to_stop(int) { stop_asked.store(true); }
+
+struct RunArguments {
+  std::string scene, directory;
+  int threads = 0;
+  bool resume = false, quiet = false;
+};
+
+/// out/<folder of the scene>, or out/<name of the scene> where its file name says more than "fill".
+std::filesystem::path default_directory(const std::filesystem::path& scene) {
+  const auto folder = std::filesystem::absolute(scene).parent_path().filename();
+  const auto name = scene.stem().string();
+  return std::filesystem::path("out") / (name == "fill" ? folder.string() : folder.string() + "_" + name);
+}
+
+void print_summary(const results::FillResult& result) {
+  const auto& figures = result.figures;
+  std::printf("%s: %s\n", result.title.c_str(), result.strategy.c_str());
+  if (result.cavity.volume > 0)
+    std::printf("filled mass %.4g g, solid fraction in the cavity %.3f (standard deviation %.3f, %.3f to %.3f)\n",
+                1e3 * figures.at("filled_mass_kg"), result.summary.mean, result.summary.std, result.summary.min,
+                result.summary.max);
+  else
+    std::printf("no cavity; %.0f grains (%.4g g) left the tools\n", figures.at("grains_left"),
+                1e3 * figures.at("mass_left_kg"));
+  std::printf("%.0f grains of d = %.3g mm, %.0f steps of %.3g s, %.3g s of powder time in %s, %.2f million sphere-steps/s\n",
+              figures.at("grains"), 1e3 * result.powder.grain_diameter, figures.at("steps"), figures.at("time_step_s"),
+              figures.at("simulated_s"), process::duration_in_words(figures.at("wall_seconds")).c_str(),
+              1e-6 * figures.at("sphere_steps_per_second"));
+  std::printf("state %s, energy balance error %.2g\n", result.state_hash.c_str(), figures.at("energy_balance_error"));
+  for (const auto& warning : result.warnings) std::printf("note: %s\n", warning.c_str());
+}
+
+int run(const RunArguments& arguments) {
+  const process::Scene scene = process::read_scene(arguments.scene);
+  const auto shape = process::engine_settings(scene, 1.0).shape;
+  const auto tooling = process::build_tooling(scene, shape.sphere_radius, scene.powder.grain_diameter);
+
+  process::RunOptions options;
+  options.directory = arguments.directory.empty() ? default_directory(scene.file) : std::filesystem::path(arguments.directory);
+  options.threads = arguments.threads > 0 ? arguments.threads : static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+  options.resume = arguments.resume;
+  options.show_progress = !arguments.quiet;
+  options.stop = &stop_asked;
+  process::FillRun fill(scene, tooling, options);
+  std::filesystem::create_directories(options.directory);
+  std::signal(SIGINT, ask_to_stop);
+  std::signal(SIGTERM, ask_to_stop);
+  fill.run();
+
+  const auto result = process::assemble(scene, tooling, fill);
+  results::write_results(options.directory, result);
+  results::write_report(options.directory, result);
+  const auto pictures = draw(options.directory, result);
+  std::filesystem::remove(process::checkpoint_file(options.directory));
+  print_summary(result);
+  std::printf("results in %s: report.json, results.h5 (results.xdmf for ParaView)", options.directory.string().c_str());
+  for (const auto& picture : pictures) std::printf(", %s", picture.filename().string().c_str());
+  std::printf("\n");
+  return kDone;
+}
+
+}  // namespace
+
+void add_run(CLI::App& program, Action& chosen) {
+  auto* command = program.add_subcommand("run", "Fill the die of a scene; write density maps, results and report");
+  auto arguments = std::make_shared<RunArguments>();
+  command->add_option("SCENE", arguments->scene, "scene file (TOML)")->required();
+  command->add_option("--out", arguments->directory, "directory for results (default: out/<folder of the scene>)");
+  command->add_option("--threads", arguments->threads, "threads (default: all cores); results do not depend on it")
+      ->check(CLI::Range(1, 1024));
+  command->add_flag("--resume", arguments->resume, "go on from the checkpoint in the results directory");
+  command->add_flag("--quiet", arguments->quiet, "no progress");
+  command->footer(
+      "Examples:\n"
+      "  diefill run sample_tools/narrow_ring/fill.toml\n"
+      "  diefill run my_die.toml --out results/my_die --threads 8\n"
+      "  diefill run my_die.toml --out results/my_die --resume     after Ctrl-C or a crash\n"
+      "Exit codes: 0 done, 1 failed, 2 bad input, 3 the method's valid range was left, 130 stopped (can be resumed).");
+  command->callback([arguments, &chosen] { chosen = [arguments] { return run(*arguments); }; });
+}
+
+}  // namespace diefill::app

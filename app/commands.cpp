@@ -1,0 +1,12 @@
+#include "app/commands.h"
+
+namespace diefill::app {
+
+void add_commands(CLI::App& program, Action& chosen) {
+  add_run(program, chosen);
+  add_check(program, chosen);
+  add_map(program, chosen);
+  add_info(program, chosen);
+}
+
+}  // namespace diefill::app

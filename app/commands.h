@@ -1,0 +1,21 @@
+// The commands of the program, one file each. To add one: a file with a function like these, and its line in commands.cpp.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <functional>
+
+namespace diefill::app {
+
+/// What to do once the command line has been read; returns the exit code.
+using Action = std::function<int()>;
+
+/// Adds its command to the program; `chosen` is set when the user asks for it.
+void add_run(CLI::App& program, Action& chosen);
+void add_check(CLI::App& program, Action& chosen);
+void add_map(CLI::App& program, Action& chosen);
+void add_info(CLI::App& program, Action& chosen);
+
+/// Adds all commands.
+void add_commands(CLI::App& program, Action& chosen);
+
+}  // namespace diefill::app

@@ -1,0 +1,44 @@
+#include "app/exit_code.h"
+
+#include <cstdio>
+#include <exception>
+#include <new>
+
+#include "engine/health.h"
+#include "geometry/mesh.h"
+#include "process/results/result_file.h"
+#include "process/run/fill_run.h"
+#include "process/scene/scene_error.h"
+
+namespace diefill::app {
+
+namespace {
+
+int complain(const char* message, ExitCode code) {
+  std::fprintf(stderr, "diefill: %s\n", message);
+  return code;
+}
+
+}  // namespace
+
+int guarded(const std::function<int()>& action) {
+  try {
+    return action();
+  } catch (const process::SceneError& error) {
+    return complain(error.what(), kBadInput);
+  } catch (const geometry::MeshError& error) {
+    return complain(error.what(), kBadInput);
+  } catch (const results::ResultError& error) {
+    return complain(error.what(), kBadInput);
+  } catch (const engine::OutOfRange& error) {
+    return complain(error.what(), kOutOfRange);
+  } catch (const process::Interrupted& stop) {
+    return complain(stop.what(), kInterrupted);
+  } catch (const std::bad_alloc&) {
+    return complain("out of memory: take larger grains or larger wall spheres", kFailed);
+  } catch (const std::exception& error) {
+    return complain(error.what(), kFailed);
+  }
+}
+
+}  // namespace diefill::app

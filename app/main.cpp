@@ -1,0 +1,26 @@
+// diefill: predicts how powder fills a die.
+#include <CLI/CLI.hpp>
+
+#include "app/commands.h"
+#include "app/exit_code.h"
+#include "process/run/assemble.h"
+
+int main(int argc, char** argv) {
+  CLI::App program("diefill predicts how powder fills a die: density maps from CAD tools and a short scene file.");
+  program.set_version_flag("--version", diefill::process::program_version());
+  program.require_subcommand(1);
+  program.footer(
+      "Examples:\n"
+      "  diefill check sample_tools/narrow_ring/fill.toml     is the tooling usable, what would be simulated?\n"
+      "  diefill run sample_tools/narrow_ring/fill.toml       fill the die, write maps and report\n"
+      "  diefill map out/narrow_ring --averaging-width '1 mm' draw the maps again, smoother\n"
+      "  diefill info out/narrow_ring                         what is in these results?");
+  diefill::app::Action chosen;
+  diefill::app::add_commands(program, chosen);
+  try {
+    program.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return program.exit(error) == 0 ? diefill::app::kDone : diefill::app::kBadInput;
+  }
+  return diefill::app::guarded(chosen);
+}

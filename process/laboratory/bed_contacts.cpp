@@ -1,0 +1,73 @@
+#include "process/laboratory/bed_contacts.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+namespace diefill::process::laboratory {
+
+namespace {
+
+constexpr double kLowest = 1e-6, kBinsPerDecade = 20;  // of h / d
+constexpr std::size_t kBins = 100;
+
+/// Calls visit(owner grain i, owner grain j, overlap) for every touching pair of spheres.
+template <class Visit>
+void visit_contacts(const engine::Simulation& simulation, const Visit& visit) {
+  const auto& spheres = simulation.spheres();
+  const double reach = 2 * simulation.settings().shape.sphere_radius;
+  const std::size_t per_grain = spheres.spheres_per_grain;
+  for (const auto& block : simulation.neighbours().blocks()) {
+    const auto& table = block.grain_pairs;
+    for (std::size_t s = 0; s + 1 < table.first.size(); ++s)
+      for (std::size_t p = table.first[s]; p < table.first[s + 1]; ++p) {
+        if (!table.touching[p]) continue;
+        const std::size_t i = block.begin * per_grain + s;
+        const std::size_t j = table.partner[p].sphere, grain = table.partner[p].grain;
+        const std::size_t owner = grain < spheres.grains ? grain : spheres.images[grain - spheres.grains].owner;
+        const double overlap = reach - (spheres.position[i] - spheres.position[j]).norm();
+        if (overlap > 0) visit(i / per_grain, owner, overlap);
+      }
+  }
+}
+
+}  // namespace
+
+void contact_figures(const engine::Simulation& simulation, double grain_diameter, BedFigures& figures) {
+  std::vector<double> histogram(kBins, 0.0);
+  std::set<std::pair<std::size_t, std::size_t>> touching;
+  double sum = 0;
+  visit_contacts(simulation, [&](std::size_t i, std::size_t j, double overlap) {
+    const double ratio = overlap / grain_diameter;
+    ++figures.contacts;
+    sum += ratio;
+    touching.insert({std::min(i, j), std::max(i, j)});
+    const double bin = kBinsPerDecade * std::log10(std::max(ratio, kLowest) / kLowest);
+    ++histogram[std::min(kBins - 1, static_cast<std::size_t>(bin))];
+  });
+  const auto contacts = static_cast<double>(std::max<std::size_t>(1, figures.contacts));
+  figures.mean_overlap = sum / contacts;
+  for (std::size_t b = 0; b < kBins; ++b) {
+    figures.overlap.push_back(kLowest * std::pow(10, (static_cast<double>(b) + 0.5) / kBinsPerDecade));
+    figures.frequency.push_back(histogram[b] / contacts);
+  }
+  // Frequency in equal steps of h, as in the thesis' figure: the bins' widths grow with h.
+  std::size_t peak = 0;
+  for (std::size_t b = 1; b < kBins; ++b)
+    if (histogram[b] / figures.overlap[b] > histogram[peak] / figures.overlap[peak] && histogram[b] > 0.005 * contacts) peak = b;
+  figures.overlap_peak = figures.overlap[peak];
+
+  const auto& grains = simulation.grains();
+  double top = 0;
+  for (const auto& position : grains.position) top = std::max(top, position[2]);
+  const auto counts = [&](std::size_t k) {
+    const double z = grains.position[k][2];
+    return z > 2 * grain_diameter && z < top - 2 * grain_diameter;
+  };
+  double neighbours = 0, counted = 0;
+  for (const auto& [i, j] : touching) neighbours += (counts(i) ? 1 : 0) + (counts(j) ? 1 : 0);
+  for (std::size_t k = 0; k < grains.size(); ++k) counted += counts(k) ? 1 : 0;
+  figures.coordination = counted > 0 ? neighbours / counted : 0;
+}
+
+}  // namespace diefill::process::laboratory

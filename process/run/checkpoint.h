@@ -1,0 +1,32 @@
+// Stops and goes on: a checkpoint file holds all that a run needs to continue bit for bit, and is written whole or not at all.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+
+#include "engine/state.h"
+#include "process/run/schedule.h"
+
+namespace diefill::process {
+
+/// A run at one instant. `scene_hash` ties it to the scene and CAD files it came from.
+struct Checkpoint {
+  std::uint64_t scene_hash = 0;
+  engine::Snapshot simulation;
+  ScheduleState schedule;
+  std::uint64_t grains_left = 0;   ///< spilled or discharged, out of the computation
+  double wall_seconds = 0;         ///< s of computing so far, over all sittings
+  std::uint64_t sphere_steps = 0;  ///< spheres times steps so far
+};
+
+/// The file of a run's checkpoint in its results directory.
+std::filesystem::path checkpoint_file(const std::filesystem::path& directory);
+
+/// Writes the checkpoint. Throws results::ResultError when the disk is full; the one before then still stands.
+void write_checkpoint(const std::filesystem::path& directory, const Checkpoint& checkpoint);
+
+/// Reads it; nothing if there is none. Throws results::ResultError when the file is damaged or of another program version.
+std::optional<Checkpoint> read_checkpoint(const std::filesystem::path& directory);
+
+}  // namespace diefill::process

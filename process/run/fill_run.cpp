@@ -1,0 +1,210 @@
+#include "process/run/fill_run.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "geometry/solid_query.h"
+#include "process/results/result_file.h"
+#include "process/run/material.h"
+#include "process/run/pour.h"
+
+namespace diefill::process {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+// Duties fall on multiples of these steps, so that a restart does them when the unbroken run does.
+constexpr std::uint64_t kScheduleEvery = 20, kSpillEvery = 100, kHealthEvery = 200;
+/// s, guess for the time powder needs to come to rest; only for the progress bar.
+constexpr double kSettlingGuess = 0.25;
+
+double seconds_since(Clock::time_point then) { return std::chrono::duration<double>(Clock::now() - then).count(); }
+
+engine::GrainShape shape_of(const Scene& scene) { return engine_settings(scene, 1.0).shape; }
+
+std::vector<engine::WallBodySpec> wall_bodies(const Tooling& tooling) {
+  std::vector<engine::WallBodySpec> bodies;
+  for (const Tool& tool : tooling.tools) {
+    engine::WallBodySpec body;
+    body.name = tool.spec.name;
+    body.centres = tool.spheres.centres;
+    body.sphere_radius = tool.spheres.radius;
+    bodies.push_back(std::move(body));
+  }
+  return bodies;
+}
+
+}  // namespace
+
+double expected_impact_speed(const Scene& scene, double fall_height) {
+  constexpr double kSlowest = 0.5;  // m/s: grains fall into cavities even where they are hardly poured
+  const double fall = std::sqrt(2 * scene.gravity.norm() * std::max(0.0, fall_height));
+  return std::max(kSlowest, fall);
+}
+
+FillRun::FillRun(const Scene& scene, const Tooling& tooling, const RunOptions& options)
+    : scene_(scene),
+      tooling_(tooling),
+      options_(options),
+      grain_diameter_(scene.powder.grain_diameter),
+      schedule_(scene, tooling, grain_diameter_),
+      progress_(options.show_progress) {
+  const auto grains = pour(scene, shape_of(scene), tooling);
+  const double cavity_depth = tooling.cavity.found ? tooling.cavity.box.size()[2] : 0;
+  const double fall = std::max(pour_height(scene, shape_of(scene)) - scene.pour.fill_height, cavity_depth);
+  const double impact = expected_impact_speed(scene, fall);
+  auto settings = engine_settings(scene, impact);
+  settings.threads = options.threads;
+  critical_step_ = process::critical_time_step(settings, impact);
+  simulation_ = std::make_unique<engine::Simulation>(settings, wall_bodies(tooling));
+
+  domain_ = schedule_.swept();
+  domain_.lower = domain_.lower.cwiseMax(tooling.standing.lower - Eigen::Vector3d::Constant(2 * grain_diameter_));
+  domain_.upper = domain_.upper.cwiseMin(tooling.standing.upper + Eigen::Vector3d::Constant(2 * grain_diameter_));
+  domain_.lower[2] = tooling.standing.lower[2] - 2 * grain_diameter_;
+  domain_.upper[2] = 1e3;
+  for (Eigen::Index axis = 0; axis < 2; ++axis)
+    if (scene.numerics.period[static_cast<std::size_t>(axis)]) {
+      domain_.lower[axis] = -1e3;
+      domain_.upper[axis] = 1e3;
+    }
+  const double width = tooling.cavity.narrowest_width;
+  if (tooling.cavity.found && width > 0 && grain_diameter_ > width / 3) {
+    char text[240];
+    std::snprintf(text, sizeof text,
+                  "grain diameter over cavity width is %.2f, beyond 1/3 (%.2f mm in %.2f mm): a quick look, too coarse for a "
+                  "density map to decide from",
+                  grain_diameter_ / width, 1e3 * grain_diameter_, 1e3 * width);
+    warnings_.emplace_back(text);
+  }
+  started_ = last_checkpoint_ = Clock::now();
+  schedule_.begin(*simulation_);
+  simulation_->add_grains(grains);
+}
+
+void FillRun::start_or_resume() {
+  if (!options_.resume) return;
+  const auto checkpoint = read_checkpoint(options_.directory);
+  if (!checkpoint) {
+    progress_.say("no checkpoint in " + options_.directory.string() + ": starting from the beginning");
+    return;
+  }
+  if (checkpoint->scene_hash != scene_hash())
+    throw SceneError(checkpoint_file(options_.directory).string() +
+                     ": the checkpoint belongs to another scene or other CAD files than " + scene_.file.string() +
+                     "; run without --resume or name another directory");
+  schedule_.begin(*simulation_, checkpoint->schedule);
+  simulation_->restore(checkpoint->simulation);
+  grains_left_ = checkpoint->grains_left;
+  earlier_wall_seconds_ = checkpoint->wall_seconds;
+  sphere_steps_ = checkpoint->sphere_steps;
+  progress_.say("resuming at t = " + std::to_string(simulation_->time()) + " s");
+}
+
+void FillRun::run() {
+  start_or_resume();
+  while (!schedule_.finished()) {
+    simulation_->step();
+    sphere_steps_ += simulation_->grains().size() * simulation_->settings().shape.spheres();
+    duties();
+  }
+  health_.check(*simulation_);
+  look_for_lost_grains();
+  // Kept until the results stand: measuring and drawing can then be tried again without simulating.
+  write_checkpoint();
+}
+
+void FillRun::duties() {
+  const std::uint64_t step = simulation_->steps();
+  if (step % kHealthEvery == 0) health_.check(*simulation_);
+  if (step % kSpillEvery == 0) let_spilled_grains_go();
+  bool stage_over = false;
+  if (step % kScheduleEvery == 0) stage_over = schedule_.update(*simulation_);
+  if (stage_over) {
+    progress_.say("t = " + std::to_string(simulation_->time()) + " s: " + schedule_.in_words());
+    look_for_lost_grains();
+  }
+  if (step % kScheduleEvery == 0) show_progress();
+  if (scene_.numerics.max_time > 0 && simulation_->time() > scene_.numerics.max_time)
+    throw engine::OutOfRange("the scene was not over after numerics.max_time of " +
+                             std::to_string(scene_.numerics.max_time) + " s (on: " + schedule_.in_words() +
+                             "); raise it, or see why the powder does not come to rest");
+  if (options_.stop != nullptr && options_.stop->load()) {
+    write_checkpoint();
+    throw Interrupted("stopped at t = " + std::to_string(simulation_->time()) + " s; the same command with --resume goes on");
+  }
+  if (stage_over || seconds_since(last_checkpoint_) > scene_.numerics.checkpoint_interval) write_checkpoint();
+}
+
+void FillRun::let_spilled_grains_go() {
+  grains_left_ += simulation_->remove_grains([this](const Eigen::Vector3d& position) { return !domain_.contains(position); });
+}
+
+void FillRun::look_for_lost_grains() const {
+  const auto& grains = simulation_->grains();
+  for (std::size_t b = 0; b < tooling_.tools.size(); ++b) {
+    const auto& motion = simulation_->body_motion(b);
+    const geometry::SolidQuery solid(tooling_.tools[b].mesh);
+    const geometry::Box box = tooling_.tools[b].mesh.bounding_box();
+    for (std::size_t k = 0; k < grains.size(); ++k) {
+      const Eigen::Vector3d place = motion.rotation.transpose() * (grains.position[k] - motion.translation);
+      if (!box.contains(place)) continue;
+      const double depth = -solid.signed_distance(place);
+      if (depth <= 0.5 * grain_diameter_) continue;
+      char text[300];
+      std::snprintf(text, sizeof text,
+                    "grain %llu is %.3g mm inside tool \"%s\" at (%.2f, %.2f, %.2f) mm, t = %.6g s: it went through the wall; "
+                    "lower the spacing of the wall spheres or the tool's speed",
+                    static_cast<unsigned long long>(grains.id[k]), 1e3 * depth, tooling_.tools[b].spec.name.c_str(),
+                    1e3 * grains.position[k][0], 1e3 * grains.position[k][1], 1e3 * grains.position[k][2],
+                    simulation_->time());
+      throw engine::OutOfRange(text);
+    }
+  }
+}
+
+void FillRun::write_checkpoint() {
+  last_checkpoint_ = Clock::now();
+  Checkpoint checkpoint;
+  checkpoint.scene_hash = scene_hash();
+  checkpoint.simulation = simulation_->snapshot();
+  checkpoint.schedule = schedule_.state();
+  checkpoint.grains_left = grains_left_;
+  checkpoint.wall_seconds = wall_seconds();
+  checkpoint.sphere_steps = sphere_steps_;
+  try {
+    process::write_checkpoint(options_.directory, checkpoint);
+  } catch (const results::ResultError& error) {
+    progress_.say(std::string("warning: no checkpoint written, the one before still stands: ") + error.what());
+  }
+}
+
+void FillRun::show_progress() {
+  const double now = simulation_->time(), left = schedule_.time_left(now, kSettlingGuess);
+  char rate[96], doing[160];
+  std::snprintf(rate, sizeof rate, "%.2f million sphere-steps/s", 1e-6 * static_cast<double>(sphere_steps_) / wall_seconds());
+  std::snprintf(doing, sizeof doing, "t = %.4f s, %s", now, schedule_.in_words().c_str());
+  progress_.show(now / (now + left), doing, rate);
+}
+
+double FillRun::wall_seconds() const { return earlier_wall_seconds_ + seconds_since(started_); }
+
+std::vector<std::string> FillRun::warnings() const {
+  std::vector<std::string> all = warnings_;
+  all.insert(all.end(), health_.warnings().begin(), health_.warnings().end());
+  return all;
+}
+
+std::uint64_t FillRun::scene_hash() const {
+  std::uint64_t hash = 0xcbf29ce484222325ULL;
+  const auto add = [&hash](const std::string& text) {
+    for (const char byte : text) hash = (hash ^ static_cast<unsigned char>(byte)) * 0x100000001b3ULL;
+  };
+  add(scene_.text);
+  for (const Tool& tool : tooling_.tools) add(tool.file_hash);
+  return hash;
+}
+
+}  // namespace diefill::process

@@ -1,0 +1,78 @@
+// One filling from scene to rest: pours, steps the simulation through the schedule, lets spilled grains go, watches the method's
+// limits, keeps checkpoints.
+#pragma once
+
+#include <atomic>
+#include <filesystem>
+#include <functional>
+#include <memory>
+
+#include "engine/health.h"
+#include "process/run/checkpoint.h"
+#include "process/run/progress.h"
+#include "process/run/schedule.h"
+#include "process/run/tooling.h"
+
+namespace diefill::process {
+
+/// How to run, as opposed to what.
+struct RunOptions {
+  std::filesystem::path directory;          ///< for checkpoints
+  int threads = 2;
+  bool resume = false;                      ///< go on from the directory's checkpoint
+  bool show_progress = true;
+  const std::atomic<bool>* stop = nullptr;  ///< set from a signal handler: stop at the next step with a checkpoint
+};
+
+/// The user stopped the run; a checkpoint has been written.
+struct Interrupted : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+/// A run under way or finished.
+class FillRun {
+ public:
+  /// Throws SceneError for a scene that cannot be run, or a checkpoint that belongs to another scene.
+  FillRun(const Scene& scene, const Tooling& tooling, const RunOptions& options);
+
+  /// Runs to the end. Throws engine::OutOfRange when the method's range is left (the last good checkpoint stands), Interrupted
+  /// when asked to stop.
+  void run();
+
+  const engine::Simulation& simulation() const { return *simulation_; }
+  const Schedule& schedule() const { return schedule_; }
+  std::uint64_t grains_left() const { return grains_left_; }
+  double wall_seconds() const;
+  std::uint64_t sphere_steps() const { return sphere_steps_; }
+  double critical_time_step() const { return critical_step_; }
+  std::vector<std::string> warnings() const;
+
+ private:
+  void start_or_resume();
+  void duties();
+  void let_spilled_grains_go();
+  void look_for_lost_grains() const;
+  void write_checkpoint();
+  void show_progress();
+  std::uint64_t scene_hash() const;
+
+  const Scene& scene_;
+  const Tooling& tooling_;
+  RunOptions options_;
+  double grain_diameter_;
+  double critical_step_;
+  std::unique_ptr<engine::Simulation> simulation_;
+  Schedule schedule_;
+  engine::Health health_;
+  Progress progress_;
+  geometry::Box domain_;  ///< m, grains beyond it have been spilled or discharged
+  std::vector<std::string> warnings_;
+  std::uint64_t grains_left_ = 0, sphere_steps_ = 0;
+  double earlier_wall_seconds_ = 0;
+  std::chrono::steady_clock::time_point started_, last_checkpoint_;
+};
+
+/// m/s: fastest collision to be expected in a scene, from the depth of the pour and the tools' motion.
+double expected_impact_speed(const Scene& scene, double fall_height);
+
+}  // namespace diefill::process

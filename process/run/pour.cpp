@@ -1,0 +1,122 @@
+#include "process/run/pour.h"
+
+#include <cmath>
+#include <cstdio>
+#include <random>
+
+#include "geometry/solid_query.h"
+#include "process/run/material.h"
+
+namespace diefill::process {
+
+namespace {
+
+/// Random numbers that are the same on every machine: the standard fixes the generator, not the distributions.
+class Dice {
+ public:
+  explicit Dice(std::uint64_t seed) : generator_(seed) {}
+  /// Uniform in [-1, 1).
+  double symmetric() { return static_cast<double>(generator_() >> 11) * 0x1p-52 - 1; }
+  /// Uniform on the unit sphere of N dimensions, by rejection from the cube.
+  template <int N>
+  Eigen::Matrix<double, N, 1> direction() {
+    for (;;) {
+      Eigen::Matrix<double, N, 1> point;
+      for (int k = 0; k < N; ++k) point[k] = symmetric();
+      const double length = point.norm();
+      if (length > 0.1 && length <= 1) return point / length;
+    }
+  }
+
+ private:
+  std::mt19937_64 generator_;
+};
+
+/// Lattice that the box can carry: sites along x and y, distance, first site.
+struct Lattice {
+  std::size_t across[2];
+  double constant;
+  Eigen::Vector3d first;
+
+  Eigen::Vector3d site(std::size_t number) const {
+    const std::size_t x = number % across[0], y = number / across[0] % across[1], z = number / (across[0] * across[1]);
+    return first + constant * Eigen::Vector3d(static_cast<double>(x), static_cast<double>(y), static_cast<double>(z));
+  }
+};
+
+Lattice lattice_of(const Scene& scene, const engine::GrainShape& shape) {
+  const PourSpec& pour = scene.pour;
+  const double d = 2 * shape.bounding_radius();
+  Lattice lattice;
+  lattice.constant = pour.lattice_constant * d;
+  const double clear = (0.5 + pour.random_offset) * d;
+  lattice.first[2] = pour.lower[2] + clear;
+  for (Eigen::Index axis = 0; axis < 2; ++axis) {
+    const double length = pour.upper[axis] - pour.lower[axis];
+    // A periodic box is filled to its borders, any other only as far as a grain stays inside.
+    const bool open = scene.numerics.period[static_cast<std::size_t>(axis)].has_value();
+    const double room = open ? length - lattice.constant : length - 2 * clear;
+    if (room < 0)
+      throw SceneError(scene.file.string() + ":" + std::to_string(pour.line) +
+                       ": pour: the box is narrower than a grain with its random offset; widen it or take smaller grains");
+    const double sites = std::floor(room / lattice.constant + 1e-9) + 1;
+    lattice.across[static_cast<std::size_t>(axis)] = static_cast<std::size_t>(sites);
+    lattice.first[axis] = 0.5 * (pour.lower[axis] + pour.upper[axis]) - 0.5 * (sites - 1) * lattice.constant;
+  }
+  return lattice;
+}
+
+std::size_t grains_wanted(const Scene& scene, const engine::GrainShape& shape) {
+  const Eigen::Vector3d size = scene.pour.upper - scene.pour.lower;
+  const double powder = size[0] * size[1] * scene.pour.fill_height * expected_solid_fraction(scene);
+  return static_cast<std::size_t>(std::llround(powder / shape.solid_volume));
+}
+
+/// The lattice must not reach into a tool: grains would start overlapping it and be shot away.
+void refuse_overlap(const Scene& scene, const Tooling& tooling, const std::vector<engine::NewGrain>& grains, double radius) {
+  constexpr double kTolerated = 0.9;  // of the grain's radius: its offset may bring it near a wall
+  for (const Tool& tool : tooling.tools) {
+    const geometry::SolidQuery solid(tool.mesh);
+    for (const auto& grain : grains) {
+      const double distance = solid.signed_distance(grain.position);
+      if (distance > kTolerated * radius) continue;
+      char text[240];
+      std::snprintf(text, sizeof text,
+                    ": pour: tool \"%s\" reaches %.3g mm into the powder near (%.2f, %.2f, %.2f) mm; move the pour box or "
+                    "the tool so that they do not overlap",
+                    tool.spec.name.c_str(), 1e3 * (radius - distance), 1e3 * grain.position[0], 1e3 * grain.position[1],
+                    1e3 * grain.position[2]);
+      throw SceneError(scene.file.string() + ":" + std::to_string(scene.pour.line) + text);
+    }
+  }
+}
+
+}  // namespace
+
+std::vector<engine::NewGrain> pour(const Scene& scene, const engine::GrainShape& shape, const Tooling& tooling) {
+  const Lattice lattice = lattice_of(scene, shape);
+  const double radius = shape.bounding_radius();
+  Dice dice(scene.seed);
+  std::vector<engine::NewGrain> grains(grains_wanted(scene, shape));
+  if (grains.empty())
+    throw SceneError(scene.file.string() + ":" + std::to_string(scene.pour.line) +
+                     ": pour.fill_height: the box holds not even one grain at this height; raise it");
+  for (std::size_t n = 0; n < grains.size(); ++n) {
+    engine::NewGrain& grain = grains[n];
+    const Eigen::Vector3d offset(dice.symmetric(), dice.symmetric(), dice.symmetric());
+    grain.position = lattice.site(n) + scene.pour.random_offset * 2 * radius * offset;
+    grain.orientation = dice.direction<4>();
+    if (shape.rotates) grain.angular_velocity = scene.pour.rim_speed / radius * dice.direction<3>();
+  }
+  refuse_overlap(scene, tooling, grains, radius);
+  return grains;
+}
+
+double pour_height(const Scene& scene, const engine::GrainShape& shape) {
+  const Lattice lattice = lattice_of(scene, shape);
+  const std::size_t layer = lattice.across[0] * lattice.across[1];
+  const std::size_t layers = (grains_wanted(scene, shape) + layer - 1) / layer;
+  return static_cast<double>(layers) * lattice.constant;
+}
+
+}  // namespace diefill::process

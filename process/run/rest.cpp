@@ -1,0 +1,51 @@
+#include "process/run/rest.h"
+
+namespace diefill::process {
+
+namespace {
+
+constexpr double kQuietEnergy = 1e-4;   // of m g d
+constexpr double kQuietTime = 0.01;     // s
+constexpr double kStillDistance = 1e-3; // of d
+constexpr double kStillTime = 0.1;      // s
+
+Eigen::Vector3d centre_of_mass(const engine::Grains& grains) {
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  for (const auto& position : grains.position) sum += position;
+  return sum / static_cast<double>(grains.size());
+}
+
+/// J per grain.
+double kinetic_energy(const engine::Simulation& simulation) {
+  const engine::Grains& grains = simulation.grains();
+  const engine::GrainShape& shape = simulation.settings().shape;
+  double sum = 0;
+  for (std::size_t k = 0; k < grains.size(); ++k) {
+    sum += 0.5 * shape.mass * grains.velocity[k].squaredNorm();
+    if (shape.rotates) sum += 0.5 * shape.inertia.dot(grains.spin[k].cwiseAbs2());
+  }
+  return sum / static_cast<double>(grains.size());
+}
+
+}  // namespace
+
+bool RestWatch::at_rest(const engine::Simulation& simulation, double grain_diameter) {
+  if (simulation.grains().size() == 0) return true;
+  const double now = simulation.time();
+  const auto& settings = simulation.settings();
+  const double limit = kQuietEnergy * settings.shape.mass * settings.gravity.norm() * grain_diameter;
+  if (kinetic_energy(simulation) > limit)
+    quiet_since = -1;
+  else if (quiet_since < 0)
+    quiet_since = now;
+  if (quiet_since >= 0 && now - quiet_since >= kQuietTime) return true;
+
+  const Eigen::Vector3d centre = centre_of_mass(simulation.grains());
+  if (still_since < 0 || (centre - place).norm() > kStillDistance * grain_diameter) {
+    still_since = now;
+    place = centre;
+  }
+  return now - still_since >= kStillTime;
+}
+
+}  // namespace diefill::process

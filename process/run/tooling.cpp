@@ -1,0 +1,138 @@
+#include "process/run/tooling.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <set>
+#include <stdexcept>
+
+#include "geometry/mesh_import.h"
+#include "process/run/periodic_tool.h"
+#include "process/run/reachable_surface.h"
+
+namespace diefill::process {
+
+namespace {
+
+std::string place_of(const Scene& scene, const ToolSpec& spec) {
+  return scene.file.string() + ":" + std::to_string(spec.line) + ": tool \"" + spec.name + "\"";
+}
+
+/// Findings of an unusable mesh in one line.
+std::string in_one_line(const geometry::MeshFindings& findings) {
+  std::string text;
+  for (const auto& finding : findings.in_words()) text += (text.empty() ? "" : "; ") + finding;
+  return text;
+}
+
+Tool read_tool(const Scene& scene, const ToolSpec& spec) {
+  Tool tool;
+  tool.spec = spec;
+  tool.mesh = geometry::transformed(geometry::import_mesh(spec.file, spec.metres_per_unit), spec.rotation, spec.position);
+  tool.findings = geometry::check_mesh(tool.mesh);
+  tool.file_hash = geometry::file_hash(spec.file);
+  if (!tool.findings.usable())
+    throw SceneError(place_of(scene, spec) + ": " + spec.file.string() + " does not enclose a solid: " +
+                     in_one_line(tool.findings) + "; repair the CAD and export it again");
+  return tool;
+}
+
+bool moves(const Scene& scene, const std::string& tool) {
+  return std::any_of(scene.steps.begin(), scene.steps.end(), [&](const auto& step) { return step->tool() == tool; });
+}
+
+geometry::Box moved_box(const geometry::Mesh& mesh, const ToolPose& pose) {
+  return geometry::transformed(mesh, pose.rotation, pose.translation).bounding_box();
+}
+
+/// Tells every step what it may ask, in order: a step starts where the ones before left its tool.
+void prepare_steps(const Scene& scene, const Tooling& tooling) {
+  std::vector<ToolPose> pose(tooling.tools.size());
+  for (const auto& step : scene.steps) {
+    MachineContext context;
+    context.gravity = scene.gravity;
+    if (tooling.cavity.found) {
+      context.cavity_lower = tooling.cavity.box.lower;
+      context.cavity_upper = tooling.cavity.box.upper;
+    }
+    if (step->tool().empty()) {
+      step->prepare(context);
+      continue;
+    }
+    const std::size_t k = tooling.index_of(step->tool());
+    const geometry::Box box = moved_box(tooling.tools[k].mesh, pose[k]);
+    context.tool_lower = box.lower;
+    context.tool_upper = box.upper;
+    step->prepare(context);
+    if (step->duration()) pose[k] = compose(step->motion(*step->duration()), pose[k]);
+  }
+}
+
+void refuse_leaks(const Scene& scene, const Tool& tool, double smallest_radius) {
+  if (tool.spheres.largest_gap < 2 * smallest_radius) return;
+  char text[300];
+  const Eigen::Vector3d place = tool.spheres.largest_gap_place * 1e3;
+  std::snprintf(text, sizeof text,
+                ": a grain's sphere of %.4g mm diameter could pass the wall through a gap of %.4g mm near (%.2f, %.2f, "
+                "%.2f) mm; lower the spacing of the wall spheres or their radius",
+                2e3 * smallest_radius, 1e3 * tool.spheres.largest_gap, place[0], place[1], place[2]);
+  throw SceneError(place_of(scene, tool.spec) + text);
+}
+
+}  // namespace
+
+std::size_t Tooling::wall_spheres() const {
+  std::size_t count = 0;
+  for (const auto& tool : tools) count += tool.spheres.centres.size();
+  return count;
+}
+
+std::size_t Tooling::index_of(const std::string& name) const {
+  for (std::size_t k = 0; k < tools.size(); ++k)
+    if (tools[k].spec.name == name) return k;
+  throw std::out_of_range("no tool named " + name);
+}
+
+ToolPose compose(const ToolMotion& motion, const ToolPose& before) {
+  ToolPose pose;
+  pose.rotation = motion.rotation * before.rotation;
+  const Eigen::Vector3d pivot = motion.pivot + motion.translation;
+  pose.translation = motion.rotation * (before.translation - motion.pivot) + pivot;
+  pose.angular_velocity = motion.angular_velocity;
+  pose.velocity = motion.velocity + motion.angular_velocity.cross(pose.translation - pivot);
+  return pose;
+}
+
+Tooling build_tooling(const Scene& scene, double smallest_radius, double grain_diameter) {
+  Tooling tooling;
+  std::vector<const geometry::Mesh*> standing;
+  for (const auto& spec : scene.tools) tooling.tools.push_back(read_tool(scene, spec));
+  for (const auto& tool : tooling.tools) {
+    const geometry::Box box = tool.mesh.bounding_box();
+    tooling.all.include(box);
+    if (tool.spec.role == ToolRole::shoe) continue;
+    standing.push_back(&tool.mesh);
+    if (!moves(scene, tool.spec.name)) tooling.standing.include(box);
+  }
+  if (standing.empty())
+    throw SceneError(scene.file.string() + ": tool: no die or plate to pour powder on; add one [[tool]] whose role is not shoe");
+  tooling.cavity = geometry::find_cavity(standing, scene.measure.fill_plane);
+  prepare_steps(scene, tooling);
+
+  const ReachableSurface reachable(scene, tooling, grain_diameter);
+  for (std::size_t k = 0; k < tooling.tools.size(); ++k) {
+    Tool& tool = tooling.tools[k];
+    geometry::WallSphereOptions options;
+    options.radius = tool.spec.sphere_radius.value_or(scene.walls.sphere_radius);
+    options.spacing = tool.spec.spacing.value_or(scene.walls.spacing);
+    options.reachable = [&, k](const Eigen::Vector3d& point, const Eigen::Vector3d& normal) {
+      return reachable(k, point, normal);
+    };
+    tool.spheres = make_periodic_wall_spheres(tool.mesh, options, scene.numerics.period, 2 * grain_diameter,
+                                              place_of(scene, tool.spec));
+    refuse_leaks(scene, tool, smallest_radius);
+  }
+  return tooling;
+}
+
+}  // namespace diefill::process

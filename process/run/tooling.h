@@ -1,0 +1,51 @@
+// The tools of a scene, ready for the engine: CAD read and examined, cavity found, reachable surfaces covered with wall
+// spheres.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "geometry/cavity.h"
+#include "geometry/mesh_check.h"
+#include "geometry/wall_spheres.h"
+#include "process/scene/scene.h"
+
+namespace diefill::process {
+
+/// One tool. The mesh is in the laboratory frame at the scene's start; the tool's body frame is that same frame.
+struct Tool {
+  ToolSpec spec;
+  geometry::Mesh mesh;
+  geometry::MeshFindings findings;
+  std::string file_hash;
+  geometry::WallSpheres spheres;
+};
+
+struct Tooling {
+  std::vector<Tool> tools;
+  geometry::Cavity cavity;
+  geometry::Box standing;  ///< m, box round the tools that never move
+  geometry::Box all;       ///< m, box round all tools at the start
+
+  std::size_t wall_spheres() const;
+  /// Index of the tool of that name. Throws std::out_of_range.
+  std::size_t index_of(const std::string& name) const;
+};
+
+/// Reads and examines the tools, settles what the scene's steps leave to the geometry (Step::prepare), and covers what
+/// powder can reach with wall spheres. `smallest_radius` (m) is that of the powder's spheres: a wall it could pass is refused.
+/// Throws SceneError or geometry::MeshError for tools that cannot be used.
+Tooling build_tooling(const Scene& scene, double smallest_radius, double grain_diameter);
+
+/// The tool's motion in a step as an engine pose of its body frame.
+struct ToolPose {
+  Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();
+  Eigen::Vector3d translation = Eigen::Vector3d::Zero();       ///< m
+  Eigen::Vector3d velocity = Eigen::Vector3d::Zero();          ///< m/s, of the frame's origin
+  Eigen::Vector3d angular_velocity = Eigen::Vector3d::Zero();  ///< rad/s
+};
+
+/// `motion` on top of `before`, where earlier steps left the tool.
+ToolPose compose(const ToolMotion& motion, const ToolPose& before);
+
+}  // namespace diefill::process
