@@ -16,13 +16,40 @@ constexpr double kSampleStep = 0.25;
 /// Nearest centre allowed to a new lattice centre, over the spacing.
 constexpr double kLatticeDistance = 0.8;
 constexpr int kMostPasses = 6;
+/// Large triangles are looked at in parts of this length over R when only some of the surface is reachable.
+constexpr double kPartLength = 16;
 
 /// Half the diagonal of a grid square, with an allowance for rounding.
 double cover_distance(double spacing) {
   return spacing / std::sqrt(2.0) * (1 + 1e-6);
 }
 
-/// Calls `visit(sample)` for the samples of a facet and of the inner edges to facets of higher number.
+/// Calls `visit(part)` for parts of the triangle no longer than `longest` (m) that are near powder.
+template <typename Visit>
+void visit_parts_near_powder(const CoverTarget& target, const Corners& corners, double longest, Visit visit) {
+  std::size_t base = 0;
+  double length = 0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const double side = (corners[(k + 1) % 3] - corners[k]).norm();
+    if (side <= length) continue;
+    length = side;
+    base = k;
+  }
+  if (length > longest) {
+    const Eigen::Vector3d& a = corners[base];
+    const Eigen::Vector3d& b = corners[(base + 1) % 3];
+    const Eigen::Vector3d& tip = corners[(base + 2) % 3];
+    const Eigen::Vector3d half = (a + b) / 2;
+    visit_parts_near_powder(target, {a, half, tip}, longest, visit);
+    visit_parts_near_powder(target, {half, b, tip}, longest, visit);
+    return;
+  }
+  const Eigen::Vector3d middle = (corners[0] + corners[1] + corners[2]) / 3;
+  if (target.near_powder.nearest_within(middle, longest) != PointGrid::kNone) visit(corners);
+}
+
+/// Calls `visit(sample)` for the reachable samples of a facet and of the inner edges to facets of higher
+/// number.
 template <typename Visit>
 void sample_facet(const CoverTarget& target, std::size_t facet_index, double depth, double step,
                   Visit visit) {
@@ -30,8 +57,14 @@ void sample_facet(const CoverTarget& target, std::size_t facet_index, double dep
   const auto visit_reachable = [&](const SurfaceSample& sample) {
     if (!target.reachable || target.reachable(sample.point, sample.normal)) visit(sample);
   };
-  for (const std::size_t triangle : facet.triangles)
-    sample_triangle(corners_of(target.mesh, triangle), step, visit_reachable);
+  const auto sample_part = [&](const Corners& part) { sample_triangle(part, step, visit_reachable); };
+  for (const std::size_t triangle : facet.triangles) {
+    const Corners corners = corners_of(target.mesh, triangle);
+    if (target.reachable)
+      visit_parts_near_powder(target, corners, kPartLength * depth, sample_part);
+    else
+      sample_part(corners);
+  }
   for (const BorderEdge& edge : facet.border)
     if (!edge.convex && edge.other > static_cast<std::int64_t>(facet_index))
       sample_inner_edge(edge, facet.normal, target.facets.list[static_cast<std::size_t>(edge.other)].normal,
@@ -161,13 +194,14 @@ bool close_holes(const CoverTarget& target, WallLayout& layout) {
 
 }  // namespace
 
-PointGrid reachable_points(const CoverTarget& target, double spacing) {
-  PointGrid points(4 * spacing);
-  const auto keep = [&](const SurfaceSample& sample) {
-    if (points.nearest_within(sample.point, spacing) == PointGrid::kNone) points.insert(sample.point);
-  };
-  for (std::size_t f = 0; f < target.facets.list.size(); ++f)
-    sample_facet(target, f, spacing, spacing / 2, keep);
+PointGrid reachable_points(const CoverTarget& target, double step) {
+  PointGrid points(4 * step);
+  for (const Facet& facet : target.facets.list)
+    for (const std::size_t triangle : facet.triangles)
+      sample_triangle(corners_of(target.mesh, triangle), step, [&](const SurfaceSample& sample) {
+        const bool known = points.nearest_within(sample.point, step / 2) != PointGrid::kNone;
+        if (!known && target.reachable(sample.point, sample.normal)) points.insert(sample.point);
+      });
   return points;
 }
 

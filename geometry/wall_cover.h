@@ -13,13 +13,14 @@ namespace diefill::geometry {
 struct CoverTarget {
   const Mesh& mesh;
   const Facets& facets;
-  const std::function<bool(const Eigen::Vector3d&, const Eigen::Vector3d&)>&
-      reachable;  ///< empty: everything
+  /// Empty: everything is reachable.
+  const std::function<bool(const Eigen::Vector3d&, const Eigen::Vector3d&)>& reachable;
+  PointGrid near_powder;  ///< reachable_points(), to pass over large surfaces far from powder quickly
 };
 
-/// Points of the reachable surface, thinned to about `spacing` (m), for asking whether a place is near enough
-/// to it.
-PointGrid reachable_points(const CoverTarget& target, double spacing);
+/// Points of the reachable surface about `step` (m) apart. Reachable patches narrower than that may be
+/// missed.
+PointGrid reachable_points(const CoverTarget& target, double step);
 
 /// Adds centres until every reachable point of the surface, moved to depth R, has one within half the
 /// diagonal of the grid's squares. Each new centre goes on growing a square lattice over the open surface

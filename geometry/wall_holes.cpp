@@ -43,10 +43,11 @@ Hole HoleFinder::find(const SurfaceSample& sample, double least) const {
   hole.middle = below(sample);
   hole.distance = layout_.distance_to_nearest(hole.middle, limit);
   if (hole.distance < least - step_) return {};
-  const Eigen::Vector3d between = between_nearest_centres(hole.middle);
-  if ((between - hole.middle).norm() > step_) return hole;
-  const double distance = layout_.distance_to_nearest(between, limit);
-  return distance > hole.distance ? Hole{between, distance} : hole;
+  // The circle's centre lies off the surface at depth R where that is bent, so it is brought back there.
+  const auto between = layout_.offset().settle(between_nearest_centres(hole.middle));
+  if (!between || (between->centre - hole.middle).norm() > step_) return hole;
+  const double distance = layout_.distance_to_nearest(between->centre, limit);
+  return distance > hole.distance ? Hole{between->centre, distance} : hole;
 }
 
 /// The place at depth R that belongs to the sample. Where the solid is thinner than R, as at the tip of a

@@ -26,16 +26,15 @@ WallSpheres make_wall_spheres(const Mesh& mesh, const WallSphereOptions& options
   check(options);
   const double spacing = options.spacing * options.radius;
   const Facets facets = find_facets(mesh, find_topology(mesh));
-  const CoverTarget target{mesh, facets, options.reachable};
+  CoverTarget target{mesh, facets, options.reachable, PointGrid(spacing)};
   const OffsetSurface offset(mesh, options.radius);
 
   std::function<bool(const Eigen::Vector3d&)> wanted = [](const Eigen::Vector3d&) { return true; };
-  PointGrid near_powder(spacing);
   if (options.reachable) {
     // Spheres up to about a spacing beyond the reachable surface close its edge.
-    near_powder = reachable_points(target, 0.4 * spacing);
+    target.near_powder = reachable_points(target, options.radius);
     wanted = [&](const Eigen::Vector3d& foot) {
-      return near_powder.nearest_within(foot, 1.4 * spacing) != PointGrid::kNone;
+      return target.near_powder.nearest_within(foot, 1.4 * spacing) != PointGrid::kNone;
     };
   }
   WallLayout layout(offset, spacing, wanted);
