@@ -83,8 +83,13 @@ void check_finite(const Mesh& mesh, const std::filesystem::path& file) {
                     std::to_string(bad - mesh.vertices.begin() + 1) + "): export it again");
 }
 
-std::string first_line(const std::string& text) {
-  return text.substr(0, text.find('\n'));
+/// The importer's own words, its first line; it says nothing about 3MF archives whose layout it does not
+/// know.
+std::string reason(const std::string& importer_error) {
+  if (importer_error.empty()) return "its inner layout is not known to the importer";
+  return importer_error.substr(0, importer_error.find('\n'));
+}
+return text.substr(0, text.find('\n'));
 }
 
 }  // namespace
@@ -105,7 +110,7 @@ Mesh import_mesh(const std::filesystem::path& file, double metres_per_unit) {
   const aiScene* scene = importer.ReadFile(file.string(), aiProcess_Triangulate);
   if (scene == nullptr || scene->mRootNode == nullptr)
     throw MeshError("CAD file '" + file.string() + "' cannot be read as " + extension + ": " +
-                    first_line(importer.GetErrorString()) + "; export it again");
+                    reason(importer.GetErrorString()) + "; export it again, best as STL");
   Mesh mesh;
   add_node(*scene, *scene->mRootNode, aiMatrix4x4(), mesh);
   if (mesh.triangles.empty())

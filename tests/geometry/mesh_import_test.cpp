@@ -80,6 +80,7 @@ TEST(MeshImport, SaysWhatIsWrongWithAFile) {
   expect_error(directory.write("none.stl", box.substr(0, 80) + std::string(4, '\0')), "none.stl");
   expect_error(directory.write("points.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\n"), "points.obj");
   expect_error(directory.write("nonsense.ply", "this is no ply file"), "cannot be read as ply");
+  expect_error(directory.write("nonsense.3mf", "this is no archive"), "cannot be read as 3mf");
   expect_error(directory.write("nonsense.obj", std::string("f 1 2 3\n")), "nonsense.obj");
 }
 
