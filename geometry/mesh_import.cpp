@@ -89,8 +89,6 @@ std::string reason(const std::string& importer_error) {
   if (importer_error.empty()) return "its inner layout is not known to the importer";
   return importer_error.substr(0, importer_error.find('\n'));
 }
-return text.substr(0, text.find('\n'));
-}
 
 }  // namespace
 

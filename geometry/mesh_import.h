@@ -8,12 +8,13 @@
 
 namespace diefill::geometry {
 
-/// Reads `file`, whose coordinates are in units of `metres_per_unit` (0.001 for mm), joining identical vertices.
-/// Throws MeshError when the file is missing, empty, truncated, of unknown format or holds coordinates that are not finite.
+/// Reads `file`, whose coordinates are in units of `metres_per_unit` (0.001 for mm), joining identical
+/// vertices. Throws MeshError when the file is missing, empty, truncated, of unknown format or holds
+/// coordinates that are not finite.
 Mesh import_mesh(const std::filesystem::path& file, double metres_per_unit);
 
-/// Hash of the bytes of a file, as 16 hexadecimal digits, so that results can name the CAD they were made with.
-/// Throws MeshError when the file cannot be read.
+/// Hash of the bytes of a file, as 16 hexadecimal digits, so that results can name the CAD they were made
+/// with. Throws MeshError when the file cannot be read.
 std::string file_hash(const std::filesystem::path& file);
 
 }  // namespace diefill::geometry
