@@ -8,9 +8,10 @@
 
 namespace diefill::geometry {
 
-/// Reads `file`, whose coordinates are in units of `metres_per_unit` (0.001 for mm), joining identical
-/// vertices. Throws MeshError when the file is missing, empty, truncated, of unknown format or holds
-/// coordinates that are not finite.
+/// Reads `file`, whose coordinates are in units of `metres_per_unit` (0.001 for mm). Vertices closer than
+/// 1e-7 of the bounding box's diagonal are joined; all meshes of a file become one, placed by their
+/// transformations. Throws MeshError when the file is missing, a directory, empty, cut short, of unknown
+/// format, or holds no triangles or coordinates that are not finite.
 Mesh import_mesh(const std::filesystem::path& file, double metres_per_unit);
 
 /// Hash of the bytes of a file, as 16 hexadecimal digits, so that results can name the CAD they were made
