@@ -68,7 +68,7 @@ void Xdmf::spheres(std::size_t count) {
   geometry("/spheres/centre", count);
   scalar("radius", "/spheres/radius", count, "Float");
   scalar("solid_fraction", "/spheres/solid_fraction", count, "Float");
-  scalar("grain", "/spheres/grain", count, "UInt");
+  scalar("grain", "/spheres/grain", count, "Int");  // ParaView takes UInt for 32 bits whatever the precision
   text_ << "      </Grid>\n";
 }
 
