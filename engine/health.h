@@ -2,19 +2,13 @@
 // delivering garbage.
 #pragma once
 
-#include <stdexcept>
 #include <string>
 #include <vector>
 
+#include "engine/out_of_range.h"
 #include "engine/simulation.h"
 
 namespace diefill::engine {
-
-/// A run that has left the method's valid range. The message is one line: what was seen, where, the limit,
-/// what to change.
-struct OutOfRange : std::runtime_error {
-  using std::runtime_error::runtime_error;
-};
 
 /// Limits of the method. Between comfortable and forbidden a run goes on with a warning in its report.
 struct HealthLimits {

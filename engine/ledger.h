@@ -11,7 +11,9 @@ struct Ledger {
   double drag_work = 0;        ///< air
   double rolling_work = 0;     ///< rolling friction
   double wall_work = 0;        ///< moving tools
-  double added_energy = 0;     ///< energy of grains when they were added, less that of grains when they left
+  /// Energy of grains when they were added, less that of grains when they left; a grain that comes round a
+  /// periodic border against gravity counts as lifted.
+  double added_energy = 0;
 
   /// Energy (J) that the powder should hold now.
   double expected() const {

@@ -77,6 +77,7 @@ Simulation::Simulation(const SimulationSettings& settings, std::vector<WallBodyS
 }
 
 void Simulation::add_grains(const std::vector<NewGrain>& added) {
+  wrap_grains();
   const double before = energy().total();
   const std::size_t old_count = grains_.size();
   grains_.resize(old_count + added.size());
@@ -102,9 +103,10 @@ void Simulation::add_grains(const std::vector<NewGrain>& added) {
 std::size_t Simulation::remove_grains(const std::function<bool(const Eigen::Vector3d&)>& leaves) {
   std::vector<std::uint32_t> staying;
   for (std::uint32_t k = 0; k < grains_.size(); ++k)
-    if (!leaves(grains_.position[k])) staying.push_back(k);
+    if (!leaves(box_.wrapped(grains_.position[k]))) staying.push_back(k);
   const std::size_t gone = grains_.size() - staying.size();
   if (gone == 0) return 0;
+  wrap_grains();
   const double before = energy().total();
   search_in_order(staying);
   ledger_.added_energy += energy().total() - before;

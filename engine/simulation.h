@@ -55,7 +55,8 @@ class Simulation {
   /// Prescribes a body's motion from now on: pose and velocity at time t (s since the start of the run).
   void set_motion(std::size_t body, std::function<BodyMotion(double)> motion);
 
-  /// One time step (Bierwisch 2009, section 2.2).
+  /// One time step (Bierwisch 2009, section 2.2). Throws OutOfRange when grains have flown beyond all bounds,
+  /// where no contacts can be searched.
   void step();
 
   std::uint64_t steps() const { return step_; }
@@ -99,6 +100,8 @@ class Simulation {
   void move_bodies();
   double displacement_since_search(std::size_t k) const;
   bool list_is_old() const;
+  void wrap_grains();
+  void check_places() const;
   void sort_and_search();
   void search_in_order(const std::vector<std::uint32_t>& order);
   void search(const ContactHistory& history, const ContactHistory& wall_history);

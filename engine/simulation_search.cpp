@@ -1,7 +1,9 @@
 // How a simulation renews its list of near pairs, and how it stops and goes on.
 #include <algorithm>
 #include <numeric>
+#include <string>
 
+#include "engine/out_of_range.h"
 #include "engine/rigid_motion.h"
 #include "engine/simulation.h"
 #include "engine/spatial_order.h"
@@ -9,6 +11,9 @@
 namespace diefill::engine {
 
 namespace {
+
+/// m; a grain farther out than this has been thrown there by an unstable run.
+constexpr double kFarthestPlace = 1e6;
 
 /// How far (m) body and powder are apart at least, beyond `reach`; 0 when near. Coarse: the powder's box as a
 /// ball.
@@ -35,10 +40,29 @@ bool Simulation::list_is_old() const {
   return false;
 }
 
+/// Puts grains that have left the periodic box back into it. Searches find images of grains in the box only.
+void Simulation::wrap_grains() {
+  if (!box_.any()) return;
+  for (std::size_t k = 0; k < grains_.size(); ++k) {
+    const Eigen::Vector3d before = grains_.position[k];
+    grains_.position[k] = motion_[k].position = box_.wrapped(before);
+    ledger_.added_energy -= settings_.shape.mass * settings_.gravity.dot(grains_.position[k] - before);
+  }
+}
+
+/// A search sorts grains into cells: there must be a place to sort them to.
+void Simulation::check_places() const {
+  for (std::size_t k = 0; k < grains_.size(); ++k) {
+    if (grains_.position[k].norm() < kFarthestPlace && grains_.orientation[k].allFinite()) continue;
+    throw OutOfRange("grain " + std::to_string(grains_.id[k]) +
+                     " has no finite position any more at t = " + std::to_string(time_) +
+                     " s: the run is unstable; take a shorter time step, and add no grain where another is");
+  }
+}
+
 void Simulation::sort_and_search() {
-  if (box_.any())
-    for (std::size_t k = 0; k < grains_.size(); ++k)
-      grains_.position[k] = motion_[k].position = box_.wrapped(grains_.position[k]);
+  check_places();
+  wrap_grains();
   search_in_order(spatial_order(grains_.position, 2 * settings_.shape.bounding_radius()));
 }
 
