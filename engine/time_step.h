@@ -8,7 +8,7 @@ namespace diefill::engine {
 
 /// Fraction of the critical step that a run takes when its scene names none. Bierwisch's 2e-6 s at d = 0.47
 /// mm is 0.12 of the critical step at 0.7 m/s; a fifth still resolves the stiffest collision with about
-/// fifteen steps.
+/// a dozen steps.
 inline constexpr double kDefaultTimeStepFraction = 0.2;
 
 /// Coordination number in the estimate of the static limit.
