@@ -1,0 +1,43 @@
+// What touching pairs hold, read from a simulation's pair tables: overlaps and energies of its contacts.
+#pragma once
+
+#include <cmath>
+
+#include "engine/simulation.h"
+
+namespace diefill::engine {
+
+/// Calls visit(block, sphere i, pair number) for every touching grain pair; pairs of a block are read in the
+/// order in which the engine streams them.
+template <class Visit>
+void visit_touching_grain_pairs(const Simulation& simulation, const Visit& visit) {
+  const auto per_grain = simulation.spheres().spheres_per_grain;
+  for (const auto& block : simulation.neighbours().blocks()) {
+    const auto& table = block.grain_pairs;
+    for (std::size_t s = 0; s + 1 < table.first.size(); ++s)
+      for (std::uint32_t p = table.first[s]; p < table.first[s + 1]; ++p)
+        if (table.touching[p]) visit(block, block.begin * per_grain + s, p);
+  }
+}
+
+/// Overlap (m) of sphere `i` with its partner in pair `p`.
+inline double overlap_of(const Simulation& simulation, const Block& block, std::size_t i, std::uint32_t p) {
+  const auto& position = simulation.spheres().position;
+  return 2 * simulation.settings().shape.sphere_radius -
+         (position[i] - position[block.grain_pairs.partner[p].sphere]).norm();
+}
+
+/// Energy (J) in the tangential springs: 1/2 kappa_t sqrt(h / R_eff) xi^2 each.
+inline double tangential_energy(const Simulation& simulation) {
+  const auto& settings = simulation.settings();
+  const double effective = 0.5 * settings.shape.sphere_radius;
+  double energy = 0;
+  visit_touching_grain_pairs(simulation, [&](const Block& block, std::size_t i, std::uint32_t p) {
+    energy += 0.5 * settings.grain_contact.tangential *
+              std::sqrt(overlap_of(simulation, block, i, p) / effective) *
+              block.grain_pairs.spring[p].squaredNorm();
+  });
+  return energy;
+}
+
+}  // namespace diefill::engine

@@ -1,0 +1,133 @@
+// A run that leaves the method's range stops with a line that says what to change.
+#include "engine/health.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "engine_test_support.h"
+
+namespace diefill::engine {
+namespace {
+
+/// Message with which `check` stops, or an empty one.
+std::string complaint(Health& health, const Simulation& simulation) {
+  try {
+    health.check(simulation);
+  } catch (const OutOfRange& error) {
+    return error.what();
+  }
+  return {};
+}
+
+Simulation pair_with_overlap(double over_radius, double time_step) {
+  auto settings = weightless(Model::a, {}, time_step);
+  Simulation simulation(settings, {});
+  NewGrain left, right;
+  right.position.x() = (2 - over_radius) * settings.shape.sphere_radius;
+  simulation.add_grains({left, right});
+  simulation.step();
+  return simulation;
+}
+
+TEST(Health, QuietWhileAllIsWell) {
+  auto settings = weightless(Model::d, {.friction = 0.5, .work_of_adhesion = 0.01}, 1e-6);
+  settings.gravity = {0, 0, -9.81};
+  Simulation simulation(settings, {});
+  simulation.add_grains(converging_cloud({3, 3, 3}, 2 * half_size(settings.shape), 0.3, 2));
+  Health health;
+  for (int round = 0; round < 10; ++round) {
+    run_steps(simulation, 50);
+    EXPECT_EQ(complaint(health, simulation), "");
+  }
+  EXPECT_TRUE(health.warnings().empty());
+}
+
+TEST(Health, NamesTheGrainWithNoFiniteState) {
+  auto settings = weightless(Model::a, {}, 1e-6);
+  Simulation simulation(settings, {});
+  NewGrain good, bad;
+  bad.position.x() = 1e-3;
+  bad.velocity.y() = std::numeric_limits<double>::infinity();
+  simulation.add_grains({good, bad});
+  Health health;
+  EXPECT_NE(complaint(health, simulation).find("grain 1 has no finite position or velocity"),
+            std::string::npos);
+}
+
+TEST(Health, StopsAtForbiddenOverlapAndWarnsOnceBefore) {
+  Health health;
+  const auto comfortable = pair_with_overlap(0.1, 1e-9);
+  EXPECT_EQ(complaint(health, comfortable), "");
+  EXPECT_TRUE(health.warnings().empty());
+  const auto doubtful = pair_with_overlap(0.3, 1e-9);
+  EXPECT_EQ(complaint(health, doubtful), "");
+  EXPECT_EQ(complaint(health, doubtful), "");
+  ASSERT_EQ(health.warnings().size(), 1U);
+  EXPECT_NE(health.warnings()[0].find("overlap reached 0.30"), std::string::npos);
+  const std::string message = complaint(health, pair_with_overlap(0.7, 1e-9));
+  EXPECT_NE(message.find("overlap by 0.70 of their radius"), std::string::npos) << message;
+  EXPECT_NE(message.find("reduced_modulus"), std::string::npos);
+}
+
+TEST(Health, StopsAtAStepAboveTheCriticalOne) {
+  Health health;
+  const std::string message = complaint(health, pair_with_overlap(0.05, 2e-4));
+  EXPECT_NE(message.find("above the critical one"), std::string::npos) << message;
+}
+
+TEST(Health, StopsWhenEnergyComesFromNowhere) {
+  // A tool that jumps into a grain without having a velocity does work that nothing explains.
+  auto settings = weightless(Model::a, {.damping_over_radius = 0}, 1e-6);
+  Simulation simulation(settings, {plate(1e-3, 1.5e-4)});
+  NewGrain grain;
+  grain.position.z() = 2e-4;
+  grain.velocity.x() = 0.01;
+  simulation.add_grains({grain});
+  run_steps(simulation, 10);
+  Health health;
+  EXPECT_EQ(complaint(health, simulation), "");
+  simulation.set_motion(0, [](double) {
+    BodyMotion jumped;
+    jumped.translation.z() = 6e-5;
+    return jumped;
+  });
+  simulation.step();
+  const std::string message = complaint(health, simulation);
+  EXPECT_NE(message.find("energy grew"), std::string::npos) << message;
+}
+
+/// Runs on and looks in the end, as a run does; returns the message that stopped it.
+std::string end_of(Simulation& simulation, int steps) {
+  try {
+    run_steps(simulation, steps);
+  } catch (const OutOfRange& error) {
+    return error.what();
+  }
+  Health health;
+  return complaint(health, simulation);
+}
+
+TEST(Health, ExplodedRunEndsInOneLine) {
+  // Far too long a step: grains fly apart beyond all numbers before anyone looks.
+  auto settings = weightless(Model::d, {.friction = 0.5}, 5e-3);
+  settings.gravity = {0, 0, -9.81};
+  Simulation simulation(settings, {plate(2e-3, 1.5e-4)});
+  simulation.add_grains(converging_cloud({3, 3, 3}, 0.8 * 2 * half_size(settings.shape), 0.3, 2));
+  const std::string message = end_of(simulation, 200);
+  EXPECT_NE(message.find("shorter"), std::string::npos) << message;
+}
+
+TEST(Health, TwoGrainsInOnePlaceEndInOneLine) {
+  auto settings = weightless(Model::a, {.friction = 0.5}, 1e-5);
+  Simulation simulation(settings, {});
+  NewGrain twin, runner;
+  runner.position.x() = 1e-3;
+  runner.velocity.x() = 1;
+  simulation.add_grains({twin, twin, runner});
+  const std::string message = end_of(simulation, 200);
+  EXPECT_NE(message.find("no finite position"), std::string::npos) << message;
+}
+
+}  // namespace
+}  // namespace diefill::engine
