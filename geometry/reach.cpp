@@ -14,7 +14,8 @@ namespace diefill::geometry {
 
 namespace {
 
-constexpr int kPad = 12;  // voxels kept round a solid's box
+constexpr int kPad = 12;   // voxels kept round a solid's box
+constexpr int kBlock = 8;  // voxels of a block along each axis
 
 // Nothing above all tools matters: the domain ends two voxels over the highest pose of the highest tool.
 VoxelGrid laboratory_grid(const ReachRequest& request) {
@@ -150,12 +151,31 @@ void gather(const VoxelGrid& laboratory, const Powder& powder, const SolidPose& 
 
 }  // namespace
 
+void Reach::Surroundings::mark_blocks() {
+  blocks.edge = kBlock * grid.edge;
+  blocks.origin = grid.origin;
+  blocks.counts = (grid.counts.array() + (kBlock - 1)) / kBlock;
+  block_reached.assign(blocks.size(), 0);
+  for (int k = 0; k < grid.counts.z(); ++k)
+    for (int j = 0; j < grid.counts.y(); ++j)
+      for (int i = 0; i < grid.counts.x(); ++i)
+        if (reached[grid.index(i, j, k)]) block_reached[blocks.index(i / kBlock, j / kBlock, k / kBlock)] = 1;
+}
+
+bool Reach::Surroundings::any_block(const Eigen::Vector3i& lower, const Eigen::Vector3i& upper) const {
+  for (int k = lower.z() / kBlock; k <= upper.z() / kBlock; ++k)
+    for (int j = lower.y() / kBlock; j <= upper.y() / kBlock; ++j)
+      for (int i = lower.x() / kBlock; i <= upper.x() / kBlock; ++i)
+        if (block_reached[blocks.index(i, j, k)]) return true;
+  return false;
+}
+
 Reach::Reach(const ReachRequest& request) : laboratory_(laboratory_grid(request)) {
   const PosedSolids solids(request.solids, laboratory_);
   const auto count = request.solids.size();
   for (std::size_t i = 0; i < count; ++i) {
     const VoxelGrid grid = grid_round(*request.solids[i].mesh, solids.pose(i, 0), laboratory_);
-    surroundings_.push_back({grid, std::vector<std::uint8_t>(grid.size(), 0)});
+    surroundings_.push_back({grid, std::vector<std::uint8_t>(grid.size(), 0), {}, {}});
   }
   ReachFlood flood(laboratory_, request.climb);
   flood.pour(powder_in(laboratory_, request.powder), solids.blocked(0));
@@ -176,11 +196,14 @@ Reach::Reach(const ReachRequest& request) : laboratory_(laboratory_grid(request)
     if (!solids.stands(i)) continue;
     gather(laboratory_, powder, solids.pose(i, 0), surroundings_[i].grid, surroundings_[i].reached);
   }
+  for (auto& surroundings : surroundings_) surroundings.mark_blocks();
 }
 
 bool Reach::reachable(std::size_t solid, const Eigen::Vector3d& point_in_body,
                       const Eigen::Vector3d& outward_normal, double margin) const {
-  const auto& [grid, reached] = surroundings_.at(solid);
+  const Surroundings& surroundings = surroundings_.at(solid);
+  const auto& grid = surroundings.grid;
+  const auto& reached = surroundings.reached;
   const double radius = margin + grid.edge;
   const auto is_reached = [&](const Eigen::Vector3i& voxel) {
     return reached[grid.index(voxel.x(), voxel.y(), voxel.z())] != 0;
@@ -192,6 +215,7 @@ bool Reach::reachable(std::size_t solid, const Eigen::Vector3d& point_in_body,
   const Eigen::Vector3i lower = grid.voxel_at(point_in_body - reach).cwiseMax(0);
   const Eigen::Vector3i upper =
       grid.voxel_at(point_in_body + reach).cwiseMin(grid.counts - Eigen::Vector3i::Ones());
+  if ((lower.array() > upper.array()).any() || !surroundings.any_block(lower, upper)) return false;
   for (int k = lower.z(); k <= upper.z(); ++k) {
     for (int j = lower.y(); j <= upper.y(); ++j) {
       for (int i = lower.x(); i <= upper.x(); ++i) {

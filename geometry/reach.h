@@ -52,6 +52,11 @@ class Reach {
   struct Surroundings {
     VoxelGrid grid;
     std::vector<std::uint8_t> reached;
+    VoxelGrid blocks;  // of eight voxels each way: most questions end at empty ones
+    std::vector<std::uint8_t> block_reached;
+
+    void mark_blocks();
+    bool any_block(const Eigen::Vector3i& lower, const Eigen::Vector3i& upper) const;
   };
   VoxelGrid laboratory_;
   std::vector<std::uint8_t> first_;  // powder in the first sample, one byte a voxel

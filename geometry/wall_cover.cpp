@@ -12,12 +12,17 @@ namespace diefill::geometry {
 namespace {
 
 /// Distance of surface samples over R.
-constexpr double kSampleStep = 0.25;
+constexpr double kSampleStep = 0.4;
 /// Nearest centre allowed to a new lattice centre, over the spacing.
 constexpr double kLatticeDistance = 0.8;
 constexpr int kMostPasses = 6;
 /// Large triangles are looked at in parts of this length over R when only some of the surface is reachable.
 constexpr double kPartLength = 16;
+/// Distance over R of the points that stand for reachable surface when parts are passed over.
+constexpr double kThinning = 4;
+
+/// A sample this near (over R) to a point known as reachable is reachable too.
+constexpr double kSameAnswer = 0.75;
 
 /// Half the diagonal of a grid square, with an allowance for rounding.
 double cover_distance(double spacing) {
@@ -45,7 +50,8 @@ void visit_parts_near_powder(const CoverTarget& target, const Corners& corners, 
     return;
   }
   const Eigen::Vector3d middle = (corners[0] + corners[1] + corners[2]) / 3;
-  if (target.near_powder.nearest_within(middle, longest) != PointGrid::kNone) visit(corners);
+  const double margin = kThinning / kPartLength * longest;
+  if (target.powder_parts.nearest_within(middle, longest + margin) != PointGrid::kNone) visit(corners);
 }
 
 /// Calls `visit(sample)` for the reachable samples of a facet and of the inner edges to facets of higher
@@ -54,8 +60,12 @@ template <typename Visit>
 void sample_facet(const CoverTarget& target, std::size_t facet_index, double depth, double step,
                   Visit visit) {
   const Facet& facet = target.facets.list[facet_index];
+  // What is reachable was asked once, about R apart: asking again more finely would find slivers at frayed
+  // edges that no sphere was meant for.
   const auto visit_reachable = [&](const SurfaceSample& sample) {
-    if (!target.reachable || target.reachable(sample.point, sample.normal)) visit(sample);
+    if (!target.reachable ||
+        target.near_powder.nearest_within(sample.point, kSameAnswer * depth) != PointGrid::kNone)
+      visit(sample);
   };
   const auto sample_part = [&](const Corners& part) { sample_triangle(part, step, visit_reachable); };
   for (const std::size_t triangle : facet.triangles) {
@@ -195,7 +205,7 @@ bool close_holes(const CoverTarget& target, WallLayout& layout) {
 }  // namespace
 
 PointGrid reachable_points(const CoverTarget& target, double step) {
-  PointGrid points(4 * step);
+  PointGrid points(2 * step);
   for (const Facet& facet : target.facets.list)
     for (const std::size_t triangle : facet.triangles)
       sample_triangle(corners_of(target.mesh, triangle), step, [&](const SurfaceSample& sample) {
@@ -203,6 +213,13 @@ PointGrid reachable_points(const CoverTarget& target, double step) {
         if (!known && target.reachable(sample.point, sample.normal)) points.insert(sample.point);
       });
   return points;
+}
+
+PointGrid powder_parts(const PointGrid& reachable, double radius) {
+  PointGrid kept(kPartLength * radius);
+  for (const Eigen::Vector3d& point : reachable.points())
+    if (kept.nearest_within(point, kThinning * radius) == PointGrid::kNone) kept.insert(point);
+  return kept;
 }
 
 void close_cover(const CoverTarget& target, WallLayout& layout) {

@@ -15,12 +15,16 @@ struct CoverTarget {
   const Facets& facets;
   /// Empty: everything is reachable.
   const std::function<bool(const Eigen::Vector3d&, const Eigen::Vector3d&)>& reachable;
-  PointGrid near_powder;  ///< reachable_points(), to pass over large surfaces far from powder quickly
+  PointGrid near_powder;   ///< reachable_points(): what is reachable is asked once
+  PointGrid powder_parts;  ///< a few of them, to pass over large surfaces far from powder quickly
 };
 
 /// Points of the reachable surface about `step` (m) apart. Reachable patches narrower than that may be
 /// missed.
 PointGrid reachable_points(const CoverTarget& target, double step);
+
+/// So many of the `reachable` points that each has one of them near, for spheres of `radius` (m).
+PointGrid powder_parts(const PointGrid& reachable, double radius);
 
 /// Adds centres until every reachable point of the surface, moved to depth R, has one within half the
 /// diagonal of the grid's squares. Each new centre goes on growing a square lattice over the open surface

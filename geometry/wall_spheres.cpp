@@ -26,13 +26,14 @@ WallSpheres make_wall_spheres(const Mesh& mesh, const WallSphereOptions& options
   check(options);
   const double spacing = options.spacing * options.radius;
   const Facets facets = find_facets(mesh, find_topology(mesh));
-  CoverTarget target{mesh, facets, options.reachable, PointGrid(spacing)};
+  CoverTarget target{mesh, facets, options.reachable, PointGrid(spacing), PointGrid(spacing)};
   const OffsetSurface offset(mesh, options.radius);
 
   std::function<bool(const Eigen::Vector3d&)> wanted = [](const Eigen::Vector3d&) { return true; };
   if (options.reachable) {
     // Spheres up to about a spacing beyond the reachable surface close its edge.
     target.near_powder = reachable_points(target, options.radius);
+    target.powder_parts = powder_parts(target.near_powder, options.radius);
     wanted = [&](const Eigen::Vector3d& foot) {
       return target.near_powder.nearest_within(foot, 1.4 * spacing) != PointGrid::kNone;
     };

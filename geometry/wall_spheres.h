@@ -20,7 +20,7 @@ struct WallSphereOptions {
 };
 
 /// The spheres of one tool and how well their envelope follows the CAD surface, measured on points of the
-/// reachable surface 0.25 R_w apart.
+/// reachable surface 0.4 R_w apart.
 ///
 /// Deviation of a surface point: its distance to the nearest sphere's surface. No sphere sticks out of the
 /// solid, so the envelope is never in front of the CAD surface. On a flat square grid it runs from 0 to

@@ -36,7 +36,7 @@ std::vector<std::vector<ToolPose>> sampled_poses(const Scene& scene, const Tooli
 ReachableSurface::ReachableSurface(const Scene& scene, const Tooling& tooling, double grain_diameter) {
   const Eigen::Vector3d extent = tooling.all.size();
   geometry::ReachRequest request;
-  // Voxels about half a grain wide: fine enough for walls, coarse enough for a scene of a few hundred millimetres.
+  // Voxels a quarter of a grain wide: fine enough for walls, coarse enough for a scene of a few hundred millimetres.
   constexpr double kMostVoxels = 2e7;
   request.voxel = std::max(0.25 * grain_diameter, std::cbrt(extent.prod() / kMostVoxels));
   request.voxel = std::clamp(request.voxel, 1e-5, 5e-4);
@@ -45,6 +45,8 @@ ReachableSurface::ReachableSurface(const Scene& scene, const Tooling& tooling, d
   request.domain.lower = tooling.standing.lower;
   request.domain.upper = tooling.standing.upper;
   request.domain.upper[2] = std::max(tooling.all.upper[2], scene.pour.upper[2]) + request.climb;
+  // Flooded voxels are free space up to the walls: only their size makes the answer fuzzy.
+  // Wide enough to join the frayed borders of what was flooded: a strip of wall too many costs little, a gap grains.
   margin_ = 2 * request.voxel + 0.5 * grain_diameter;
   for (std::size_t axis = 0; axis < 2; ++axis) {
     const auto& period = scene.numerics.period[axis];
