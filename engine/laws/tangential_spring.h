@@ -35,9 +35,9 @@ struct TangentialSpring {
 
   /// Advances `spring` (m) over `time_step` (s) and returns the force on i in N. `normal` points from j to i,
   /// `tangential_velocity` is that of i's surface against j's (m/s), `normal_load` is |f_e + f_v| in N.
-  Eigen::Vector3d force(Eigen::Vector3d& spring, const Eigen::Vector3d& normal,
-                        const Eigen::Vector3d& tangential_velocity, double root_overlap, double normal_load,
-                        double time_step) const {
+  [[gnu::always_inline]] Eigen::Vector3d force(Eigen::Vector3d& spring, const Eigen::Vector3d& normal,
+                                               const Eigen::Vector3d& tangential_velocity, double root_overlap,
+                                               double normal_load, double time_step) const {
     const double length_before = spring.squaredNorm();
     spring -= spring.dot(normal) * normal;
     const double length_projected = spring.squaredNorm();

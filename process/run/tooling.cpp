@@ -3,12 +3,13 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <set>
+#include <future>
 #include <stdexcept>
 
 #include "geometry/mesh_import.h"
 #include "process/run/periodic_tool.h"
 #include "process/run/reachable_surface.h"
+#include "process/run/tool_fit.h"
 
 namespace diefill::process {
 
@@ -68,6 +69,31 @@ void prepare_steps(const Scene& scene, const Tooling& tooling) {
   }
 }
 
+double sphere_radius(const Scene& scene, const ToolSpec& spec) { return spec.sphere_radius.value_or(scene.walls.sphere_radius); }
+
+void refuse_misplaced(const Scene& scene, const Tooling& tooling) {
+  for (const Tool& tool : tooling.tools) check_size(tool.mesh, sphere_radius(scene, tool.spec), place_of(scene, tool.spec));
+  for (std::size_t k = 0; k < tooling.tools.size(); ++k)
+    for (std::size_t other = 0; other < k; ++other)
+      check_fit(tooling.tools[k], tooling.tools[other], sphere_radius(scene, tooling.tools[k].spec),
+                place_of(scene, tooling.tools[k].spec));
+}
+
+/// The tool's wall spheres; complaints about its geometry name the tool.
+geometry::WallSpheres cover(const Scene& scene, const Tool& tool, double grain_diameter,
+                            decltype(geometry::WallSphereOptions::reachable) reachable) {
+  const std::string where = place_of(scene, tool.spec);
+  geometry::WallSphereOptions options;
+  options.radius = sphere_radius(scene, tool.spec);
+  options.spacing = tool.spec.spacing.value_or(scene.walls.spacing);
+  options.reachable = std::move(reachable);
+  try {
+    return make_periodic_wall_spheres(tool.mesh, options, scene.numerics.period, 2 * grain_diameter, where);
+  } catch (const geometry::MeshError& error) {
+    throw SceneError(where + ": " + error.what());
+  }
+}
+
 void refuse_leaks(const Scene& scene, const Tool& tool, double smallest_radius) {
   if (tool.spheres.largest_gap < 2 * smallest_radius) return;
   char text[300];
@@ -107,6 +133,7 @@ Tooling build_tooling(const Scene& scene, double smallest_radius, double grain_d
   Tooling tooling;
   std::vector<const geometry::Mesh*> standing;
   for (const auto& spec : scene.tools) tooling.tools.push_back(read_tool(scene, spec));
+  refuse_misplaced(scene, tooling);
   for (const auto& tool : tooling.tools) {
     const geometry::Box box = tool.mesh.bounding_box();
     tooling.all.include(box);
@@ -116,21 +143,24 @@ Tooling build_tooling(const Scene& scene, double smallest_radius, double grain_d
   }
   if (standing.empty())
     throw SceneError(scene.file.string() + ": tool: no die or plate to pour powder on; add one [[tool]] whose role is not shoe");
+  if (tooling.standing.size().minCoeff() < 0)
+    throw SceneError(scene.file.string() + ": tool: every one moves in some step; powder needs at least one that stands");
   tooling.cavity = geometry::find_cavity(standing, scene.measure.fill_plane);
   prepare_steps(scene, tooling);
 
   const ReachableSurface reachable(scene, tooling, grain_diameter);
+  // Tools do not know of each other: they are covered side by side.
+  std::vector<std::future<geometry::WallSpheres>> covered;
+  for (std::size_t k = 0; k < tooling.tools.size(); ++k)
+    covered.push_back(std::async(std::launch::async, [&, k] {
+      return cover(scene, tooling.tools[k], grain_diameter,
+                   [&, k](const Eigen::Vector3d& point, const Eigen::Vector3d& normal) {
+                     return reachable(k, point, normal);
+                   });
+    }));
   for (std::size_t k = 0; k < tooling.tools.size(); ++k) {
-    Tool& tool = tooling.tools[k];
-    geometry::WallSphereOptions options;
-    options.radius = tool.spec.sphere_radius.value_or(scene.walls.sphere_radius);
-    options.spacing = tool.spec.spacing.value_or(scene.walls.spacing);
-    options.reachable = [&, k](const Eigen::Vector3d& point, const Eigen::Vector3d& normal) {
-      return reachable(k, point, normal);
-    };
-    tool.spheres = make_periodic_wall_spheres(tool.mesh, options, scene.numerics.period, 2 * grain_diameter,
-                                              place_of(scene, tool.spec));
-    refuse_leaks(scene, tool, smallest_radius);
+    tooling.tools[k].spheres = covered[k].get();
+    refuse_leaks(scene, tooling.tools[k], smallest_radius);
   }
   return tooling;
 }
