@@ -79,9 +79,7 @@ TEST_P(Reference, EngineMovesGrainsAlike) {
   EXPECT_LT(worst_spin, 1e-9);
   EXPECT_GT(simulation.touching_pairs(), 0U);
   EXPECT_GT(simulation.searches(), 2U);
-  EXPECT_GT(simulation.wall_load(0).force.norm() + simulation.wall_load(1).force.norm() +
-                std::abs(simulation.ledger().wall_work),
-            0);
+  EXPECT_NE(simulation.ledger().wall_work, 0);
 }
 
 INSTANTIATE_TEST_SUITE_P(

@@ -149,7 +149,7 @@ TEST(Walls, FarBodyCostsNoPairs) {
 }
 
 TEST(Walls, FastToolIsFoundBeforeItHits) {
-  // A plate comes from far away at 5 m/s towards a grain at rest; the list must renew in time.
+  // A plate comes from far away at 0.5 m/s towards a grain at rest; the list must renew in time.
   auto settings = weightless(Model::d, {.damping_over_radius = 0}, 1e-7);
   Simulation simulation(settings, {plate(2e-3, 1.5e-4, [](double time) {
                           BodyMotion motion;
