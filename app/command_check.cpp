@@ -40,13 +40,13 @@ int check(const std::string& file) {
   const process::Scene scene = process::read_scene(file);
   const auto shape = process::engine_settings(scene, 1.0).shape;
   const auto tooling = process::build_tooling(scene, shape.sphere_radius, scene.powder.grain_diameter);
-  for (const auto& tool : tooling.tools) print_tool(tool);
-  print_cavity(tooling.cavity);
-
   process::RunOptions options;
   options.threads = 1;
   options.show_progress = false;
   const process::FillRun run(scene, tooling, options);
+
+  for (const auto& tool : tooling.tools) print_tool(tool);
+  print_cavity(tooling.cavity);
   const auto& simulation = run.simulation();
   std::printf("powder: %s, %zu grains of d = %.4g mm, %zu spheres; %zu wall spheres\n", scene.powder.name.c_str(),
               simulation.grains().size(), 1e3 * scene.powder.grain_diameter,

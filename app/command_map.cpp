@@ -3,6 +3,7 @@
 #include "app/commands.h"
 #include "app/drawing.h"
 #include "app/exit_code.h"
+#include "app/output.h"
 #include "process/results/result_file.h"
 #include "process/run/assemble.h"
 #include "process/scene/units.h"
@@ -41,8 +42,10 @@ int map(const MapArguments& arguments) {
   const int bins = result.profiles.empty() ? 36 : static_cast<int>(result.profiles.front().x.size());
   process::measure_fields(result, request, bins);
   const std::filesystem::path out = arguments.out.empty() ? arguments.directory : arguments.out;
-  std::filesystem::create_directories(out);
-  for (const auto& picture : draw(out, result)) std::printf("%s\n", picture.string().c_str());
+  make_output_directory(out);
+  write_output([&] {
+    for (const auto& picture : draw(out, result)) std::printf("%s\n", picture.string().c_str());
+  });
   return kDone;
 }
 

@@ -5,6 +5,7 @@
 #include "app/commands.h"
 #include "app/drawing.h"
 #include "app/exit_code.h"
+#include "app/output.h"
 #include "process/results/result_file.h"
 #include "process/run/assemble.h"
 #include "process/run/material.h"
@@ -33,7 +34,10 @@ std::filesystem::path default_directory(const std::filesystem::path& scene) {
 void print_summary(const results::FillResult& result) {
   const auto& figures = result.figures;
   std::printf("%s: %s\n", result.title.c_str(), result.strategy.c_str());
-  if (result.cavity.volume > 0)
+  if (result.cavity.volume > 0 && result.summary.grains == 0)
+    std::printf("filled mass %.4g g, too shallow for a solid fraction: no grain lies two diameters deep in the cavity\n",
+                1e3 * figures.at("filled_mass_kg"));
+  else if (result.cavity.volume > 0)
     std::printf("filled mass %.4g g, solid fraction in the cavity %.3f (standard deviation %.3f, %.3f to %.3f)\n",
                 1e3 * figures.at("filled_mass_kg"), result.summary.mean, result.summary.std, result.summary.min,
                 result.summary.max);
@@ -60,15 +64,18 @@ int run(const RunArguments& arguments) {
   options.show_progress = !arguments.quiet;
   options.stop = &stop_asked;
   process::FillRun fill(scene, tooling, options);
-  std::filesystem::create_directories(options.directory);
   std::signal(SIGINT, ask_to_stop);
   std::signal(SIGTERM, ask_to_stop);
+  make_output_directory(options.directory);
   fill.run();
 
   const auto result = process::assemble(scene, tooling, fill);
-  results::write_results(options.directory, result);
-  results::write_report(options.directory, result);
-  const auto pictures = draw(options.directory, result);
+  std::vector<std::filesystem::path> pictures;
+  write_output([&] {
+    results::write_results(options.directory, result);
+    results::write_report(options.directory, result);
+    pictures = draw(options.directory, result);
+  });
   std::filesystem::remove(process::checkpoint_file(options.directory));
   print_summary(result);
   std::printf("results in %s: report.json, results.h5 (results.xdmf for ParaView)", options.directory.string().c_str());
