@@ -1,5 +1,6 @@
 #include "process/run/pour.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <random>
@@ -72,6 +73,23 @@ std::size_t grains_wanted(const Scene& scene, const engine::GrainShape& shape) {
   return static_cast<std::size_t>(std::llround(powder / shape.solid_volume));
 }
 
+/// Powder that starts beside or below the tools that stand would be let go as spilled at once.
+void refuse_powder_over_nothing(const Scene& scene, const geometry::Box& standing) {
+  static const char* const kAxes[] = {"x", "y", "z"};
+  for (Eigen::Index axis = 0; axis < 3; ++axis) {
+    if (axis < 2 && scene.numerics.period[static_cast<std::size_t>(axis)]) continue;
+    const double from = scene.pour.lower[axis], to = scene.pour.upper[axis];
+    const double lower = standing.lower[axis], upper = axis < 2 ? standing.upper[axis] : std::max(to, standing.upper[2]);
+    if (from >= lower && to <= upper) continue;
+    char text[240];
+    std::snprintf(text, sizeof text,
+                  ": pour: the box reaches from %.4g to %.4g mm along %s, but the tools that stand only from %.4g to %.4g mm: "
+                  "powder beyond would be lost; move the box or the tools",
+                  1e3 * from, 1e3 * to, kAxes[axis], 1e3 * lower, 1e3 * upper);
+    throw SceneError(scene.file.string() + ":" + std::to_string(scene.pour.line) + text);
+  }
+}
+
 /// The lattice must not reach into a tool: grains would start overlapping it and be shot away.
 void refuse_overlap(const Scene& scene, const Tooling& tooling, const std::vector<engine::NewGrain>& grains, double radius) {
   constexpr double kTolerated = 0.9;  // of the grain's radius: its offset may bring it near a wall
@@ -97,6 +115,7 @@ std::vector<engine::NewGrain> pour(const Scene& scene, const engine::GrainShape&
   const Lattice lattice = lattice_of(scene, shape);
   const double radius = shape.bounding_radius();
   Dice dice(scene.seed);
+  refuse_powder_over_nothing(scene, tooling.standing);
   std::vector<engine::NewGrain> grains(grains_wanted(scene, shape));
   if (grains.empty())
     throw SceneError(scene.file.string() + ":" + std::to_string(scene.pour.line) +
