@@ -45,7 +45,7 @@ void Passage::prepare(const MachineContext& context) {
   }
   const Extent tool = along(spec_.direction, context.tool_lower, context.tool_upper);
   const double travel = cavity.upper + spec_.clearance - tool.lower;
-  if (!(travel > 0)) {
+  if (!(tool.lower < cavity.upper)) {
     throw SceneError(
         spec_.where + ": found \"" + spec_.tool + "\" beyond the cavity already (" +
         number_in_words((tool.lower - cavity.upper) * 1e3) +
