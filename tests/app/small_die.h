@@ -1,0 +1,48 @@
+// A scene that the program fills in about two seconds, in a folder of its own: a block with a pocket, a shoe
+// beside it.
+#pragma once
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "tests/app/cad.h"
+#include "tests/app/program.h"
+
+namespace diefill::app {
+
+std::string contents(const std::filesystem::path& file);
+
+/// The folder with die.stl, shoe.stl and scene.toml; gone at the end.
+class SmallDie {
+ public:
+  SmallDie();
+  ~SmallDie();
+  SmallDie(const SmallDie&) = delete;
+  SmallDie& operator=(const SmallDie&) = delete;
+
+  const std::filesystem::path& folder() const { return folder_; }
+  std::filesystem::path scene() const { return folder_ / "scene.toml"; }
+  /// Where run() puts its results.
+  std::filesystem::path out() const { return folder_ / "out"; }
+  void write(const std::string& name, const std::string& bytes) const;
+  /// Exchanges `old` for `text` in the scene file; throws std::logic_error if it does not stand there.
+  void exchange(const std::string& old, const std::string& text) const;
+
+  std::vector<std::string> run_arguments(const std::vector<std::string>& more = {}) const;
+  Outcome run(const std::vector<std::string>& more = {}) const { return run_program(run_arguments(more)); }
+  Outcome check() const { return run_program({"check", scene().string()}); }
+  nlohmann::json report() const { return nlohmann::json::parse(contents(out() / "report.json")); }
+  /// Names of the files in a folder, sorted.
+  static std::vector<std::string> files_in(const std::filesystem::path& folder);
+
+ private:
+  std::filesystem::path folder_;
+};
+
+/// The parts as SmallDie writes them, mm: the pocket is 4 x 4 mm wide and 4 mm deep.
+cad::Part small_die();
+cad::Part small_shoe();
+
+}  // namespace diefill::app
