@@ -1,6 +1,7 @@
 // Wrong inputs that show only once the CAD is read and stands in the scene.
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <functional>
 
 #include "tests/app/small_die.h"

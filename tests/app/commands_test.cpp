@@ -1,0 +1,151 @@
+// The command line: help, wrong arguments, and what check, map and info do.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdio>
+
+#include "tests/app/small_die.h"
+
+namespace diefill::app {
+namespace {
+
+const char* const kCommands[] = {"run", "check", "map", "info"};
+
+TEST(CommandLine, HelpShowsAnExampleOfEveryCommand) {
+  for (const std::string command : kCommands) {
+    SCOPED_TRACE(command);
+    const Outcome outcome = run_program({command, "--help"});
+    EXPECT_EQ(outcome.exit_code, 0);
+    EXPECT_EQ(outcome.err, "");
+    EXPECT_NE(outcome.out.find("Example"), std::string::npos);
+    EXPECT_NE(outcome.out.find("  diefill " + command + " "), std::string::npos) << outcome.out;
+  }
+  const Outcome outcome = run_program({"--help"});
+  EXPECT_EQ(outcome.exit_code, 0);
+  for (const std::string command : kCommands)
+    EXPECT_NE(outcome.out.find("  diefill " + command + " "), std::string::npos) << outcome.out;
+}
+
+TEST(CommandLine, VersionIsOneLine) {
+  const Outcome outcome = run_program({"--version"});
+  EXPECT_EQ(outcome.exit_code, 0);
+  EXPECT_EQ(std::count(outcome.out.begin(), outcome.out.end(), '\n'), 1) << outcome.out;
+}
+
+TEST(CommandLine, WrongWordsExitWithTwo) {
+  const SmallDie die;
+  const std::string scene = die.scene().string();
+  const std::vector<std::vector<std::string>> wrong = {
+      {},
+      {"fill", scene},
+      {"run"},
+      {"check"},
+      {"run", scene, "--threads", "0"},
+      {"run", scene, "--threads", "two"},
+      {"run", scene, "--speed", "3"},
+      {"check", scene, "more"},
+      {"info"},
+      {"map"},
+      {"map", die.folder().string(), "--normal", "up"},
+      {"map", die.folder().string(), "--origin", "0 mm", "0 mm"},
+  };
+  for (const auto& arguments : wrong) {
+    SCOPED_TRACE(testing::PrintToString(arguments));
+    const Outcome outcome = run_program(arguments, {die.folder(), {}});
+    EXPECT_EQ(outcome.exit_code, 2);
+    EXPECT_EQ(outcome.out, "");
+    EXPECT_NE(outcome.err, "");
+  }
+  EXPECT_FALSE(std::filesystem::exists(die.folder() / "out"));
+}
+
+TEST(CommandLine, MissingSceneIsNamed) {
+  for (const std::string command : {"run", "check"}) {
+    const Outcome outcome = run_program({command, "/no/such/scene.toml"});
+    EXPECT_EQ(outcome.exit_code, 2);
+    EXPECT_EQ(outcome.complaints(), 1U) << outcome.err;
+    EXPECT_NE(outcome.err.find("/no/such/scene.toml"), std::string::npos) << outcome.err;
+  }
+}
+
+TEST(CommandLine, MapAndInfoRefuseADirectoryWithoutResults) {
+  const SmallDie die;
+  for (const std::string command : {"map", "info"}) {
+    for (const auto& directory : {die.folder(), die.folder() / "none", die.scene()}) {
+      const Outcome outcome = run_program({command, directory.string()});
+      EXPECT_EQ(outcome.exit_code, 2) << directory;
+      EXPECT_EQ(outcome.out, "");
+      EXPECT_EQ(outcome.complaints(), 1U) << outcome.err;
+      EXPECT_NE(outcome.err.find("results.h5"), std::string::npos) << outcome.err;
+    }
+  }
+}
+
+TEST(Check, DescribesEveryToolAndWritesNothing) {
+  const SmallDie die;
+  const auto files = SmallDie::files_in(die.folder());
+  const Outcome outcome = run_program({"check", die.scene().string()}, {die.folder(), {}});
+  EXPECT_EQ(outcome.exit_code, 0);
+  EXPECT_EQ(outcome.err, "");
+  EXPECT_EQ(SmallDie::files_in(die.folder()), files);
+  for (const std::string tool : {"die (die): 28 triangles, 21.00 x 7.00 x 5.00 mm, volume 0.671 cm3",
+                                 "shoe (shoe): 32 triangles, 6.20 x 6.20 x 10.00 mm, volume 0.1344 cm3"}) {
+    const std::size_t start = outcome.out.find(tool);
+    ASSERT_NE(start, std::string::npos) << outcome.out;
+    const std::size_t line = outcome.out.find("wall spheres: ", start);
+    ASSERT_NE(line, std::string::npos);
+    const std::string spheres = outcome.out.substr(line, outcome.out.find('\n', line) - line);
+    double count = 0, radius = 0, mean = 0, largest = 0, gap = 0;
+    EXPECT_EQ(std::sscanf(
+                  spheres.c_str(),
+                  "wall spheres: %lf of radius %lf mm; envelope to CAD surface: mean %lf mm, largest %lf mm; "
+                  "largest gap %lf mm",
+                  &count, &radius, &mean, &largest, &gap),
+              5)
+        << spheres;
+    EXPECT_GT(count, 500);
+    EXPECT_EQ(radius, 0.25);
+    EXPECT_GT(mean, 0);
+    EXPECT_LT(mean, largest);
+    EXPECT_LT(largest, 0.25);
+    // A flat square grid leaves 2 (1.6 / sqrt(2) - 1) R_w = 0.0657 mm; none may leave more than a fifth above
+    // it.
+    EXPECT_GT(gap, 0);
+    EXPECT_LT(gap, 0.079);
+  }
+  EXPECT_NE(outcome.out.find("cavity: volume 0.064 cm3, depth 4.00 mm, narrowest width 4.000 mm"),
+            std::string::npos)
+      << outcome.out;
+  EXPECT_NE(outcome.out.find("138 grains of d = 1 mm"), std::string::npos) << outcome.out;
+}
+
+TEST(Map, DrawsOtherSectionsAndAveragingFromResultsAlone) {
+  const SmallDie die;
+  die.exchange("velocity = \"0.1 m/s\"", "velocity = \"0.2 m/s\"");
+  ASSERT_EQ(die.run({"--quiet"}).exit_code, 0);
+  for (const char* input : {"die.stl", "shoe.stl", "scene.toml"})
+    std::filesystem::remove(die.folder() / input);
+  const std::string section = contents(die.out() / "section.png"),
+                    stored = contents(die.out() / "results.h5");
+
+  const auto other = die.folder() / "other" / "maps";
+  const Outcome outcome =
+      run_program({"map", die.out().string(), "--normal", "z", "--origin", "-3 mm", "0 mm", "-3 mm",
+                   "--averaging-width", "0.8 mm", "--out", other.string()});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_EQ(SmallDie::files_in(other),
+            (std::vector<std::string>{"density_map.png", "section.png", "snapshot.png"}));
+  EXPECT_NE(outcome.out.find((other / "section.png").string() + "\n"), std::string::npos) << outcome.out;
+  EXPECT_FALSE(contents(other / "section.png") == section);
+  EXPECT_TRUE(contents(die.out() / "results.h5") == stored);
+
+  for (const std::string width : {"0 mm", "-1 mm", "1", "1 s", "wide"}) {
+    const Outcome wrong = run_program({"map", die.out().string(), "--averaging-width=" + width});
+    EXPECT_EQ(wrong.exit_code, 2) << width;
+    EXPECT_EQ(wrong.complaints(), 1U) << wrong.err;
+    EXPECT_NE(wrong.err.find("--averaging-width"), std::string::npos) << wrong.err;
+  }
+}
+
+}  // namespace
+}  // namespace diefill::app

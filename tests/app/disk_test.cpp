@@ -1,0 +1,64 @@
+// What a full disk and a bad directory do to a run.
+#include <gtest/gtest.h>
+
+#include "tests/app/small_die.h"
+
+namespace diefill::app {
+namespace {
+
+TEST(FullDisk, LeavesEarlierResultsAndLetsTheRunBeFinishedLater) {
+  constexpr std::size_t kRoom = 150000;  // bytes: enough for a checkpoint, not for the results
+  const SmallDie die;
+  die.exchange("velocity = \"0.1 m/s\"", "velocity = \"0.2 m/s\"");
+  ASSERT_EQ(die.run({"--quiet"}).exit_code, 0);
+  const std::string state_before = die.report().at("state_hash");
+  const auto files = SmallDie::files_in(die.out());
+  std::vector<std::string> before;
+  for (const auto& file : files) before.push_back(contents(die.out() / file));
+
+  die.exchange("seed = 1", "seed = 2");
+  ASSERT_GT(std::filesystem::file_size(die.out() / "results.h5"), kRoom);
+  const Outcome outcome = run_program(die.run_arguments({"--quiet"}), {die.folder(), kRoom});
+  EXPECT_EQ(outcome.exit_code, 1);
+  EXPECT_EQ(outcome.complaints(), 1U) << outcome.err;
+  EXPECT_NE(outcome.err.find("cannot write " + (die.out() / "results.h5").string()), std::string::npos)
+      << outcome.err;
+  for (std::size_t k = 0; k < files.size(); ++k)
+    EXPECT_TRUE(contents(die.out() / files[k]) == before[k]) << files[k];
+  EXPECT_EQ(run_program({"info", die.out().string()}).exit_code, 0);
+  // Only the checkpoint is new, and nothing is left half written.
+  std::filesystem::rename(die.out() / "checkpoint.bin", die.folder() / "checkpoint.bin");
+  EXPECT_EQ(SmallDie::files_in(die.out()), files);
+
+  // With room again the run is finished from there, and another seed has given another packing.
+  std::filesystem::rename(die.folder() / "checkpoint.bin", die.out() / "checkpoint.bin");
+  const Outcome resumed = die.run({"--resume"});
+  EXPECT_EQ(resumed.exit_code, 0) << resumed.err;
+  EXPECT_NE(die.report().at("state_hash"), state_before);
+}
+
+// Where not even a checkpoint can be written the run says so and goes on.
+TEST(FullDisk, WithoutRoomForACheckpointWarns) {
+  const SmallDie die;
+  die.exchange("kind = \"passage\"\ntool = \"shoe\"\ndirection = \"-x\"\nvelocity = \"0.1 m/s\"",
+               "kind = \"wait\"\nduration = \"1 ms\"");
+  const Outcome outcome = run_program(die.run_arguments(), {die.folder(), 10000});
+  EXPECT_EQ(outcome.exit_code, 1);
+  EXPECT_NE(outcome.err.find("warning: no checkpoint written"), std::string::npos) << outcome.err;
+  EXPECT_NE(outcome.err.find("diefill: cannot write "), std::string::npos) << outcome.err;
+  EXPECT_EQ(SmallDie::files_in(die.out()), std::vector<std::string>{});
+}
+
+TEST(OutputDirectory, ThatCannotBeMadeStopsTheRunAtOnce) {
+  const SmallDie die;
+  const auto below_a_file = die.folder() / "scene.toml" / "out";
+  const Outcome outcome = run_program({"run", die.scene().string(), "--out", below_a_file.string()});
+  EXPECT_EQ(outcome.exit_code, 1);
+  EXPECT_EQ(outcome.complaints(), 1U) << outcome.err;
+  EXPECT_NE(outcome.err.find("cannot write into " + below_a_file.string()), std::string::npos) << outcome.err;
+  EXPECT_NE(outcome.err.find("--out"), std::string::npos) << outcome.err;
+  EXPECT_EQ(outcome.err.find("t = "), std::string::npos) << "it has simulated";
+}
+
+}  // namespace
+}  // namespace diefill::app

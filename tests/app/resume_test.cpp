@@ -1,0 +1,119 @@
+// Runs that are stopped or killed: what was reached is kept, and the end is the same.
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <csignal>
+#include <functional>
+#include <thread>
+
+#include "tests/app/small_die.h"
+
+namespace diefill::app {
+namespace {
+
+void pause_for(int milliseconds) {
+  std::this_thread::sleep_for(std::chrono::milliseconds(milliseconds));
+}
+
+/// Waits until `happened` or the program has ended; true if it happened first.
+bool wait_until(Program& program, const std::function<bool()>& happened) {
+  while (program.running()) {
+    if (happened()) return true;
+    pause_for(5);
+  }
+  return false;
+}
+
+std::filesystem::path checkpoint(const SmallDie& die) {
+  return die.out() / "checkpoint.bin";
+}
+
+/// The run's checkpoint, or nothing; it may vanish at any time.
+std::string checkpoint_now(const SmallDie& die) {
+  try {
+    return contents(checkpoint(die));
+  } catch (const std::runtime_error&) {
+    return {};
+  }
+}
+
+void expect_same_end(const nlohmann::json& unbroken, const nlohmann::json& broken) {
+  for (const char* key :
+       {"state_hash", "filled_mass_kg", "steps", "simulated_s", "grains_left", "solid_fraction"})
+    EXPECT_EQ(unbroken.at(key), broken.at(key)) << key;
+}
+
+/// Sends Ctrl-C as soon as the run has begun, that is, while the powder is still falling.
+Outcome interrupted_while_falling(const SmallDie& die) {
+  Program program(die.run_arguments());
+  EXPECT_TRUE(wait_until(program, [&] { return std::filesystem::exists(die.out()); }));
+  pause_for(50);
+  program.send(SIGINT);
+  return program.wait();
+}
+
+TEST(Resume, EndsAsTheUnbrokenRunAfterStopsAndKills) {
+  const SmallDie die, other;
+  // No checkpoint yet: it starts from the beginning, and says so.
+  const Outcome unbroken = other.run({"--resume"});
+  ASSERT_EQ(unbroken.exit_code, 0) << unbroken.err;
+  EXPECT_NE(unbroken.err.find("no checkpoint in " + other.out().string() + ": starting from the beginning"),
+            std::string::npos)
+      << unbroken.err;
+
+  const Outcome stopped = interrupted_while_falling(die);
+  EXPECT_EQ(stopped.exit_code, 130) << stopped.err;
+  EXPECT_NE(stopped.err.find("diefill: stopped at t = 0."), std::string::npos) << stopped.err;
+  EXPECT_NE(stopped.err.find("the same command with --resume goes on"), std::string::npos);
+  EXPECT_EQ(SmallDie::files_in(die.out()), std::vector<std::string>{"checkpoint.bin"});
+
+  for (const int milliseconds : {0, 80, 300}) {  // killed right after a checkpoint was written, and later
+    const std::string before = checkpoint_now(die);
+    Program program(die.run_arguments({"--resume"}));
+    wait_until(program, [&] { return checkpoint_now(die) != before; });
+    pause_for(milliseconds);
+    program.send(SIGKILL);
+    program.wait();
+  }
+  const Outcome last = die.run({"--resume"});
+  ASSERT_EQ(last.exit_code, 0) << last.err;
+  expect_same_end(other.report(), die.report());
+  EXPECT_FALSE(std::filesystem::exists(checkpoint(die)));
+}
+
+TEST(Resume, RefusesADamagedOrForeignCheckpoint) {
+  const SmallDie die;
+  ASSERT_EQ(interrupted_while_falling(die).exit_code, 130);
+  const std::string good = contents(checkpoint(die));
+  const auto refusal = [&](const std::string& bytes) {
+    die.write("out/checkpoint.bin", bytes);
+    const Outcome outcome = die.run({"--resume"});
+    EXPECT_EQ(outcome.exit_code, 2);
+    EXPECT_EQ(outcome.complaints(), 1U) << outcome.err;
+    EXPECT_NE(outcome.err.find("checkpoint.bin"), std::string::npos) << outcome.err;
+    EXPECT_NE(outcome.err.find("without --resume"), std::string::npos) << outcome.err;
+    EXPECT_EQ(contents(checkpoint(die)), bytes);
+    return outcome.err;
+  };
+  std::string flipped = good;
+  flipped[good.size() / 2] = static_cast<char>(flipped[good.size() / 2] ^ 4);
+  EXPECT_NE(refusal(flipped).find("damaged"), std::string::npos);
+  EXPECT_NE(refusal(good.substr(0, good.size() - 1)).find("damaged"), std::string::npos);
+  EXPECT_NE(refusal("not a checkpoint at all").find("no checkpoint"), std::string::npos);
+  refusal("");
+  die.exchange("seed = 1", "seed = 2");
+  EXPECT_NE(refusal(good).find("belongs to another scene"), std::string::npos);
+}
+
+TEST(Resume, RefusesACheckpointOfOtherCadFiles) {
+  const SmallDie die;
+  ASSERT_EQ(interrupted_while_falling(die).exit_code, 130);
+  die.write("die.stl", cad::binary_stl(cad::block_with_pocket(cad::rectangle(-15, 6, -3.5, 3.5),
+                                                              cad::rectangle(-5, -1, -2, 2), -5, -3.9, 0)));
+  const Outcome outcome = die.run({"--resume"});
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_NE(outcome.err.find("other CAD files"), std::string::npos) << outcome.err;
+}
+
+}  // namespace
+}  // namespace diefill::app
