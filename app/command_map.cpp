@@ -17,7 +17,13 @@ struct MapArguments {
   std::vector<std::string> origin;
 };
 
-double length(const std::string& text) { return process::parse_quantity(text, process::Dimension::length); }
+double length(const char* option, const std::string& text) {
+  try {
+    return process::parse_quantity(text, process::Dimension::length);
+  } catch (const process::UnitError& error) {
+    throw process::SceneError(std::string(option) + ": found \"" + text + "\": " + error.what());
+  }
+}
 
 Eigen::Vector3d normal_of(const std::string& name) {
   if (name == "x") return Eigen::Vector3d::UnitX();
@@ -29,14 +35,14 @@ int map(const MapArguments& arguments) {
   auto result = results::read_results(arguments.directory);
   process::FieldRequest request;
   if (!arguments.averaging_width.empty()) {
-    request.averaging_width = length(arguments.averaging_width);
+    request.averaging_width = length("--averaging-width", arguments.averaging_width);
     if (!(request.averaging_width > 0))
       throw process::SceneError("--averaging-width: found \"" + arguments.averaging_width + "\"; it must be positive");
   }
   if (!arguments.origin.empty() || !arguments.normal.empty()) {
     Eigen::Vector3d origin = result.cavity.axis_origin;
     for (std::size_t axis = 0; axis < arguments.origin.size(); ++axis)
-      origin[static_cast<Eigen::Index>(axis)] = length(arguments.origin[axis]);
+      origin[static_cast<Eigen::Index>(axis)] = length("--origin", arguments.origin[axis]);
     request.sections.push_back(process::section_plane("section", origin, normal_of(arguments.normal)));
   }
   const int bins = result.profiles.empty() ? 36 : static_cast<int>(result.profiles.front().x.size());
