@@ -48,7 +48,6 @@ Eigen::Vector3d contact_force(const Law& law, const Touch& touch, const Eigen::V
     tally.tangential_work += tangential.dot(sliding) * time_step;
     force += tangential;
   }
-  tally.deepest_overlap = std::max(tally.deepest_overlap, touch.overlap);
   ++tally.touching;
   return force;
 }

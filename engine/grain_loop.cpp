@@ -5,7 +5,8 @@
 namespace diefill::engine {
 
 void BlockTally::start(std::size_t bodies) {
-  viscous_work = tangential_work = drag_work = rolling_work = deepest_overlap = 0;
+  viscous_work = tangential_work = drag_work = rolling_work = 0;
+  overlap = {};
   touching = 0;
   body_force.assign(bodies, Eigen::Vector3d::Zero());
   body_torque.assign(bodies, Eigen::Vector3d::Zero());
@@ -81,6 +82,7 @@ class GrainLoop final : public PairLoop {
     const Touch touch{between / distance, 2 * radius - distance};
     ContactSum& partners = block.sums[partner.slot];
     table.touching[p] = 1;
+    tally.overlap.grains = std::max(tally.overlap.grains, touch.overlap);
 
     double load = 0;
     if constexpr (kArm == LeverArm::none) {

@@ -37,30 +37,49 @@ void Health::check_numbers(const Simulation& simulation) const {
 
 void Health::check_overlap(const Simulation& simulation) {
   const double radius = simulation.settings().shape.sphere_radius;
-  const double ratio = simulation.deepest_overlap() / radius;
-  if (ratio > limits_.forbidden_overlap)
+  const double grains = simulation.overlaps_of_run().grains / radius;
+  const double walls = simulation.overlaps_of_run().walls / radius;
+  if (grains > limits_.forbidden_overlap)
     throw OutOfRange(
-        line("two spheres overlap by %.2f of their radius at t = %.6g s (limit %.2f): grains are too soft "
+        line("two spheres overlap by %.2f of their radius by t = %.6g s (limit %.2f): grains are too soft "
              "for this speed or load; raise reduced_modulus or take a shorter time step (now %.3g s)",
-             ratio, simulation.time(), limits_.forbidden_overlap, simulation.settings().time_step));
-  if (ratio > limits_.comfortable_overlap && !warned_of_overlap_) {
+             grains, simulation.time(), limits_.forbidden_overlap, simulation.settings().time_step));
+  if (walls > limits_.forbidden_wall_overlap)
+    throw OutOfRange(
+        line("a sphere is pressed into a wall by %.2f of its radius by t = %.6g s (limit %.2f), as when a "
+             "tool pinches a grain: slow the tool down, raise reduced_modulus or take a shorter time step "
+             "(now %.3g s)",
+             walls, simulation.time(), limits_.forbidden_wall_overlap, simulation.settings().time_step));
+  warn_of_overlap(grains, walls, simulation.time());
+}
+
+void Health::warn_of_overlap(double grains, double walls, double time) {
+  if (grains > limits_.comfortable_overlap && !warned_of_overlap_) {
     warned_of_overlap_ = true;
     warnings_.push_back(
-        line("overlap reached %.2f of the sphere radius at t = %.6g s; up to %.2f is comfortable", ratio,
-             simulation.time(), limits_.comfortable_overlap));
+        line("overlap among grains reached %.2f of the sphere radius by t = %.6g s; up to %.2f is "
+             "comfortable",
+             grains, time, limits_.comfortable_overlap));
+  }
+  if (walls > limits_.forbidden_overlap && !warned_of_pinch_) {
+    warned_of_pinch_ = true;
+    warnings_.push_back(
+        line("a tool pinched a grain by t = %.6g s: overlap with a wall reached %.2f of the sphere "
+             "radius",
+             time, walls));
   }
 }
 
 void Health::check_time_step(const Simulation& simulation) const {
   const auto& settings = simulation.settings();
-  if (simulation.deepest_overlap() <= 0) return;
+  if (simulation.overlaps().grains <= 0) return;
   const double critical =
-      critical_time_step_at_overlap(settings.shape, settings.grain_contact, simulation.deepest_overlap());
+      critical_time_step_at_overlap(settings.shape, settings.grain_contact, simulation.overlaps().grains);
   if (settings.time_step > critical)
     throw OutOfRange(
         line("the time step of %.3g s is above the critical one of %.3g s for the overlap of %.3g m "
              "reached at t = %.6g s; take a shorter step",
-             settings.time_step, critical, simulation.deepest_overlap(), simulation.time()));
+             settings.time_step, critical, simulation.overlaps().grains, simulation.time()));
 }
 
 void Health::check_energy(const Simulation& simulation) const {

@@ -13,8 +13,11 @@ namespace diefill::engine {
 /// Limits of the method. Between comfortable and forbidden a run goes on with a warning in its report.
 struct HealthLimits {
   double comfortable_overlap = 0.2;  ///< over the sphere radius: Hertz' law is a small-overlap law
-  double forbidden_overlap = 0.6;    ///< over the sphere radius
-  double energy_error = 0.05;        ///< of the energy turned over, gained without any work that explains it
+  double forbidden_overlap = 0.6;    ///< over the sphere radius, among grains
+  /// Over the sphere radius, with walls: a moving tool may pinch a grain, which then must not be pushed
+  /// through. At 1 the sphere's centre has reached the tool's surface.
+  double forbidden_wall_overlap = 1.0;
+  double energy_error = 0.05;  ///< of the energy turned over, gained without any work that explains it
 };
 
 /// Watches one run.
@@ -30,11 +33,12 @@ class Health {
  private:
   void check_numbers(const Simulation& simulation) const;
   void check_overlap(const Simulation& simulation);
+  void warn_of_overlap(double grains, double walls, double time);
   void check_time_step(const Simulation& simulation) const;
   void check_energy(const Simulation& simulation) const;
 
   HealthLimits limits_;
-  bool warned_of_overlap_ = false;
+  bool warned_of_overlap_ = false, warned_of_pinch_ = false;
   std::vector<std::string> warnings_;
 };
 

@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "engine/contact_parameters.h"
+#include "engine/deepest_overlap.h"
 #include "engine/neighbour_list.h"
 
 namespace diefill::engine {
@@ -15,7 +16,7 @@ struct BlockTally {
   double tangential_work = 0;               ///< J, done by tangential forces
   double drag_work = 0;                     ///< J, done by air (negative)
   double rolling_work = 0;                  ///< J, done by rolling friction (negative)
-  double deepest_overlap = 0;               ///< m
+  DeepestOverlap overlap;                   ///< m
   double displacement = 0;                  ///< m, largest of the block's grains since contacts were searched
   std::uint64_t touching = 0;               ///< pairs
   std::vector<Eigen::Vector3d> body_force;  ///< N on each wall body

@@ -262,7 +262,7 @@ void Simulation::finish_grain(std::size_t k, const ContactSum& contacts, BlockTa
 
 void Simulation::book_step() {
   touching_ = 0;
-  deepest_now_ = 0;
+  overlap_now_ = {};
   for (auto& load : wall_loads_) load = {};
   for (const auto& tally : tallies_) {
     ledger_.viscous_work += tally.viscous_work;
@@ -270,13 +270,13 @@ void Simulation::book_step() {
     ledger_.drag_work += tally.drag_work;
     ledger_.rolling_work += tally.rolling_work;
     touching_ += tally.touching;
-    deepest_now_ = std::max(deepest_now_, tally.deepest_overlap);
+    overlap_now_.include(tally.overlap);
     for (std::size_t b = 0; b < bodies_.size(); ++b) {
       wall_loads_[b].force += tally.body_force[b];
       wall_loads_[b].torque += tally.body_torque[b];
     }
   }
-  deepest_ever_ = std::max(deepest_ever_, deepest_now_);
+  overlap_ever_.include(overlap_now_);
   for (std::size_t b = 0; b < bodies_.size(); ++b)
     ledger_.wall_work -= (wall_loads_[b].force.dot(body_motion_[b].velocity) +
                           wall_loads_[b].torque.dot(body_motion_[b].angular_velocity)) *

@@ -17,7 +17,7 @@ struct SimulationSettings {
   GrainShape shape;
   ContactParameters grain_contact, wall_contact;
   LeverArm lever_arm =
-      LeverArm::center;  ///< ignored for single spheres: none or surface, after GrainShape::rotates
+      LeverArm::contact;  ///< ignored for single spheres: none or surface, after GrainShape::rotates
   SpringLimit spring_limit = SpringLimit::cut_back;
   Eigen::Vector3d gravity = {0, 0, -9.81};  ///< m/s^2
   double air_viscosity = 0;                 ///< Pa s, Stokes drag on every sphere (Bierwisch 2009, Eq. 2.9)
@@ -75,8 +75,11 @@ class Simulation {
   /// Pairs that touched in the last step.
   std::uint64_t touching_pairs() const { return touching_; }
   /// m, deepest overlap of the last step and of the whole run.
-  double deepest_overlap() const { return deepest_now_; }
-  double deepest_overlap_of_run() const { return deepest_ever_; }
+  double deepest_overlap() const { return overlap_now_.any(); }
+  double deepest_overlap_of_run() const { return overlap_ever_.any(); }
+  /// The same, among grains and with walls.
+  const DeepestOverlap& overlaps() const { return overlap_now_; }
+  const DeepestOverlap& overlaps_of_run() const { return overlap_ever_; }
   /// Angular velocity (rad/s) of grain k in the laboratory frame.
   Eigen::Vector3d angular_velocity(std::size_t k) const;
   /// Sphere centres (m) of the last contact computation, grain after grain, images last.
@@ -136,7 +139,8 @@ class Simulation {
   std::vector<double> clearance_;  ///< m a body, how far it stood from the powder when contacts were searched
 
   std::uint64_t step_ = 0, next_id_ = 0, searches_ = 0, touching_ = 0;
-  double time_ = 0, deepest_now_ = 0, deepest_ever_ = 0;
+  double time_ = 0;
+  DeepestOverlap overlap_now_, overlap_ever_;
   Ledger ledger_;
   PhaseTimers timers_;
 };

@@ -196,7 +196,7 @@ Snapshot Simulation::snapshot() const {
   copy.wall_springs = memory_of(list_.blocks(), &Block::wall_pairs);
   copy.ledger = ledger_;
   copy.next_id = next_id_;
-  copy.deepest_overlap = deepest_ever_;
+  copy.overlap = overlap_ever_;
   return copy;
 }
 
@@ -205,7 +205,7 @@ void Simulation::restore(const Snapshot& snapshot) {
   time_ = snapshot.time;
   ledger_ = snapshot.ledger;
   next_id_ = snapshot.next_id;
-  deepest_ever_ = snapshot.deepest_overlap;
+  overlap_ever_ = snapshot.overlap;
   grains_ = snapshot.grains;
   reference_ = snapshot.reference;
   motion_.assign(grains_.size(), {});

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "engine/deepest_overlap.h"
 #include "engine/grains.h"
 #include "engine/ledger.h"
 #include "engine/neighbour_list.h"
@@ -24,7 +25,7 @@ struct Snapshot {
   std::vector<PairMemory> grain_springs, wall_springs;
   Ledger ledger;
   std::uint64_t next_id = 0;
-  double deepest_overlap = 0;  ///< m, over the whole run
+  DeepestOverlap overlap;  ///< m, over the whole run
 };
 
 /// 64-bit FNV-1a hash of the powder's state, grain by grain in the order of their ids: equal exactly if step

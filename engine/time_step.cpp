@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace diefill::engine {
 
@@ -32,6 +33,18 @@ double critical_time_step(const GrainShape& shape, const ContactParameters& cont
   const double stiffness = contact.reduced_modulus * std::sqrt(0.5 * shape.sphere_radius * 0.1 * overlap);
   const double packed = 2 * std::sqrt(shape.mass / mobility(shape) / (2 * kContactsPerGrain * stiffness));
   return std::min(impact, packed);
+}
+
+double pinch_time_step(const GrainShape& shape, const ContactParameters& contact, double wall_radius,
+                       double wall_spacing, double overlap) {
+  const double radius = shape.sphere_radius;
+  const double met = 2 * std::numbers::pi * overlap * (radius + wall_radius) / (wall_spacing * wall_spacing);
+  const double contacts = 2 * (met > 1 ? std::max(1.0, 0.5 * met) : 1.0);
+  const double mass = shape.mass / mobility(shape);
+  const double root = std::sqrt(effective_radius(radius, wall_radius) * overlap);
+  const double oscillator = 2 * std::sqrt(mass / (contacts * contact.reduced_modulus * root));
+  if (contact.damping == 0) return oscillator;
+  return std::min(oscillator, 2 * mass / (contacts * contact.damping * root));
 }
 
 }  // namespace diefill::engine

@@ -29,7 +29,15 @@ double impact_overlap(const GrainShape& shape, const ContactParameters& contact,
 /// lightened by mobility().
 double critical_time_step(const GrainShape& shape, const ContactParameters& contact, double impact_speed);
 
-/// The same at a given overlap (m): what a run checks itself against.
+/// Critical time step (s) of a sphere pinched between two tools, as under the edge of a shoe: at `overlap`
+/// (m) it meets several wall spheres of radius `wall_radius` and distance `wall_spacing` (m) on either side
+/// at once, about pi 2 h (R + R_w) / s^2 (spheres whose overlap with a plane of them is positive) with half
+/// the overlap on average, and their stiffness and damping add up. Coarse grains on fine wall spheres have
+/// less room than the laws of one contact say.
+double pinch_time_step(const GrainShape& shape, const ContactParameters& contact, double wall_radius,
+                       double wall_spacing, double overlap);
+
+/// The same as critical_time_step() at a given overlap (m): what a run checks itself against.
 double critical_time_step_at_overlap(const GrainShape& shape, const ContactParameters& contact,
                                      double overlap);
 

@@ -76,6 +76,7 @@ class WallLoop final : public PairLoop {
     const Eigen::Vector3d wall_velocity = body.velocity_at(contact_point);
     ContactSum& sum = block.sums[i / per_grain - block.begin];
     table.touching[p] = 1;
+    tally.overlap.walls = std::max(tally.overlap.walls, touch.overlap);
 
     double load = 0;
     Eigen::Vector3d force;

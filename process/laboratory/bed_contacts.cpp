@@ -24,7 +24,8 @@ void visit_contacts(const engine::Simulation& simulation, const Visit& visit) {
         if (!table.touching[p]) continue;
         const std::size_t i = block.begin * per_grain + s;
         const std::size_t j = table.partner[p].sphere, grain = table.partner[p].grain;
-        const std::size_t owner = grain < spheres.grains ? grain : spheres.images[grain - spheres.grains].owner;
+        const std::size_t owner =
+            grain < spheres.grains ? grain : spheres.images[grain - spheres.grains].owner;
         const double overlap = reach - (spheres.position[i] - spheres.position[j]).norm();
         if (overlap > 0) visit(i / per_grain, owner, overlap);
       }
@@ -54,7 +55,9 @@ void contact_figures(const engine::Simulation& simulation, double grain_diameter
   // Frequency in equal steps of h, as in the thesis' figure: the bins' widths grow with h.
   std::size_t peak = 0;
   for (std::size_t b = 1; b < kBins; ++b)
-    if (histogram[b] / figures.overlap[b] > histogram[peak] / figures.overlap[peak] && histogram[b] > 0.005 * contacts) peak = b;
+    if (histogram[b] / figures.overlap[b] > histogram[peak] / figures.overlap[peak] &&
+        histogram[b] > 0.005 * contacts)
+      peak = b;
   figures.overlap_peak = figures.overlap[peak];
 
   const auto& grains = simulation.grains();

@@ -5,9 +5,9 @@
 
 namespace diefill::process::laboratory {
 
-/// Fills in the histogram of overlaps h / d over sphere contacts between grains (20 logarithmic bins a decade), its peak and mean,
-/// and the mean coordination number (distinct touching grains; the ground does not count) of grains at least 2 d from top and
-/// bottom.
+/// Fills in the histogram of overlaps h / d over sphere contacts between grains (20 logarithmic bins a
+/// decade), its peak and mean, and the mean coordination number (distinct touching grains; the ground does
+/// not count) of grains at least 2 d from top and bottom.
 void contact_figures(const engine::Simulation& simulation, double grain_diameter, BedFigures& figures);
 
 }  // namespace diefill::process::laboratory

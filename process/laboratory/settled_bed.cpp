@@ -22,6 +22,7 @@ Scene scene_of(const BedSpec& spec, const engine::GrainShape& shape) {
   scene.powder = spec.powder;
   scene.numerics.time_step_fraction = spec.time_step_fraction;
   scene.numerics.lever_arm = spec.lever_arm;
+  scene.numerics.tangential_spring = spec.spring;
   scene.numerics.period = {spec.width, spec.depth};
   scene.pour.lower = {-0.5 * spec.width, -0.5 * spec.depth, 0};
   scene.pour.upper = {0.5 * spec.width, 0.5 * spec.depth, spec.fill_height};
@@ -46,6 +47,14 @@ engine::WallBodySpec ground(const BedSpec& spec, double margin) {
   for (int i = -nx; i <= nx; ++i)
     for (int j = -ny; j <= ny; ++j) body.centres.emplace_back(i * dx, j * dy, z);
   return body;
+}
+
+/// No tool in the way, and ground wherever powder falls.
+Tooling endless_ground(const Scene& scene) {
+  Tooling tooling;
+  tooling.standing.include(scene.pour.lower - Eigen::Vector3d::Ones());
+  tooling.standing.include(scene.pour.upper + Eigen::Vector3d::Ones());
+  return tooling;
 }
 
 results::PowderState powder_state(const engine::Simulation& simulation, double grain_diameter) {
@@ -74,7 +83,8 @@ results::ToolState ground_state(const engine::WallBodySpec& body) {
 }
 
 /// Averages the grains' fractions in layers of d / 10 with Eq. 2.27 along z, sigma = d / 8.
-void layer_profile(const results::PowderState& powder, const results::GrainSolidFraction& fraction, BedFigures& figures) {
+void layer_profile(const results::PowderState& powder, const results::GrainSolidFraction& fraction,
+                   BedFigures& figures) {
   const double d = powder.grain_diameter, sigma = d / 8, step = d / 10;
   double top = 0;
   for (const auto& position : powder.position) top = std::max(top, position[2]);
@@ -104,10 +114,11 @@ void ground_figures(BedFigures& figures) {
   }
 }
 
-void fraction_figures(const BedSpec& spec, const engine::Simulation& simulation, const engine::WallBodySpec& body,
-                      BedFigures& figures) {
+void fraction_figures(const BedSpec& spec, const engine::Simulation& simulation,
+                      const engine::WallBodySpec& body, BedFigures& figures) {
   const auto powder = powder_state(simulation, spec.powder.grain_diameter);
-  const auto fraction = measure_solid_fraction(powder, {ground_state(body)}, {}, simulation.settings().period);
+  const auto fraction =
+      measure_solid_fraction(powder, {ground_state(body)}, {}, simulation.settings().period);
   figures.bulk_fraction = bulk_solid_fraction(powder, fraction);
   double top = 0, sum = 0, count = 0;
   for (const auto& position : powder.position) top = std::max(top, position[2]);
@@ -133,7 +144,7 @@ BedFigures settle_bed(const BedSpec& spec) {
   settings.threads = spec.threads;
   const auto body = ground(spec, 2 * d);
   engine::Simulation simulation(settings, {body});
-  simulation.add_grains(pour(scene, shape, Tooling{}));
+  simulation.add_grains(pour(scene, shape, endless_ground(scene)));
 
   RestWatch rest;
   engine::Health health;

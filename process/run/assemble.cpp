@@ -27,7 +27,8 @@ results::PowderState powder_state(const Scene& scene, const engine::Simulation& 
   powder.position = grains.position;
   powder.orientation = grains.orientation;
   powder.velocity = grains.velocity;
-  for (std::size_t k = 0; k < grains.size(); ++k) powder.angular_velocity.push_back(simulation.angular_velocity(k));
+  for (std::size_t k = 0; k < grains.size(); ++k)
+    powder.angular_velocity.push_back(simulation.angular_velocity(k));
   return powder;
 }
 
@@ -94,7 +95,8 @@ void add_figures(results::FillResult& result, const Tooling& tooling, const Fill
   figures["sphere_steps_per_second"] = static_cast<double>(run.sphere_steps()) / run.wall_seconds();
   figures["threads"] = settings.threads;
   figures["energy_balance_error"] = simulation.energy_balance_error();
-  figures["deepest_overlap_ratio"] = simulation.deepest_overlap_of_run() / settings.shape.sphere_radius;
+  figures["deepest_overlap_ratio"] = simulation.overlaps_of_run().grains / settings.shape.sphere_radius;
+  figures["deepest_wall_overlap_ratio"] = simulation.overlaps_of_run().walls / settings.shape.sphere_radius;
   figures["grains_left"] = static_cast<double>(run.grains_left());
   figures["mass_left_kg"] = static_cast<double>(run.grains_left()) * settings.shape.mass;
   figures["grain_diameter_m"] = result.powder.grain_diameter;
@@ -103,7 +105,8 @@ void add_figures(results::FillResult& result, const Tooling& tooling, const Fill
     figures["cavity_volume_m3"] = result.cavity.volume;
     figures["cavity_narrowest_width_m"] = result.cavity.narrowest_width;
     if (result.cavity.narrowest_width > 0)
-      figures["grain_diameter_over_cavity_width"] = result.powder.grain_diameter / result.cavity.narrowest_width;
+      figures["grain_diameter_over_cavity_width"] =
+          result.powder.grain_diameter / result.cavity.narrowest_width;
   }
   for (std::size_t phase = 0; phase < engine::kPhaseNames.size(); ++phase)
     result.phase_seconds[engine::kPhaseNames[phase]] = simulation.timers().seconds()[phase];
@@ -122,8 +125,8 @@ std::string hexadecimal(std::uint64_t value) {
   return text;
 }
 
-/// The plane that shows most when nobody asked for one: upright, through the middle of the cavity or of the powder, along
-/// the shoe's motion.
+/// The plane that shows most when nobody asked for one: upright, through the middle of the cavity or of the
+/// powder, along the shoe's motion.
 results::SectionPlane default_section(const results::FillResult& result) {
   Eigen::Vector3d origin = result.cavity.axis_origin;
   if (result.cavity.volume <= 0) {
@@ -138,9 +141,12 @@ results::SectionPlane default_section(const results::FillResult& result) {
 
 }  // namespace
 
-std::string program_version() { return DIEFILL_VERSION; }
+std::string program_version() {
+  return DIEFILL_VERSION;
+}
 
-results::SectionPlane section_plane(const std::string& name, const Eigen::Vector3d& origin, const Eigen::Vector3d& normal) {
+results::SectionPlane section_plane(const std::string& name, const Eigen::Vector3d& origin,
+                                    const Eigen::Vector3d& normal) {
   results::SectionPlane plane;
   plane.name = name;
   plane.origin = origin;
@@ -150,15 +156,17 @@ results::SectionPlane section_plane(const std::string& name, const Eigen::Vector
   plane.first_axis = horizontal ? Eigen::Vector3d(Eigen::Vector3d::UnitX())
                                 : Eigen::Vector3d(-Eigen::Vector3d::UnitZ().cross(plane.normal).normalized());
   if (!horizontal && plane.first_axis.sum() < 0) plane.first_axis *= -1;
-  plane.second_axis = horizontal ? Eigen::Vector3d(Eigen::Vector3d::UnitY())
-                                 : Eigen::Vector3d((Eigen::Vector3d::UnitZ() - plane.normal[2] * plane.normal).normalized());
+  plane.second_axis =
+      horizontal ? Eigen::Vector3d(Eigen::Vector3d::UnitY())
+                 : Eigen::Vector3d((Eigen::Vector3d::UnitZ() - plane.normal[2] * plane.normal).normalized());
   return plane;
 }
 
 void measure_fields(results::FillResult& result, const FieldRequest& request, int azimuth_bins) {
   constexpr double kDefaultWidth = 5e-4;  // m, Bierwisch 2009, Figs. 3.6, 4.12
-  const double width = request.averaging_width > 0 ? request.averaging_width
-                                                   : std::max(kDefaultWidth, 0.5 * result.powder.grain_diameter);
+  const double width = request.averaging_width > 0
+                           ? request.averaging_width
+                           : std::max(kDefaultWidth, 0.5 * result.powder.grain_diameter);
   result.maps.clear();
   result.sections.clear();
   result.profiles.clear();
@@ -169,7 +177,8 @@ void measure_fields(results::FillResult& result, const FieldRequest& request, in
   auto planes = request.sections;
   if (planes.empty()) planes.push_back(default_section(result));
   for (const auto& plane : planes)
-    result.sections.push_back(plane_section(result.powder, result.solid_fraction, result.tools, plane, width));
+    result.sections.push_back(
+        plane_section(result.powder, result.solid_fraction, result.tools, plane, width));
 }
 
 results::FillResult assemble(const Scene& scene, const Tooling& tooling, const FillRun& run) {
@@ -185,7 +194,8 @@ results::FillResult assemble(const Scene& scene, const Tooling& tooling, const F
   for (std::size_t k = 0; k < tooling.tools.size(); ++k)
     result.tools.push_back(tool_state(tooling.tools[k], run.simulation().body_motion(k)));
   result.cavity = cavity_state(scene, tooling);
-  result.solid_fraction = measure_solid_fraction(result.powder, result.tools, result.cavity, scene.numerics.period);
+  result.solid_fraction =
+      measure_solid_fraction(result.powder, result.tools, result.cavity, scene.numerics.period);
   result.summary = summarise(result.powder, result.solid_fraction, result.cavity);
   add_figures(result, tooling, run);
   result.warnings = run.warnings();

@@ -17,14 +17,16 @@ results::FillResult assemble(const Scene& scene, const Tooling& tooling, const F
 
 /// What to look at when fields are measured.
 struct FieldRequest {
-  double averaging_width = 0;                    ///< m, sigma of Eq. 2.27; 0: the larger of 0.5 mm and d/2
-  std::vector<results::SectionPlane> sections;   ///< empty: the plane through the cavity's axis along azimuth 0
+  double averaging_width = 0;  ///< m, sigma of Eq. 2.27; 0: the larger of 0.5 mm and d/2
+  std::vector<results::SectionPlane>
+      sections;  ///< empty: the plane through the cavity's axis along azimuth 0
 };
 
 /// Measures maps, sections and profiles of `result` anew from its powder and solid fractions.
 void measure_fields(results::FillResult& result, const FieldRequest& request, int azimuth_bins);
 
 /// A plane with horizontal and vertical (or two horizontal) in-plane axes for a normal of any direction.
-results::SectionPlane section_plane(const std::string& name, const Eigen::Vector3d& origin, const Eigen::Vector3d& normal);
+results::SectionPlane section_plane(const std::string& name, const Eigen::Vector3d& origin,
+                                    const Eigen::Vector3d& normal);
 
 }  // namespace diefill::process

@@ -96,12 +96,14 @@ void transfer(Io& io, Contents& checkpoint) {
   io(simulation.wall_springs);
   io(simulation.ledger);
   io(simulation.next_id);
-  io(simulation.deepest_overlap);
+  io(simulation.overlap);
 }
 
 }  // namespace
 
-std::filesystem::path checkpoint_file(const std::filesystem::path& directory) { return directory / "checkpoint.bin"; }
+std::filesystem::path checkpoint_file(const std::filesystem::path& directory) {
+  return directory / "checkpoint.bin";
+}
 
 void write_checkpoint(const std::filesystem::path& directory, const Checkpoint& checkpoint) {
   Writer contents;

@@ -1,4 +1,5 @@
-// Stops and goes on: a checkpoint file holds all that a run needs to continue bit for bit, and is written whole or not at all.
+// Stops and goes on: a checkpoint file holds all that a run needs to continue bit for bit, and is written
+// whole or not at all.
 #pragma once
 
 #include <cstdint>
@@ -23,10 +24,12 @@ struct Checkpoint {
 /// The file of a run's checkpoint in its results directory.
 std::filesystem::path checkpoint_file(const std::filesystem::path& directory);
 
-/// Writes the checkpoint. Throws results::ResultError when the disk is full; the one before then still stands.
+/// Writes the checkpoint. Throws results::ResultError when the disk is full; the one before then still
+/// stands.
 void write_checkpoint(const std::filesystem::path& directory, const Checkpoint& checkpoint);
 
-/// Reads it; nothing if there is none. Throws results::ResultError when the file is damaged or of another program version.
+/// Reads it; nothing if there is none. Throws results::ResultError when the file is damaged or of another
+/// program version.
 std::optional<Checkpoint> read_checkpoint(const std::filesystem::path& directory);
 
 }  // namespace diefill::process

@@ -20,9 +20,13 @@ constexpr std::uint64_t kScheduleEvery = 20, kSpillEvery = 100, kHealthEvery = 2
 /// s, guess for the time powder needs to come to rest; only for the progress bar.
 constexpr double kSettlingGuess = 0.25;
 
-double seconds_since(Clock::time_point then) { return std::chrono::duration<double>(Clock::now() - then).count(); }
+double seconds_since(Clock::time_point then) {
+  return std::chrono::duration<double>(Clock::now() - then).count();
+}
 
-engine::GrainShape shape_of(const Scene& scene) { return engine_settings(scene, 1.0).shape; }
+engine::GrainShape shape_of(const Scene& scene) {
+  return engine_settings(scene, 1.0).shape;
+}
 
 std::vector<engine::WallBodySpec> wall_bodies(const Tooling& tooling) {
   std::vector<engine::WallBodySpec> bodies;
@@ -61,8 +65,10 @@ FillRun::FillRun(const Scene& scene, const Tooling& tooling, const RunOptions& o
   simulation_ = std::make_unique<engine::Simulation>(settings, wall_bodies(tooling));
 
   domain_ = schedule_.swept();
-  domain_.lower = domain_.lower.cwiseMax(tooling.standing.lower - Eigen::Vector3d::Constant(2 * grain_diameter_));
-  domain_.upper = domain_.upper.cwiseMin(tooling.standing.upper + Eigen::Vector3d::Constant(2 * grain_diameter_));
+  domain_.lower =
+      domain_.lower.cwiseMax(tooling.standing.lower - Eigen::Vector3d::Constant(2 * grain_diameter_));
+  domain_.upper =
+      domain_.upper.cwiseMin(tooling.standing.upper + Eigen::Vector3d::Constant(2 * grain_diameter_));
   domain_.lower[2] = tooling.standing.lower[2] - 2 * grain_diameter_;
   domain_.upper[2] = 1e3;
   for (Eigen::Index axis = 0; axis < 2; ++axis)
@@ -74,7 +80,8 @@ FillRun::FillRun(const Scene& scene, const Tooling& tooling, const RunOptions& o
   if (tooling.cavity.found && width > 0 && grain_diameter_ > width / 3) {
     char text[240];
     std::snprintf(text, sizeof text,
-                  "grain diameter over cavity width is %.2f, beyond 1/3 (%.2f mm in %.2f mm): a quick look, too coarse for a "
+                  "grain diameter over cavity width is %.2f, beyond 1/3 (%.2f mm in %.2f mm): a quick look, "
+                  "too coarse for a "
                   "density map to decide from",
                   grain_diameter_ / width, 1e3 * grain_diameter_, 1e3 * width);
     warnings_.emplace_back(text);
@@ -93,8 +100,8 @@ void FillRun::start_or_resume() {
   }
   if (checkpoint->scene_hash != scene_hash())
     throw SceneError(checkpoint_file(options_.directory).string() +
-                     ": the checkpoint belongs to another scene or other CAD files than " + scene_.file.string() +
-                     "; run without --resume or name another directory");
+                     ": the checkpoint belongs to another scene or other CAD files than " +
+                     scene_.file.string() + "; run without --resume or name another directory");
   schedule_.begin(*simulation_, checkpoint->schedule);
   simulation_->restore(checkpoint->simulation);
   grains_left_ = checkpoint->grains_left;
@@ -133,13 +140,15 @@ void FillRun::duties() {
                              "); raise it, or see why the powder does not come to rest");
   if (options_.stop != nullptr && options_.stop->load()) {
     write_checkpoint();
-    throw Interrupted("stopped at t = " + std::to_string(simulation_->time()) + " s; the same command with --resume goes on");
+    throw Interrupted("stopped at t = " + std::to_string(simulation_->time()) +
+                      " s; the same command with --resume goes on");
   }
   if (stage_over || seconds_since(last_checkpoint_) > scene_.numerics.checkpoint_interval) write_checkpoint();
 }
 
 void FillRun::let_spilled_grains_go() {
-  grains_left_ += simulation_->remove_grains([this](const Eigen::Vector3d& position) { return !domain_.contains(position); });
+  grains_left_ += simulation_->remove_grains(
+      [this](const Eigen::Vector3d& position) { return !domain_.contains(position); });
 }
 
 void FillRun::look_for_lost_grains() const {
@@ -155,11 +164,12 @@ void FillRun::look_for_lost_grains() const {
       if (depth <= 0.5 * grain_diameter_) continue;
       char text[300];
       std::snprintf(text, sizeof text,
-                    "grain %llu is %.3g mm inside tool \"%s\" at (%.2f, %.2f, %.2f) mm, t = %.6g s: it went through the wall; "
+                    "grain %llu is %.3g mm inside tool \"%s\" at (%.2f, %.2f, %.2f) mm, t = %.6g s: it went "
+                    "through the wall; "
                     "lower the spacing of the wall spheres or the tool's speed",
-                    static_cast<unsigned long long>(grains.id[k]), 1e3 * depth, tooling_.tools[b].spec.name.c_str(),
-                    1e3 * grains.position[k][0], 1e3 * grains.position[k][1], 1e3 * grains.position[k][2],
-                    simulation_->time());
+                    static_cast<unsigned long long>(grains.id[k]), 1e3 * depth,
+                    tooling_.tools[b].spec.name.c_str(), 1e3 * grains.position[k][0],
+                    1e3 * grains.position[k][1], 1e3 * grains.position[k][2], simulation_->time());
       throw engine::OutOfRange(text);
     }
   }
@@ -177,19 +187,23 @@ void FillRun::write_checkpoint() {
   try {
     process::write_checkpoint(options_.directory, checkpoint);
   } catch (const results::ResultError& error) {
-    progress_.say(std::string("warning: no checkpoint written, the one before still stands: ") + error.what());
+    progress_.say(std::string("warning: no checkpoint written, the one before still stands: ") +
+                  error.what());
   }
 }
 
 void FillRun::show_progress() {
   const double now = simulation_->time(), left = schedule_.time_left(now, kSettlingGuess);
   char rate[96], doing[160];
-  std::snprintf(rate, sizeof rate, "%.2f million sphere-steps/s", 1e-6 * static_cast<double>(sphere_steps_) / wall_seconds());
+  std::snprintf(rate, sizeof rate, "%.2f million sphere-steps/s",
+                1e-6 * static_cast<double>(sphere_steps_) / wall_seconds());
   std::snprintf(doing, sizeof doing, "t = %.4f s, %s", now, schedule_.in_words().c_str());
   progress_.show(now / (now + left), doing, rate);
 }
 
-double FillRun::wall_seconds() const { return earlier_wall_seconds_ + seconds_since(started_); }
+double FillRun::wall_seconds() const {
+  return earlier_wall_seconds_ + seconds_since(started_);
+}
 
 std::vector<std::string> FillRun::warnings() const {
   std::vector<std::string> all = warnings_;

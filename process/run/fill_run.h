@@ -1,5 +1,5 @@
-// One filling from scene to rest: pours, steps the simulation through the schedule, lets spilled grains go, watches the method's
-// limits, keeps checkpoints.
+// One filling from scene to rest: pours, steps the simulation through the schedule, lets spilled grains go,
+// watches the method's limits, keeps checkpoints.
 #pragma once
 
 #include <atomic>
@@ -17,11 +17,12 @@ namespace diefill::process {
 
 /// How to run, as opposed to what.
 struct RunOptions {
-  std::filesystem::path directory;          ///< for checkpoints
+  std::filesystem::path directory;  ///< for checkpoints
   int threads = 2;
-  bool resume = false;                      ///< go on from the directory's checkpoint
+  bool resume = false;  ///< go on from the directory's checkpoint
   bool show_progress = true;
-  const std::atomic<bool>* stop = nullptr;  ///< set from a signal handler: stop at the next step with a checkpoint
+  const std::atomic<bool>* stop =
+      nullptr;  ///< set from a signal handler: stop at the next step with a checkpoint
 };
 
 /// The user stopped the run; a checkpoint has been written.
@@ -35,8 +36,8 @@ class FillRun {
   /// Throws SceneError for a scene that cannot be run, or a checkpoint that belongs to another scene.
   FillRun(const Scene& scene, const Tooling& tooling, const RunOptions& options);
 
-  /// Runs to the end. Throws engine::OutOfRange when the method's range is left (the last good checkpoint stands), Interrupted
-  /// when asked to stop.
+  /// Runs to the end. Throws engine::OutOfRange when the method's range is left (the last good checkpoint
+  /// stands), Interrupted when asked to stop.
   void run();
 
   const engine::Simulation& simulation() const { return *simulation_; }

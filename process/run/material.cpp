@@ -4,6 +4,7 @@
 #include <cstdio>
 
 #include "engine/coarse_graining/bierwisch.h"
+#include "engine/health.h"
 #include "engine/time_step.h"
 
 namespace diefill::process {
@@ -28,31 +29,55 @@ engine::coarse_graining::Material coarse_material(const Scene& scene) {
   const auto fine = reference_material(scene.powder);
   const double scale = coarse_graining_factor(scene.powder);
   switch (scene.coarse_graining) {
-    case CoarseGraining::bierwisch: return engine::coarse_graining::bierwisch(fine, scale);
+    case CoarseGraining::bierwisch:
+      return engine::coarse_graining::bierwisch(fine, scale);
   }
   return fine;
 }
 
 engine::GrainShape shape_of(GrainModel model, double radius, double mass) {
   switch (model) {
-    case GrainModel::A: return engine::model_a(radius, mass);
-    case GrainModel::B: return engine::model_b(radius, mass);
-    case GrainModel::C: return engine::model_c(radius, mass);
-    case GrainModel::D: break;
+    case GrainModel::A:
+      return engine::model_a(radius, mass);
+    case GrainModel::B:
+      return engine::model_b(radius, mass);
+    case GrainModel::C:
+      return engine::model_c(radius, mass);
+    case GrainModel::D:
+      break;
   }
   return engine::model_d(radius, mass);
 }
 
-double chosen_time_step(const Scene& scene, double critical) {
+/// Of the time step at which a pinched sphere becomes unstable.
+constexpr double kPinchFraction = 0.8;
+
+/// s: for the finest wall spheres that the scene's tools have, at the deepest overlap that a run may reach.
+double shortest_pinch_step(const Scene& scene, const engine::SimulationSettings& settings) {
+  const double overlap = engine::HealthLimits{}.forbidden_wall_overlap * settings.shape.sphere_radius;
+  const auto at = [&](double radius, double spacing) {
+    return engine::pinch_time_step(settings.shape, settings.wall_contact, radius, spacing * radius, overlap);
+  };
+  double shortest = at(scene.walls.sphere_radius, scene.walls.spacing);
+  for (const ToolSpec& tool : scene.tools)
+    shortest = std::min(shortest, at(tool.sphere_radius.value_or(scene.walls.sphere_radius),
+                                     tool.spacing.value_or(scene.walls.spacing)));
+  return shortest;
+}
+
+double chosen_time_step(const Scene& scene, const engine::SimulationSettings& settings, double critical) {
   const NumericsSpec& numerics = scene.numerics;
   if (!numerics.time_step) {
-    const double fraction = numerics.time_step_fraction > 0 ? numerics.time_step_fraction : engine::kDefaultTimeStepFraction;
-    return fraction * critical;
+    const double fraction =
+        numerics.time_step_fraction > 0 ? numerics.time_step_fraction : engine::kDefaultTimeStepFraction;
+    if (numerics.time_step_fraction > 0) return fraction * critical;
+    return std::min(fraction * critical, kPinchFraction * shortest_pinch_step(scene, settings));
   }
   if (*numerics.time_step < critical) return *numerics.time_step;
   char text[200];
   std::snprintf(text, sizeof text,
-                ": numerics.time_step: found %.3g s, which is above the critical step of %.3g s for this powder; give a "
+                ": numerics.time_step: found %.3g s, which is above the critical step of %.3g s for this "
+                "powder; give a "
                 "shorter one or leave the key out",
                 *numerics.time_step, critical);
   throw SceneError(scene.file.string() + text);
@@ -64,18 +89,20 @@ engine::SimulationSettings engine_settings(const Scene& scene, double impact_spe
   const auto material = coarse_material(scene);
   engine::SimulationSettings settings;
   settings.shape = shape_of(scene.powder.model, material.sphere_radius, material.grain_mass);
-  settings.grain_contact = {material.reduced_modulus,  material.damping,          material.tangential, material.friction,
-                            material.work_of_adhesion, material.rolling_friction};
+  settings.grain_contact = {material.reduced_modulus, material.damping,          material.tangential,
+                            material.friction,        material.work_of_adhesion, material.rolling_friction};
   settings.wall_contact = settings.grain_contact;
   settings.wall_contact.friction = scene.walls.friction;
   settings.wall_contact.work_of_adhesion = scene.walls.work_of_adhesion;
-  settings.lever_arm = scene.numerics.lever_arm == LeverArm::center ? engine::LeverArm::center : engine::LeverArm::contact;
-  settings.spring_limit = scene.numerics.tangential_spring == TangentialSpring::cut_back ? engine::SpringLimit::cut_back
-                                                                                          : engine::SpringLimit::free;
+  settings.lever_arm =
+      scene.numerics.lever_arm == LeverArm::center ? engine::LeverArm::center : engine::LeverArm::contact;
+  settings.spring_limit = scene.numerics.tangential_spring == TangentialSpring::cut_back
+                              ? engine::SpringLimit::cut_back
+                              : engine::SpringLimit::free;
   settings.gravity = scene.gravity;
   settings.air_viscosity = material.air_viscosity;
   settings.period = scene.numerics.period;
-  settings.time_step = chosen_time_step(scene, critical_time_step(settings, impact_speed));
+  settings.time_step = chosen_time_step(scene, settings, critical_time_step(settings, impact_speed));
   return settings;
 }
 
@@ -88,10 +115,14 @@ double expected_solid_fraction(const Scene& scene) {
   const bool sticky = scene.powder.work_of_adhesion > 0;
   const bool rough = scene.powder.friction >= 0.5;
   switch (scene.powder.model) {
-    case GrainModel::A: return sticky ? 0.48 : rough ? 0.55 : 0.58;
-    case GrainModel::B: return rough ? 0.52 : 0.57;
-    case GrainModel::C: return sticky ? 0.40 : rough ? 0.45 : 0.50;
-    case GrainModel::D: break;
+    case GrainModel::A:
+      return sticky ? 0.48 : rough ? 0.55 : 0.58;
+    case GrainModel::B:
+      return rough ? 0.52 : 0.57;
+    case GrainModel::C:
+      return sticky ? 0.40 : rough ? 0.45 : 0.50;
+    case GrainModel::D:
+      break;
   }
   return sticky || rough ? 0.32 : 0.38;
 }

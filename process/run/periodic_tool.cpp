@@ -6,27 +6,30 @@ namespace diefill::process {
 
 namespace {
 
-/// Stretches the prism along `axis` to one period and R_w at either end: wall spheres lie R_w deep, so that the outermost rows
-/// come to stand exactly on the borders.
-void fit_to_period(geometry::Mesh& mesh, Eigen::Index axis, double period, double sphere_radius, const std::string& where) {
+/// Stretches the prism along `axis` to one period and R_w at either end: wall spheres lie R_w deep, so that
+/// the outermost rows come to stand exactly on the borders.
+void fit_to_period(geometry::Mesh& mesh, Eigen::Index axis, double period, double sphere_radius,
+                   const std::string& where) {
   const geometry::Box box = mesh.bounding_box();
   const double lower = box.lower[axis], upper = box.upper[axis], tolerance = 1e-6 * (upper - lower);
   const std::string name = axis == 0 ? "x" : "y";
   if (lower > -0.5 * period || upper < 0.5 * period)
-    throw SceneError(where + ": shorter along " + name + " than the period; make the tool run through the whole period");
+    throw SceneError(where + ": shorter along " + name +
+                     " than the period; make the tool run through the whole period");
   const double half = 0.5 * period + sphere_radius;
   for (auto& vertex : mesh.vertices) {
-    const bool at_lower = vertex[axis] < lower + tolerance, at_upper = vertex[axis] > upper - tolerance;
+    const bool at_lower = vertex[axis]<lower + tolerance, at_upper = vertex[axis]> upper - tolerance;
     if (!at_lower && !at_upper)
-      throw SceneError(where + ": not the same all along " + name +
-                       ", as a scene periodic in that direction needs; take the period out or use a prismatic tool");
+      throw SceneError(
+          where + ": not the same all along " + name +
+          ", as a scene periodic in that direction needs; take the period out or use a prismatic tool");
     vertex[axis] = at_lower ? -half : half;
   }
 }
 
 /// One period of `centres` and its copies within `margin` of the box.
-std::vector<Eigen::Vector3d> repeated(const std::vector<Eigen::Vector3d>& centres, Eigen::Index axis, double period,
-                                      double margin) {
+std::vector<Eigen::Vector3d> repeated(const std::vector<Eigen::Vector3d>& centres, Eigen::Index axis,
+                                      double period, double margin) {
   const double half = 0.5 * period, tolerance = 1e-6 * period;
   std::vector<Eigen::Vector3d> all;
   for (const auto& centre : centres) {
@@ -43,12 +46,14 @@ std::vector<Eigen::Vector3d> repeated(const std::vector<Eigen::Vector3d>& centre
 
 }  // namespace
 
-geometry::WallSpheres make_periodic_wall_spheres(const geometry::Mesh& mesh, const geometry::WallSphereOptions& options,
-                                                 const std::array<std::optional<double>, 2>& period, double margin,
-                                                 const std::string& where) {
+geometry::WallSpheres make_periodic_wall_spheres(const geometry::Mesh& mesh,
+                                                 const geometry::WallSphereOptions& options,
+                                                 const std::array<std::optional<double>, 2>& period,
+                                                 double margin, const std::string& where) {
   geometry::Mesh fitted = mesh;
   for (std::size_t axis = 0; axis < 2; ++axis)
-    if (period[axis]) fit_to_period(fitted, static_cast<Eigen::Index>(axis), *period[axis], options.radius, where);
+    if (period[axis])
+      fit_to_period(fitted, static_cast<Eigen::Index>(axis), *period[axis], options.radius, where);
   geometry::WallSpheres spheres = geometry::make_wall_spheres(fitted, options);
   for (std::size_t axis = 0; axis < 2; ++axis)
     if (period[axis])

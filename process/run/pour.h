@@ -1,5 +1,5 @@
-// The powder at the start: grains on a cubic lattice over the floor of the pour box, with small random offsets, random
-// orientation and spin (Bierwisch 2009, section 4.1; sizes of the randomness assumed, OP-27).
+// The powder at the start: grains on a cubic lattice over the floor of the pour box, with small random
+// offsets, random orientation and spin (Bierwisch 2009, section 4.1; sizes of the randomness assumed, OP-27).
 #pragma once
 
 #include <vector>
@@ -10,10 +10,11 @@
 
 namespace diefill::process {
 
-/// As many grains as the fill height needs at the expected solid fraction, stacked from the box's floor upwards, higher than
-/// the box if need be. Deterministic in the scene's seed.
-/// Throws SceneError when a tool stands where powder is to be poured, or the box holds no grain.
-std::vector<engine::NewGrain> pour(const Scene& scene, const engine::GrainShape& shape, const Tooling& tooling);
+/// As many grains as the fill height needs at the expected solid fraction, stacked from the box's floor
+/// upwards, higher than the box if need be. Deterministic in the scene's seed. Throws SceneError when a tool
+/// stands where powder is to be poured, or the box holds no grain.
+std::vector<engine::NewGrain> pour(const Scene& scene, const engine::GrainShape& shape,
+                                   const Tooling& tooling);
 
 /// m, height of the lattice's top over the box's floor: how deep the last grain falls.
 double pour_height(const Scene& scene, const engine::GrainShape& shape);

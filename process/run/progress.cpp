@@ -19,7 +19,9 @@ double seconds_between(std::chrono::steady_clock::time_point a, std::chrono::ste
 
 Progress::Progress(bool wanted) : wanted_(wanted), terminal_(isatty(STDERR_FILENO) == 1) {}
 
-Progress::~Progress() { clear_bar(); }
+Progress::~Progress() {
+  clear_bar();
+}
 
 void Progress::show(double share, const std::string& doing, const std::string& rate) {
   if (!wanted_) return;
@@ -36,9 +38,10 @@ void Progress::show(double share, const std::string& doing, const std::string& r
     return;
   }
   const int full = static_cast<int>(share * kBarWidth);
-  std::fprintf(stderr, "\r\033[K[%s%s] %3.0f %%  %s  %s  %s", std::string(static_cast<std::size_t>(full), '#').c_str(),
-               std::string(static_cast<std::size_t>(kBarWidth - full), '.').c_str(), 100 * share, doing.c_str(), rate.c_str(),
-               left.c_str());
+  std::fprintf(stderr, "\r\033[K[%s%s] %3.0f %%  %s  %s  %s",
+               std::string(static_cast<std::size_t>(full), '#').c_str(),
+               std::string(static_cast<std::size_t>(kBarWidth - full), '.').c_str(), 100 * share,
+               doing.c_str(), rate.c_str(), left.c_str());
   std::fflush(stderr);
   bar_ = true;
 }

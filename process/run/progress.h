@@ -1,4 +1,5 @@
-// Tells the user how a long run gets on: a bar that is redrawn on a terminal, plain lines now and then elsewhere.
+// Tells the user how a long run gets on: a bar that is redrawn on a terminal, plain lines now and then
+// elsewhere.
 #pragma once
 
 #include <chrono>
@@ -15,8 +16,8 @@ class Progress {
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
-  /// `share` of the work done, 0 to 1, and what is going on. Cheap to call often: shows something ten times a second on a
-  /// terminal, every ten seconds elsewhere, and nothing in the first two seconds.
+  /// `share` of the work done, 0 to 1, and what is going on. Cheap to call often: shows something ten times a
+  /// second on a terminal, every ten seconds elsewhere, and nothing in the first two seconds.
   void show(double share, const std::string& doing, const std::string& rate);
   /// A line that stays.
   void say(const std::string& line);

@@ -11,13 +11,15 @@ namespace diefill::process {
 namespace {
 
 /// Poses of all tools in turn: at the start, then in even distances through every step.
-std::vector<std::vector<ToolPose>> sampled_poses(const Scene& scene, const Tooling& tooling, double distance) {
+std::vector<std::vector<ToolPose>> sampled_poses(const Scene& scene, const Tooling& tooling,
+                                                 double distance) {
   std::vector<std::vector<ToolPose>> samples(1, std::vector<ToolPose>(tooling.tools.size()));
   for (const auto& step : scene.steps) {
     if (step->tool().empty() || !step->duration()) continue;
     const std::size_t k = tooling.index_of(step->tool());
     const std::vector<ToolPose> before = samples.back();
-    // Fine in time, then only those kept that have moved on by `distance`: a passage to and fro is sampled once a way.
+    // Fine in time, then only those kept that have moved on by `distance`: a passage to and fro is sampled
+    // once a way.
     constexpr int kInstants = 2000;
     Eigen::Vector3d last = before[k].translation;
     for (int n = 1; n <= kInstants; ++n) {
@@ -36,7 +38,8 @@ std::vector<std::vector<ToolPose>> sampled_poses(const Scene& scene, const Tooli
 ReachableSurface::ReachableSurface(const Scene& scene, const Tooling& tooling, double grain_diameter) {
   const Eigen::Vector3d extent = tooling.all.size();
   geometry::ReachRequest request;
-  // Voxels a quarter of a grain wide: fine enough for walls, coarse enough for a scene of a few hundred millimetres.
+  // Voxels a quarter of a grain wide: fine enough for walls, coarse enough for a scene of a few hundred
+  // millimetres.
   constexpr double kMostVoxels = 2e7;
   request.voxel = std::max(0.25 * grain_diameter, std::cbrt(extent.prod() / kMostVoxels));
   request.voxel = std::clamp(request.voxel, 1e-5, 5e-4);
@@ -46,7 +49,8 @@ ReachableSurface::ReachableSurface(const Scene& scene, const Tooling& tooling, d
   request.domain.upper = tooling.standing.upper;
   request.domain.upper[2] = std::max(tooling.all.upper[2], scene.pour.upper[2]) + request.climb;
   // Flooded voxels are free space up to the walls: only their size makes the answer fuzzy.
-  // Wide enough to join the frayed borders of what was flooded: a strip of wall too many costs little, a gap grains.
+  // Wide enough to join the frayed borders of what was flooded: a strip of wall too many costs little, a gap
+  // grains.
   margin_ = 2 * request.voxel + 0.5 * grain_diameter;
   for (std::size_t axis = 0; axis < 2; ++axis) {
     const auto& period = scene.numerics.period[axis];
@@ -69,7 +73,8 @@ ReachableSurface::ReachableSurface(const Scene& scene, const Tooling& tooling, d
   reach_ = std::make_unique<geometry::Reach>(request);
 }
 
-bool ReachableSurface::operator()(std::size_t tool, const Eigen::Vector3d& point, const Eigen::Vector3d& normal) const {
+bool ReachableSurface::operator()(std::size_t tool, const Eigen::Vector3d& point,
+                                  const Eigen::Vector3d& normal) const {
   // Along a period every place is like every other: ask well inside the flooded box.
   Eigen::Vector3d asked = point;
   for (Eigen::Index axis = 0; axis < 2; ++axis) {

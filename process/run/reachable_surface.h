@@ -15,7 +15,8 @@ class ReachableSurface {
  public:
   /// `grain_diameter` d in m. Steps must have been prepared.
   ReachableSurface(const Scene& scene, const Tooling& tooling, double grain_diameter);
-  /// True if powder can come to this point (m) of tool k, at its pose in the scene, with the given outward normal.
+  /// True if powder can come to this point (m) of tool k, at its pose in the scene, with the given outward
+  /// normal.
   bool operator()(std::size_t tool, const Eigen::Vector3d& point, const Eigen::Vector3d& normal) const;
 
  private:

@@ -4,10 +4,10 @@ namespace diefill::process {
 
 namespace {
 
-constexpr double kQuietEnergy = 1e-4;   // of m g d
-constexpr double kQuietTime = 0.01;     // s
-constexpr double kStillDistance = 1e-3; // of d
-constexpr double kStillTime = 0.1;      // s
+constexpr double kQuietEnergy = 1e-4;    // of m g d
+constexpr double kQuietTime = 0.01;      // s
+constexpr double kStillDistance = 1e-3;  // of d
+constexpr double kStillTime = 0.1;       // s
 
 Eigen::Vector3d centre_of_mass(const engine::Grains& grains) {
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();

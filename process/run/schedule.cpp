@@ -68,7 +68,9 @@ ToolPose Schedule::pose_before(std::size_t stage, std::size_t k) const {
   return pose;
 }
 
-std::string Schedule::in_words() const { return finished() ? "done" : stages_[state_.stage]->in_words(); }
+std::string Schedule::in_words() const {
+  return finished() ? "done" : stages_[state_.stage]->in_words();
+}
 
 double Schedule::time_left(double now, double settling_time) const {
   double left = 0;
@@ -88,7 +90,8 @@ geometry::Box Schedule::swept() const {
     const ToolPose before = pose_before(s, k);
     for (int n = 0; n <= kInstants; ++n) {
       const ToolPose pose = compose(stages_[s]->motion(*stages_[s]->duration() * n / kInstants), before);
-      box.include(geometry::transformed(tooling_.tools[k].mesh, pose.rotation, pose.translation).bounding_box());
+      box.include(
+          geometry::transformed(tooling_.tools[k].mesh, pose.rotation, pose.translation).bounding_box());
     }
   }
   return box;

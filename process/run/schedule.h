@@ -1,4 +1,5 @@
-// Carries a simulation through the steps of its scene: which step is on, since when, and where it takes the tools.
+// Carries a simulation through the steps of its scene: which step is on, since when, and where it takes the
+// tools.
 #pragma once
 
 #include <memory>
@@ -25,7 +26,8 @@ class Schedule {
   /// Steps must have been prepared.
   Schedule(const Scene& scene, const Tooling& tooling, double grain_diameter);
 
-  /// Starts the first step, or goes on with `state`; gives the simulation's bodies (in the order of the tools) their motions.
+  /// Starts the first step, or goes on with `state`; gives the simulation's bodies (in the order of the
+  /// tools) their motions.
   void begin(engine::Simulation& simulation, const ScheduleState& state = {});
   /// Ends the step that is on if it is over, and starts the next; true if it did.
   bool update(engine::Simulation& simulation);

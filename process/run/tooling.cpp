@@ -29,7 +29,8 @@ std::string in_one_line(const geometry::MeshFindings& findings) {
 Tool read_tool(const Scene& scene, const ToolSpec& spec) {
   Tool tool;
   tool.spec = spec;
-  tool.mesh = geometry::transformed(geometry::import_mesh(spec.file, spec.metres_per_unit), spec.rotation, spec.position);
+  tool.mesh = geometry::transformed(geometry::import_mesh(spec.file, spec.metres_per_unit), spec.rotation,
+                                    spec.position);
   tool.findings = geometry::check_mesh(tool.mesh);
   tool.file_hash = geometry::file_hash(spec.file);
   if (!tool.findings.usable())
@@ -39,7 +40,8 @@ Tool read_tool(const Scene& scene, const ToolSpec& spec) {
 }
 
 bool moves(const Scene& scene, const std::string& tool) {
-  return std::any_of(scene.steps.begin(), scene.steps.end(), [&](const auto& step) { return step->tool() == tool; });
+  return std::any_of(scene.steps.begin(), scene.steps.end(),
+                     [&](const auto& step) { return step->tool() == tool; });
 }
 
 geometry::Box moved_box(const geometry::Mesh& mesh, const ToolPose& pose) {
@@ -69,10 +71,13 @@ void prepare_steps(const Scene& scene, const Tooling& tooling) {
   }
 }
 
-double sphere_radius(const Scene& scene, const ToolSpec& spec) { return spec.sphere_radius.value_or(scene.walls.sphere_radius); }
+double sphere_radius(const Scene& scene, const ToolSpec& spec) {
+  return spec.sphere_radius.value_or(scene.walls.sphere_radius);
+}
 
 void refuse_misplaced(const Scene& scene, const Tooling& tooling) {
-  for (const Tool& tool : tooling.tools) check_size(tool.mesh, sphere_radius(scene, tool.spec), place_of(scene, tool.spec));
+  for (const Tool& tool : tooling.tools)
+    check_size(tool.mesh, sphere_radius(scene, tool.spec), place_of(scene, tool.spec));
   for (std::size_t k = 0; k < tooling.tools.size(); ++k)
     for (std::size_t other = 0; other < k; ++other)
       check_fit(tooling.tools[k], tooling.tools[other], sphere_radius(scene, tooling.tools[k].spec),
@@ -98,10 +103,11 @@ void refuse_leaks(const Scene& scene, const Tool& tool, double smallest_radius) 
   if (tool.spheres.largest_gap < 2 * smallest_radius) return;
   char text[300];
   const Eigen::Vector3d place = tool.spheres.largest_gap_place * 1e3;
-  std::snprintf(text, sizeof text,
-                ": a grain's sphere of %.4g mm diameter could pass the wall through a gap of %.4g mm near (%.2f, %.2f, "
-                "%.2f) mm; lower the spacing of the wall spheres or their radius",
-                2e3 * smallest_radius, 1e3 * tool.spheres.largest_gap, place[0], place[1], place[2]);
+  std::snprintf(
+      text, sizeof text,
+      ": a grain's sphere of %.4g mm diameter could pass the wall through a gap of %.4g mm near (%.2f, %.2f, "
+      "%.2f) mm; lower the spacing of the wall spheres or their radius",
+      2e3 * smallest_radius, 1e3 * tool.spheres.largest_gap, place[0], place[1], place[2]);
   throw SceneError(place_of(scene, tool.spec) + text);
 }
 
@@ -142,9 +148,11 @@ Tooling build_tooling(const Scene& scene, double smallest_radius, double grain_d
     if (!moves(scene, tool.spec.name)) tooling.standing.include(box);
   }
   if (standing.empty())
-    throw SceneError(scene.file.string() + ": tool: no die or plate to pour powder on; add one [[tool]] whose role is not shoe");
+    throw SceneError(scene.file.string() +
+                     ": tool: no die or plate to pour powder on; add one [[tool]] whose role is not shoe");
   if (tooling.standing.size().minCoeff() < 0)
-    throw SceneError(scene.file.string() + ": tool: every one moves in some step; powder needs at least one that stands");
+    throw SceneError(scene.file.string() +
+                     ": tool: every one moves in some step; powder needs at least one that stands");
   tooling.cavity = geometry::find_cavity(standing, scene.measure.fill_plane);
   prepare_steps(scene, tooling);
 

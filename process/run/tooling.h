@@ -1,5 +1,5 @@
-// The tools of a scene, ready for the engine: CAD read and examined, cavity found, reachable surfaces covered with wall
-// spheres.
+// The tools of a scene, ready for the engine: CAD read and examined, cavity found, reachable surfaces covered
+// with wall spheres.
 #pragma once
 
 #include <string>
@@ -12,7 +12,8 @@
 
 namespace diefill::process {
 
-/// One tool. The mesh is in the laboratory frame at the scene's start; the tool's body frame is that same frame.
+/// One tool. The mesh is in the laboratory frame at the scene's start; the tool's body frame is that same
+/// frame.
 struct Tool {
   ToolSpec spec;
   geometry::Mesh mesh;
@@ -32,9 +33,9 @@ struct Tooling {
   std::size_t index_of(const std::string& name) const;
 };
 
-/// Reads and examines the tools, settles what the scene's steps leave to the geometry (Step::prepare), and covers what
-/// powder can reach with wall spheres. `smallest_radius` (m) is that of the powder's spheres: a wall it could pass is refused.
-/// Throws SceneError or geometry::MeshError for tools that cannot be used.
+/// Reads and examines the tools, settles what the scene's steps leave to the geometry (Step::prepare), and
+/// covers what powder can reach with wall spheres. `smallest_radius` (m) is that of the powder's spheres: a
+/// wall it could pass is refused. Throws SceneError or geometry::MeshError for tools that cannot be used.
 Tooling build_tooling(const Scene& scene, double smallest_radius, double grain_diameter);
 
 /// The tool's motion in a step as an engine pose of its body frame.

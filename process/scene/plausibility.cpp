@@ -112,7 +112,9 @@ void check_pour(const TableReader& table, const PourSpec& pour, const PowderSpec
   }
   check_box_within_period(table, pour, numerics);
   const double least = 1 + 2 * pour.random_offset;
-  if (pour.lattice_constant < least * (1 - 1e-12)) {
+  constexpr double kClosestOfItself = 1.2;  // where the scene leaves the lattice to the program
+  const double lattice = pour.lattice_constant > 0 ? pour.lattice_constant : kClosestOfItself;
+  if (lattice < least * (1 - 1e-12)) {
     table.reject("lattice_constant",
                  "at least " + number_in_words(least) +
                      " is allowed, 1 + 2 random_offset, so that no grains overlap at the start");

@@ -80,7 +80,8 @@ struct PourSpec {
   double solid_fraction =
       0;  ///< estimate of the settled solid fraction, sets the number of grains; 0: from the preset
   double rim_speed = 0.05;        ///< m/s of the initial random spin
-  double lattice_constant = 1.2;  ///< over d
+  /// Over d; 0: 1.2, or wider so that the lattice is at most a tenth solid (Bierwisch 2009, section 3.2.1).
+  double lattice_constant = 0;
   double random_offset = 0.1;     ///< over d, uniform in +- per axis
   int line = 0;
 };
@@ -97,7 +98,7 @@ enum class OpeningMeasure { surfaces, centres };
 struct NumericsSpec {
   double time_step_fraction = 0;    ///< of the critical step; 0: the default of engine/time_step
   std::optional<double> time_step;  ///< s, given outright
-  LeverArm lever_arm = LeverArm::center;
+  LeverArm lever_arm = LeverArm::contact;
   TangentialSpring tangential_spring = TangentialSpring::cut_back;
   OpeningMeasure opening = OpeningMeasure::surfaces;
   std::array<std::optional<double>, 2> period;  ///< m, periodic length along x and y, centred on the origin

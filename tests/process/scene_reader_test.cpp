@@ -227,7 +227,7 @@ fill_height = "5 mm"
   EXPECT_EQ(scene.pour.random_offset, 0.1);
   EXPECT_EQ(scene.numerics.time_step_fraction, 0);
   EXPECT_FALSE(scene.numerics.time_step);
-  EXPECT_EQ(scene.numerics.lever_arm, LeverArm::center);
+  EXPECT_EQ(scene.numerics.lever_arm, LeverArm::contact);
   EXPECT_EQ(scene.numerics.tangential_spring, TangentialSpring::cut_back);
   EXPECT_EQ(scene.numerics.opening, OpeningMeasure::surfaces);
   EXPECT_TRUE(scene.numerics.energy_ledger);

@@ -1,0 +1,97 @@
+// Published properties of settled beds, at d = 1.88 mm (four times the calibrated size): bulk formation (Bierwisch 2009, section
+// 3.2.1) and mean solid fractions in the shoe (Table 4.4). Each test prints its figures; tolerances are those of the
+// published targets.
+#include "process/laboratory/settled_bed.h"
+
+#include <gtest/gtest.h>
+
+#include <cstdio>
+#include <string>
+
+#include "process/scene/powder_presets.h"
+
+namespace diefill::process::laboratory {
+namespace {
+
+/// Coarse over calibrated grain size.
+constexpr double kScale = 4;
+
+void print(const std::string& name, const BedFigures& figures) {
+  std::printf(
+      "%s: grains %zu, f_m %.4f (arithmetic %.4f), coordination %.3f, h/d peak %.3g mean %.4g, lowest near ground %.3f, bulk "
+      "reached at %.2f d, simulated %.3f s, sphere-steps %.3g, energy balance error %.2g\n",
+      name.c_str(), figures.grains, figures.bulk_fraction, figures.arithmetic_fraction, figures.coordination,
+      figures.overlap_peak, figures.mean_overlap, figures.lowest_fraction_near_ground, figures.bulk_reached_at,
+      figures.simulated, static_cast<double>(figures.sphere_steps), figures.energy_balance_error);
+}
+
+/// Solid fraction of a column 24 mm high in the shoe, periodic in x and y (20 mm x 8.64 mm), on a ground of wall spheres.
+BedFigures shoe_column(const std::string& preset) {
+  BedSpec spec;
+  spec.powder = powder_preset(preset);
+  spec.powder.grain_diameter *= kScale;
+  spec.width = kScale * 5e-3;
+  spec.depth = kScale * 2.16e-3;
+  spec.fill_height = 24e-3;
+  spec.expected_fraction = spec.powder.model == GrainModel::A ? 0.57 : 0.35;
+  spec.lattice_fraction = 0;  // the lattice of a filling: 1.2 d
+  spec.wall_sphere_radius = 1.5e-4;
+  const BedFigures figures = settle_bed(spec);
+  print(preset, figures);
+  return figures;
+}
+
+/// Table C.2 at d = 1.88 mm: 10 mm x 10 mm, ground spheres of the grains' radius centred at z = 0, fall from fraction 0.1.
+BedFigures bulk_formation(const std::string& name, double friction, double work_over_radius, double coarse) {
+  BedSpec spec;
+  spec.powder = powder_preset("ASC100.29 initial D");
+  spec.powder.damping_over_radius = 1e5;
+  spec.powder.friction = friction;
+  spec.powder.work_of_adhesion = work_over_radius * spec.powder.sphere_radius;
+  spec.powder.grain_diameter *= coarse;
+  spec.width = spec.depth = 10e-3;
+  spec.fill_height = 10e-3;
+  spec.expected_fraction = 0.36;
+  spec.wall_sphere_radius = spec.powder.sphere_radius * coarse;
+  spec.ground_at_surface = false;
+  const BedFigures figures = settle_bed(spec);
+  print(name, figures);
+  return figures;
+}
+
+TEST(ShoeColumn, ModelAInitialSettlesToPublishedFraction) {
+  EXPECT_NEAR(shoe_column("ASC100.29 initial A").bulk_fraction, 0.59, 0.015);
+}
+
+TEST(ShoeColumn, ModelDInitialSettlesToPublishedFraction) {
+  EXPECT_NEAR(shoe_column("ASC100.29 initial D").bulk_fraction, 0.38, 0.015);
+}
+
+TEST(ShoeColumn, ModelD1SettlesToPublishedFraction) {
+  EXPECT_NEAR(shoe_column("ASC100.29 D1").bulk_fraction, 0.30, 0.015);
+}
+
+TEST(ShoeColumn, ModelD2SettlesToPublishedFraction) {
+  EXPECT_NEAR(shoe_column("ASC100.29 D2").bulk_fraction, 0.32, 0.015);
+}
+
+TEST(BulkFormation, NoncohesiveBedMatchesPublishedContacts) {
+  const auto figures = bulk_formation("non-cohesive, d = 1.88 mm", 0.5, 0, 4);
+  EXPECT_GT(figures.overlap_peak, 1e-4);
+  EXPECT_LT(figures.overlap_peak, 4e-4);
+  EXPECT_NEAR(figures.coordination, 5, 0.3);
+  EXPECT_GE(figures.lowest_fraction_near_ground, 0.15);
+  EXPECT_LE(figures.lowest_fraction_near_ground, 0.25);
+  EXPECT_GE(figures.bulk_reached_at, 0.7);
+  EXPECT_LE(figures.bulk_reached_at, 1.5);
+}
+
+TEST(BulkFormation, CohesiveBedMatchesPublishedContacts) {
+  const auto figures = bulk_formation("cohesive, d = 1.88 mm", 1.0, 128, 4);
+  EXPECT_GT(figures.overlap_peak, 6.5e-4);
+  EXPECT_LT(figures.overlap_peak, 9.5e-4);
+  EXPECT_NEAR(figures.coordination, 4.5, 0.3);
+}
+
+}  // namespace
+}  // namespace diefill::process::laboratory
