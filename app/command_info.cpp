@@ -10,15 +10,19 @@ namespace {
 
 int info(const std::string& directory) {
   const auto result = results::read_results(directory);
-  std::printf("title: %s\nstrategy: %s\npowder: %s\nprogram_version: %s\nseed: %llu\nstate_hash: %s\n", result.title.c_str(),
-              result.strategy.c_str(), result.powder_name.c_str(), result.program_version.c_str(),
-              static_cast<unsigned long long>(result.seed), result.state_hash.c_str());
+  std::printf("title: %s\nstrategy: %s\npowder: %s\nprogram_version: %s\nseed: %llu\nstate_hash: %s\n",
+              result.title.c_str(), result.strategy.c_str(), result.powder_name.c_str(),
+              result.program_version.c_str(), static_cast<unsigned long long>(result.seed),
+              result.state_hash.c_str());
   for (const auto& [name, value] : result.figures) std::printf("%s: %.10g\n", name.c_str(), value);
   const auto& summary = result.summary;
-  std::printf("solid_fraction: mean %.6g, arithmetic_mean %.6g, std %.6g, min %.6g, max %.6g, cv %.6g over %llu grains\n",
-              summary.mean, summary.arithmetic_mean, summary.std, summary.min, summary.max, summary.cv,
-              static_cast<unsigned long long>(summary.grains));
-  for (const auto& [phase, seconds] : result.phase_seconds) std::printf("seconds in %s: %.3f\n", phase.c_str(), seconds);
+  std::printf(
+      "solid_fraction: mean %.6g, arithmetic_mean %.6g, std %.6g, min %.6g, max %.6g, cv %.6g over %llu "
+      "grains\n",
+      summary.mean, summary.arithmetic_mean, summary.std, summary.min, summary.max, summary.cv,
+      static_cast<unsigned long long>(summary.grains));
+  for (const auto& [phase, seconds] : result.phase_seconds)
+    std::printf("seconds in %s: %.3f\n", phase.c_str(), seconds);
   for (const auto& tool : result.tools)
     std::printf("tool: %s (%s), %zu wall spheres, CAD %s\n", tool.name.c_str(), tool.role.c_str(),
                 tool.wall_sphere_centres.size(), tool.mesh_hash.c_str());

@@ -37,7 +37,8 @@ int map(const MapArguments& arguments) {
   if (!arguments.averaging_width.empty()) {
     request.averaging_width = length("--averaging-width", arguments.averaging_width);
     if (!(request.averaging_width > 0))
-      throw process::SceneError("--averaging-width: found \"" + arguments.averaging_width + "\"; it must be positive");
+      throw process::SceneError("--averaging-width: found \"" + arguments.averaging_width +
+                                "\"; it must be positive");
   }
   if (!arguments.origin.empty() || !arguments.normal.empty()) {
     Eigen::Vector3d origin = result.cavity.axis_origin;
@@ -58,13 +59,18 @@ int map(const MapArguments& arguments) {
 }  // namespace
 
 void add_map(CLI::App& program, Action& chosen) {
-  auto* command = program.add_subcommand("map", "Draw the pictures of a results directory again, with other sections or averaging");
+  auto* command = program.add_subcommand(
+      "map", "Draw the pictures of a results directory again, with other sections or averaging");
   auto arguments = std::make_shared<MapArguments>();
   command->add_option("DIR", arguments->directory, "results directory of a run")->required();
   command->add_option("--out", arguments->out, "directory for the pictures (default: DIR)");
-  command->add_option("--averaging-width", arguments->averaging_width, "Gaussian width sigma of the averaging, such as '1 mm'");
-  command->add_option("--origin", arguments->origin, "point of the section plane, such as '0 mm' '0 mm' '-5 mm'")->expected(3);
-  command->add_option("--normal", arguments->normal, "normal of the section plane: x, y or z")->check(CLI::IsMember({"x", "y", "z"}));
+  command->add_option("--averaging-width", arguments->averaging_width,
+                      "Gaussian width sigma of the averaging, such as '1 mm'");
+  command
+      ->add_option("--origin", arguments->origin, "point of the section plane, such as '0 mm' '0 mm' '-5 mm'")
+      ->expected(3);
+  command->add_option("--normal", arguments->normal, "normal of the section plane: x, y or z")
+      ->check(CLI::IsMember({"x", "y", "z"}));
   command->footer(
       "Examples:\n"
       "  diefill map out/narrow_ring --averaging-width '1 mm'\n"

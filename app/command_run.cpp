@@ -16,7 +16,9 @@ namespace {
 
 std::atomic<bool> stop_asked{false};
 
-void ask_to_stop(int) { stop_asked.store(true); }
+void ask_to_stop(int) {
+  stop_asked.store(true);
+}
 
 struct RunArguments {
   std::string scene, directory;
@@ -35,20 +37,27 @@ void print_summary(const results::FillResult& result) {
   const auto& figures = result.figures;
   std::printf("%s: %s\n", result.title.c_str(), result.strategy.c_str());
   if (result.cavity.volume > 0 && result.summary.grains == 0)
-    std::printf("filled mass %.4g g, too shallow for a solid fraction: no grain lies two diameters deep in the cavity\n",
-                1e3 * figures.at("filled_mass_kg"));
+    std::printf(
+        "filled mass %.4g g, too shallow for a solid fraction: no grain lies two diameters deep in the "
+        "cavity\n",
+        1e3 * figures.at("filled_mass_kg"));
   else if (result.cavity.volume > 0)
-    std::printf("filled mass %.4g g, solid fraction in the cavity %.3f (standard deviation %.3f, %.3f to %.3f)\n",
-                1e3 * figures.at("filled_mass_kg"), result.summary.mean, result.summary.std, result.summary.min,
-                result.summary.max);
+    std::printf(
+        "filled mass %.4g g, solid fraction in the cavity %.3f (standard deviation %.3f, %.3f to %.3f)\n",
+        1e3 * figures.at("filled_mass_kg"), result.summary.mean, result.summary.std, result.summary.min,
+        result.summary.max);
   else
     std::printf("no cavity; %.0f grains (%.4g g) left the tools\n", figures.at("grains_left"),
                 1e3 * figures.at("mass_left_kg"));
-  std::printf("%.0f grains of d = %.3g mm, %.0f steps of %.3g s, %.3g s of powder time in %s, %.2f million sphere-steps/s\n",
-              figures.at("grains"), 1e3 * result.powder.grain_diameter, figures.at("steps"), figures.at("time_step_s"),
-              figures.at("simulated_s"), process::duration_in_words(figures.at("wall_seconds")).c_str(),
-              1e-6 * figures.at("sphere_steps_per_second"));
-  std::printf("state %s, energy balance error %.2g\n", result.state_hash.c_str(), figures.at("energy_balance_error"));
+  std::printf(
+      "%.0f grains of d = %.3g mm, %.0f steps of %.3g s, %.3g s of powder time in %s, %.2f million "
+      "sphere-steps/s\n",
+      figures.at("grains"), 1e3 * result.powder.grain_diameter, figures.at("steps"),
+      figures.at("time_step_s"), figures.at("simulated_s"),
+      process::duration_in_words(figures.at("wall_seconds")).c_str(),
+      1e-6 * figures.at("sphere_steps_per_second"));
+  std::printf("state %s, energy balance error %.2g\n", result.state_hash.c_str(),
+              figures.at("energy_balance_error"));
   for (const auto& warning : result.warnings) std::printf("note: %s\n", warning.c_str());
 }
 
@@ -58,8 +67,11 @@ int run(const RunArguments& arguments) {
   const auto tooling = process::build_tooling(scene, shape.sphere_radius, scene.powder.grain_diameter);
 
   process::RunOptions options;
-  options.directory = arguments.directory.empty() ? default_directory(scene.file) : std::filesystem::path(arguments.directory);
-  options.threads = arguments.threads > 0 ? arguments.threads : static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+  options.directory = arguments.directory.empty() ? default_directory(scene.file)
+                                                  : std::filesystem::path(arguments.directory);
+  options.threads = arguments.threads > 0
+                        ? arguments.threads
+                        : static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
   options.resume = arguments.resume;
   options.show_progress = !arguments.quiet;
   options.stop = &stop_asked;
@@ -78,7 +90,8 @@ int run(const RunArguments& arguments) {
   });
   std::filesystem::remove(process::checkpoint_file(options.directory));
   print_summary(result);
-  std::printf("results in %s: report.json, results.h5 (results.xdmf for ParaView)", options.directory.string().c_str());
+  std::printf("results in %s: report.json, results.h5 (results.xdmf for ParaView)",
+              options.directory.string().c_str());
   for (const auto& picture : pictures) std::printf(", %s", picture.filename().string().c_str());
   std::printf("\n");
   return kDone;
@@ -87,11 +100,15 @@ int run(const RunArguments& arguments) {
 }  // namespace
 
 void add_run(CLI::App& program, Action& chosen) {
-  auto* command = program.add_subcommand("run", "Fill the die of a scene; write density maps, results and report");
+  auto* command =
+      program.add_subcommand("run", "Fill the die of a scene; write density maps, results and report");
   auto arguments = std::make_shared<RunArguments>();
   command->add_option("SCENE", arguments->scene, "scene file (TOML)")->required();
-  command->add_option("--out", arguments->directory, "directory for results (default: out/<folder of the scene>)");
-  command->add_option("--threads", arguments->threads, "threads (default: all cores); results do not depend on it")
+  command->add_option("--out", arguments->directory,
+                      "directory for results (default: out/<folder of the scene>)");
+  command
+      ->add_option("--threads", arguments->threads,
+                   "threads (default: all cores); results do not depend on it")
       ->check(CLI::Range(1, 1024));
   command->add_flag("--resume", arguments->resume, "go on from the checkpoint in the results directory");
   command->add_flag("--quiet", arguments->quiet, "no progress");
@@ -100,7 +117,8 @@ void add_run(CLI::App& program, Action& chosen) {
       "  diefill run sample_tools/narrow_ring/fill.toml\n"
       "  diefill run my_die.toml --out results/my_die --threads 8\n"
       "  diefill run my_die.toml --out results/my_die --resume     after Ctrl-C or a crash\n"
-      "Exit codes: 0 done, 1 failed, 2 bad input, 3 the method's valid range was left, 130 stopped (can be resumed).");
+      "Exit codes: 0 done, 1 failed, 2 bad input, 3 the method's valid range was left, 130 stopped (can be "
+      "resumed).");
   command->callback([arguments, &chosen] { chosen = [arguments] { return run(*arguments); }; });
 }
 

@@ -1,4 +1,5 @@
-// The commands of the program, one file each. To add one: a file with a function like these, and its line in commands.cpp.
+// The commands of the program, one file each. To add one: a file with a function like these, and its line in
+// commands.cpp.
 #pragma once
 
 #include <CLI/CLI.hpp>

@@ -4,7 +4,8 @@
 
 namespace diefill::app {
 
-std::vector<std::filesystem::path> draw(const std::filesystem::path& directory, const results::FillResult& result) {
+std::vector<std::filesystem::path> draw(const std::filesystem::path& directory,
+                                        const results::FillResult& result) {
   // Qt keeps both for the life of the program.
   static char name[] = "diefill";
   static char* arguments[] = {name, nullptr};

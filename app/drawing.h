@@ -9,6 +9,7 @@
 namespace diefill::app {
 
 /// Writes the standard pictures of `result` into `directory`; returns their paths.
-std::vector<std::filesystem::path> draw(const std::filesystem::path& directory, const results::FillResult& result);
+std::vector<std::filesystem::path> draw(const std::filesystem::path& directory,
+                                        const results::FillResult& result);
 
 }  // namespace diefill::app

@@ -6,12 +6,14 @@
 #include "process/run/assemble.h"
 
 int main(int argc, char** argv) {
-  CLI::App program("diefill predicts how powder fills a die: density maps from CAD tools and a short scene file.");
+  CLI::App program(
+      "diefill predicts how powder fills a die: density maps from CAD tools and a short scene file.");
   program.set_version_flag("--version", diefill::process::program_version());
   program.require_subcommand(1);
   program.footer(
       "Examples:\n"
-      "  diefill check sample_tools/narrow_ring/fill.toml     is the tooling usable, what would be simulated?\n"
+      "  diefill check sample_tools/narrow_ring/fill.toml     is the tooling usable, what would be "
+      "simulated?\n"
       "  diefill run sample_tools/narrow_ring/fill.toml       fill the die, write maps and report\n"
       "  diefill map out/narrow_ring --averaging-width '1 mm' draw the maps again, smoother\n"
       "  diefill info out/narrow_ring                         what is in these results?");

@@ -36,3 +36,4 @@ done
 for slit in 6 10; do
   make_part slit_plate/slit_plate.scad slit_plate/slit_${slit}mm.stl -D slit=$slit
 done
+make_part slit_plate/slit_plate.scad slit_plate/shoe_walls.stl -D 'part="shoe"'

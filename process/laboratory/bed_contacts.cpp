@@ -1,15 +1,14 @@
 #include "process/laboratory/bed_contacts.h"
 
 #include <algorithm>
-#include <cmath>
 #include <set>
 
 namespace diefill::process::laboratory {
 
 namespace {
 
-constexpr double kLowest = 1e-6, kBinsPerDecade = 20;  // of h / d
-constexpr std::size_t kBins = 100;
+constexpr double kBinWidth = 5e-5;  // of h / d
+constexpr std::size_t kBins = 200;
 
 /// Calls visit(owner grain i, owner grain j, overlap) for every touching pair of spheres.
 template <class Visit>
@@ -43,22 +42,16 @@ void contact_figures(const engine::Simulation& simulation, double grain_diameter
     ++figures.contacts;
     sum += ratio;
     touching.insert({std::min(i, j), std::max(i, j)});
-    const double bin = kBinsPerDecade * std::log10(std::max(ratio, kLowest) / kLowest);
-    ++histogram[std::min(kBins - 1, static_cast<std::size_t>(bin))];
+    ++histogram[std::min(kBins - 1, static_cast<std::size_t>(ratio / kBinWidth))];
   });
   const auto contacts = static_cast<double>(std::max<std::size_t>(1, figures.contacts));
   figures.mean_overlap = sum / contacts;
   for (std::size_t b = 0; b < kBins; ++b) {
-    figures.overlap.push_back(kLowest * std::pow(10, (static_cast<double>(b) + 0.5) / kBinsPerDecade));
+    figures.overlap.push_back((static_cast<double>(b) + 0.5) * kBinWidth);
     figures.frequency.push_back(histogram[b] / contacts);
   }
-  // Frequency in equal steps of h, as in the thesis' figure: the bins' widths grow with h.
-  std::size_t peak = 0;
-  for (std::size_t b = 1; b < kBins; ++b)
-    if (histogram[b] / figures.overlap[b] > histogram[peak] / figures.overlap[peak] &&
-        histogram[b] > 0.005 * contacts)
-      peak = b;
-  figures.overlap_peak = figures.overlap[peak];
+  const auto peak = std::max_element(histogram.begin(), histogram.end()) - histogram.begin();
+  figures.overlap_peak = figures.overlap[static_cast<std::size_t>(peak)];
 
   const auto& grains = simulation.grains();
   double top = 0;

@@ -43,7 +43,7 @@ struct BedFigures {
   std::uint64_t sphere_steps = 0;
   double energy_balance_error = 0;
   std::vector<double> height, fraction;    ///< z / d and mean fraction of layers of d / 10
-  std::vector<double> overlap, frequency;  ///< h / d (logarithmic bins) and share of contacts
+  std::vector<double> overlap, frequency;  ///< h / d (middle of the bin) and share of contacts
 };
 
 /// Lets a bed fall and settle, then measures it.

@@ -7,7 +7,7 @@ namespace {
 
 // A cell that reaches farther than this from a sphere (in grain diameters d) stands at a free surface. The
 // cells of settled powder, even loose and cohesive, end well before.
-constexpr double kReachOverDiameter = 2;
+constexpr double kReachOverDiameter = 1;
 
 geometry::VoronoiRequest voronoi_request(const results::PowderState& powder,
                                          const std::vector<results::ToolState>& tools,

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <limits>
 
 #include "engine/coarse_graining/bierwisch.h"
-#include "engine/health.h"
 #include "engine/time_step.h"
 
 namespace diefill::process {
@@ -52,16 +52,20 @@ engine::GrainShape shape_of(GrainModel model, double radius, double mass) {
 /// Of the time step at which a pinched sphere becomes unstable.
 constexpr double kPinchFraction = 0.8;
 
-/// s: for the finest wall spheres that the scene's tools have, at the deepest overlap that a run may reach.
+/// s: for the finest wall spheres that the scene's tools have, at the deepest overlap of grains wedged at an
+/// edge. No limit where no tool moves.
 double shortest_pinch_step(const Scene& scene, const engine::SimulationSettings& settings) {
-  const double overlap = engine::HealthLimits{}.forbidden_wall_overlap * settings.shape.sphere_radius;
-  const auto at = [&](double radius, double spacing) {
-    return engine::pinch_time_step(settings.shape, settings.wall_contact, radius, spacing * radius, overlap);
-  };
-  double shortest = at(scene.walls.sphere_radius, scene.walls.spacing);
-  for (const ToolSpec& tool : scene.tools)
-    shortest = std::min(shortest, at(tool.sphere_radius.value_or(scene.walls.sphere_radius),
-                                     tool.spacing.value_or(scene.walls.spacing)));
+  constexpr double kDeepest = 1.0;  // over the sphere radius: its centre at the tool's surface
+  const double overlap = kDeepest * settings.shape.sphere_radius;
+  double shortest = std::numeric_limits<double>::infinity();
+  const auto moves = [](const std::shared_ptr<Step>& step) { return !step->tool().empty(); };
+  if (std::none_of(scene.steps.begin(), scene.steps.end(), moves)) return shortest;
+  for (const ToolSpec& tool : scene.tools) {
+    const double radius = tool.sphere_radius.value_or(scene.walls.sphere_radius);
+    const double spacing = tool.spacing.value_or(scene.walls.spacing) * radius;
+    shortest = std::min(
+        shortest, engine::pinch_time_step(settings.shape, settings.wall_contact, radius, spacing, overlap));
+  }
   return shortest;
 }
 

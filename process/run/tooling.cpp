@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "geometry/mesh_import.h"
+#include "geometry/solid_query.h"
 #include "process/run/periodic_tool.h"
 #include "process/run/reachable_surface.h"
 #include "process/run/tool_fit.h"
@@ -84,6 +85,15 @@ void refuse_misplaced(const Scene& scene, const Tooling& tooling) {
                 place_of(scene, tooling.tools[k].spec));
 }
 
+/// Openings measured between centres (OP-12): the spheres' centres, not their surfaces, lie on the CAD
+/// surface.
+void move_to_surface(geometry::WallSpheres& spheres, const geometry::Mesh& mesh) {
+  const geometry::SolidQuery solid(mesh);
+  for (auto& centre : spheres.centres) centre = solid.nearest(centre).point;
+  spheres.mean_deviation += spheres.radius;
+  spheres.largest_deviation += spheres.radius;
+}
+
 /// The tool's wall spheres; complaints about its geometry name the tool.
 geometry::WallSpheres cover(const Scene& scene, const Tool& tool, double grain_diameter,
                             decltype(geometry::WallSphereOptions::reachable) reachable) {
@@ -93,7 +103,10 @@ geometry::WallSpheres cover(const Scene& scene, const Tool& tool, double grain_d
   options.spacing = tool.spec.spacing.value_or(scene.walls.spacing);
   options.reachable = std::move(reachable);
   try {
-    return make_periodic_wall_spheres(tool.mesh, options, scene.numerics.period, 2 * grain_diameter, where);
+    auto spheres =
+        make_periodic_wall_spheres(tool.mesh, options, scene.numerics.period, 2 * grain_diameter, where);
+    if (scene.numerics.opening == OpeningMeasure::centres) move_to_surface(spheres, tool.mesh);
+    return spheres;
   } catch (const geometry::MeshError& error) {
     throw SceneError(where + ": " + error.what());
   }

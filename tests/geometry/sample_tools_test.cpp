@@ -41,13 +41,14 @@ void expect_box(const Mesh& mesh, const Eigen::Vector3d& lower_mm, const Eigen::
   EXPECT_LT((box.upper - upper_mm * 1e-3).cwiseAbs().maxCoeff(), kRounding) << box.upper.transpose();
 }
 
-TEST(SampleTools, AreClosedOutwardSolidsOfOneShell) {
+TEST(SampleTools, AreClosedOutwardSolids) {
   const auto files = all_tools();
   EXPECT_GE(files.size(), 30U);
   for (const auto& file : files) {
     const auto findings = check_mesh(import_mesh(file, 0.001));
     EXPECT_TRUE(findings.usable()) << file << ": " << testing::PrintToString(findings.in_words());
-    EXPECT_EQ(findings.shells, 1U) << file;
+    // Only the slit plates and their shoe are pairs of solids in one file.
+    EXPECT_EQ(findings.shells, file.parent_path().filename() == "slit_plate" ? 2U : 1U) << file;
   }
 }
 
@@ -103,8 +104,8 @@ TEST(SampleTools, SteppedDieHasBothBores) {
 TEST(SampleTools, SlitPlatesMissExactlyTheirSlit) {
   for (const int slit : {6, 10}) {
     const Mesh plate = sample::tool("slit_plate/slit_" + std::to_string(slit) + "mm.stl");
-    expect_box(plate, {-78, -29, -2}, {78, 29, 0});
-    EXPECT_NEAR(plate.bounding_box().size().prod() - plate.volume(), slit * 33 * 2e-9, 1e-13);
+    expect_box(plate, {-78, -20, -2}, {78, 20, 0});
+    EXPECT_NEAR(plate.bounding_box().size().prod() - plate.volume(), slit * 40 * 2e-9, 1e-13);
   }
 }
 

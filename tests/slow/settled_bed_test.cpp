@@ -1,6 +1,6 @@
-// Published properties of settled beds, at d = 1.88 mm (four times the calibrated size): bulk formation (Bierwisch 2009, section
-// 3.2.1) and mean solid fractions in the shoe (Table 4.4). Each test prints its figures; tolerances are those of the
-// published targets.
+// Published properties of settled beds, at d = 1.88 mm (four times the calibrated size): bulk formation
+// (Bierwisch 2009, section 3.2.1) and mean solid fractions in the shoe (Table 4.4). Each test prints its
+// figures; tolerances are those of the published targets.
 #include "process/laboratory/settled_bed.h"
 
 #include <gtest/gtest.h>
@@ -18,14 +18,17 @@ constexpr double kScale = 4;
 
 void print(const std::string& name, const BedFigures& figures) {
   std::printf(
-      "%s: grains %zu, f_m %.4f (arithmetic %.4f), coordination %.3f, h/d peak %.3g mean %.4g, lowest near ground %.3f, bulk "
+      "%s: grains %zu, f_m %.4f (arithmetic %.4f), coordination %.3f, h/d peak %.3g mean %.4g, lowest near "
+      "ground %.3f, bulk "
       "reached at %.2f d, simulated %.3f s, sphere-steps %.3g, energy balance error %.2g\n",
       name.c_str(), figures.grains, figures.bulk_fraction, figures.arithmetic_fraction, figures.coordination,
-      figures.overlap_peak, figures.mean_overlap, figures.lowest_fraction_near_ground, figures.bulk_reached_at,
-      figures.simulated, static_cast<double>(figures.sphere_steps), figures.energy_balance_error);
+      figures.overlap_peak, figures.mean_overlap, figures.lowest_fraction_near_ground,
+      figures.bulk_reached_at, figures.simulated, static_cast<double>(figures.sphere_steps),
+      figures.energy_balance_error);
 }
 
-/// Solid fraction of a column 24 mm high in the shoe, periodic in x and y (20 mm x 8.64 mm), on a ground of wall spheres.
+/// Solid fraction of a column 24 mm high in the shoe, periodic in x and y (20 mm x 8.64 mm), on a ground of
+/// wall spheres.
 BedFigures shoe_column(const std::string& preset) {
   BedSpec spec;
   spec.powder = powder_preset(preset);
@@ -41,7 +44,8 @@ BedFigures shoe_column(const std::string& preset) {
   return figures;
 }
 
-/// Table C.2 at d = 1.88 mm: 10 mm x 10 mm, ground spheres of the grains' radius centred at z = 0, fall from fraction 0.1.
+/// Table C.2 at d = 1.88 mm: 10 mm x 10 mm, ground spheres of the grains' radius centred at z = 0, fall from
+/// fraction 0.1.
 BedFigures bulk_formation(const std::string& name, double friction, double work_over_radius, double coarse) {
   BedSpec spec;
   spec.powder = powder_preset("ASC100.29 initial D");
