@@ -64,10 +64,32 @@ TEST(Health, StopsAtForbiddenOverlapAndWarnsOnceBefore) {
   EXPECT_EQ(complaint(health, doubtful), "");
   EXPECT_EQ(complaint(health, doubtful), "");
   ASSERT_EQ(health.warnings().size(), 1U);
-  EXPECT_NE(health.warnings()[0].find("overlap reached 0.30"), std::string::npos);
+  EXPECT_NE(health.warnings()[0].find("overlap among grains reached 0.30"), std::string::npos);
   const std::string message = complaint(health, pair_with_overlap(0.7, 1e-9));
   EXPECT_NE(message.find("overlap by 0.70 of their radius"), std::string::npos) << message;
   EXPECT_NE(message.find("reduced_modulus"), std::string::npos);
+}
+
+/// A sphere of radius 1.5e-4 m held `ratio` of its radius deep in a plane of one large wall sphere for one step.
+Simulation pressed_into_wall(double ratio) {
+  auto settings = weightless(Model::a, {.damping_over_radius = 0}, 1e-9);
+  Simulation simulation(settings, {plate(1e-3, 1.5e-4)});
+  NewGrain grain;
+  grain.position.z() = (1 - ratio) * settings.shape.sphere_radius;
+  simulation.add_grains({grain});
+  run_steps(simulation, 1);
+  return simulation;
+}
+
+TEST(Health, ReportsAGrainPinchedByAToolAndStopsBeforeItIsPushedThrough) {
+  Health health;
+  EXPECT_EQ(complaint(health, pressed_into_wall(0.5)), "");
+  EXPECT_TRUE(health.warnings().empty());
+  EXPECT_EQ(complaint(health, pressed_into_wall(0.8)), "");
+  ASSERT_EQ(health.warnings().size(), 1U);
+  EXPECT_NE(health.warnings()[0].find("pinched a grain"), std::string::npos) << health.warnings()[0];
+  const std::string message = complaint(health, pressed_into_wall(1.7));
+  EXPECT_NE(message.find("pressed into a wall"), std::string::npos) << message;
 }
 
 TEST(Health, StopsAtAStepAboveTheCriticalOne) {

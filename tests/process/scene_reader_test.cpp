@@ -223,7 +223,7 @@ fill_height = "5 mm"
   EXPECT_EQ(scene.walls.friction, 0.15);
   EXPECT_EQ(scene.walls.work_of_adhesion, 0);
   EXPECT_EQ(scene.pour.solid_fraction, 0);
-  EXPECT_EQ(scene.pour.lattice_constant, 1.2);
+  EXPECT_EQ(scene.pour.lattice_constant, 0);  // chosen after the grain model
   EXPECT_EQ(scene.pour.random_offset, 0.1);
   EXPECT_EQ(scene.numerics.time_step_fraction, 0);
   EXPECT_FALSE(scene.numerics.time_step);
