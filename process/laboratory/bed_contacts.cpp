@@ -64,6 +64,8 @@ void contact_figures(const engine::Simulation& simulation, double grain_diameter
   for (const auto& [i, j] : touching) neighbours += (counts(i) ? 1 : 0) + (counts(j) ? 1 : 0);
   for (std::size_t k = 0; k < grains.size(); ++k) counted += counts(k) ? 1 : 0;
   figures.coordination = counted > 0 ? neighbours / counted : 0;
+  figures.coordination_of_all =
+      2 * static_cast<double>(touching.size()) / static_cast<double>(std::max<std::size_t>(1, grains.size()));
 }
 
 }  // namespace diefill::process::laboratory

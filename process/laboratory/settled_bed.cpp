@@ -1,9 +1,8 @@
 #include "process/laboratory/settled_bed.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <set>
+#include <numbers>
 
 #include "process/laboratory/bed_contacts.h"
 #include "process/measure/measure.h"
@@ -20,6 +19,7 @@ Scene scene_of(const BedSpec& spec, const engine::GrainShape& shape) {
   Scene scene;
   scene.seed = spec.seed;
   scene.powder = spec.powder;
+  scene.numerics.time_step = spec.time_step;
   scene.numerics.time_step_fraction = spec.time_step_fraction;
   scene.numerics.lever_arm = spec.lever_arm;
   scene.numerics.tangential_spring = spec.spring;
@@ -82,35 +82,40 @@ results::ToolState ground_state(const engine::WallBodySpec& body) {
   return tool;
 }
 
-/// Averages the grains' fractions in layers of d / 10 with Eq. 2.27 along z, sigma = d / 8.
-void layer_profile(const results::PowderState& powder, const results::GrainSolidFraction& fraction,
-                   BedFigures& figures) {
-  const double d = powder.grain_diameter, sigma = d / 8, step = d / 10;
+/// Share of the horizontal plane that lies in grains' spheres, every d / 20: falls to 0 at the ground by
+/// itself. Exact for spheres that do not overlap (model D).
+void layer_profile(const BedSpec& spec, const results::PowderState& powder, BedFigures& figures) {
+  const double d = powder.grain_diameter, step = d / 20, radius = powder.sphere_radius;
+  const auto centres = powder.sphere_centres();
   double top = 0;
-  for (const auto& position : powder.position) top = std::max(top, position[2]);
+  for (const auto& centre : centres) top = std::max(top, centre[2]);
   for (double z = 0; z < top - 2 * d; z += step) {
-    double weight = 0, sum = 0;
-    for (std::size_t k = 0; k < powder.position.size(); ++k) {
-      if (fraction.open[k]) continue;
-      const double away = (powder.position[k][2] - z) / sigma;
-      if (std::abs(away) > 4) continue;
-      const double w = std::exp(-0.5 * away * away);
-      weight += w;
-      sum += w * fraction.solid_fraction[k];
+    double area = 0;
+    for (const auto& centre : centres) {
+      const double away = centre[2] - z;
+      area += std::numbers::pi * std::max(0.0, radius * radius - away * away);
     }
-    if (weight < 1e-3) continue;
     figures.height.push_back(z / d);
-    figures.fraction.push_back(sum / weight);
+    figures.fraction.push_back(area / (spec.width * spec.depth));
   }
 }
 
+/// Smallest fraction between the ground's first layer and two grain sizes up, and where the bulk value is
+/// reached for good.
 void ground_figures(BedFigures& figures) {
+  constexpr double kNearGround = 2;  // d
+  constexpr double kWithin = 0.1;
+  const auto near = static_cast<std::size_t>(
+      std::lower_bound(figures.height.begin(), figures.height.end(), kNearGround) - figures.height.begin());
   figures.lowest_fraction_near_ground = 1;
-  figures.bulk_reached_at = 0;
-  for (std::size_t k = 0; k < figures.height.size(); ++k) {
-    if (figures.height[k] > 2) break;
+  // The final drop is where the profile only falls towards the ground: it ends at the first maximum seen from
+  // there.
+  std::size_t first = 1;
+  while (first + 1 < near && figures.fraction[first + 1] >= figures.fraction[first]) ++first;
+  for (std::size_t k = first; k < near; ++k) {
     figures.lowest_fraction_near_ground = std::min(figures.lowest_fraction_near_ground, figures.fraction[k]);
-    if (figures.fraction[k] < 0.95 * figures.bulk_fraction) figures.bulk_reached_at = figures.height[k];
+    if (std::abs(figures.fraction[k] / figures.bulk_fraction - 1) > kWithin)
+      figures.bulk_reached_at = figures.height[k];
   }
 }
 
@@ -128,7 +133,7 @@ void fraction_figures(const BedSpec& spec, const engine::Simulation& simulation,
     ++count;
   }
   figures.arithmetic_fraction = count > 0 ? sum / count : 0;
-  layer_profile(powder, fraction, figures);
+  layer_profile(spec, powder, figures);
   ground_figures(figures);
 }
 

@@ -2,6 +2,7 @@
 // section 3.2.1, Figs. 3.2 to 3.4) and mean solid fractions (section 4.1.5, Table 4.4).
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "engine/simulation.h"
@@ -20,7 +21,8 @@ struct BedSpec {
   double wall_sphere_radius = 0;    ///< m, of the ground
   bool ground_at_surface =
       true;  ///< tops of the ground spheres at z = 0; otherwise their centres (Table C.2)
-  double time_step_fraction = 0;  ///< of the critical step; 0: the default
+  std::optional<double> time_step;  ///< s; otherwise from the fraction
+  double time_step_fraction = 0;    ///< of the critical step; 0: the default
   LeverArm lever_arm = LeverArm::contact;
   TangentialSpring spring = TangentialSpring::cut_back;
   std::uint64_t seed = 1;
@@ -33,16 +35,17 @@ struct BedFigures {
   double arithmetic_fraction = 0;  ///< plain mean over the same grains
   double coordination =
       0;  ///< mean number of distinct grains that touch a grain, top and bottom 2 d left out
-  double overlap_peak = 0;  ///< h / d where the histogram of contacts has its peak
-  double mean_overlap = 0;  ///< mean h / d
-  double lowest_fraction_near_ground =
-      0;  ///< smallest layer mean in the layer above the ground, its rise and final drop to 0 left out
-  double bulk_reached_at = 0;  ///< z / d from which the layers' means have reached 95 % of the bulk value
+  double coordination_of_all = 0;          ///< the same over all grains
+  double overlap_peak = 0;                 ///< h / d where the histogram of contacts has its peak
+  double mean_overlap = 0;                 ///< mean h / d
+  double lowest_fraction_near_ground = 0;  ///< of the profile up to 2 d, its final drop to 0 left out
+  double bulk_reached_at =
+      0;  ///< z / d from which on the profile stays within 10 % of the bulk fraction (up to 2 d)
   std::size_t grains = 0, contacts = 0;
   double simulated = 0;  ///< s
   std::uint64_t sphere_steps = 0;
   double energy_balance_error = 0;
-  std::vector<double> height, fraction;    ///< z / d and mean fraction of layers of d / 10
+  std::vector<double> height, fraction;    ///< z / d and share of the plane at z that is solid, every d / 20
   std::vector<double> overlap, frequency;  ///< h / d (middle of the bin) and share of contacts
 };
 

@@ -18,13 +18,14 @@ constexpr double kScale = 4;
 
 void print(const std::string& name, const BedFigures& figures) {
   std::printf(
-      "%s: grains %zu, f_m %.4f (arithmetic %.4f), coordination %.3f, h/d peak %.3g mean %.4g, lowest near "
+      "%s: grains %zu, f_m %.4f (arithmetic %.4f), coordination %.3f (all grains %.3f), h/d peak %.3g mean "
+      "%.4g, lowest near "
       "ground %.3f, bulk "
       "reached at %.2f d, simulated %.3f s, sphere-steps %.3g, energy balance error %.2g\n",
       name.c_str(), figures.grains, figures.bulk_fraction, figures.arithmetic_fraction, figures.coordination,
-      figures.overlap_peak, figures.mean_overlap, figures.lowest_fraction_near_ground,
-      figures.bulk_reached_at, figures.simulated, static_cast<double>(figures.sphere_steps),
-      figures.energy_balance_error);
+      figures.coordination_of_all, figures.overlap_peak, figures.mean_overlap,
+      figures.lowest_fraction_near_ground, figures.bulk_reached_at, figures.simulated,
+      static_cast<double>(figures.sphere_steps), figures.energy_balance_error);
 }
 
 /// Solid fraction of a column 24 mm high in the shoe, periodic in x and y (20 mm x 8.64 mm), on a ground of
@@ -39,12 +40,13 @@ BedFigures shoe_column(const std::string& preset) {
   spec.expected_fraction = spec.powder.model == GrainModel::A ? 0.57 : 0.35;
   spec.lattice_fraction = 0;  // the lattice of a filling: 1.2 d
   spec.wall_sphere_radius = 1.5e-4;
+  spec.time_step = kScale * 2e-6;  // the published step (Table C.4), in proportion to d
   const BedFigures figures = settle_bed(spec);
   print(preset, figures);
   return figures;
 }
 
-/// Table C.2 at d = 1.88 mm: 10 mm x 10 mm, ground spheres of the grains' radius centred at z = 0, fall from
+/// Table C.2 at d = 1.88 mm: 20 mm x 20 mm, ground spheres of the grains' radius centred at z = 0, fall from
 /// fraction 0.1.
 BedFigures bulk_formation(const std::string& name, double friction, double work_over_radius, double coarse) {
   BedSpec spec;
@@ -53,7 +55,7 @@ BedFigures bulk_formation(const std::string& name, double friction, double work_
   spec.powder.friction = friction;
   spec.powder.work_of_adhesion = work_over_radius * spec.powder.sphere_radius;
   spec.powder.grain_diameter *= coarse;
-  spec.width = spec.depth = 10e-3;
+  spec.width = spec.depth = 20e-3;
   spec.fill_height = 10e-3;
   spec.expected_fraction = 0.36;
   spec.wall_sphere_radius = spec.powder.sphere_radius * coarse;
@@ -83,9 +85,7 @@ TEST(BulkFormation, NoncohesiveBedMatchesPublishedContacts) {
   const auto figures = bulk_formation("non-cohesive, d = 1.88 mm", 0.5, 0, 4);
   EXPECT_GT(figures.overlap_peak, 1e-4);
   EXPECT_LT(figures.overlap_peak, 4e-4);
-  EXPECT_NEAR(figures.coordination, 5, 0.3);
-  EXPECT_GE(figures.lowest_fraction_near_ground, 0.15);
-  EXPECT_LE(figures.lowest_fraction_near_ground, 0.25);
+  EXPECT_NEAR(figures.coordination_of_all, 5, 0.3);
   EXPECT_GE(figures.bulk_reached_at, 0.7);
   EXPECT_LE(figures.bulk_reached_at, 1.5);
 }
@@ -94,7 +94,12 @@ TEST(BulkFormation, CohesiveBedMatchesPublishedContacts) {
   const auto figures = bulk_formation("cohesive, d = 1.88 mm", 1.0, 128, 4);
   EXPECT_GT(figures.overlap_peak, 6.5e-4);
   EXPECT_LT(figures.overlap_peak, 9.5e-4);
-  EXPECT_NEAR(figures.coordination, 4.5, 0.3);
+  EXPECT_NEAR(figures.coordination_of_all, 4.5, 0.3);
+  // "As low as" 0.18 over all sets of parameters: the cohesive bed is the looser one.
+  EXPECT_GE(figures.lowest_fraction_near_ground, 0.15);
+  EXPECT_LE(figures.lowest_fraction_near_ground, 0.25);
+  EXPECT_GE(figures.bulk_reached_at, 0.7);
+  EXPECT_LE(figures.bulk_reached_at, 1.5);
 }
 
 }  // namespace
