@@ -1,0 +1,68 @@
+// Speed of the engine on beds that have fallen together: sphere-steps per second for grains of model A and D, on one and two
+// threads. Quote ratios within one run: machines are noisy.
+#include <benchmark/benchmark.h>
+
+#include <cmath>
+
+#include "engine/simulation.h"
+
+namespace diefill::engine {
+namespace {
+
+/// Ground of wall spheres under a box of `width` (m), periodic in x and y.
+WallBodySpec ground(double width) {
+  WallBodySpec body;
+  body.name = "ground";
+  const double radius = body.sphere_radius, spacing = width / std::ceil(width / (1.6 * radius));
+  const int reach = static_cast<int>(0.75 * width / spacing);
+  for (int i = -reach; i <= reach; ++i)
+    for (int j = -reach; j <= reach; ++j) body.centres.emplace_back(i * spacing, j * spacing, -radius);
+  return body;
+}
+
+/// Grains on a lattice of 1.05 d, let fall for 0.03 s so that they lie on each other.
+Simulation fallen_bed(const GrainShape& shape, int across, int layers, int threads) {
+  SimulationSettings settings;
+  settings.shape = shape;
+  const double radius = shape.sphere_radius;
+  settings.grain_contact = {.damping = 1e6 * radius, .tangential = 1e6 * radius, .friction = 0.5};
+  settings.wall_contact = settings.grain_contact;
+  settings.time_step = 2e-6;
+  settings.threads = threads;
+  const double constant = 2.1 * shape.bounding_radius(), width = across * constant;
+  settings.period = {width, width};
+  Simulation simulation(settings, {ground(width)});
+  std::vector<NewGrain> grains;
+  for (int k = 0; k < layers; ++k)
+    for (int j = 0; j < across; ++j)
+      for (int i = 0; i < across; ++i) {
+        NewGrain grain;
+        grain.position = constant * Eigen::Vector3d(i - 0.5 * across, j - 0.5 * across, k + 0.5);
+        grain.orientation = Quaternion(1, 0.3 * i, 0.2 * j, 0.1 * k);
+        grains.push_back(grain);
+      }
+  simulation.add_grains(grains);
+  for (int n = 0; n < 15000; ++n) simulation.step();
+  return simulation;
+}
+
+void steps(benchmark::State& state, const GrainShape& shape, int across, int layers) {
+  Simulation simulation = fallen_bed(shape, across, layers, static_cast<int>(state.range(0)));
+  const auto spheres = static_cast<double>(simulation.grains().size() * shape.spheres());
+  for (auto _ : state) simulation.step();
+  state.counters["sphere_steps_per_second"] =
+      benchmark::Counter(spheres * static_cast<double>(state.iterations()), benchmark::Counter::kIsRate);
+  state.counters["touching_pairs_per_sphere"] = static_cast<double>(simulation.touching_pairs()) / spheres;
+  state.counters["spheres"] = spheres;
+}
+
+void model_a_bed(benchmark::State& state) { steps(state, model_a(1.5e-4, 7.63e-8), 20, 20); }
+void model_d_bed(benchmark::State& state) { steps(state, model_d(7.84e-5, 7.63e-8), 12, 12); }
+
+BENCHMARK(model_a_bed)->Arg(1)->Arg(2)->UseRealTime()->Unit(benchmark::kMillisecond);
+BENCHMARK(model_d_bed)->Arg(1)->Arg(2)->UseRealTime()->Unit(benchmark::kMillisecond);
+
+}  // namespace
+}  // namespace diefill::engine
+
+BENCHMARK_MAIN();
