@@ -23,7 +23,8 @@ Scene scene_of(const BedSpec& spec, const engine::GrainShape& shape) {
   scene.numerics.time_step_fraction = spec.time_step_fraction;
   scene.numerics.lever_arm = spec.lever_arm;
   scene.numerics.tangential_spring = spec.spring;
-  scene.numerics.period = {spec.width, spec.depth};
+  if (!spec.side_walls) scene.numerics.period[0] = spec.width;
+  scene.numerics.period[1] = spec.depth;
   scene.pour.lower = {-0.5 * spec.width, -0.5 * spec.depth, 0};
   scene.pour.upper = {0.5 * spec.width, 0.5 * spec.depth, spec.fill_height};
   scene.pour.fill_height = spec.fill_height;
@@ -46,6 +47,22 @@ engine::WallBodySpec ground(const BedSpec& spec, double margin) {
   const int ny = static_cast<int>(std::ceil((0.5 * spec.depth + margin) / dy));
   for (int i = -nx; i <= nx; ++i)
     for (int j = -ny; j <= ny; ++j) body.centres.emplace_back(i * dx, j * dy, z);
+  return body;
+}
+
+/// The shoe's two walls across x, their surfaces `spec.width` apart and as high as the loose powder,
+/// repeating along y.
+engine::WallBodySpec side_walls(const BedSpec& spec, double height, double margin) {
+  engine::WallBodySpec body;
+  body.name = "side walls";
+  body.sphere_radius = spec.wall_sphere_radius;
+  const double spacing = 1.6 * spec.wall_sphere_radius;
+  const double dy = spec.depth / std::ceil(spec.depth / spacing);
+  const int ny = static_cast<int>(std::ceil((0.5 * spec.depth + margin) / dy));
+  const double x = 0.5 * spec.width + spec.wall_sphere_radius;
+  for (double z = 0; z < height; z += spacing)
+    for (int j = -ny; j <= ny; ++j)
+      for (const double side : {-x, x}) body.centres.emplace_back(side, j * dy, z);
   return body;
 }
 
@@ -73,7 +90,7 @@ results::PowderState powder_state(const engine::Simulation& simulation, double g
   return powder;
 }
 
-results::ToolState ground_state(const engine::WallBodySpec& body) {
+results::ToolState wall_state(const engine::WallBodySpec& body) {
   results::ToolState tool;
   tool.name = body.name;
   tool.role = "plate";
@@ -120,10 +137,11 @@ void ground_figures(BedFigures& figures) {
 }
 
 void fraction_figures(const BedSpec& spec, const engine::Simulation& simulation,
-                      const engine::WallBodySpec& body, BedFigures& figures) {
+                      const std::vector<engine::WallBodySpec>& walls, BedFigures& figures) {
   const auto powder = powder_state(simulation, spec.powder.grain_diameter);
-  const auto fraction =
-      measure_solid_fraction(powder, {ground_state(body)}, {}, simulation.settings().period);
+  std::vector<results::ToolState> tools;
+  for (const auto& wall : walls) tools.push_back(wall_state(wall));
+  const auto fraction = measure_solid_fraction(powder, tools, {}, simulation.settings().period);
   figures.bulk_fraction = bulk_solid_fraction(powder, fraction);
   double top = 0, sum = 0, count = 0;
   for (const auto& position : powder.position) top = std::max(top, position[2]);
@@ -147,8 +165,9 @@ BedFigures settle_bed(const BedSpec& spec) {
   const auto shape = engine_settings(scene, 1.0).shape;
   auto settings = engine_settings(scene, expected_impact_speed(scene, pour_height(scene, shape)));
   settings.threads = spec.threads;
-  const auto body = ground(spec, 2 * d);
-  engine::Simulation simulation(settings, {body});
+  std::vector<engine::WallBodySpec> walls = {ground(spec, 2 * d)};
+  if (spec.side_walls) walls.push_back(side_walls(spec, pour_height(scene, shape) + d, 2 * d));
+  engine::Simulation simulation(settings, walls);
   simulation.add_grains(pour(scene, shape, endless_ground(scene)));
 
   RestWatch rest;
@@ -164,7 +183,7 @@ BedFigures settle_bed(const BedSpec& spec) {
   figures.simulated = simulation.time();
   figures.sphere_steps = simulation.steps() * figures.grains * shape.spheres();
   figures.energy_balance_error = simulation.energy_balance_error();
-  fraction_figures(spec, simulation, body, figures);
+  fraction_figures(spec, simulation, walls, figures);
   contact_figures(simulation, d, figures);
   return figures;
 }

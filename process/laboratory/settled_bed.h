@@ -14,6 +14,7 @@ namespace diefill::process::laboratory {
 /// A bed to be settled. SI units.
 struct BedSpec {
   PowderSpec powder;                ///< at its wanted grain size
+  bool side_walls = false;          ///< walls across x at +- width / 2 instead of a period
   double width = 0, depth = 0;      ///< m, periodic lengths along x and y
   double fill_height = 0;           ///< m, of the settled bed, roughly
   double expected_fraction = 0.35;  ///< sets the number of grains
