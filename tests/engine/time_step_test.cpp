@@ -62,6 +62,19 @@ TEST(TimeStep, DefaultFractionResolvesACollisionByADozenSteps) {
     }
 }
 
+TEST(TimeStep, PinchMeetsOneWallSphereASideOnCoarseWallsAndManyOnFineOnes) {
+  const GrainShape shape = model_a(1e-3, 1e-6);
+  const double overlap = 1e-4;
+  // Walls of spheres far apart: one contact a side, two springs on the whole mass.
+  const double root = std::sqrt(effective_radius(1e-3, 1e-3) * overlap);
+  EXPECT_NEAR(pinch_time_step(shape, undamped(), 1e-3, 1e-2, overlap), 2 * std::sqrt(1e-6 / (2 * 1e7 * root)),
+              1e-12);
+  // Half the distance between wall spheres meets four times as many, half as much room squared.
+  const double fine = pinch_time_step(shape, undamped(), 1e-4, 1e-4, overlap);
+  const double finer = pinch_time_step(shape, undamped(), 1e-4, 5e-5, overlap);
+  EXPECT_NEAR(finer / fine, 0.5, 1e-9);
+}
+
 /// Energy of a bed of colliding grains after a while, over that at the start, undamped.
 double energy_ratio(double fraction) {
   auto settings = weightless(Model::d, {.damping_over_radius = 0}, 1);

@@ -1,0 +1,177 @@
+// The parts a run is made of: tool poses, walls of periodic scenes, the poured lattice, rest, checkpoints.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <set>
+
+#include "process/results/result_file.h"
+#include "process/run/checkpoint.h"
+#include "process/run/material.h"
+#include "process/run/periodic_tool.h"
+#include "process/run/pour.h"
+#include "process/run/rest.h"
+#include "process/scene/powder_presets.h"
+
+namespace diefill::process {
+namespace {
+
+TEST(ComposedPose, TurnsAboutThePivotAndCarriesEarlierShifts) {
+  ToolMotion quarter;
+  quarter.rotation = Eigen::AngleAxisd(M_PI / 2, Eigen::Vector3d::UnitZ()).toRotationMatrix();
+  quarter.pivot = {1, 0, 0};
+  quarter.angular_velocity = {0, 0, 2};
+  ToolPose before;
+  before.translation = {1, 0, 0};  // the body's origin now stands on the pivot
+  const ToolPose pose = compose(quarter, before);
+  EXPECT_NEAR((pose.translation - Eigen::Vector3d(1, 0, 0)).norm(), 0, 1e-15);
+  // A point one metre along x in the body goes round to one metre along y from the pivot, moving along -x.
+  const Eigen::Vector3d point = pose.rotation * Eigen::Vector3d::UnitX() + pose.translation;
+  EXPECT_NEAR((point - Eigen::Vector3d(1, 1, 0)).norm(), 0, 1e-15);
+  const Eigen::Vector3d velocity = pose.velocity + pose.angular_velocity.cross(point - pose.translation);
+  EXPECT_NEAR((velocity - Eigen::Vector3d(-2, 0, 0)).norm(), 0, 1e-15);
+}
+
+geometry::Mesh box(const Eigen::Vector3d& lower, const Eigen::Vector3d& upper) {
+  geometry::Mesh mesh;
+  for (int corner = 0; corner < 8; ++corner)
+    mesh.vertices.emplace_back(corner & 1 ? upper[0] : lower[0], corner & 2 ? upper[1] : lower[1],
+                               corner & 4 ? upper[2] : lower[2]);
+  mesh.triangles = {{0, 2, 1}, {1, 2, 3}, {4, 5, 6}, {5, 7, 6}, {0, 1, 4}, {1, 5, 4},
+                    {2, 6, 3}, {3, 6, 7}, {0, 4, 2}, {2, 4, 6}, {1, 3, 5}, {3, 7, 5}};
+  return mesh;
+}
+
+TEST(PeriodicWall, RepeatsExactlyWithThePeriodAndHasNoSeam) {
+  const double period = 2.16e-3;
+  geometry::WallSphereOptions options;
+  const auto spheres = make_periodic_wall_spheres(box({-2e-3, -5e-3, -2e-3}, {2e-3, 5e-3, 0}), options,
+                                                  {std::nullopt, period}, period, "plate");
+  std::set<std::pair<long, long>> rows;
+  for (const auto& centre : spheres.centres) {
+    if (centre[2] < -1.6e-4) continue;  // the top only
+    EXPECT_NEAR(centre[2], -options.radius, 1e-12);
+    rows.insert({std::lround(centre[0] * 1e9), std::lround(centre[1] * 1e9)});
+  }
+  ASSERT_GT(rows.size(), 100U);
+  const long shift = std::lround(period * 1e9);
+  for (const auto& [x, y] : rows) {
+    if (std::abs(static_cast<double>(y) + 1) > 0.5e9 * period)
+      continue;  // one border row is the copy of the other
+    const auto copies =
+        rows.count({x, y + shift}) + rows.count({x, y + shift + 1}) + rows.count({x, y + shift - 1});
+    EXPECT_GE(copies, 1U) << x << " " << y;
+  }
+}
+
+TEST(PeriodicWall, RefusesAToolThatEndsWithinThePeriodOrIsNoPrism) {
+  const geometry::WallSphereOptions options;
+  EXPECT_THROW(make_periodic_wall_spheres(box({-2e-3, -1e-3, -2e-3}, {2e-3, 1e-3, 0}), options,
+                                          {std::nullopt, 4e-3}, 1e-3, "plate"),
+               SceneError);
+  auto wedge = box({-2e-3, -5e-3, -2e-3}, {2e-3, 5e-3, 0});
+  wedge.vertices[7][1] = 2e-3;
+  EXPECT_THROW(make_periodic_wall_spheres(wedge, options, {std::nullopt, 2e-3}, 1e-3, "plate"), SceneError);
+}
+
+Scene open_box(const std::string& preset) {
+  Scene scene;
+  scene.powder = powder_preset(preset);
+  scene.pour.lower = {-4e-3, -4e-3, 0};
+  scene.pour.upper = {4e-3, 4e-3, 10e-3};
+  scene.pour.fill_height = 5e-3;
+  return scene;
+}
+
+Tooling floor_below() {
+  Tooling tooling;
+  tooling.standing.include(Eigen::Vector3d::Constant(-1));
+  tooling.standing.include(Eigen::Vector3d::Constant(1));
+  return tooling;
+}
+
+TEST(Pour, GivesTheMassThatTheFillHeightNeedsAndNoOverlap) {
+  for (const auto* preset : {"ASC100.29 initial A", "ASC100.29 D2"}) {
+    const Scene scene = open_box(preset);
+    const auto shape = engine_settings(scene, 1.0).shape;
+    const auto grains = pour(scene, shape, floor_below());
+    const double solid = static_cast<double>(grains.size()) * shape.solid_volume;
+    EXPECT_NEAR(solid, 8e-3 * 8e-3 * 5e-3 * expected_solid_fraction(scene), shape.solid_volume) << preset;
+    for (std::size_t k = 1; k < grains.size(); ++k)
+      EXPECT_GT((grains[k].position - grains[k - 1].position).norm(), 0.99 * 2 * shape.bounding_radius());
+  }
+}
+
+TEST(Pour, DependsOnTheSeedAlone) {
+  Scene scene = open_box("ASC100.29 D2");
+  const auto shape = engine_settings(scene, 1.0).shape;
+  const auto first = pour(scene, shape, floor_below()), again = pour(scene, shape, floor_below());
+  scene.seed = 2;
+  const auto other = pour(scene, shape, floor_below());
+  EXPECT_EQ(first[7].position, again[7].position);
+  EXPECT_EQ(first[7].orientation, again[7].orientation);
+  EXPECT_NE(first[7].position, other[7].position);
+}
+
+TEST(RestWatch, WaitsForQuietPowderAndSeesItFall) {
+  Scene scene = open_box("ASC100.29 initial A");
+  auto settings = engine_settings(scene, 1.0);
+  settings.gravity.setZero();
+  settings.air_viscosity = 0;
+  engine::Simulation drifting(settings, {});
+  drifting.add_grains({engine::NewGrain{.velocity = {0.1, 0, 0}}});
+  RestWatch watch;
+  // No gravity, no energy scale: a drifting grain is never quiet, and its centre of mass moves.
+  for (int n = 0; n < 2000; ++n) drifting.step();
+  EXPECT_FALSE(watch.at_rest(drifting, 3e-4));
+  for (int n = 0; n < 2000; ++n) drifting.step();
+  EXPECT_FALSE(watch.at_rest(drifting, 3e-4));
+}
+
+class CheckpointFile : public testing::Test {
+ protected:
+  void SetUp() override {
+    directory_ = std::filesystem::path(testing::TempDir()) /
+                 testing::UnitTest::GetInstance()->current_test_info()->name();
+    std::filesystem::create_directories(directory_);
+  }
+  void TearDown() override { std::filesystem::remove_all(directory_); }
+  std::filesystem::path directory_;
+};
+
+TEST_F(CheckpointFile, GivesBackEveryBitAndContinuesTheSameRun) {
+  const Scene scene = open_box("ASC100.29 D2");
+  engine::Simulation original(engine_settings(scene, 1.0), {});
+  original.add_grains(pour(scene, original.settings().shape, floor_below()));
+  for (int n = 0; n < 300; ++n) original.step();
+  Checkpoint kept;
+  kept.scene_hash = 42;
+  kept.simulation = original.snapshot();
+  kept.schedule.stage = 3;
+  kept.schedule.rest.quiet_since = 0.25;
+  kept.grains_left = 7;
+  write_checkpoint(directory_, kept);
+  const auto read = read_checkpoint(directory_);
+  ASSERT_TRUE(read.has_value());
+  EXPECT_EQ(read->scene_hash, 42U);
+  EXPECT_EQ(read->schedule.stage, 3U);
+  EXPECT_EQ(read->schedule.rest.quiet_since, 0.25);
+  EXPECT_EQ(read->grains_left, 7U);
+  engine::Simulation resumed(original.settings(), {});
+  resumed.restore(read->simulation);
+  for (int n = 0; n < 300; ++n) {
+    original.step();
+    resumed.step();
+  }
+  EXPECT_EQ(resumed.hash(), original.hash());
+}
+
+TEST_F(CheckpointFile, IsNothingWhereThereIsNoneAndAnErrorWhereItIsDamaged) {
+  EXPECT_FALSE(read_checkpoint(directory_).has_value());
+  std::ofstream(checkpoint_file(directory_)) << "no checkpoint at all";
+  EXPECT_THROW(read_checkpoint(directory_), results::ResultError);
+}
+
+}  // namespace
+}  // namespace diefill::process
