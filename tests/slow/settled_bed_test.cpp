@@ -42,7 +42,6 @@ BedFigures shoe_column(const std::string& preset) {
   spec.expected_fraction = spec.powder.model == GrainModel::A ? 0.57 : 0.35;
   spec.lattice_fraction = 0;  // the lattice of a filling: 1.2 d
   spec.wall_sphere_radius = 1.5e-4;
-  spec.time_step = kScale * 2e-6;  // the published step (Table C.4), in proportion to d
   const BedFigures figures = settle_bed(spec);
   print(preset, figures);
   return figures;
