@@ -30,8 +30,8 @@ void print(const std::string& name, const BedFigures& figures) {
 
 /// Solid fraction of powder 24 mm high in the shoe of section 4.1.1, a slice periodic in y: 32 mm between the
 /// walls and 2.16 mm deep at d = 0.47 mm, here in proportion to d, so that layers at the walls have their
-/// published share.
-BedFigures shoe_column(const std::string& preset) {
+/// published share. The time step is the published one in proportion to d.
+BedFigures shoe_column(const std::string& preset, std::uint64_t seed) {
   BedSpec spec;
   spec.powder = powder_preset(preset);
   spec.powder.grain_diameter *= kScale;
@@ -42,9 +42,21 @@ BedFigures shoe_column(const std::string& preset) {
   spec.expected_fraction = spec.powder.model == GrainModel::A ? 0.57 : 0.35;
   spec.lattice_fraction = 0;  // the lattice of a filling: 1.2 d
   spec.wall_sphere_radius = 1.5e-4;
+  spec.time_step = kScale * 2e-6;
+  spec.seed = seed;
   const BedFigures figures = settle_bed(spec);
-  print(preset, figures);
+  print(preset + ", seed " + std::to_string(seed), figures);
   return figures;
+}
+
+/// Mean solid fraction of three columns that differ in the grains' first spins and offsets.
+double mean_shoe_fraction(const std::string& preset) {
+  constexpr int kSeeds = 3;
+  double sum = 0;
+  for (int seed = 1; seed <= kSeeds; ++seed)
+    sum += shoe_column(preset, static_cast<std::uint64_t>(seed)).bulk_fraction;
+  std::printf("%s: mean f_m of %d seeds %.4f\n", preset.c_str(), kSeeds, sum / kSeeds);
+  return sum / kSeeds;
 }
 
 /// Table C.2 at d = 1.88 mm: 20 mm x 20 mm, ground spheres of the grains' radius centred at z = 0, fall from
@@ -67,19 +79,19 @@ BedFigures bulk_formation(const std::string& name, double friction, double work_
 }
 
 TEST(ShoeColumn, ModelAInitialSettlesToPublishedFraction) {
-  EXPECT_NEAR(shoe_column("ASC100.29 initial A").bulk_fraction, 0.59, 0.015);
+  EXPECT_NEAR(mean_shoe_fraction("ASC100.29 initial A"), 0.59, 0.015);
 }
 
 TEST(ShoeColumn, ModelDInitialSettlesToPublishedFraction) {
-  EXPECT_NEAR(shoe_column("ASC100.29 initial D").bulk_fraction, 0.38, 0.015);
+  EXPECT_NEAR(mean_shoe_fraction("ASC100.29 initial D"), 0.38, 0.015);
 }
 
 TEST(ShoeColumn, ModelD1SettlesToPublishedFraction) {
-  EXPECT_NEAR(shoe_column("ASC100.29 D1").bulk_fraction, 0.30, 0.015);
+  EXPECT_NEAR(mean_shoe_fraction("ASC100.29 D1"), 0.30, 0.015);
 }
 
 TEST(ShoeColumn, ModelD2SettlesToPublishedFraction) {
-  EXPECT_NEAR(shoe_column("ASC100.29 D2").bulk_fraction, 0.32, 0.015);
+  EXPECT_NEAR(mean_shoe_fraction("ASC100.29 D2"), 0.32, 0.015);
 }
 
 TEST(BulkFormation, NoncohesiveBedMatchesPublishedContacts) {
