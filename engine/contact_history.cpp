@@ -4,25 +4,24 @@
 
 namespace diefill::engine {
 
-ContactHistory::ContactHistory(std::vector<RememberedContact> contacts, std::size_t spheres) {
+void ContactHistory::add(std::uint32_t a, std::uint32_t b, const double* memory, const double* sign) {
+  added_.push_back({a, b, memory_.size() - 1});
+  memory_.pop_back();
+  for (std::size_t k = 0; k < width_; ++k) memory_.push_back(sign ? sign[k] * memory[k] : memory[k]);
+  memory_.push_back(0.0);
+}
+
+void ContactHistory::sort(std::size_t spheres) {
   first_.assign(spheres + 1, 0);
-  for (const auto& contact : contacts) ++first_[contact.a + 1];
+  for (const auto& entry : added_) ++first_[entry.a + 1];
   std::partial_sum(first_.begin(), first_.end(), first_.begin());
-  contacts_.resize(contacts.size());
+  sorted_.resize(added_.size());
   std::vector<std::uint32_t> next(first_.begin(), first_.end() - 1);
-  for (const auto& contact : contacts) contacts_[next[contact.a]++] = contact;
+  for (const auto& entry : added_) sorted_[next[entry.a]++] = entry;
+  added_.clear();
 }
 
 namespace {
-
-/// Calls visit(own sphere, pair number, table) for every touching pair of the block's table.
-template <class Partner, class Visit>
-void visit_touching(const Block& block, const PairTable<Partner>& table, std::size_t per_grain,
-                    const Visit& visit) {
-  for (std::size_t s = 0; s + 1 < table.first.size(); ++s)
-    for (std::uint32_t p = table.first[s]; p < table.first[s + 1]; ++p)
-      if (table.touching[p]) visit(static_cast<std::uint32_t>(block.begin * per_grain + s), p);
-}
 
 std::uint32_t renamed(std::uint32_t sphere, std::uint32_t per_grain,
                       const std::vector<std::uint32_t>& new_place) {
@@ -32,40 +31,45 @@ std::uint32_t renamed(std::uint32_t sphere, std::uint32_t per_grain,
 
 }  // namespace
 
-std::vector<RememberedContact> remember_grain_contacts(const std::vector<Block>& blocks,
-                                                       const PairNaming& naming,
-                                                       const std::vector<std::uint32_t>& new_place) {
+ContactHistory remember_grain_contacts(const std::vector<Block>& blocks, const PairNaming& naming,
+                                       const std::vector<std::uint32_t>& new_place,
+                                       const std::vector<double>& sign, std::size_t spheres) {
   const auto per_grain = static_cast<std::uint32_t>(naming.spheres_per_grain);
-  std::vector<RememberedContact> contacts;
-  for (const auto& block : blocks)
-    visit_touching(block, block.grain_pairs, per_grain, [&](std::uint32_t sphere, std::uint32_t p) {
-      const std::uint32_t a = renamed(sphere, per_grain, new_place);
-      const std::uint32_t b =
-          renamed(naming.real_sphere(block.grain_pairs.partner[p].sphere), per_grain, new_place);
-      if (a == kGone || b == kGone) return;
-      const Eigen::Vector3d& spring = block.grain_pairs.spring[p];
+  ContactHistory history(sign.size());
+  for (const auto& block : blocks) {
+    const auto& table = block.grain_pairs;
+    for (std::size_t p = 0; p < table.size(); ++p) {
+      if (!table.touching[p]) continue;
+      const std::uint32_t a = renamed(table.pair[p].own, per_grain, new_place);
+      const std::uint32_t b = renamed(naming.real_sphere(table.pair[p].other), per_grain, new_place);
+      if (a == kGone || b == kGone) continue;
       if (a < b)
-        contacts.push_back({a, b, spring});
+        history.add(a, b, table.memory_of(p), nullptr);
       else
-        contacts.push_back({b, a, -spring});
-    });
-  return contacts;
+        history.add(b, a, table.memory_of(p), sign.data());
+    }
+  }
+  history.sort(spheres);
+  return history;
 }
 
-std::vector<RememberedContact> remember_wall_contacts(const std::vector<Block>& blocks,
-                                                      const PairNaming& naming,
-                                                      const std::vector<std::uint32_t>& new_place) {
+ContactHistory remember_wall_contacts(const std::vector<Block>& blocks, const PairNaming& naming,
+                                      const std::vector<std::uint32_t>& new_place, std::size_t width,
+                                      std::size_t spheres) {
   const auto per_grain = static_cast<std::uint32_t>(naming.spheres_per_grain);
-  std::vector<RememberedContact> contacts;
-  for (const auto& block : blocks)
-    visit_touching(block, block.wall_pairs, per_grain, [&](std::uint32_t sphere, std::uint32_t p) {
-      const std::uint32_t a = renamed(sphere, per_grain, new_place);
-      if (a == kGone) return;
-      const WallPartner& partner = block.wall_pairs.partner[p];
-      contacts.push_back(
-          {a, (*naming.body_first)[partner.body] + partner.sphere, block.wall_pairs.spring[p]});
-    });
-  return contacts;
+  ContactHistory history(width);
+  for (const auto& block : blocks) {
+    const auto& table = block.wall_pairs;
+    for (std::size_t body = 0; body + 1 < block.wall_first.size(); ++body)
+      for (std::uint32_t p = block.wall_first[body]; p < block.wall_first[body + 1]; ++p) {
+        if (!table.touching[p]) continue;
+        const std::uint32_t a = renamed(table.pair[p].own, per_grain, new_place);
+        if (a != kGone)
+          history.add(a, (*naming.body_first)[body] + table.pair[p].wall, table.memory_of(p), nullptr);
+      }
+  }
+  history.sort(spheres);
+  return history;
 }
 
 }  // namespace diefill::engine

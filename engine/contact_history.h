@@ -10,31 +10,36 @@
 
 namespace diefill::engine {
 
-/// A touching pair outside any table: sphere `a` and its partner `b`, and a's spring against b (m). For grain
-/// pairs both are spheres of grains (never images) with a < b; for walls b is the wall sphere's number over
-/// all bodies.
-struct RememberedContact {
-  std::uint32_t a, b;
-  Eigen::Vector3d spring;
-};
-
-/// Remembered contacts sorted by `a`, looked up by (a, b).
+/// Touching pairs outside any table, named by sphere `a` and its partner `b`. For grain pairs both are
+/// spheres of grains (never images) with a < b; for walls b is the wall sphere's number over all bodies.
+/// Pairs are sorted by `a` once all are added.
 class ContactHistory {
  public:
   ContactHistory() = default;
-  /// `spheres`: number of spheres that `a` counts over.
-  ContactHistory(std::vector<RememberedContact> contacts, std::size_t spheres);
+  /// `width`: numbers that a pair remembers.
+  explicit ContactHistory(std::size_t width) : width_(width) {}
 
-  /// The contact of a with b, or nullptr.
-  const RememberedContact* find(std::uint32_t a, std::uint32_t b) const {
+  /// Adds what pair (a, b) remembers; `sign`: what each number is multiplied by, or nullptr.
+  void add(std::uint32_t a, std::uint32_t b, const double* memory, const double* sign);
+  /// Ends adding. `spheres`: number of spheres that `a` counts over.
+  void sort(std::size_t spheres);
+
+  /// What the contact of a with b remembers, or nullptr. A pair without memory is found, too.
+  const double* find(std::uint32_t a, std::uint32_t b) const {
     if (first_.empty()) return nullptr;
     for (std::uint32_t k = first_[a]; k < first_[a + 1]; ++k)
-      if (contacts_[k].b == b) return &contacts_[k];
+      if (sorted_[k].b == b) return memory_.data() + sorted_[k].memory;
     return nullptr;
   }
 
  private:
-  std::vector<RememberedContact> contacts_;
+  struct Entry {
+    std::uint32_t a, b;
+    std::size_t memory;
+  };
+  std::size_t width_ = 0;
+  std::vector<Entry> added_, sorted_;
+  std::vector<double> memory_ = {0.0};  ///< never empty, so that find() can point into it
   std::vector<std::uint32_t> first_;
 };
 
@@ -57,13 +62,14 @@ struct PairNaming {
   }
 };
 
-/// Touching grain pairs of all blocks, renamed by `new_place`.
-std::vector<RememberedContact> remember_grain_contacts(const std::vector<Block>& blocks,
-                                                       const PairNaming& naming,
-                                                       const std::vector<std::uint32_t>& new_place);
-/// Touching wall pairs of all blocks, renamed by `new_place`.
-std::vector<RememberedContact> remember_wall_contacts(const std::vector<Block>& blocks,
-                                                      const PairNaming& naming,
-                                                      const std::vector<std::uint32_t>& new_place);
+/// Touching grain pairs of all blocks, renamed by `new_place`, sorted for `spheres` spheres. `sign`: what
+/// each number that a pair remembers is multiplied by when the pair is seen from its other side.
+ContactHistory remember_grain_contacts(const std::vector<Block>& blocks, const PairNaming& naming,
+                                       const std::vector<std::uint32_t>& new_place,
+                                       const std::vector<double>& sign, std::size_t spheres);
+/// Touching wall pairs of all blocks, renamed by `new_place`, sorted for `spheres` spheres.
+ContactHistory remember_wall_contacts(const std::vector<Block>& blocks, const PairNaming& naming,
+                                      const std::vector<std::uint32_t>& new_place, std::size_t width,
+                                      std::size_t spheres);
 
 }  // namespace diefill::engine

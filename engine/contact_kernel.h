@@ -1,64 +1,62 @@
-// What happens between two touching spheres: the contact law applied to their relative motion. Grain and wall
-// loops both come here.
+// What grain and wall loops have in common: batches of touching pairs with what they remember, and the law
+// that a scene asks for.
 #pragma once
 
-#include <Eigen/Geometry>
-#include <cmath>
 #include <type_traits>
 
+#include "engine/contact_batch.h"
 #include "engine/laws/contact_law.h"
 #include "engine/pair_loop.h"
 
 namespace diefill::engine {
 
-/// Two touching spheres: geometry of the contact.
-struct Touch {
-  Eigen::Vector3d normal;  ///< from j to i
-  double overlap;          ///< m, h > 0
-};
-
-/// Arm (m) from a grain's centre to where contact forces act on it. `offset`: its sphere's centre seen from
-/// the grain's centre; `outward`: unit vector from the sphere's centre to the contact.
-template <LeverArm kArm>
-Eigen::Vector3d lever_arm(const Eigen::Vector3d& offset, const Eigen::Vector3d& outward, double radius,
-                          double overlap) {
-  if constexpr (kArm == LeverArm::surface)
-    return outward * radius;
-  else if constexpr (kArm == LeverArm::center)
-    return offset;
-  else
-    return offset + outward * (radius - 0.5 * overlap);
+/// Reads what pair `p` remembers into `lane` of the batch; a pair that has just come to touch remembers
+/// nothing.
+template <class Law, class Pair>
+void recall(const PairTable<Pair>& table, std::size_t p, ContactBatch<Law>& batch, std::size_t lane) {
+  const double* memory = table.memory_of(p);
+  for (std::size_t k = 0; k < ContactBatch<Law>::kMemory; ++k) batch.memory[k][lane] = memory[k];
 }
 
-/// Force (N) on i by the law, given the velocity of i against j where they touch (m/s). Advances the spring
-/// and books the work of damping and friction. `load` receives |f_e + f_v|.
+/// The way back.
+template <class Law, class Pair>
+void remember(const ContactBatch<Law>& batch, std::size_t lane, PairTable<Pair>& table, std::size_t p) {
+  double* memory = table.memory_of(p);
+  for (std::size_t k = 0; k < ContactBatch<Law>::kMemory; ++k) memory[k] = batch.memory[k][lane];
+}
+
+/// Notes whether pair `p` touches now; a new contact begins without memory.
+template <class Pair>
+void note_touching(PairTable<Pair>& table, std::size_t p, bool touches) {
+  if (touches && !table.touching[p]) std::fill_n(table.memory_of(p), table.width, 0.0);
+  table.touching[p] = touches;
+}
+
+/// Sums over the lanes of all batches of a block.
 template <class Law>
-Eigen::Vector3d contact_force(const Law& law, const Touch& touch, const Eigen::Vector3d& relative_velocity,
-                              double time_step, Eigen::Vector3d& spring, BlockTally& tally, double& load) {
-  const double root_overlap = std::sqrt(touch.overlap);
-  const double separation_speed = relative_velocity.dot(touch.normal);
-  const auto normal = law.normal(touch.overlap, root_overlap, separation_speed);
-  load = normal.load();
-  Eigen::Vector3d force = normal.total() * touch.normal;
-  tally.viscous_work += normal.viscous * separation_speed * time_step;
-  if constexpr (Law::kHasSpring) {
-    const Eigen::Vector3d sliding = relative_velocity - separation_speed * touch.normal;
-    const Eigen::Vector3d tangential =
-        law.friction.force(spring, touch.normal, sliding, root_overlap, load, time_step);
-    tally.tangential_work += tangential.dot(sliding) * time_step;
-    force += tangential;
+class BatchTally {
+ public:
+  void add(const ContactBatch<Law>& batch) {
+    viscous_power_.add(batch.viscous_power, batch.count);
+    tangential_power_.add(batch.tangential_power, batch.count);
+    if constexpr (Law::kRolls) rolling_power_.add(batch.rolling_power, batch.count);
+    for (std::size_t lane = 0; lane < batch.count; ++lane) deepest_ = std::max(deepest_, batch.overlap[lane]);
+    touching_ += batch.count;
   }
-  ++tally.touching;
-  return force;
-}
+  /// Books the work of one step of `time_step` (s).
+  void book(double time_step, BlockTally& tally, double& deepest_overlap) const {
+    tally.viscous_work += viscous_power_.total() * time_step;
+    tally.tangential_work += tangential_power_.total() * time_step;
+    tally.rolling_work += rolling_power_.total() * time_step;
+    tally.touching += touching_;
+    deepest_overlap = std::max(deepest_overlap, deepest_);
+  }
 
-/// Ends a contact's memory once the pair has come apart.
-template <class Partner>
-void let_go(PairTable<Partner>& table, std::uint32_t pair) {
-  if (!table.touching[pair]) return;
-  table.touching[pair] = 0;
-  table.spring[pair].setZero();
-}
+ private:
+  LaneSum viscous_power_, tangential_power_, rolling_power_;
+  double deepest_ = 0;
+  std::uint64_t touching_ = 0;
+};
 
 /// Calls use(law, arm) with the types that the parameters ask for: `law` a ContactLaw type, `arm` a constant
 /// of LeverArm. This is where a new cohesion or friction is registered: one line each.

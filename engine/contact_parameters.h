@@ -1,6 +1,8 @@
 // The material of a contact in absolute numbers, and the sphere pair it acts between. SI units.
 #pragma once
 
+#include <cmath>
+
 namespace diefill::engine {
 
 /// Parameters of the contact laws (Bierwisch 2009, section 2.1). For grain-wall contacts damping and
@@ -17,7 +19,7 @@ struct ContactParameters {
 /// Which point of a grain a contact force acts on, and whose velocity is compared there.
 enum class LeverArm {
   none,     ///< grains do not rotate (model A)
-  surface,  ///< R_i along the normal: rotating spheres (Bierwisch 2009, Eq. 2.10)
+  surface,  ///< the end of the sphere's radius along the normal (Bierwisch 2009, Eq. 2.10)
   center,   ///< the basic sphere's centre, as Eqs. 2.16 and 2.26 read literally (OP-2)
   contact   ///< the contact point; conserves angular momentum (OP-2)
 };
@@ -25,9 +27,9 @@ enum class LeverArm {
 /// Whether the tangential spring is cut back to the Coulomb limit while sliding (OP-1).
 enum class SpringLimit { cut_back, free };
 
-/// R_i R_j / (R_i + R_j) in m.
+/// R_i R_j / (R_i + R_j) in m; R_i against a plane, whose radius is infinite.
 inline double effective_radius(double radius_i, double radius_j) {
-  return radius_i * radius_j / (radius_i + radius_j);
+  return std::isinf(radius_j) ? radius_i : radius_i * radius_j / (radius_i + radius_j);
 }
 
 }  // namespace diefill::engine

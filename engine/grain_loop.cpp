@@ -1,5 +1,3 @@
-#include <array>
-
 #include "engine/contact_kernel.h"
 
 namespace diefill::engine {
@@ -14,112 +12,118 @@ void BlockTally::start(std::size_t bodies) {
 
 namespace {
 
-template <class Law, LeverArm kArm>
+/// Pairs between grains. `kComposed`: several spheres a grain, moments about the block's reference point.
+template <class Law, LeverArm kArm, bool kComposed>
 class GrainLoop final : public PairLoop {
  public:
   GrainLoop(const ContactParameters& parameters, double radius)
-      : law_(parameters, effective_radius(radius, radius)) {}
+      : law_(parameters, effective_radius(radius, radius)), reach_{2 * radius, radius} {}
 
   void add_forces(Block& block, const ContactScene& scene, BlockTally& tally) const override {
-    const auto per_grain = static_cast<std::uint32_t>(scene.spheres.spheres_per_grain);
-    for (std::uint32_t g = block.begin; g < block.end; ++g) {
-      ContactSum own;
-      for (std::uint32_t s = g * per_grain; s < (g + 1) * per_grain; ++s)
-        add_sphere(block, s, s - block.begin * per_grain, scene.motion[g], own, scene, tally);
-      ContactSum& sum = block.sums[g - block.begin];
-      sum.force += own.force;
-      sum.torque += own.torque;
-      sum.rolling_load += own.rolling_load;
+    thread_local std::vector<std::uint32_t> touching;
+    find_touching(block.grain_pairs, scene.spheres, touching);
+    thread_local ContactBatch<Law> batch;
+    BatchTally<Law> batches;
+    for (std::size_t done = 0; done < touching.size(); done += batch.count) {
+      batch.count = std::min(touching.size() - done, ContactBatch<Law>::kLanes);
+      const std::uint32_t* pairs = touching.data() + done;
+      for (std::size_t lane = 0; lane < batch.count; ++lane)
+        pack(block, pairs[lane], scene.spheres, lane, batch);
+      batch.fill_last_group();
+      with_instructions(scene.instructions,
+                        [&] { react<kArm, kComposed>(batch, law_, reach_, scene.time_step); });
+      for (std::size_t lane = 0; lane < batch.count; ++lane) hand_out(batch, lane, block, pairs[lane]);
+      batches.add(batch);
     }
+    batches.book(scene.time_step, tally, tally.overlap.grains);
   }
 
   double stored_energy(const Block& block, const ContactScene& scene) const override {
-    const auto per_grain = static_cast<std::uint32_t>(scene.spheres.spheres_per_grain);
-    const auto& table = block.grain_pairs;
     double energy = 0;
-    for (std::uint32_t k = 0; k + 1 < table.first.size(); ++k)
-      for (std::uint32_t p = table.first[k]; p < table.first[k + 1]; ++p) {
-        const Eigen::Vector3d between = scene.spheres.position[block.begin * per_grain + k] -
-                                        scene.spheres.position[table.partner[p].sphere];
-        const double overlap = 2 * scene.sphere_radius - between.norm();
-        if (overlap > 0) energy += law_.energy(overlap);
-      }
+    for (const GrainPair& pair : block.grain_pairs.pair) {
+      const double overlap =
+          reach_.contact - length(scene.spheres.position[pair.own] - scene.spheres.position[pair.other]);
+      if (overlap > 0) energy += law_.energy(overlap);
+    }
     return energy;
   }
 
- private:
-  /// All pairs of sphere `i`, number `k` of its block. Distances are tested first and touching pairs
-  /// collected, so that the costly part runs without guessing.
-  void add_sphere(Block& block, std::uint32_t i, std::uint32_t k, const GrainMotion& mover, ContactSum& own,
-                  const ContactScene& scene, BlockTally& tally) const {
-    auto& table = block.grain_pairs;
-    const Eigen::Vector3d here = scene.spheres.position[i];
-    const double reach_squared = 4 * scene.sphere_radius * scene.sphere_radius;
-    std::array<std::uint32_t, 64> touching;
-    std::uint32_t p = table.first[k];
-    while (p < table.first[k + 1]) {
-      std::size_t count = 0;
-      for (; p < table.first[k + 1] && count < touching.size(); ++p) {
-        const bool touches =
-            (here - scene.spheres.position[table.partner[p].sphere]).squaredNorm() < reach_squared;
-        touching[count] = p;
-        count += touches;
-        if (!touches) let_go(table, p);
-      }
-      for (std::size_t t = 0; t < count; ++t) add_pair(block, touching[t], here, mover, own, scene, tally);
-    }
+  std::vector<double> memory_signs() const override {
+    return std::vector<double>(static_cast<std::size_t>(Law::kMemory), -1.0);
   }
 
-  void add_pair(Block& block, std::uint32_t p, const Eigen::Vector3d& here, const GrainMotion& mover,
-                ContactSum& own, const ContactScene& scene, BlockTally& tally) const {
-    auto& table = block.grain_pairs;
-    const GrainPartner partner = table.partner[p];
-    const Eigen::Vector3d there = scene.spheres.position[partner.sphere];
-    const GrainMotion& other = scene.motion[partner.grain];
-    const double radius = scene.sphere_radius;
-    const Eigen::Vector3d between = here - there;
-    const double distance = between.norm();
-    const Touch touch{between / distance, 2 * radius - distance};
-    ContactSum& partners = block.sums[partner.slot];
-    table.touching[p] = 1;
-    tally.overlap.grains = std::max(tally.overlap.grains, touch.overlap);
+ private:
+  using Batch = ContactBatch<Law>;
 
-    double load = 0;
-    if constexpr (kArm == LeverArm::none) {
-      const Eigen::Vector3d force = contact_force(law_, touch, mover.velocity - other.velocity,
-                                                  scene.time_step, table.spring[p], tally, load);
-      own.force += force;
-      partners.force -= force;
-    } else {
-      const Eigen::Vector3d own_arm =
-          lever_arm<kArm>(here - mover.position, -touch.normal, radius, touch.overlap);
-      const Eigen::Vector3d arm =
-          lever_arm<kArm>(there - other.position, touch.normal, radius, touch.overlap);
-      const Eigen::Vector3d relative = mover.velocity + mover.angular_velocity.cross(own_arm) -
-                                       other.velocity - other.angular_velocity.cross(arm);
-      const Eigen::Vector3d force =
-          contact_force(law_, touch, relative, scene.time_step, table.spring[p], tally, load);
-      own.force += force;
-      own.torque += own_arm.cross(force);
-      partners.force -= force;
-      partners.torque -= arm.cross(force);
+  /// Distances are tested first and touching pairs collected, so that the costly part runs without guessing.
+  void find_touching(PairTable<GrainPair>& table, const SphereField& spheres,
+                     std::vector<std::uint32_t>& touching) const {
+    touching.resize(table.size());
+    const double reach_squared = reach_.contact * reach_.contact;
+    std::size_t count = 0;
+    for (std::size_t p = 0; p < table.size(); ++p) {
+      const GrainPair pair = table.pair[p];
+      const Vector3 between = spheres.position[pair.own] - spheres.position[pair.other];
+      const bool touches = dot(between, between) < reach_squared;
+      note_touching(table, p, touches);
+      touching[count] = static_cast<std::uint32_t>(p);
+      count += touches;
     }
-    if constexpr (kArm == LeverArm::surface) {
-      own.rolling_load += law_.rolling_friction * load;
-      partners.rolling_load += law_.rolling_friction * load;
+    touching.resize(count);
+  }
+
+  void pack(const Block& block, std::uint32_t p, const SphereField& spheres, std::size_t lane,
+            Batch& batch) const {
+    const GrainPair pair = block.grain_pairs.pair[p];
+    const Vector3 here = spheres.position[pair.own];
+    batch.separation.set(lane, here - spheres.position[pair.other]);
+    batch.velocity.set(lane, spheres.velocity[pair.own] - spheres.velocity[pair.other]);
+    if constexpr (kComposed) batch.place.set(lane, here - plain(block.reference));
+    if constexpr (Lever<kArm>::kTurns) {
+      const Vector3 own = spheres.spin[block.grain_of_slot[pair.own_slot]];
+      const Vector3 other = spheres.spin[block.grain_of_slot[pair.other_slot]];
+      batch.spin_sum.set(lane, own + other);
+      if constexpr (Law::kRolls) batch.relative_spin.set(lane, own - other);
     }
+    recall(block.grain_pairs, p, batch, lane);
+  }
+
+  void hand_out(const Batch& batch, std::size_t lane, Block& block, std::uint32_t p) const {
+    const GrainPair pair = block.grain_pairs.pair[p];
+    ContactSum& own = block.sums[pair.own_slot];
+    ContactSum& other = block.sums[pair.other_slot];
+    own.force += batch.force[lane];
+    other.force -= batch.force[lane];
+    if constexpr (Lever<kArm>::kTurns) {
+      own.moment += batch.moment[lane];
+      if constexpr (kComposed ? Lever<kArm>::kOtherDiffers : Law::kRolls)
+        other.moment += batch.other_moment[lane];
+      else if constexpr (kComposed)
+        other.moment -= batch.moment[lane];
+      else
+        other.moment += batch.moment[lane];
+    }
+    if constexpr (!kComposed && Lever<kArm>::kTurns) {
+      own.rolling_load += law_.rolling_friction * batch.load[lane];
+      other.rolling_load += law_.rolling_friction * batch.load[lane];
+    }
+    remember(batch, lane, block.grain_pairs, p);
   }
 
   Law law_;
+  PairReach reach_;
 };
 
 }  // namespace
 
 std::unique_ptr<PairLoop> make_grain_loop(const ContactParameters& parameters, LeverArm arm,
-                                          SpringLimit limit, double sphere_radius) {
-  return with_law(parameters, arm, limit, [&]<class Law, class Arm>(std::type_identity<Law>, Arm) {
-    return std::unique_ptr<PairLoop>(std::make_unique<GrainLoop<Law, Arm::value>>(parameters, sphere_radius));
-  });
+                                          SpringLimit limit, double sphere_radius, bool composed) {
+  return with_law(parameters, arm, limit,
+                  [&]<class Law, class Arm>(std::type_identity<Law>, Arm) -> std::unique_ptr<PairLoop> {
+                    if (composed)
+                      return std::make_unique<GrainLoop<Law, Arm::value, true>>(parameters, sphere_radius);
+                    return std::make_unique<GrainLoop<Law, Arm::value, false>>(parameters, sphere_radius);
+                  });
 }
 
 }  // namespace diefill::engine

@@ -1,9 +1,11 @@
-// The state of the powder: structure-of-arrays over grains, and the working records that contacts read.
+// The state of the powder: structure-of-arrays over grains.
 #pragma once
 
 #include <Eigen/Core>
 #include <cstdint>
 #include <vector>
+
+#include "engine/vector3.h"
 
 namespace diefill::engine {
 
@@ -28,19 +30,20 @@ struct Grains {
   void reorder(const std::vector<std::uint32_t>& order);
 };
 
-/// What a contact reads of a grain, kept together because contacts meet grains in no order a cache could
-/// guess. Velocities are those predicted for the end of the step (OP-3).
-struct GrainMotion {
-  Eigen::Vector3d position;          ///< m
-  Eigen::Vector3d velocity;          ///< m/s
-  Eigen::Vector3d angular_velocity;  ///< rad/s, laboratory frame
-};
-
-/// Sum of contact forces on a grain. `rolling_load` is the sum of mu_r |f_e + f_v| (N m, model B).
+/// Sum of contact forces on a grain.
 struct ContactSum {
-  Eigen::Vector3d force = Eigen::Vector3d::Zero();   ///< N
-  Eigen::Vector3d torque = Eigen::Vector3d::Zero();  ///< N m about the grain's centre, laboratory frame
-  double rolling_load = 0;
+  Vector3 force;  ///< N
+  /// N m, laboratory frame: about the centre of a single sphere, about the block's reference point for
+  /// composed grains.
+  Vector3 moment;
+  double rolling_load = 0;  ///< N m, sum of mu_r |f_e + f_v| (model B)
+
+  ContactSum& operator+=(const ContactSum& other) {
+    force += other.force;
+    moment += other.moment;
+    rolling_load += other.rolling_load;
+    return *this;
+  }
 };
 
 }  // namespace diefill::engine

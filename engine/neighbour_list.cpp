@@ -17,14 +17,17 @@ NeighbourList::NeighbourList(const NeighbourSettings& settings, std::vector<std:
     : settings_(settings), body_first_(std::move(body_first)) {}
 
 void NeighbourList::build(const SphereField& spheres, const std::vector<WallBody>& bodies,
-                          const std::vector<BodyMotion>& poses, const ContactHistory& history,
+                          const ListReference& reference, const ContactHistory& history,
                           const ContactHistory& wall_history, Workers& workers) {
-  cells_.build(spheres.position, 2 * settings_.sphere_radius + settings_.skin);
+  const double reach = 2 * settings_.sphere_radius + settings_.law_range + reference.skin;
+  cells_.build(spheres.position, reach);
   cut_into_blocks(spheres.grains);
   workers.for_each(blocks_.size(), [&](std::size_t b) {
-    find_grain_pairs(blocks_[b], spheres, history);
-    find_wall_pairs(blocks_[b], spheres, bodies, poses, wall_history);
-    blocks_[b].sums.resize(blocks_[b].grains() + blocks_[b].foreign.size());
+    Block& block = blocks_[b];
+    block.reference = reference.position[(block.begin + block.end) / 2];
+    find_grain_pairs(block, spheres, reach, history);
+    find_wall_pairs(block, spheres, bodies, reference, wall_history);
+    block.sums.resize(block.grain_of_slot.size());
   });
   index_foreign_sums(spheres.grains);
 }
@@ -38,76 +41,85 @@ void NeighbourList::cut_into_blocks(std::size_t grains) {
   }
 }
 
-void NeighbourList::find_grain_pairs(Block& block, const SphereField& spheres,
+std::uint32_t NeighbourList::slot_for(Block& block, const SphereField& spheres, std::uint32_t grain,
+                                      std::vector<std::uint32_t>& slot_of) const {
+  if (grain >= block.begin && grain < block.end) return grain - block.begin;
+  if (slot_of[grain] == kGone) {
+    slot_of[grain] = static_cast<std::uint32_t>(block.grain_of_slot.size());
+    const bool real = grain < spheres.grains;
+    const std::uint32_t owner = real ? grain : spheres.images[grain - spheres.grains].owner;
+    block.foreign.push_back(
+        {owner, real ? Eigen::Vector3d::Zero() : spheres.images[grain - spheres.grains].shift});
+    block.grain_of_slot.push_back(owner);
+  }
+  return slot_of[grain];
+}
+
+void NeighbourList::find_grain_pairs(Block& block, const SphereField& spheres, double reach,
                                      const ContactHistory& history) const {
   const auto per_grain = static_cast<std::uint32_t>(spheres.spheres_per_grain);
   const auto grains = static_cast<std::uint32_t>(spheres.grains);
-  const double reach = 2 * settings_.sphere_radius + settings_.skin;
   block.grain_pairs.clear();
+  block.grain_pairs.width = settings_.grain_memory;
   block.foreign.clear();
+  block.grain_of_slot.resize(block.grains());
+  std::iota(block.grain_of_slot.begin(), block.grain_of_slot.end(), block.begin);
   // Kept between blocks and handed back clean: a table of all grains for every block would cost the square of
   // their number.
-  thread_local std::vector<std::uint32_t> slot_of;
-  if (slot_of.size() < grains) slot_of.resize(grains, kGone);
+  thread_local std::vector<std::uint32_t> slot_of, touched;
+  slot_of.resize(std::max(slot_of.size(), spheres.size() / per_grain), kGone);
+  touched.clear();
 
-  const auto slot_for = [&](std::uint32_t owner) {
-    if (owner < block.end) return owner - block.begin;
-    if (slot_of[owner] == kGone) {
-      slot_of[owner] = block.grains() + static_cast<std::uint32_t>(block.foreign.size());
-      block.foreign.push_back(owner);
-    }
-    return slot_of[owner];
-  };
   for (std::uint32_t i = block.begin * per_grain; i < block.end * per_grain; ++i) {
-    const Eigen::Vector3d here = spheres.position[i];
+    const Vector3 here = spheres.position[i];
     const std::uint32_t own_grain = i / per_grain;
-    cells_.visit_neighbourhood(here, [&](std::uint32_t j, const Eigen::Vector3d& there) {
-      if ((there - here).squaredNorm() >= reach * reach) return;
+    cells_.visit_neighbourhood(here, [&](std::uint32_t j, Vector3 there) {
+      const Vector3 between = there - here;
+      if (dot(between, between) >= reach * reach) return;
       const std::uint32_t grain = j / per_grain;
       const std::uint32_t owner = grain < grains ? grain : spheres.images[grain - grains].owner;
       // Every pair once, by the grain that comes first; an image stands for its owner.
       if (owner <= own_grain) return;
-      const auto* remembered = history.find(i, owner * per_grain + j % per_grain);
-      block.grain_pairs.add({j, grain, slot_for(owner)}, remembered != nullptr,
-                            remembered ? remembered->spring : Eigen::Vector3d::Zero());
+      if (grain >= block.end) touched.push_back(grain);
+      block.grain_pairs.add({i, j, own_grain - block.begin, slot_for(block, spheres, grain, slot_of)},
+                            history.find(i, owner * per_grain + j % per_grain));
     });
-    block.grain_pairs.first.push_back(static_cast<std::uint32_t>(block.grain_pairs.partner.size()));
   }
-  for (const std::uint32_t owner : block.foreign) slot_of[owner] = kGone;
+  for (const std::uint32_t grain : touched) slot_of[grain] = kGone;
 }
 
 void NeighbourList::find_wall_pairs(Block& block, const SphereField& spheres,
-                                    const std::vector<WallBody>& bodies, const std::vector<BodyMotion>& poses,
+                                    const std::vector<WallBody>& bodies, const ListReference& reference,
                                     const ContactHistory& history) const {
   const auto per_grain = static_cast<std::uint32_t>(spheres.spheres_per_grain);
   block.wall_pairs.clear();
+  block.wall_pairs.width = settings_.wall_memory;
+  block.wall_first.assign(1, 0);
   std::vector<std::uint32_t> found;
-  for (std::uint32_t i = block.begin * per_grain; i < block.end * per_grain; ++i) {
-    for (std::uint32_t b = 0; b < bodies.size(); ++b) {
+  for (std::uint32_t b = 0; b < bodies.size(); ++b) {
+    const BodyMotion& pose = reference.bodies[b];
+    const double reach = settings_.sphere_radius + bodies[b].sphere_radius() + reference.skin;
+    for (std::uint32_t i = block.begin * per_grain; i < block.end * per_grain; ++i) {
       found.clear();
-      const Eigen::Vector3d body_point =
-          poses[b].rotation.transpose() * (spheres.position[i] - poses[b].translation);
-      bodies[b].find(body_point, found);
-      for (const std::uint32_t w : found) {
-        const auto* remembered = history.find(i, body_first_[b] + w);
-        block.wall_pairs.add({w, b}, remembered != nullptr,
-                             remembered ? remembered->spring : Eigen::Vector3d::Zero());
-      }
+      bodies[b].find(pose.rotation.transpose() * (eigen(spheres.position[i]) - pose.translation), reach,
+                     found);
+      for (const std::uint32_t w : found)
+        block.wall_pairs.add({i, w, i / per_grain - block.begin}, history.find(i, body_first_[b] + w));
     }
-    block.wall_pairs.first.push_back(static_cast<std::uint32_t>(block.wall_pairs.partner.size()));
+    block.wall_first.push_back(static_cast<std::uint32_t>(block.wall_pairs.size()));
   }
 }
 
 void NeighbourList::index_foreign_sums(std::size_t grains) {
   foreign_first_.assign(grains + 1, 0);
   for (const auto& block : blocks_)
-    for (const std::uint32_t owner : block.foreign) ++foreign_first_[owner + 1];
+    for (const auto& foreign : block.foreign) ++foreign_first_[foreign.owner + 1];
   std::partial_sum(foreign_first_.begin(), foreign_first_.end(), foreign_first_.begin());
   foreign_sums_.resize(foreign_first_.back());
   std::vector<std::uint32_t> next(foreign_first_.begin(), foreign_first_.end() - 1);
   for (std::uint32_t b = 0; b < blocks_.size(); ++b)
     for (std::uint32_t k = 0; k < blocks_[b].foreign.size(); ++k)
-      foreign_sums_[next[blocks_[b].foreign[k]]++] = {b, blocks_[b].grains() + k};
+      foreign_sums_[next[blocks_[b].foreign[k].owner]++] = {b, blocks_[b].grains() + k};
 }
 
 }  // namespace diefill::engine

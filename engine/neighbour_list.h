@@ -6,25 +6,18 @@
 
 #include "engine/contact_history.h"
 #include "engine/parallel.h"
-#include "engine/periodic_box.h"
 #include "engine/sphere_cells.h"
+#include "engine/sphere_field.h"
 #include "engine/walls.h"
 
 namespace diefill::engine {
 
-/// The spheres of all grains and of their images at one instant.
-struct SphereField {
-  std::size_t spheres_per_grain = 1;
-  std::size_t grains = 0;                 ///< real ones; images follow
-  std::vector<Eigen::Vector3d> position;  ///< m, grain after grain
-  std::vector<GrainImage> images;
-};
-
 /// What the search needs to know.
 struct NeighbourSettings {
-  double sphere_radius = 0;    ///< m
-  double farthest_sphere = 0;  ///< m, of a sphere's centre from its grain's centre
-  double skin = 0;             ///< m, how much nearer two spheres may come before the list must be renewed
+  double sphere_radius = 0;                       ///< m
+  double farthest_sphere = 0;                     ///< m, of a sphere's centre from its grain's centre
+  double law_range = 0;                           ///< m, gap up to which the law acts between grains
+  std::size_t grain_memory = 0, wall_memory = 0;  ///< numbers that touching pairs remember
 };
 
 /// The powder and the bodies as they stood when the list was made: all that is needed to tell when it is too
@@ -33,6 +26,7 @@ struct ListReference {
   std::vector<Eigen::Vector3d> position;  ///< m, of grains
   std::vector<Quaternion> orientation;
   std::vector<BodyMotion> bodies;
+  double skin = 0;  ///< m, how much nearer two spheres may come before the list must be renewed
   Eigen::Vector3d drift = Eigen::Vector3d::Zero();  ///< m/s, mean velocity of the powder
   double time = 0;                                  ///< s
 };
@@ -44,9 +38,8 @@ class NeighbourList {
   NeighbourList(const NeighbourSettings& settings, std::vector<std::uint32_t> body_first);
 
   /// Finds all near pairs, with the memory of `history` (sphere pairs) and `wall_history`.
-  void build(const SphereField& spheres, const std::vector<WallBody>& bodies,
-             const std::vector<BodyMotion>& poses, const ContactHistory& history,
-             const ContactHistory& wall_history, Workers& workers);
+  void build(const SphereField& spheres, const std::vector<WallBody>& bodies, const ListReference& reference,
+             const ContactHistory& history, const ContactHistory& wall_history, Workers& workers);
 
   std::vector<Block>& blocks() { return blocks_; }
   const std::vector<Block>& blocks() const { return blocks_; }
@@ -63,9 +56,12 @@ class NeighbourList {
 
  private:
   void cut_into_blocks(std::size_t grains);
-  void find_grain_pairs(Block& block, const SphereField& spheres, const ContactHistory& history) const;
+  void find_grain_pairs(Block& block, const SphereField& spheres, double reach,
+                        const ContactHistory& history) const;
   void find_wall_pairs(Block& block, const SphereField& spheres, const std::vector<WallBody>& bodies,
-                       const std::vector<BodyMotion>& poses, const ContactHistory& history) const;
+                       const ListReference& reference, const ContactHistory& history) const;
+  std::uint32_t slot_for(Block& block, const SphereField& spheres, std::uint32_t grain,
+                         std::vector<std::uint32_t>& slot_of) const;
   void index_foreign_sums(std::size_t grains);
 
   NeighbourSettings settings_;

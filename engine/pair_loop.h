@@ -3,10 +3,14 @@
 #pragma once
 
 #include <memory>
+#include <vector>
 
 #include "engine/contact_parameters.h"
 #include "engine/deepest_overlap.h"
-#include "engine/neighbour_list.h"
+#include "engine/pair_table.h"
+#include "engine/sphere_field.h"
+#include "engine/vector_instructions.h"
+#include "engine/walls.h"
 
 namespace diefill::engine {
 
@@ -28,28 +32,33 @@ struct BlockTally {
 /// State of the powder and the tools that contacts are computed from.
 struct ContactScene {
   const SphereField& spheres;
-  const std::vector<GrainMotion>& motion;  ///< real grains, then images
   const std::vector<WallBody>& bodies;
   const std::vector<BodyMotion>& body_motion;
   double sphere_radius;  ///< m
   double time_step;      ///< s
+  InstructionSet instructions;
 };
 
 /// Contact forces of a block's pairs.
 class PairLoop {
  public:
   virtual ~PairLoop() = default;
-  /// Adds the forces of the block's touching pairs to its sums and advances their springs.
+  /// Adds the forces of the block's touching pairs to its sums and advances what they remember.
   virtual void add_forces(Block& block, const ContactScene& scene, BlockTally& tally) const = 0;
   /// Energy (J) that the normal springs of the block's pairs hold.
   virtual double stored_energy(const Block& block, const ContactScene& scene) const = 0;
+  /// For each number that a pair remembers: what it is multiplied by when the pair is seen from its other
+  /// side.
+  virtual std::vector<double> memory_signs() const = 0;
 };
 
-/// The loop for pairs between grains of spheres of `sphere_radius` (m).
+/// The loop for pairs between grains of spheres of `sphere_radius` (m). `composed`: several spheres a grain.
 std::unique_ptr<PairLoop> make_grain_loop(const ContactParameters& parameters, LeverArm arm,
-                                          SpringLimit limit, double sphere_radius);
-/// The loop for pairs of grains with walls; one law for each radius of wall spheres (m, one entry a body).
+                                          SpringLimit limit, double sphere_radius, bool composed);
+/// The loop for pairs of grains with walls; one law for each radius of wall spheres (m, one entry a body;
+/// infinite for planes).
 std::unique_ptr<PairLoop> make_wall_loop(const ContactParameters& parameters, LeverArm arm, SpringLimit limit,
-                                         double sphere_radius, const std::vector<double>& wall_radii);
+                                         double sphere_radius, bool composed,
+                                         const std::vector<double>& wall_radii);
 
 }  // namespace diefill::engine

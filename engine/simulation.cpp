@@ -1,7 +1,7 @@
 #include "engine/simulation.h"
 
 #include <algorithm>
-#include <numbers>
+#include <limits>
 #include <numeric>
 #include <stdexcept>
 
@@ -41,14 +41,23 @@ SimulationSettings checked(SimulationSettings settings) {
 std::vector<std::uint32_t> first_sphere_of_bodies(const std::vector<WallBodySpec>& walls) {
   std::vector<std::uint32_t> first(1, 0);
   for (const auto& wall : walls)
-    first.push_back(first.back() + static_cast<std::uint32_t>(wall.centres.size()));
+    first.push_back(first.back() + static_cast<std::uint32_t>(wall.centres.size() + wall.planes.size()));
   return first;
 }
 
 std::vector<double> radii_of(const std::vector<WallBodySpec>& walls) {
   std::vector<double> radii;
-  for (const auto& wall : walls) radii.push_back(wall.sphere_radius);
+  for (const auto& wall : walls)
+    radii.push_back(wall.planes.empty() ? wall.sphere_radius : std::numeric_limits<double>::infinity());
   return radii;
+}
+
+NeighbourSettings neighbour_settings(const GrainShape& shape, const PairLoop& grain_loop,
+                                     const PairLoop& wall_loop) {
+  return {.sphere_radius = shape.sphere_radius,
+          .farthest_sphere = farthest_sphere(shape),
+          .grain_memory = grain_loop.memory_signs().size(),
+          .wall_memory = wall_loop.memory_signs().size()};
 }
 
 }  // namespace
@@ -57,12 +66,14 @@ Simulation::Simulation(const SimulationSettings& settings, std::vector<WallBodyS
     : settings_(checked(settings)),
       workers_(settings_.threads),
       box_(settings_.period),
-      list_({settings_.shape.sphere_radius, farthest_sphere(settings_.shape), settings_.skin},
-            first_sphere_of_bodies(walls)),
       grain_loop_(make_grain_loop(settings_.grain_contact, settings_.lever_arm, settings_.spring_limit,
-                                  settings_.shape.sphere_radius)),
+                                  settings_.shape.sphere_radius, settings_.shape.spheres() > 1)),
       wall_loop_(make_wall_loop(settings_.wall_contact, settings_.lever_arm, settings_.spring_limit,
-                                settings_.shape.sphere_radius, radii_of(walls))) {
+                                settings_.shape.sphere_radius, settings_.shape.spheres() > 1,
+                                radii_of(walls))),
+      list_(neighbour_settings(settings_.shape, *grain_loop_, *wall_loop_), first_sphere_of_bodies(walls)),
+      integrator_(settings_.shape, settings_.gravity, settings_.air_viscosity, settings_.time_step,
+                  settings_.instructions) {
   for (auto& wall : walls) {
     const double reach = settings_.shape.sphere_radius + wall.sphere_radius + settings_.skin;
     bodies_.emplace_back(std::move(wall), reach);
@@ -70,8 +81,6 @@ Simulation::Simulation(const SimulationSettings& settings, std::vector<WallBodyS
   }
   wall_loads_.resize(bodies_.size());
   clearance_.resize(bodies_.size());
-  for (const auto& offset : settings_.shape.sphere_offsets)
-    drag_inertia_ += Eigen::Vector3d::Constant(offset.squaredNorm()) - offset.cwiseAbs2();
   spheres_.spheres_per_grain = settings_.shape.spheres();
   sort_and_search();
 }
@@ -81,7 +90,6 @@ void Simulation::add_grains(const std::vector<NewGrain>& added) {
   const double before = energy().total();
   const std::size_t old_count = grains_.size();
   grains_.resize(old_count + added.size());
-  motion_.resize(grains_.size());
   for (std::size_t k = 0; k < added.size(); ++k) {
     const std::size_t g = old_count + k;
     const NewGrain& grain = added[k];
@@ -94,7 +102,6 @@ void Simulation::add_grains(const std::vector<NewGrain>& added) {
     grains_.spin[g] = rotation_matrix(grains_.orientation[g]).transpose() * grain.angular_velocity;
     grains_.force[g] = settings_.shape.mass * settings_.gravity;
     grains_.torque[g].setZero();
-    motion_[g] = {grains_.position[g], grain.velocity, grain.angular_velocity};
   }
   sort_and_search();
   ledger_.added_energy += energy().total() - before;
@@ -149,59 +156,43 @@ void Simulation::move_bodies() {
 void Simulation::advance_grains() {
   auto& blocks = list_.blocks();
   workers_.for_each(blocks.size(), [&](std::size_t b) {
-    tallies_[b].displacement = 0;
-    for (std::size_t k = blocks[b].begin; k < blocks[b].end; ++k) {
-      advance_grain(k);
-      tallies_[b].displacement = std::max(tallies_[b].displacement, displacement_since_search(k));
-    }
+    integrator_.advance(grains_, blocks[b].begin, blocks[b].end, spheres_);
+    tallies_[b].displacement = displacement_since_search(blocks[b]);
   });
 }
 
-void Simulation::advance_grain(std::size_t k) {
-  const GrainShape& shape = settings_.shape;
-  const double dt = settings_.time_step;
-  const Eigen::Vector3d acceleration = grains_.force[k] / shape.mass;
-  grains_.position[k] += grains_.velocity[k] * dt + acceleration * (0.5 * dt * dt);
-  GrainMotion& motion = motion_[k];
-  motion.position = grains_.position[k];
-  // Forces depend on velocities: they see those that the present forces would lead to (OP-3).
-  motion.velocity = grains_.velocity[k] + acceleration * dt;
-  Eigen::Vector3d* spheres = &spheres_.position[k * shape.spheres()];
-  if (!shape.rotates) {
-    spheres[0] = grains_.position[k];
-    return;
+/// m, at least as far as any sphere of the block's grains has moved against the powder as a whole.
+double Simulation::displacement_since_search(const Block& block) const {
+  const bool composed = settings_.shape.spheres() > 1;
+  const Eigen::Vector3d drift = reference_.drift * (time_ - reference_.time);
+  const Vector3 drifted = plain(drift);
+  double moved = 0, turned = 0;
+  for (std::size_t k = block.begin; k < block.end; ++k) {
+    const Vector3 way = plain(grains_.position[k]) - plain(reference_.position[k]) - drifted;
+    moved = std::max(moved, dot(way, way));
+    if (!composed) continue;
+    const PlainQuaternion turn = plain(grains_.orientation[k]) - plain(reference_.orientation[k]);
+    turned = std::max(turned, dot(turn, turn));
   }
-  const Eigen::Vector3d rate = spin_rate(shape.inertia, grains_.spin[k], grains_.torque[k]);
-  if (shape.spheres() == 1) {
-    motion.angular_velocity = grains_.spin[k] + rate * dt;
-    spheres[0] = grains_.position[k];
-    return;
-  }
-  grains_.orientation[k] = advance_orientation(grains_.orientation[k], grains_.spin[k], rate, dt);
-  const Eigen::Matrix3d to_lab = rotation_matrix(grains_.orientation[k]);
-  motion.angular_velocity = to_lab * (grains_.spin[k] + rate * dt);
-  for (std::size_t s = 0; s < shape.spheres(); ++s)
-    spheres[s] = grains_.position[k] + to_lab * shape.sphere_offsets[s];
-}
-
-double Simulation::displacement_since_search(std::size_t k) const {
-  const Eigen::Vector3d moved =
-      grains_.position[k] - reference_.position[k] - reference_.drift * (time_ - reference_.time);
-  if (settings_.shape.spheres() == 1) return moved.norm();
   // A sphere at distance r turns by at most 2 r |q - q_0|.
-  return moved.norm() +
-         2 * list_.settings().farthest_sphere * (grains_.orientation[k] - reference_.orientation[k]).norm();
+  return std::sqrt(moved) + 2 * list_.settings().farthest_sphere * std::sqrt(turned);
 }
 
+/// Contact forces on grain k of block b; moments about its centre.
 ContactSum Simulation::gathered(std::size_t b, std::size_t k) const {
   const auto& blocks = list_.blocks();
-  ContactSum sum = blocks[b].sums[k - blocks[b].begin];
+  const bool composed = settings_.shape.spheres() > 1;
+  const auto about_centre = [&](ContactSum sum, const Eigen::Vector3d& arm) {
+    if (composed) sum.moment -= cross(plain(arm), sum.force);
+    return sum;
+  };
+  ContactSum sum =
+      about_centre(blocks[b].sums[k - blocks[b].begin], grains_.position[k] - blocks[b].reference);
   for (std::uint32_t f = list_.foreign_first()[k]; f < list_.foreign_first()[k + 1]; ++f) {
     const auto place = list_.foreign_sums()[f];
-    const ContactSum& part = blocks[place.block].sums[place.slot];
-    sum.force += part.force;
-    sum.torque += part.torque;
-    sum.rolling_load += part.rolling_load;
+    const Block& block = blocks[place.block];
+    const Eigen::Vector3d& shift = block.foreign[place.slot - block.grains()].shift;
+    sum += about_centre(block.sums[place.slot], grains_.position[k] + shift - block.reference);
   }
   return sum;
 }
@@ -220,44 +211,13 @@ void Simulation::compute_contacts() {
 void Simulation::finish_grains() {
   const auto& blocks = list_.blocks();
   workers_.for_each(blocks.size(), [&](std::size_t b) {
-    for (std::size_t k = blocks[b].begin; k < blocks[b].end; ++k)
-      finish_grain(k, gathered(b, k), tallies_[b]);
+    thread_local std::vector<ContactSum> contacts;
+    contacts.clear();
+    for (std::size_t k = blocks[b].begin; k < blocks[b].end; ++k) contacts.push_back(gathered(b, k));
+    const auto work = integrator_.finish(grains_, blocks[b].begin, blocks[b].end, contacts);
+    tallies_[b].drag_work += work.drag;
+    tallies_[b].rolling_work += work.rolling;
   });
-}
-
-void Simulation::finish_grain(std::size_t k, const ContactSum& contacts, BlockTally& tally) {
-  const GrainShape& shape = settings_.shape;
-  const double dt = settings_.time_step;
-  const double drag = 6 * std::numbers::pi * settings_.air_viscosity * shape.sphere_radius;
-  const double grain_drag = drag * static_cast<double>(shape.spheres());
-  const Eigen::Vector3d air = -grain_drag * motion_[k].velocity;
-  tally.drag_work += air.dot(motion_[k].velocity) * dt;
-
-  const Eigen::Vector3d force = contacts.force + air + shape.mass * settings_.gravity;
-  grains_.velocity[k] += (grains_.force[k] + force) * (0.5 * dt / shape.mass);
-  grains_.force[k] = force;
-  if (!shape.rotates) return;
-
-  if (shape.spheres() == 1) {
-    Eigen::Vector3d& spin = grains_.spin[k];
-    spin = advance_spin(shape.inertia, spin, grains_.torque[k], contacts.torque, dt);
-    grains_.torque[k] = contacts.torque;
-    // Rolling friction (Eq. 2.11) stops a rotation but never reverses it within a step (OP-9).
-    const double speed = spin.norm();
-    if (contacts.rolling_load > 0 && speed > 0) {
-      const double slower = std::max(0.0, speed - contacts.rolling_load * dt / shape.inertia[0]);
-      tally.rolling_work += 0.5 * shape.inertia[0] * (slower * slower - speed * speed);
-      spin *= slower / speed;
-    }
-    return;
-  }
-  const Eigen::Matrix3d to_lab = rotation_matrix(grains_.orientation[k]);
-  const Eigen::Vector3d predicted_spin = to_lab.transpose() * motion_[k].angular_velocity;
-  const Eigen::Vector3d air_torque = -drag * drag_inertia_.cwiseProduct(predicted_spin);
-  tally.drag_work += air_torque.dot(predicted_spin) * dt;
-  const Eigen::Vector3d torque = to_lab.transpose() * contacts.torque + air_torque;
-  grains_.spin[k] = advance_spin(shape.inertia, grains_.spin[k], grains_.torque[k], torque, dt);
-  grains_.torque[k] = torque;
 }
 
 void Simulation::book_step() {
@@ -284,7 +244,12 @@ void Simulation::book_step() {
 }
 
 ContactScene Simulation::contact_scene() const {
-  return {spheres_, motion_, bodies_, body_motion_, settings_.shape.sphere_radius, settings_.time_step};
+  return {spheres_,
+          bodies_,
+          body_motion_,
+          settings_.shape.sphere_radius,
+          settings_.time_step,
+          settings_.instructions};
 }
 
 }  // namespace diefill::engine

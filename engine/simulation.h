@@ -4,8 +4,10 @@
 #include <functional>
 #include <memory>
 
+#include "engine/grain_integrator.h"
 #include "engine/grain_shape.h"
 #include "engine/ledger.h"
+#include "engine/neighbour_list.h"
 #include "engine/pair_loop.h"
 #include "engine/phase_timers.h"
 #include "engine/state.h"
@@ -25,6 +27,7 @@ struct SimulationSettings {
   std::array<std::optional<double>, 2> period;  ///< m along x and y, box centred on the origin
   double skin = 0;                              ///< m; 0: a default from the sphere radius
   int threads = 1;
+  InstructionSet instructions = best_instruction_set();  ///< all give the same bits
 };
 
 /// A grain to be added.
@@ -99,9 +102,8 @@ class Simulation {
 
  private:
   void advance_grains();
-  void advance_grain(std::size_t k);
   void move_bodies();
-  double displacement_since_search(std::size_t k) const;
+  double displacement_since_search(const Block& block) const;
   bool list_is_old() const;
   void wrap_grains();
   void check_places() const;
@@ -116,7 +118,6 @@ class Simulation {
   void compute_contacts();
   void finish_grains();
   ContactSum gathered(std::size_t block, std::size_t k) const;
-  void finish_grain(std::size_t k, const ContactSum& contacts, BlockTally& tally);
   void book_step();
   ContactScene contact_scene() const;
 
@@ -126,14 +127,12 @@ class Simulation {
   std::vector<WallBody> bodies_;
   std::vector<BodyMotion> body_motion_;
   std::vector<WallLoad> wall_loads_;
+  std::unique_ptr<PairLoop> grain_loop_, wall_loop_;
   NeighbourList list_;
   ListReference reference_;
-  std::unique_ptr<PairLoop> grain_loop_, wall_loop_;
-  Eigen::Vector3d drag_inertia_ =
-      Eigen::Vector3d::Zero();  ///< m^2, sum over spheres of (b^2 - b_a^2), body frame
+  GrainIntegrator integrator_;
 
   Grains grains_;
-  std::vector<GrainMotion> motion_;
   SphereField spheres_;
   std::vector<BlockTally> tallies_;
   std::vector<double> clearance_;  ///< m a body, how far it stood from the powder when contacts were searched

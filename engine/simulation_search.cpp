@@ -29,13 +29,13 @@ double clearance_of(const WallBody& body, const BodyMotion& pose, const Eigen::V
 bool Simulation::list_is_old() const {
   double moved = 0;
   for (const auto& tally : tallies_) moved = std::max(moved, tally.displacement);
-  if (2 * moved > settings_.skin) return true;
+  if (2 * moved > reference_.skin) return true;
   const Eigen::Vector3d drifted = reference_.drift * (time_ - reference_.time);
   for (std::size_t b = 0; b < bodies_.size(); ++b) {
     const BodyMotion &now = body_motion_[b], &then = reference_.bodies[b];
     const double body_moved = (now.translation - then.translation - drifted).norm() +
                               bodies_[b].extent() * (now.rotation - then.rotation).norm();
-    if (moved + body_moved > settings_.skin + clearance_[b]) return true;
+    if (moved + body_moved > reference_.skin + clearance_[b]) return true;
   }
   return false;
 }
@@ -45,7 +45,7 @@ void Simulation::wrap_grains() {
   if (!box_.any()) return;
   for (std::size_t k = 0; k < grains_.size(); ++k) {
     const Eigen::Vector3d before = grains_.position[k];
-    grains_.position[k] = motion_[k].position = box_.wrapped(before);
+    grains_.position[k] = box_.wrapped(before);
     ledger_.added_energy -= settings_.shape.mass * settings_.gravity.dot(grains_.position[k] - before);
   }
 }
@@ -73,13 +73,13 @@ void Simulation::search_in_order(const std::vector<std::uint32_t>& order) {
   std::vector<std::uint32_t> new_place(grains_.size(), kGone);
   for (std::uint32_t k = 0; k < order.size(); ++k) new_place[order[k]] = k;
   const std::size_t spheres = order.size() * settings_.shape.spheres();
-  const ContactHistory history(remember_grain_contacts(list_.blocks(), naming, new_place), spheres);
-  const ContactHistory wall_history(remember_wall_contacts(list_.blocks(), naming, new_place), spheres);
+  const auto signs = grain_loop_->memory_signs();
+  const auto history = remember_grain_contacts(list_.blocks(), naming, new_place, signs, spheres);
+  const auto wall_history =
+      remember_wall_contacts(list_.blocks(), naming, new_place, list_.settings().wall_memory, spheres);
 
   grains_.reorder(order);
-  std::vector<GrainMotion> motion(order.size());
-  for (std::size_t k = 0; k < order.size(); ++k) motion[k] = motion_[order[k]];
-  motion_.swap(motion);
+  spheres_.reorder_motion(order);
   remember_reference();
   search(history, wall_history);
 }
@@ -89,6 +89,7 @@ void Simulation::remember_reference() {
   reference_.orientation = grains_.orientation;
   reference_.bodies = body_motion_;
   reference_.time = time_;
+  reference_.skin = settings_.skin;
   reference_.drift.setZero();
   for (const auto& velocity : grains_.velocity) reference_.drift += velocity;
   if (grains_.size() > 0) reference_.drift /= static_cast<double>(grains_.size());
@@ -98,19 +99,20 @@ void Simulation::search(const ContactHistory& history, const ContactHistory& wal
   ++searches_;
   spheres_.grains = reference_.position.size();
   find_images();
-  motion_.resize(spheres_.grains + spheres_.images.size());
-  spheres_.position.resize(motion_.size() * spheres_.spheres_per_grain);
+  spheres_.position.resize((spheres_.grains + spheres_.images.size()) * spheres_.spheres_per_grain);
+  spheres_.velocity.resize(spheres_.position.size());
+  spheres_.spin.resize(spheres_.grains);
   place_spheres(reference_.position, reference_.orientation);
-  list_.build(spheres_, bodies_, reference_.bodies, history, wall_history, workers_);
+  list_.build(spheres_, bodies_, reference_, history, wall_history, workers_);
   tallies_.resize(list_.blocks().size());
 
   Eigen::Vector3d lower = Eigen::Vector3d::Constant(1e300), upper = -lower;
   for (const auto& centre : spheres_.position) {
-    lower = lower.cwiseMin(centre);
-    upper = upper.cwiseMax(centre);
+    lower = lower.cwiseMin(eigen(centre));
+    upper = upper.cwiseMax(eigen(centre));
   }
   for (std::size_t b = 0; b < bodies_.size(); ++b) {
-    const double reach = settings_.shape.sphere_radius + bodies_[b].sphere_radius() + settings_.skin;
+    const double reach = settings_.shape.sphere_radius + bodies_[b].sphere_radius() + reference_.skin;
     clearance_[b] =
         spheres_.grains == 0 ? 0 : clearance_of(bodies_[b], reference_.bodies[b], lower, upper, reach);
   }
@@ -135,7 +137,8 @@ void Simulation::place_spheres(const std::vector<Eigen::Vector3d>& position,
   for (std::size_t k = 0; k < spheres_.grains; ++k) {
     const Eigen::Matrix3d to_lab = rotation_matrix(orientation[k]);
     for (std::size_t s = 0; s < shape.spheres(); ++s)
-      spheres_.position[k * shape.spheres() + s] = position[k] + to_lab * shape.sphere_offsets[s];
+      spheres_.position[k * shape.spheres() + s] =
+          plain(Eigen::Vector3d(position[k] + to_lab * shape.sphere_offsets[s]));
   }
   place_images();
 }
@@ -144,43 +147,47 @@ void Simulation::place_images() {
   const std::size_t per_grain = spheres_.spheres_per_grain;
   for (std::size_t m = 0; m < spheres_.images.size(); ++m) {
     const GrainImage& image = spheres_.images[m];
-    const std::size_t copy = spheres_.grains + m;
-    motion_[copy] = motion_[image.owner];
-    motion_[copy].position += image.shift;
-    for (std::size_t s = 0; s < per_grain; ++s)
-      spheres_.position[copy * per_grain + s] = spheres_.position[image.owner * per_grain + s] + image.shift;
+    const Vector3 shift = plain(image.shift);
+    const std::size_t copy = (spheres_.grains + m) * per_grain, original = image.owner * per_grain;
+    for (std::size_t s = 0; s < per_grain; ++s) {
+      spheres_.position[copy + s] = spheres_.position[original + s] + shift;
+      spheres_.velocity[copy + s] = spheres_.velocity[original + s];
+    }
   }
 }
 
 namespace {
 
-/// Touching pairs of one kind over all blocks, by their number.
+/// Touching pairs of one kind over all blocks, by their number, with what they remember.
 template <class Table>
-std::vector<Snapshot::PairMemory> memory_of(const std::vector<Block>& blocks, Table Block::*table) {
-  std::vector<Snapshot::PairMemory> memory;
+Snapshot::Memory memory_of(const std::vector<Block>& blocks, Table Block::*table) {
+  Snapshot::Memory memory;
   std::uint64_t before = 0;
   for (const auto& block : blocks) {
     const auto& pairs = block.*table;
-    for (std::size_t p = 0; p < pairs.touching.size(); ++p)
-      if (pairs.touching[p]) memory.push_back({before + p, pairs.spring[p]});
-    before += pairs.touching.size();
+    for (std::size_t p = 0; p < pairs.size(); ++p) {
+      if (!pairs.touching[p]) continue;
+      memory.pair.push_back(before + p);
+      memory.value.insert(memory.value.end(), pairs.memory_of(p), pairs.memory_of(p) + pairs.width);
+    }
+    before += pairs.size();
   }
   return memory;
 }
 
 /// Puts what memory_of() took back into the tables.
 template <class Table>
-void recall(std::vector<Block>& blocks, Table Block::*table,
-            const std::vector<Snapshot::PairMemory>& memory) {
+void recall(std::vector<Block>& blocks, Table Block::*table, const Snapshot::Memory& memory) {
   std::uint64_t before = 0;
-  auto next = memory.begin();
+  std::size_t next = 0;
   for (auto& block : blocks) {
     auto& pairs = block.*table;
-    for (; next != memory.end() && next->pair < before + pairs.touching.size(); ++next) {
-      pairs.touching[next->pair - before] = 1;
-      pairs.spring[next->pair - before] = next->spring;
+    for (; next < memory.pair.size() && memory.pair[next] < before + pairs.size(); ++next) {
+      const std::size_t p = memory.pair[next] - before;
+      pairs.touching[p] = 1;
+      std::copy_n(memory.value.data() + next * pairs.width, pairs.width, pairs.memory_of(p));
     }
-    before += pairs.touching.size();
+    before += pairs.size();
   }
 }
 
@@ -192,8 +199,8 @@ Snapshot Simulation::snapshot() const {
   copy.time = time_;
   copy.grains = grains_;
   copy.reference = reference_;
-  copy.grain_springs = memory_of(list_.blocks(), &Block::grain_pairs);
-  copy.wall_springs = memory_of(list_.blocks(), &Block::wall_pairs);
+  copy.grain_memory = memory_of(list_.blocks(), &Block::grain_pairs);
+  copy.wall_memory = memory_of(list_.blocks(), &Block::wall_pairs);
   copy.ledger = ledger_;
   copy.next_id = next_id_;
   copy.overlap = overlap_ever_;
@@ -208,12 +215,9 @@ void Simulation::restore(const Snapshot& snapshot) {
   overlap_ever_ = snapshot.overlap;
   grains_ = snapshot.grains;
   reference_ = snapshot.reference;
-  motion_.assign(grains_.size(), {});
   search({}, {});
-  recall(list_.blocks(), &Block::grain_pairs, snapshot.grain_springs);
-  recall(list_.blocks(), &Block::wall_pairs, snapshot.wall_springs);
-  for (std::size_t k = 0; k < grains_.size(); ++k)
-    motion_[k] = {grains_.position[k], grains_.velocity[k], angular_velocity(k)};
+  recall(list_.blocks(), &Block::grain_pairs, snapshot.grain_memory);
+  recall(list_.blocks(), &Block::wall_pairs, snapshot.wall_memory);
   place_spheres(grains_.position, grains_.orientation);
   move_bodies();
 }

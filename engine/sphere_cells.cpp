@@ -12,12 +12,12 @@ constexpr double kCellsPerPoint = 8, kFewCells = 4096;
 
 }  // namespace
 
-void SphereCells::build(const std::vector<Eigen::Vector3d>& points, double cell) {
+void SphereCells::build(const std::vector<Vector3>& points, double cell) {
   lower_ = Eigen::Vector3d::Constant(1e300);
   Eigen::Vector3d upper = -lower_;
   for (const auto& point : points) {
-    lower_ = lower_.cwiseMin(point);
-    upper = upper.cwiseMax(point);
+    lower_ = lower_.cwiseMin(eigen(point));
+    upper = upper.cwiseMax(eigen(point));
   }
   if (points.empty()) lower_ = upper = Eigen::Vector3d::Zero();
   edge_ = cell;

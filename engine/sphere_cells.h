@@ -5,6 +5,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "engine/vector3.h"
+
 namespace diefill::engine {
 
 /// A grid of cells over points (m). Points of a cell lie together, and cells along x follow each other, so
@@ -12,12 +14,12 @@ namespace diefill::engine {
 class SphereCells {
  public:
   /// Sorts `points` into cells of edge at least `cell` (m).
-  void build(const std::vector<Eigen::Vector3d>& points, double cell);
+  void build(const std::vector<Vector3>& points, double cell);
 
   /// Calls visit(index, position) for every point in the cell of `point` and its 26 neighbours, in a fixed
   /// order.
   template <class Visit>
-  void visit_neighbourhood(const Eigen::Vector3d& point, const Visit& visit) const {
+  void visit_neighbourhood(Vector3 point, const Visit& visit) const {
     const Eigen::Vector3i cell = cell_of(point);
     const Eigen::Vector3i low = (cell.array() - 1).max(0), high = (cell.array() + 1).min(cells_.array() - 1);
     for (int z = low[2]; z <= high[2]; ++z)
@@ -28,8 +30,8 @@ class SphereCells {
   }
 
  private:
-  Eigen::Vector3i cell_of(const Eigen::Vector3d& point) const {
-    return ((point - lower_) / edge_).array().floor().cast<int>();
+  Eigen::Vector3i cell_of(Vector3 point) const {
+    return ((eigen(point) - lower_) / edge_).array().floor().cast<int>();
   }
   std::size_t index_of(int x, int y, int z) const {
     return (static_cast<std::size_t>(z) * static_cast<std::size_t>(cells_[1]) + static_cast<std::size_t>(y)) *
@@ -41,7 +43,7 @@ class SphereCells {
   Eigen::Vector3i cells_ = Eigen::Vector3i::Ones();
   double edge_ = 1;
   std::vector<std::uint32_t> first_, index_, cell_;
-  std::vector<Eigen::Vector3d> position_;
+  std::vector<Vector3> position_;
 };
 
 }  // namespace diefill::engine

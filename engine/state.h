@@ -12,17 +12,18 @@
 namespace diefill::engine {
 
 /// Snapshot of a Simulation. Pair tables are not kept: they are found again from `reference`, in the same
-/// order, and `grain_springs`, `wall_springs` name the touching pairs by their place in them.
+/// order, and `grain_memory`, `wall_memory` name the touching pairs by their place in them.
 struct Snapshot {
   std::uint64_t step = 0;
   double time = 0;  ///< s
   Grains grains;
   ListReference reference;
-  struct PairMemory {
-    std::uint64_t pair;  ///< number over all blocks, in block order
-    Eigen::Vector3d spring;
+  /// Touching pairs: number of each over all blocks, in block order, and what it remembers, pair after pair.
+  struct Memory {
+    std::vector<std::uint64_t> pair;
+    std::vector<double> value;
   };
-  std::vector<PairMemory> grain_springs, wall_springs;
+  Memory grain_memory, wall_memory;
   Ledger ledger;
   std::uint64_t next_id = 0;
   DeepestOverlap overlap;  ///< m, over the whole run

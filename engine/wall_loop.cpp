@@ -1,113 +1,161 @@
+#include <Eigen/Geometry>
+
 #include "engine/contact_kernel.h"
 
 namespace diefill::engine {
 
 namespace {
 
-template <class Law, LeverArm kArm>
+/// Pairs of grains with walls. `kComposed`: several spheres a grain, moments about the block's reference
+/// point.
+template <class Law, LeverArm kArm, bool kComposed>
 class WallLoop final : public PairLoop {
  public:
-  WallLoop(const ContactParameters& parameters, double radius, const std::vector<double>& wall_radii) {
+  WallLoop(const ContactParameters& parameters, double radius, const std::vector<double>& wall_radii)
+      : radius_(radius) {
     for (const double wall_radius : wall_radii)
       laws_.emplace_back(parameters, effective_radius(radius, wall_radius));
   }
 
   void add_forces(Block& block, const ContactScene& scene, BlockTally& tally) const override {
-    visit(block, scene,
-          [&](std::uint32_t i, std::uint32_t p, const WallPartner& partner, double distance_squared,
-              double reach, const Eigen::Vector3d& between_in_body) {
-            if (distance_squared < reach * reach)
-              add_pair(block, i, p, partner, std::sqrt(distance_squared), reach, between_in_body, scene,
-                       tally);
-            else
-              let_go(block.wall_pairs, p);
-          });
+    if (block.wall_pairs.size() == 0) return;
+    for (std::size_t body = 0; body < scene.bodies.size(); ++body)
+      if (block.wall_first[body] < block.wall_first[body + 1]) add_body(block, body, scene, tally);
   }
 
   double stored_energy(const Block& block, const ContactScene& scene) const override {
     double energy = 0;
-    visit(block, scene,
-          [&](std::uint32_t, std::uint32_t, const WallPartner& partner, double distance_squared, double reach,
-              const Eigen::Vector3d&) {
-            const double overlap = reach - std::sqrt(distance_squared);
-            if (overlap > 0) energy += laws_[partner.body].energy(overlap);
-          });
+    for (std::size_t body = 0; body + 1 < block.wall_first.size(); ++body)
+      for (std::uint32_t p = block.wall_first[body]; p < block.wall_first[body + 1]; ++p) {
+        const double overlap =
+            reach(scene, body) - length(separation_in_body(block.wall_pairs.pair[p], body, scene));
+        if (overlap > 0) energy += laws_[body].energy(overlap);
+      }
     return energy;
   }
 
+  std::vector<double> memory_signs() const override {
+    return std::vector<double>(static_cast<std::size_t>(Law::kMemory), -1.0);
+  }
+
  private:
-  /// Calls action(sphere, pair, partner, squared distance, sum of radii, vector from wall to grain sphere in
-  /// the body's frame). Distances are taken in the body's frame: a sphere is carried there once, instead of
-  /// all wall spheres here.
-  template <class Action>
-  void visit(const Block& block, const ContactScene& scene, const Action& action) const {
-    const auto per_grain = static_cast<std::uint32_t>(scene.spheres.spheres_per_grain);
-    const auto& table = block.wall_pairs;
-    for (std::uint32_t k = 0; k + 1 < table.first.size(); ++k) {
-      const std::uint32_t i = block.begin * per_grain + k;
-      std::uint32_t body = kGone;
-      Eigen::Vector3d in_body = Eigen::Vector3d::Zero();
-      double reach = 0;
-      for (std::uint32_t p = table.first[k]; p < table.first[k + 1]; ++p) {
-        const WallPartner partner = table.partner[p];
-        if (partner.body != body) {
-          body = partner.body;
-          const BodyMotion& pose = scene.body_motion[body];
-          in_body = pose.rotation.transpose() * (scene.spheres.position[i] - pose.translation);
-          reach = scene.sphere_radius + scene.bodies[body].sphere_radius();
-        }
-        const Eigen::Vector3d between = in_body - scene.bodies[body].centres()[partner.sphere];
-        action(i, p, partner, between.squaredNorm(), reach, between);
-      }
+  using Batch = ContactBatch<Law>;
+
+  /// A touching pair, seen in the body's frame.
+  struct Touch {
+    std::uint32_t pair;
+    Vector3 separation;  ///< m, grain sphere from wall sphere
+  };
+
+  double reach(const ContactScene& scene, std::size_t body) const {
+    return radius_ + scene.bodies[body].sphere_radius();
+  }
+
+  /// Centre of the grain's sphere (m) seen from the wall's, in the body's frame. From a plane, its nearest
+  /// point stands for the wall sphere.
+  static Vector3 separation_in_body(const WallPair& pair, std::size_t body, const ContactScene& scene) {
+    const BodyMotion& pose = scene.body_motion[body];
+    const Eigen::Vector3d place =
+        pose.rotation.transpose() * (eigen(scene.spheres.position[pair.own]) - pose.translation);
+    const WallBody& wall = scene.bodies[body];
+    if (!wall.flat()) return plain(place - wall.centres()[pair.wall]);
+    const WallPlane& plane = wall.planes()[pair.wall];
+    // A centre on the plane still has a side to be pushed to.
+    const double height = std::max(plane.normal.dot(place - plane.point), 1e-9 * scene.sphere_radius);
+    return plain(height * plane.normal);
+  }
+
+  void find_touching(Block& block, std::size_t body, const ContactScene& scene,
+                     std::vector<Touch>& touching) const {
+    touching.clear();
+    const double reach_squared = reach(scene, body) * reach(scene, body);
+    for (std::uint32_t p = block.wall_first[body]; p < block.wall_first[body + 1]; ++p) {
+      const Vector3 between = separation_in_body(block.wall_pairs.pair[p], body, scene);
+      const bool touches = dot(between, between) < reach_squared;
+      note_touching(block.wall_pairs, p, touches);
+      if (touches) touching.push_back({p, between});
     }
   }
 
-  void add_pair(Block& block, std::uint32_t i, std::uint32_t p, const WallPartner& partner, double distance,
-                double reach, const Eigen::Vector3d& between_in_body, const ContactScene& scene,
-                BlockTally& tally) const {
-    auto& table = block.wall_pairs;
-    const auto per_grain = static_cast<std::uint32_t>(scene.spheres.spheres_per_grain);
-    const BodyMotion& body = scene.body_motion[partner.body];
-    const GrainMotion& mover = scene.motion[i / per_grain];
-    const Eigen::Vector3d here = scene.spheres.position[i];
-    const Touch touch{body.rotation * between_in_body / distance, reach - distance};
-    const double radius = scene.sphere_radius;
-    const Eigen::Vector3d contact_point = here - touch.normal * (radius - 0.5 * touch.overlap);
-    const Eigen::Vector3d wall_velocity = body.velocity_at(contact_point);
-    ContactSum& sum = block.sums[i / per_grain - block.begin];
-    table.touching[p] = 1;
-    tally.overlap.walls = std::max(tally.overlap.walls, touch.overlap);
-
-    double load = 0;
-    Eigen::Vector3d force;
-    if constexpr (kArm == LeverArm::none) {
-      force = contact_force(laws_[partner.body], touch, mover.velocity - wall_velocity, scene.time_step,
-                            table.spring[p], tally, load);
-    } else {
-      const Eigen::Vector3d arm =
-          lever_arm<kArm>(here - mover.position, -touch.normal, radius, touch.overlap);
-      force = contact_force(laws_[partner.body], touch,
-                            mover.velocity + mover.angular_velocity.cross(arm) - wall_velocity,
-                            scene.time_step, table.spring[p], tally, load);
-      sum.torque += arm.cross(force);
+  void add_body(Block& block, std::size_t body, const ContactScene& scene, BlockTally& tally) const {
+    thread_local std::vector<Touch> touching;
+    find_touching(block, body, scene, touching);
+    thread_local Batch batch;
+    BatchTally<Law> batches;
+    const PairReach distances{reach(scene, body), radius_};
+    for (std::size_t done = 0; done < touching.size(); done += batch.count) {
+      batch.count = std::min(touching.size() - done, Batch::kLanes);
+      const Touch* pairs = touching.data() + done;
+      for (std::size_t lane = 0; lane < batch.count; ++lane)
+        pack(block, body, pairs[lane], scene, lane, batch);
+      batch.fill_last_group();
+      with_instructions(scene.instructions,
+                        [&] { react<kArm, kComposed>(batch, laws_[body], distances, scene.time_step); });
+      for (std::size_t lane = 0; lane < batch.count; ++lane)
+        hand_out(batch, lane, block, body, pairs[lane].pair, scene, tally);
+      batches.add(batch);
     }
-    if constexpr (kArm == LeverArm::surface) sum.rolling_load += laws_[partner.body].rolling_friction * load;
-    sum.force += force;
-    tally.body_force[partner.body] -= force;
-    tally.body_torque[partner.body] -= (contact_point - body.translation).cross(force);
+    batches.book(scene.time_step, tally, tally.overlap.walls);
   }
 
+  /// Way from the grain sphere's centre to the middle of the overlap, over the distance to the wall sphere.
+  double contact_share(const Touch& touch, std::size_t body, const ContactScene& scene) const {
+    const double distance = length(touch.separation), overlap = reach(scene, body) - distance;
+    return (radius_ - 0.5 * overlap) / distance;
+  }
+
+  void pack(const Block& block, std::size_t body, const Touch& touch, const ContactScene& scene,
+            std::size_t lane, Batch& batch) const {
+    const WallPair pair = block.wall_pairs.pair[touch.pair];
+    const BodyMotion& pose = scene.body_motion[body];
+    const Vector3 here = scene.spheres.position[pair.own];
+    const Eigen::Vector3d separation = pose.rotation * eigen(touch.separation);
+    const Eigen::Vector3d contact = eigen(here) - contact_share(touch, body, scene) * separation;
+    batch.separation.set(lane, plain(separation));
+    batch.velocity.set(lane, scene.spheres.velocity[pair.own] - plain(pose.velocity_at(contact)));
+    if constexpr (kComposed) batch.place.set(lane, here - plain(block.reference));
+    if constexpr (Lever<kArm>::kTurns) {
+      const Vector3 spin = scene.spheres.spin[block.begin + pair.own_slot];
+      batch.spin_sum.set(lane, spin);
+      if constexpr (Law::kRolls) batch.relative_spin.set(lane, spin - plain(pose.angular_velocity));
+    }
+    recall(block.wall_pairs, touch.pair, batch, lane);
+  }
+
+  void hand_out(const Batch& batch, std::size_t lane, Block& block, std::size_t body, std::uint32_t p,
+                const ContactScene& scene, BlockTally& tally) const {
+    const WallPair pair = block.wall_pairs.pair[p];
+    ContactSum& own = block.sums[pair.own_slot];
+    const Vector3 force = batch.force[lane];
+    own.force += force;
+    if constexpr (Lever<kArm>::kTurns) own.moment += batch.moment[lane];
+    if constexpr (!kComposed && Lever<kArm>::kTurns)
+      own.rolling_load += laws_[body].rolling_friction * batch.load[lane];
+    remember(batch, lane, block.wall_pairs, p);
+
+    const double overlap = batch.overlap[lane];
+    const double share = (radius_ - 0.5 * overlap) / (reach(scene, body) - overlap);
+    const Vector3 contact = scene.spheres.position[pair.own] - share * batch.separation[lane];
+    tally.body_force[body] -= eigen(force);
+    tally.body_torque[body] -= (eigen(contact) - scene.body_motion[body].translation).cross(eigen(force));
+  }
+
+  double radius_;
   std::vector<Law> laws_;  ///< one a body: R_eff differs with the radius of its spheres (OP-5)
 };
 
 }  // namespace
 
 std::unique_ptr<PairLoop> make_wall_loop(const ContactParameters& parameters, LeverArm arm, SpringLimit limit,
-                                         double sphere_radius, const std::vector<double>& wall_radii) {
-  return with_law(parameters, arm, limit, [&]<class Law, class Arm>(std::type_identity<Law>, Arm) {
-    return std::unique_ptr<PairLoop>(
-        std::make_unique<WallLoop<Law, Arm::value>>(parameters, sphere_radius, wall_radii));
-  });
+                                         double sphere_radius, bool composed,
+                                         const std::vector<double>& wall_radii) {
+  return with_law(
+      parameters, arm, limit,
+      [&]<class Law, class Arm>(std::type_identity<Law>, Arm) -> std::unique_ptr<PairLoop> {
+        if (composed)
+          return std::make_unique<WallLoop<Law, Arm::value, true>>(parameters, sphere_radius, wall_radii);
+        return std::make_unique<WallLoop<Law, Arm::value, false>>(parameters, sphere_radius, wall_radii);
+      });
 }
 
 }  // namespace diefill::engine

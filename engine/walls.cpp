@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <stdexcept>
 
 namespace diefill::engine {
 
@@ -10,10 +11,20 @@ namespace {
 
 /// Cells of a body are limited to this number; larger cells then make up for it.
 constexpr double kMostCells = 1.6e7;
+/// m, extent of a body that has no end: any turn moves its far parts far.
+constexpr double kEndless = 1e6;
 
 }  // namespace
 
 WallBody::WallBody(WallBodySpec spec, double reach) : spec_(std::move(spec)), reach_(reach) {
+  if (flat()) {
+    if (!spec_.centres.empty())
+      throw std::invalid_argument("a wall is made of spheres or of planes, not of both");
+    extent_ = kEndless;
+    lower_ = Eigen::Vector3d::Constant(-kEndless);
+    upper_ = Eigen::Vector3d::Constant(kEndless);
+    return;
+  }
   lower_ = Eigen::Vector3d::Constant(1e300);
   upper_ = Eigen::Vector3d::Constant(-1e300);
   for (const auto& centre : spec_.centres) {
@@ -72,10 +83,13 @@ void WallBody::mark_neighbourhoods() {
       }
 }
 
-void WallBody::find(const Eigen::Vector3d& body_point, std::vector<std::uint32_t>& found) const {
+void WallBody::find(const Eigen::Vector3d& body_point, double reach,
+                    std::vector<std::uint32_t>& found) const {
+  for (std::uint32_t k = 0; k < spec_.planes.size(); ++k)
+    if (spec_.planes[k].normal.dot(body_point - spec_.planes[k].point) < reach) found.push_back(k);
   if (spec_.centres.empty()) return;
   const Eigen::Vector3d beyond = (lower_ - body_point).cwiseMax(body_point - upper_);
-  if (beyond.maxCoeff() > reach_) return;
+  if (beyond.maxCoeff() > reach) return;
   const Eigen::Vector3i cell = cell_of(body_point);
   if ((cell.array() < 0).any() || (cell.array() >= cells_.array()).any()) return;
   if (!neighbourhood_[index_of(cell)]) return;
@@ -86,7 +100,7 @@ void WallBody::find(const Eigen::Vector3d& body_point, std::vector<std::uint32_t
       const std::uint32_t begin = first_[index_of({low[0], y, z})];
       const std::uint32_t end = first_[index_of({high[0], y, z}) + 1];
       for (std::uint32_t w = begin; w < end; ++w)
-        if ((spec_.centres[w] - body_point).squaredNorm() < reach_ * reach_) found.push_back(w);
+        if ((spec_.centres[w] - body_point).squaredNorm() < reach * reach) found.push_back(w);
     }
 }
 

@@ -26,11 +26,18 @@ struct BodyMotion {
   }
 };
 
-/// A tool to be built into a simulation.
+/// A flat wall without end; powder is on the side its normal points to.
+struct WallPlane {
+  Eigen::Vector3d point;   ///< m, body frame
+  Eigen::Vector3d normal;  ///< unit vector, body frame
+};
+
+/// A tool to be built into a simulation: of spheres, or of planes.
 struct WallBodySpec {
   std::string name;
   std::vector<Eigen::Vector3d> centres;  ///< m, wall sphere centres in the body frame
   double sphere_radius = 1.5e-4;         ///< m, R_w
+  std::vector<WallPlane> planes;         ///< in place of spheres: R_eff is the grain sphere's radius
   /// Motion at time t (s); empty: the body stands still where its frame is the laboratory's.
   std::function<BodyMotion(double)> motion;
 };
@@ -39,12 +46,16 @@ struct WallBodySpec {
 class WallBody {
  public:
   /// `reach`: largest distance (m) from a wall sphere's centre at which a grain sphere's centre may ask for
-  /// it.
+  /// it. Throws std::invalid_argument when there are both spheres and planes.
   WallBody(WallBodySpec spec, double reach);
 
   const std::string& name() const { return spec_.name; }
-  double sphere_radius() const { return spec_.sphere_radius; }
-  std::size_t size() const { return spec_.centres.size(); }
+  /// m, of the wall spheres; 0 for planes.
+  double sphere_radius() const { return flat() ? 0 : spec_.sphere_radius; }
+  bool flat() const { return !spec_.planes.empty(); }
+  const std::vector<WallPlane>& planes() const { return spec_.planes; }
+  /// Number of wall spheres or planes.
+  std::size_t size() const { return flat() ? spec_.planes.size() : spec_.centres.size(); }
   bool moves() const { return static_cast<bool>(spec_.motion); }
   void set_motion(std::function<BodyMotion(double)> motion) { spec_.motion = std::move(motion); }
   BodyMotion motion_at(double time) const { return spec_.motion ? spec_.motion(time) : BodyMotion{}; }
@@ -54,9 +65,9 @@ class WallBody {
   Eigen::Vector3d lower() const { return lower_; }
   Eigen::Vector3d upper() const { return upper_; }
 
-  /// Appends to `found` the wall spheres (index in centres()) no farther than `reach` from `body_point` (m,
-  /// body frame).
-  void find(const Eigen::Vector3d& body_point, std::vector<std::uint32_t>& found) const;
+  /// Appends to `found` the wall spheres (index in centres()), or planes, no farther than `reach` (m, at most
+  /// the constructor's) from `body_point` (m, body frame).
+  void find(const Eigen::Vector3d& body_point, double reach, std::vector<std::uint32_t>& found) const;
 
  private:
   Eigen::Vector3i cell_of(const Eigen::Vector3d& body_point) const;

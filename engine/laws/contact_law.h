@@ -6,6 +6,7 @@
 #include "engine/laws/cohesion.h"
 #include "engine/laws/damping.h"
 #include "engine/laws/hertz.h"
+#include "engine/laws/reaction.h"
 #include "engine/laws/tangential_spring.h"
 
 namespace diefill::engine::laws {
@@ -21,7 +22,8 @@ struct NormalForce {
 /// Hertz, cohesion, damping and friction between spheres of one effective radius.
 template <class Cohesion, class Friction>
 struct ContactLaw {
-  static constexpr bool kHasSpring = Friction::kHasSpring;
+  static constexpr int kMemory = Friction::kMemory;  ///< numbers that a touching pair remembers
+  static constexpr bool kRolls = false;              ///< whether relative spins matter
   Hertz elastic;
   Cohesion cohesion;
   HertzianDamping damping;
@@ -34,6 +36,22 @@ struct ContactLaw {
         damping(parameters.damping, effective_radius),
         friction(parameters.tangential, parameters.friction, effective_radius),
         rolling_friction(parameters.rolling_friction) {}
+
+  /// Force between touching spheres; advances the pair's `memory`.
+  Reaction react(const ContactState& contact, double* memory) const {
+    const double root_overlap = std::sqrt(contact.overlap);
+    const double separation_speed = dot(contact.velocity, contact.normal);
+    const NormalForce parts = normal(contact.overlap, root_overlap, separation_speed);
+    const Vector3 sliding = contact.velocity - separation_speed * contact.normal;
+    Reaction reaction;
+    reaction.load = parts.load();
+    const Vector3 tangential =
+        friction.force(memory, contact.normal, sliding, root_overlap, reaction.load, contact.time_step);
+    reaction.force = parts.total() * contact.normal + tangential;
+    reaction.viscous_power = parts.viscous * separation_speed;
+    reaction.tangential_power = dot(tangential, sliding);
+    return reaction;
+  }
 
   /// Normal forces at overlap h (m) and speed of separation (m/s), given sqrt(h).
   NormalForce normal(double overlap, double root_overlap, double separation_speed) const {

@@ -1,20 +1,18 @@
 // Coulomb friction with a tangential spring (Bierwisch 2009, Eq. 2.7).
 #pragma once
 
-#include <Eigen/Core>
 #include <cmath>
+
+#include "engine/vector3.h"
 
 namespace diefill::engine::laws {
 
 /// No friction: no tangential force and no history.
 struct NoFriction {
-  static constexpr bool kHasSpring = false;
+  static constexpr int kMemory = 0;
   NoFriction() = default;
   NoFriction(double, double, double) {}
-  Eigen::Vector3d force(Eigen::Vector3d&, const Eigen::Vector3d&, const Eigen::Vector3d&, double, double,
-                        double) const {
-    return Eigen::Vector3d::Zero();
-  }
+  Vector3 force(double*, Vector3, Vector3, double, double, double) const { return {}; }
 };
 
 /// f_t = -min[kappa_t sqrt(h / R_eff) |xi|, mu |f_e + f_v|] xi / |xi| (Bierwisch 2009, Eq. 2.7). The Coulomb
@@ -24,7 +22,7 @@ struct NoFriction {
 /// wording also allows.
 template <bool kCutBack>
 struct TangentialSpring {
-  static constexpr bool kHasSpring = true;
+  static constexpr int kMemory = 3;
   double coefficient = 0;  ///< N/m^(3/2), kappa_t / sqrt(R_eff)
   double friction = 0;     ///< mu
 
@@ -33,23 +31,27 @@ struct TangentialSpring {
   TangentialSpring(double tangential, double friction_coefficient, double effective_radius)
       : coefficient(tangential / std::sqrt(effective_radius)), friction(friction_coefficient) {}
 
-  /// Advances `spring` (m) over `time_step` (s) and returns the force on i in N. `normal` points from j to i,
-  /// `tangential_velocity` is that of i's surface against j's (m/s), `normal_load` is |f_e + f_v| in N.
-  [[gnu::always_inline]] Eigen::Vector3d force(Eigen::Vector3d& spring, const Eigen::Vector3d& normal,
-                                               const Eigen::Vector3d& tangential_velocity, double root_overlap,
-                                               double normal_load, double time_step) const {
-    const double length_before = spring.squaredNorm();
-    spring -= spring.dot(normal) * normal;
-    const double length_projected = spring.squaredNorm();
-    if (length_projected > 0) spring *= std::sqrt(length_before / length_projected);
-    spring += tangential_velocity * time_step;
+  /// Advances the spring (`memory`, 3 numbers, m) over `time_step` (s) and returns the force on i in N.
+  /// `normal` points from j to i, `sliding` is the tangential velocity of i's surface against j's (m/s),
+  /// `normal_load` is |f_e + f_v| in N.
+  Vector3 force(double* memory, Vector3 normal, Vector3 sliding, double root_overlap, double normal_load,
+                double time_step) const {
+    Vector3 spring{memory[0], memory[1], memory[2]};
+    const double length_before = dot(spring, spring);
+    spring -= dot(spring, normal) * normal;
+    const double length_projected = dot(spring, spring);
+    const double turned = length_projected > 0 ? std::sqrt(length_before / length_projected) : 1.0;
+    spring = turned * spring + time_step * sliding;
 
     const double stiffness = coefficient * root_overlap;
-    const double length = spring.norm();
+    const double elastic = stiffness * length(spring);
     const double limit = friction * normal_load;
-    if (stiffness * length <= limit) return -stiffness * spring;
-    const Eigen::Vector3d force = spring * (-limit / length);
-    if constexpr (kCutBack) spring *= limit / (stiffness * length);
+    const double share = elastic > limit ? limit / elastic : 1.0;
+    const Vector3 force = (-stiffness * share) * spring;
+    if constexpr (kCutBack) spring = share * spring;
+    memory[0] = spring.x;
+    memory[1] = spring.y;
+    memory[2] = spring.z;
     return force;
   }
 };

@@ -18,16 +18,12 @@ void visit_contacts(const engine::Simulation& simulation, const Visit& visit) {
   const std::size_t per_grain = spheres.spheres_per_grain;
   for (const auto& block : simulation.neighbours().blocks()) {
     const auto& table = block.grain_pairs;
-    for (std::size_t s = 0; s + 1 < table.first.size(); ++s)
-      for (std::size_t p = table.first[s]; p < table.first[s + 1]; ++p) {
-        if (!table.touching[p]) continue;
-        const std::size_t i = block.begin * per_grain + s;
-        const std::size_t j = table.partner[p].sphere, grain = table.partner[p].grain;
-        const std::size_t owner =
-            grain < spheres.grains ? grain : spheres.images[grain - spheres.grains].owner;
-        const double overlap = reach - (spheres.position[i] - spheres.position[j]).norm();
-        if (overlap > 0) visit(i / per_grain, owner, overlap);
-      }
+    for (std::size_t p = 0; p < table.size(); ++p) {
+      if (!table.touching[p]) continue;
+      const std::size_t i = table.pair[p].own, j = table.pair[p].other;
+      const double overlap = reach - engine::length(spheres.position[i] - spheres.position[j]);
+      if (overlap > 0) visit(i / per_grain, spheres.owner(j), overlap);
+    }
   }
 }
 

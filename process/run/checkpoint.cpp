@@ -13,7 +13,7 @@ namespace diefill::process {
 
 namespace {
 
-constexpr std::array<char, 8> kMagic = {'d', 'f', 'c', 'h', 'k', 'p', 't', '1'};
+constexpr std::array<char, 8> kMagic = {'d', 'f', 'c', 'h', 'k', 'p', 't', '2'};
 
 std::uint64_t hash_of(const std::string& bytes) {
   std::uint64_t hash = 0xcbf29ce484222325ULL;
@@ -92,8 +92,11 @@ void transfer(Io& io, Contents& checkpoint) {
   io(simulation.reference.bodies);
   io(simulation.reference.drift);
   io(simulation.reference.time);
-  io(simulation.grain_springs);
-  io(simulation.wall_springs);
+  io(simulation.reference.skin);
+  io(simulation.grain_memory.pair);
+  io(simulation.grain_memory.value);
+  io(simulation.wall_memory.pair);
+  io(simulation.wall_memory.value);
   io(simulation.ledger);
   io(simulation.next_id);
   io(simulation.overlap);

@@ -11,20 +11,24 @@ namespace diefill::engine {
 /// order in which the engine streams them.
 template <class Visit>
 void visit_touching_grain_pairs(const Simulation& simulation, const Visit& visit) {
-  const auto per_grain = simulation.spheres().spheres_per_grain;
   for (const auto& block : simulation.neighbours().blocks()) {
     const auto& table = block.grain_pairs;
-    for (std::size_t s = 0; s + 1 < table.first.size(); ++s)
-      for (std::uint32_t p = table.first[s]; p < table.first[s + 1]; ++p)
-        if (table.touching[p]) visit(block, block.begin * per_grain + s, p);
+    for (std::size_t p = 0; p < table.size(); ++p)
+      if (table.touching[p]) visit(block, table.pair[p].own, p);
   }
 }
 
 /// Overlap (m) of sphere `i` with its partner in pair `p`.
-inline double overlap_of(const Simulation& simulation, const Block& block, std::size_t i, std::uint32_t p) {
+inline double overlap_of(const Simulation& simulation, const Block& block, std::size_t i, std::size_t p) {
   const auto& position = simulation.spheres().position;
   return 2 * simulation.settings().shape.sphere_radius -
-         (position[i] - position[block.grain_pairs.partner[p].sphere]).norm();
+         length(position[i] - position[block.grain_pairs.pair[p].other]);
+}
+
+/// Tangential spring (m) of pair `p`.
+inline Eigen::Vector3d spring_of(const Block& block, std::size_t p) {
+  const double* memory = block.grain_pairs.memory_of(p);
+  return {memory[0], memory[1], memory[2]};
 }
 
 /// Energy (J) in the tangential springs: 1/2 kappa_t sqrt(h / R_eff) xi^2 each.
@@ -32,10 +36,10 @@ inline double tangential_energy(const Simulation& simulation) {
   const auto& settings = simulation.settings();
   const double effective = 0.5 * settings.shape.sphere_radius;
   double energy = 0;
-  visit_touching_grain_pairs(simulation, [&](const Block& block, std::size_t i, std::uint32_t p) {
+  visit_touching_grain_pairs(simulation, [&](const Block& block, std::size_t i, std::size_t p) {
     energy += 0.5 * settings.grain_contact.tangential *
               std::sqrt(overlap_of(simulation, block, i, p) / effective) *
-              block.grain_pairs.spring[p].squaredNorm();
+              spring_of(block, p).squaredNorm();
   });
   return energy;
 }

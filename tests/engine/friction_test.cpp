@@ -20,10 +20,10 @@ double stiffness() {
 template <bool kCutBack>
 double drag(Eigen::Vector3d& spring, double speed, int steps) {
   const laws::TangentialSpring<kCutBack> law(kTangential, kFriction, kEffectiveRadius);
-  Eigen::Vector3d force = Eigen::Vector3d::Zero();
+  Vector3 force;
   for (int k = 0; k < steps; ++k)
-    force = law.force(spring, kNormal, {speed, 0, 0}, std::sqrt(kOverlap), kLoad, kStep);
-  return force.x();
+    force = law.force(spring.data(), plain(kNormal), {speed, 0, 0}, std::sqrt(kOverlap), kLoad, kStep);
+  return force.x;
 }
 
 TEST(Friction, SpringIsLinearUpToCoulombsLimit) {
@@ -58,7 +58,8 @@ TEST(Friction, SpringTurnsWithTheContactAndKeepsItsLength) {
   const double length = 0.1 * kFriction * kLoad / stiffness();
   Eigen::Vector3d spring(length, 0, 0);
   const Eigen::Vector3d tilted = Eigen::Vector3d(0.6, 0, 0.8);
-  const auto force = law.force(spring, tilted, Eigen::Vector3d::Zero(), std::sqrt(kOverlap), kLoad, kStep);
+  const auto force =
+      eigen(law.force(spring.data(), plain(tilted), Vector3{}, std::sqrt(kOverlap), kLoad, kStep));
   EXPECT_NEAR(spring.norm(), length, 1e-12 * length);
   EXPECT_NEAR(spring.dot(tilted), 0, 1e-12 * length);
   EXPECT_NEAR((force + stiffness() * spring).norm(), 0, 1e-12 * stiffness() * length);

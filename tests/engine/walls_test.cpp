@@ -139,11 +139,10 @@ TEST(Walls, FarBodyCostsNoPairs) {
   grain.position.z() = 2.4e-4;
   simulation.add_grains({grain});
   std::size_t near_pairs = 0;
-  for (const auto& block : simulation.neighbours().blocks())
-    for (const auto& partner : block.wall_pairs.partner) {
-      EXPECT_EQ(partner.body, 1U);
-      ++near_pairs;
-    }
+  for (const auto& block : simulation.neighbours().blocks()) {
+    EXPECT_EQ(block.wall_first[0], block.wall_first[1]);
+    near_pairs += block.wall_first[2] - block.wall_first[1];
+  }
   EXPECT_GT(near_pairs, 0U);
   EXPECT_LT(near_pairs, 200U);
 }
@@ -182,7 +181,7 @@ TEST(Walls, EveryWallSphereInReachIsFound) {
   for (int k = 0; k < 500; ++k) {
     const Eigen::Vector3d point = random_vector(random, 3e-3);
     std::vector<std::uint32_t> found;
-    body.find(point, found);
+    body.find(point, reach, found);
     std::size_t expected = 0;
     for (const auto& centre : body.centres()) expected += (centre - point).norm() < reach;
     EXPECT_EQ(found.size(), expected);

@@ -1,0 +1,122 @@
+// Many touching pairs at a time: what happens between two spheres, in a loop that compilers turn into vector
+// instructions. Grain and wall loops both pack their pairs into batches, let them react and hand out the
+// forces.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/contact_parameters.h"
+#include "engine/lanes.h"
+#include "engine/laws/reaction.h"
+
+namespace diefill::engine {
+
+/// Pairs of one batch, one lane each. In: the first group; out: the second. `place` only matters where
+/// moments are taken about a reference point.
+template <class Law>
+struct ContactBatch {
+  static constexpr std::size_t kLanes = 64;
+  static constexpr std::size_t kMemory = static_cast<std::size_t>(Law::kMemory);
+  using Scalars = Lanes<kLanes>;
+  using Vectors = VectorLanes<kLanes>;
+
+  std::size_t count = 0;
+  Vectors separation;     ///< m, centre of i seen from that of j
+  Vectors velocity;       ///< m/s, of i's centre against j's, or against the wall where they touch
+  Vectors spin_sum;       ///< rad/s, sum of both angular velocities; for walls that of i
+  Vectors relative_spin;  ///< rad/s, angular velocity of i less that of j; only set for laws that roll
+  Vectors place;          ///< m, centre of i seen from the reference point
+  Scalars memory[std::max<std::size_t>(1, kMemory)];
+
+  Vectors force;         ///< N on i
+  Vectors moment;        ///< N m on i
+  Vectors other_moment;  ///< N m on j; only set where it is not the obvious one
+  Scalars load, overlap;
+  Scalars viscous_power, tangential_power, rolling_power;  ///< W
+
+  /// Fills the last group with copies of the last pair, so that whole groups hold numbers that make sense.
+  void fill_last_group() {
+    for (std::size_t lane = count; lane < whole_groups(count); ++lane) {
+      separation.set(lane, separation[count - 1]);
+      velocity.set(lane, velocity[count - 1]);
+      spin_sum.set(lane, spin_sum[count - 1]);
+      relative_spin.set(lane, relative_spin[count - 1]);
+      place.set(lane, place[count - 1]);
+      for (std::size_t k = 0; k < kMemory; ++k) memory[k][lane] = memory[k][count - 1];
+    }
+  }
+};
+
+/// Distances that all pairs of a batch have in common.
+struct PairReach {
+  double contact;  ///< m, sum of both radii
+  double radius;   ///< m, of i
+};
+
+/// How a contact force turns the grain of sphere i (and j): where it acts.
+template <LeverArm kArm>
+struct Lever {
+  /// m, from i's centre along -normal to the point where velocities are compared and the force acts.
+  static double arm(double radius, double overlap) {
+    if constexpr (kArm == LeverArm::surface) return radius;
+    if constexpr (kArm == LeverArm::contact) return radius - 0.5 * overlap;
+    return 0;
+  }
+  /// m, from that point along the normal to the one where the force on j acts.
+  static double offset_of_other(const PairReach& reach, double overlap) {
+    if constexpr (kArm == LeverArm::surface) return overlap;
+    if constexpr (kArm == LeverArm::center) return overlap - reach.contact;
+    return 0;
+  }
+  static constexpr bool kTurns = kArm != LeverArm::none;
+  /// Whether j's moment about a common point is not just the opposite of i's.
+  static constexpr bool kOtherDiffers = kArm == LeverArm::surface || kArm == LeverArm::center;
+};
+
+/// Forces of all pairs in the batch. `kComposed`: moments are about the reference point, otherwise about the
+/// centres of i and j.
+template <LeverArm kArm, bool kComposed, class Law>
+void react(ContactBatch<Law>& batch, const Law& law, const PairReach& reach, double time_step) {
+  using Arms = Lever<kArm>;
+  const std::size_t lanes = whole_groups(batch.count);
+#pragma GCC ivdep
+  for (std::size_t lane = 0; lane < lanes; ++lane) {
+    const Vector3 separation = batch.separation[lane];
+    const double distance = length(separation);
+    laws::ContactState contact;
+    contact.overlap = reach.contact - distance;
+    contact.normal = (1 / distance) * separation;
+    contact.velocity = batch.velocity[lane];
+    contact.time_step = time_step;
+    const double arm = Arms::arm(reach.radius, contact.overlap);
+    if constexpr (Arms::kTurns) contact.velocity -= arm * cross(batch.spin_sum[lane], contact.normal);
+    if constexpr (Law::kRolls) contact.relative_spin = batch.relative_spin[lane];
+
+    double memory[ContactBatch<Law>::kMemory + 1];
+    for (std::size_t k = 0; k < ContactBatch<Law>::kMemory; ++k) memory[k] = batch.memory[k][lane];
+    const laws::Reaction reaction = law.react(contact, memory);
+    for (std::size_t k = 0; k < ContactBatch<Law>::kMemory; ++k) batch.memory[k][lane] = memory[k];
+
+    batch.force.set(lane, reaction.force);
+    batch.overlap[lane] = contact.overlap;
+    batch.load[lane] = reaction.load;
+    batch.viscous_power[lane] = reaction.viscous_power;
+    batch.tangential_power[lane] = reaction.tangential_power;
+    if constexpr (Law::kRolls) batch.rolling_power[lane] = reaction.rolling_power;
+    if constexpr (Arms::kTurns) {
+      Vector3 point = (-arm) * contact.normal;
+      if constexpr (kComposed) point += batch.place[lane];
+      Vector3 moment = cross(point, reaction.force);
+      if constexpr (Law::kRolls) moment += reaction.couple;
+      batch.moment.set(lane, moment);
+      if constexpr (kComposed && Arms::kOtherDiffers)
+        batch.other_moment.set(
+            lane,
+            -moment - cross(Arms::offset_of_other(reach, contact.overlap) * contact.normal, reaction.force));
+      if constexpr (!kComposed && Law::kRolls) batch.other_moment.set(lane, moment - 2 * reaction.couple);
+    }
+  }
+}
+
+}  // namespace diefill::engine

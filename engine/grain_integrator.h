@@ -1,0 +1,40 @@
+// Carries grains through a time step, many at a time: positions and orientations to its end, velocities from
+// the forces found there (Bierwisch 2009, section 2.2).
+#pragma once
+
+#include "engine/grain_shape.h"
+#include "engine/grains.h"
+#include "engine/sphere_field.h"
+#include "engine/vector_instructions.h"
+
+namespace diefill::engine {
+
+/// Works on runs of grains, so that threads can share them. SI units.
+class GrainIntegrator {
+ public:
+  /// `air_viscosity` in Pa s, Stokes drag on every sphere (Bierwisch 2009, Eq. 2.9).
+  GrainIntegrator(const GrainShape& shape, const Eigen::Vector3d& gravity, double air_viscosity,
+                  double time_step, InstructionSet instructions);
+
+  /// Takes grains [begin, end) to the end of the step and places their spheres, with the velocities that the
+  /// present forces would lead to: forces depend on velocities (OP-3).
+  void advance(Grains& grains, std::size_t begin, std::size_t end, SphereField& spheres) const;
+
+  /// Work (J) done in a step.
+  struct Work {
+    double drag = 0, rolling = 0;
+  };
+  /// Ends the step of grains [begin, end), given the contacts' forces (N) on each and their moments (N m,
+  /// laboratory frame) about its centre.
+  Work finish(Grains& grains, std::size_t begin, std::size_t end,
+              const std::vector<ContactSum>& contacts) const;
+
+ private:
+  GrainShape shape_;
+  Vector3 inertia_, weight_;
+  Vector3 drag_inertia_;  ///< m^2, sum over spheres of (b^2 - b_a^2), body frame
+  double sphere_drag_, time_step_;
+  InstructionSet instructions_;
+};
+
+}  // namespace diefill::engine
