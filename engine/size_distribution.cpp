@@ -17,6 +17,25 @@ double normal_between(double a, double b) {
                : 0.5 * (std::erfc(-b / root) - std::erfc(-a / root));
 }
 
+/// Where the standard normal distribution cut to [low, high] has a share `fraction` below: Newton's steps,
+/// halving the bracket where they would leave it.
+double normal_quantile(double fraction, double low, double high) {
+  const double target = fraction * normal_between(low, high);
+  constexpr double kReach = 39;  // beyond this the distribution is zero in double
+  double below = std::max(low, -kReach), above = std::min(high, kReach);
+  double at = std::clamp(0.0, below, above);
+  for (int step = 0; step < 100; ++step) {
+    const double excess = normal_between(low, at) - target;
+    (excess < 0 ? below : above) = at;
+    const double density = std::exp(-0.5 * at * at) / std::sqrt(2 * std::numbers::pi);
+    double next = at - excess / density;
+    if (!(next > below && next < above)) next = 0.5 * (below + above);
+    if (std::abs(next - at) <= 1e-15 * (1 + std::abs(at))) return next;
+    at = next;
+  }
+  return at;
+}
+
 void require_positive(const char* name, double value) {
   if (value > 0 && std::isfinite(value)) return;
   throw std::invalid_argument(std::string("size distribution: ") + name + " is " + std::to_string(value) +
@@ -121,14 +140,10 @@ double SizeDistribution::quantile(double fraction, SizeBasis basis) const {
     if (fraction < class_fraction(one.diameter, power_of_mass(basis))) return one.diameter;
   if (!classes_.empty()) return classes_.back().diameter;
 
-  // Bisection on ln d: plain, and exact to the last bits everywhere.
-  const double middle = log_median_ + power_of_mass(basis) * log_deviation_ * log_deviation_;
-  const double reach = 39 * log_deviation_;  // beyond this the normal distribution is zero in double
-  double low = std::max(std::log(cut_offs_.smallest), middle - reach);
-  double high = std::min(std::log(cut_offs_.largest), middle + reach);
-  for (double at = 0.5 * (low + high); at > low && at < high; at = 0.5 * (low + high))
-    (tilted_fraction(at, power_of_mass(basis)) < fraction ? low : high) = at;
-  return std::clamp(std::exp(high), cut_offs_.smallest, cut_offs_.largest);
+  const double shift = power_of_mass(basis) * log_deviation_;
+  const double low = standard(cut_offs_.smallest) - shift, high = standard(cut_offs_.largest) - shift;
+  const double place = normal_quantile(fraction, low, high) + shift;
+  return std::clamp(std::exp(log_median_ + place * log_deviation_), cut_offs_.smallest, cut_offs_.largest);
 }
 
 double SizeDistribution::moment(double power) const {

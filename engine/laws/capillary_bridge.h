@@ -72,7 +72,10 @@ struct CapillaryBridge {
     return root > 0 ? strength * spread / (root * (gap + root)) : 0;  // 1 - S / root without cancellation
   }
   /// sqrt(S^2 + spread) - S in m.
-  double slack(double gap) const { return spread / (std::sqrt(gap * gap + spread) + gap); }
+  double slack(double gap) const {
+    const double sum = std::sqrt(gap * gap + spread) + gap;
+    return sum > 0 ? spread / sum : 0;
+  }
 };
 
 static_assert(AttractionPart<CapillaryBridge>);
