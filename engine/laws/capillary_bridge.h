@@ -56,26 +56,26 @@ struct CapillaryBridge {
 
   double range() const { return rupture; }
   double force(double gap, double* memory) const {
-    memory[0] = gap <= 0 || (memory[0] > 0 && gap <= rupture) ? 1 : 0;
-    return memory[0] > 0 ? -pull(gap > smallest ? gap : smallest) : 0;
+    const double holds = gap <= rupture ? memory[0] : 0.0;
+    const double bridge = gap <= 0 ? 1.0 : holds;
+    memory[0] = bridge;
+    return -bridge * pull(gap > smallest ? gap : smallest);
   }
-  /// J, zero at rupture.
+  /// J, zero at rupture (at S_min, should that be farther).
   double energy(double gap, const double* memory) const {
     const double distance = gap > smallest ? gap : smallest;
     const double plateau = pull(distance) * (distance - gap);
-    return memory[0] > 0 ? -strength * (slack(distance) - slack(rupture)) - plateau : 0;
+    const double outermost = rupture > smallest ? rupture : smallest;
+    return -memory[0] * (strength * (slack(distance) - slack(outermost)) + plateau);
   }
 
  private:
   double pull(double gap) const {
     const double root = std::sqrt(gap * gap + spread);
-    return root > 0 ? strength * spread / (root * (gap + root)) : 0;  // 1 - S / root without cancellation
+    return strength * spread / (root * (gap + root));  // 1 - S / root without cancellation
   }
   /// sqrt(S^2 + spread) - S in m.
-  double slack(double gap) const {
-    const double sum = std::sqrt(gap * gap + spread) + gap;
-    return sum > 0 ? spread / sum : 0;
-  }
+  double slack(double gap) const { return spread / (std::sqrt(gap * gap + spread) + gap); }
 };
 
 static_assert(AttractionPart<CapillaryBridge>);

@@ -11,11 +11,18 @@
 
 namespace diefill::engine::laws {
 
-/// The torque does not fade with the spin, so a grain at rest chatters. `capped` holds it below what would
-/// stop the relative spin of the pair within one time step, so that it never turns it round.
-inline double capped_torque(double torque, bool capped, double spin, double inertia, double time_step) {
-  const double cap = capped ? spin * inertia / time_step : std::numeric_limits<double>::infinity();
-  return torque < cap ? torque : cap;
+/// The torque does not fade with the spin, so a grain at rest chatters. The cap, torque < spin inertia / dt,
+/// holds it below what would stop the relative spin of the pair within one time step, so that it never turns
+/// it round. Uncapped: infinite inertia.
+inline double capped_inertia(bool capped, const PairProperties& pair) {
+  return capped ? pair.effective_inertia() : std::numeric_limits<double>::infinity();
+}
+
+/// Torque over relative spin in N m s, at most inertia / dt.
+inline double torque_per_spin(double torque, double spin, double inertia, double time_step) {
+  const double free = torque / (spin > 0 ? spin : 1.0);
+  const double cap = inertia / time_step;
+  return free < cap ? free : cap;
 }
 
 /// mu_r R* load against the relative spin in the contact plane (Hu 2024, Eq. 2.51).
@@ -28,20 +35,15 @@ struct LoadRolling {
   };
   static constexpr int kMemory = 0;
   double arm;      ///< m, mu_r R*
-  double inertia;  ///< kg m^2, reduced
-  bool capped;
+  double inertia;  ///< kg m^2, reduced; infinite: no cap
 
   LoadRolling(const Parameters& given, const PairProperties& pair)
-      : arm(given.rolling_friction * pair.effective_radius()),
-        inertia(pair.effective_inertia()),
-        capped(given.capped) {}
+      : arm(given.rolling_friction * pair.effective_radius()), inertia(capped_inertia(given.capped, pair)) {}
 
   Vector3 torque(double*, Vector3 normal, Vector3 relative_spin, double, StaticForce, double load,
                  double time_step) const {
     const Vector3 rolling = in_plane(relative_spin, normal);
-    const double spin = length(rolling);
-    const double strength = capped_torque(arm * load, capped, spin, inertia, time_step);
-    return (spin > 0 ? -strength / spin : 0.0) * rolling;
+    return -torque_per_spin(arm * load, length(rolling), inertia, time_step) * rolling;
   }
 };
 
@@ -61,21 +63,18 @@ struct ElasticRolling {
   };
   static constexpr int kMemory = 0;
   double coefficient;  ///< N, mu_roll k_1 R
-  double inertia;      ///< kg m^2, reduced
-  bool capped;
+  double inertia;      ///< kg m^2, reduced; infinite: no cap
 
   ElasticRolling(const Parameters& given, const PairProperties& pair)
       : coefficient(given.rolling_friction * given.stiffness * pair.effective_radius() *
                     (given.harmonic_mean ? 2 : 1)),
-        inertia(pair.effective_inertia()),
-        capped(given.capped) {}
+        inertia(capped_inertia(given.capped, pair)) {}
 
   Vector3 torque(double*, Vector3 normal, Vector3 relative_spin, double root_overlap, StaticForce, double,
                  double time_step) const {
-    const double spin = length(relative_spin);
-    const double strength =
-        capped_torque(coefficient * root_overlap * root_overlap, capped, spin, inertia, time_step);
-    return (spin > 0 ? -strength / spin : 0.0) * in_plane(relative_spin, normal);
+    const double torque = coefficient * root_overlap * root_overlap;
+    return -torque_per_spin(torque, length(relative_spin), inertia, time_step) *
+           in_plane(relative_spin, normal);
   }
 };
 

@@ -25,12 +25,12 @@ struct CundallFriction {
   static constexpr int kMemory = 3;  ///< xi, m
   double coefficient;                ///< N/m^(3/2), kappa_t / sqrt(R_eff)
   double friction;                   ///< mu
-  bool cut_back;
+  double cut_back;                   ///< 1 or 0; a number, as loops with a flag do not vectorise
 
   CundallFriction(const Parameters& given, const PairProperties& pair)
       : coefficient(given.tangential / std::sqrt(pair.effective_radius())),
         friction(given.friction),
-        cut_back(given.cut_back) {}
+        cut_back(given.cut_back ? 1.0 : 0.0) {}
 
   Vector3 force(double* memory, Vector3 normal, Vector3 sliding, double root_overlap, double load,
                 double time_step) const {
@@ -41,7 +41,7 @@ struct CundallFriction {
     const Vector3 spring = regained * flat + time_step * sliding;
     const double stiffness = coefficient * root_overlap;
     const double slip = shortening(stiffness * length(spring), friction * load);
-    store_vector(memory, (cut_back ? slip : 1.0) * spring);
+    store_vector(memory, (cut_back > 0 ? slip : 1.0) * spring);
     return (-stiffness * slip) * spring;
   }
 };

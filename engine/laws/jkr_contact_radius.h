@@ -1,4 +1,5 @@
-// Contact radius of two adhesive spheres after Johnson, Kendall and Roberts, in closed form.
+// Contact radius of two adhesive spheres after Johnson, Kendall and Roberts: in closed form, and by a fixed
+// number of Newton's steps, which many contacts can take side by side.
 #pragma once
 
 #include <cmath>
@@ -18,6 +19,20 @@ inline double jkr_contact_radius(double X, double q) {
   const double w = std::sqrt(2 * (U + b) * (U + b) / safe - 4.0 / 3.0 * X);
   const double rest = 2 * q / (w > 0 ? w : 1) - 2 * d * d / safe;
   return 0.5 * (w + std::sqrt(rest > 0 ? rest : 0));
+}
+
+/// The same root by Newton's method on y^4 - g y - X = 0, a = y^2, g = sqrt(q). `adhesive_start` is (2
+/// g)^(1/3), the same for every overlap of a pair. The start lies above the root by a fourth at most and the
+/// function is convex there, so that seven steps reach the last bits.
+inline double jkr_contact_radius_newton(double X, double g, double adhesive_start) {
+  const double elastic_start = std::sqrt(std::sqrt(2 * X));
+  const double start = elastic_start > adhesive_start ? elastic_start : adhesive_start;
+  double y = start > 0 ? start : 1;
+  for (int step = 0; step < 7; ++step) {
+    const double cube = y * y * y;
+    y -= (y * (cube - g) - X) / (4 * cube - g);
+  }
+  return start > 0 ? y * y : 0;
 }
 
 }  // namespace diefill::engine::laws

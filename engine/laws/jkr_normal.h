@@ -32,6 +32,7 @@ struct JkrNormal {
   double radius;            ///< m, R*
   double modulus;           ///< Pa, E*
   double neck;              ///< m^(1/2), sqrt(4 pi gamma / E*)
+  double adhesive_start;    ///< m^(1/2), where Newton's method starts
   double pull_off;          ///< N, F_po
   double attraction_share;  ///< of the attraction in the limit: 1 corrected, 1/4 printed
 
@@ -39,12 +40,13 @@ struct JkrNormal {
       : radius(pair.effective_radius()),
         modulus(given.modulus),
         neck(std::sqrt(4 * std::numbers::pi * given.surface_energy / given.modulus)),
+        adhesive_start(std::cbrt(2 * neck * radius)),
         pull_off(3 * std::numbers::pi * given.surface_energy * radius),
         attraction_share(given.load == JkrLoad::corrected ? 1.0 : 0.25) {}
 
   /// m, at overlap h >= 0 in m.
   double contact_radius(double overlap) const {
-    return jkr_contact_radius(radius * overlap, neck * neck * radius * radius);
+    return jkr_contact_radius_newton(radius * overlap, neck * radius, adhesive_start);
   }
 
   StaticForce force(double overlap, double, double*) const {

@@ -32,22 +32,28 @@ struct LudingFriction {
     }
   };
   static constexpr int kMemory = 4;  ///< xi in m; 1 while sliding with slip memory
-  Parameters given;
+  double stiffness, damping, static_friction, dynamic_friction;
+  double slip_memory;  ///< 1 or 0; a number, as loops with a flag do not vectorise
 
-  LudingFriction(const Parameters& parameters, const PairProperties&) : given(parameters) {}
+  LudingFriction(const Parameters& given, const PairProperties&)
+      : stiffness(given.stiffness),
+        damping(given.damping),
+        static_friction(given.static_friction),
+        dynamic_friction(given.dynamic_friction),
+        slip_memory(given.slip_memory ? 1.0 : 0.0) {}
 
   Vector3 force(double* memory, Vector3 normal, Vector3 sliding, double, double load,
                 double time_step) const {
     const Vector3 spring = in_plane(load_vector(memory), normal) + time_step * sliding;
-    const bool still_sliding = memory[3] > 0 && dot(spring, sliding) > 0;
-    const double pull = given.stiffness * length(spring);
-    const double threshold = (still_sliding ? given.dynamic_friction : given.static_friction) * load;
+    const double onward = dot(spring, sliding);
+    const double was_sliding = onward > 0 ? memory[3] : 0.0;
+    const double pull = stiffness * length(spring);
+    const double threshold = (was_sliding > 0 ? dynamic_friction : static_friction) * load;
     const bool slides = pull > threshold;
-    const double slip = slides ? given.dynamic_friction * load / pull : 1;
+    const double slip = slides ? dynamic_friction * load / pull : 1.0;
     store_vector(memory, slip * spring);
-    memory[3] = given.slip_memory && slides ? 1 : 0;
-    const Vector3 dashpot = (slides ? 0 : -given.damping) * sliding;
-    return (-given.stiffness * slip) * spring + dashpot;
+    memory[3] = slides ? slip_memory : 0.0;
+    return (-stiffness * slip) * spring - (slides ? 0.0 : damping) * sliding;
   }
 };
 

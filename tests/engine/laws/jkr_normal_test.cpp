@@ -20,16 +20,9 @@ double bracketed_root(double X, double q) {
   return static_cast<double>(high * high);
 }
 
-/// The same by Newton's method from above, where the function is convex.
 double newton_root(double X, double q) {
   const double g = std::sqrt(q);
-  double y = std::max(std::pow(2 * X, 0.25), std::cbrt(2 * g));
-  for (int k = 0; k < 40; ++k) {
-    const double next = y - (y * y * y * y - g * y - X) / (4 * y * y * y - g);
-    if (std::abs(next - y) <= 1e-15 * y) return next * next;
-    y = next;
-  }
-  return y * y;
+  return jkr_contact_radius_newton(X, g, std::cbrt(2 * g));
 }
 
 double worst_error(double (*solver)(double, double)) {
@@ -60,6 +53,7 @@ TEST(JkrContactRadius, IsTheRootOverTwelveDecades) {
 
 TEST(JkrContactRadius, HasItsLimits) {
   EXPECT_EQ(jkr_contact_radius(0, 0), 0);
+  EXPECT_EQ(newton_root(0, 0), 0);
   for (const double X : {1e-24, 1e-12, 1e-3})
     EXPECT_NEAR(jkr_contact_radius(X, 0), std::sqrt(X), 1e-15 * std::sqrt(X));
   for (const double q : {1e-30, 1e-15, 1e-3})
@@ -144,6 +138,32 @@ TEST(JkrNormalPart, SlowDampedSpheresStick) {
   EXPECT_TRUE(outcome.stuck);
   const double weight_free_rest = 1.69894e-6;
   EXPECT_GT(outcome.deepest, weight_free_rest);
+}
+
+TEST(JkrNormalPart, HoldsEightNinthsOfThePullOffForce) {
+  // A sphere under a ceiling, pulled by a constant force from where it is at rest, or from touch if it is
+  // nowhere.
+  const auto wall = sphere_on_wall(kRadius);
+  LawParameters law{.normal = JkrNormal::Parameters{.modulus = kModulus, .surface_energy = 0.2},
+                    .load_rule = LoadRule::without};
+  law.damping = RestitutionDamping::Parameters{.restitution = 0.1, .modulus = kModulus};
+  const JkrNormal part({.modulus = kModulus, .surface_energy = 0.2}, wall);
+  for (const double share : {0.95, 1.05}) {
+    const double pull = share * 8.0 / 9.0 * part.pull_off;
+    double low = 0, high = 1e-6;
+    for (int k = 0; k < 60; ++k) {
+      const double middle = 0.5 * (low + high);
+      (force_at(part, middle) < -pull ? low : high) = middle;
+    }
+    reference::AllPairs<GeneralLaw> pairs({.time_step = 1e-7, .gravity = {0, 0, pull / wall.mass_i}}, {},
+                                          [&](const PairProperties& pair) { return make_law(law, pair); });
+    reference::Ball ball{.radius = kRadius, .mass = wall.mass_i};
+    ball.position = {0, 0, kRadius - high};
+    pairs.balls = {ball};
+    pairs.planes = {{.normal = {0, 0, 1}}};
+    for (int k = 0; k < 20000; ++k) pairs.step();
+    EXPECT_EQ(pairs.contacts() == 1, share < 1) << share;
+  }
 }
 
 }  // namespace

@@ -37,7 +37,7 @@ enum class Arm {
 struct Settings {
   double time_step = 0;                           ///< s
   Vector3 gravity = {};                           ///< m/s^2
-  Arm arm = Arm::contact;                         //
+  Arm arm = Arm::contact;                         ///< where contact forces act on balls
   double torque_factor = 1;                       ///< of the sum of torques on a ball (coarse graining)
   std::array<std::optional<double>, 2> period{};  ///< m, in x and y
 };
