@@ -2,6 +2,7 @@
 // section on rolling).
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 
 #include "engine/laws/parameter_check.h"
@@ -43,10 +44,7 @@ struct LudingRolling {
         damping(2 * given.damping_ratio * std::sqrt(pair.effective_inertia() * stiffness)),
         arm(given.rolling_friction * pair.effective_radius()) {
     const double inertia = pair.effective_inertia(), dt = given.time_step;
-    require(stiffness * dt * dt < 4 * inertia && damping * dt < 2 * inertia,
-            "rolling spring of Luding is unstable: time step " + std::to_string(dt) +
-                " s is too long for it; shorten the step below " +
-                std::to_string(2 * std::sqrt(inertia / stiffness)) + " s or lower the rolling stiffness");
+    if (stiffness * dt * dt >= 4 * inertia || damping * dt >= 2 * inertia) refuse(dt, inertia);
   }
 
   Vector3 torque(double* memory, Vector3 normal, Vector3 relative_spin, double, StaticForce, double load,
@@ -57,6 +55,15 @@ struct LudingRolling {
     const Vector3 spring = shortening(size, limit) * trial;
     store_vector(memory, spring);
     return -spring - (size > limit ? 0 : damping) * rolling;
+  }
+
+ private:
+  void refuse(double time_step, double inertia) const {
+    std::ostringstream line;
+    line << "Luding's rolling spring is unstable in time steps of " << time_step << " s; take steps below "
+         << std::min(2 * std::sqrt(inertia / stiffness), 2 * inertia / damping)
+         << " s or lower the rolling stiffness";
+    throw std::invalid_argument(line.str());
   }
 };
 
