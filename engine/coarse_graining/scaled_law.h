@@ -1,0 +1,74 @@
+// A contact law of original grains between scaled ones: the direct way of coarse graining by force scaling.
+#pragma once
+
+#include "engine/coarse_graining/force_scaling.h"
+#include "engine/laws/composed_law.h"
+
+namespace diefill::engine::coarse_graining {
+
+/// Looks at the contact in original variables, lets `Law` react, and multiplies forces by powers of l (Hu
+/// 2024, Eqs. 3.32 to 3.45). Memory holds original variables.
+template <class Law>
+class ScaledLaw {
+ public:
+  static constexpr int kMemory = Law::kMemory;
+
+  /// `original`: the law between the small grains, made for scaling.original(pair).
+  ScaledLaw(const ForceScaling& scaling, const Law& original)
+      : law_(original),
+        spin_(scaling.scale),
+        overlap_(power(scaling, scaling.overlap_exponent)),
+        gap_(power(scaling, scaling.gap_exponent)),
+        stretch_(scaling.literal_spring ? 1 : power(scaling, scaling.spring_exponent)),
+        turn_(scaling.literal_rolling ? 1 : scaling.scale),
+        force_(power(scaling, scaling.force_exponent)),
+        couple_(power(scaling, scaling.force_exponent + 1)),
+        attraction_(power(scaling, scaling.attraction_exponent)) {}
+
+  /// m, the largest gap of scaled grains at which the pair must still be looked at.
+  double range() const { return law_.range() * gap_; }
+
+  /// As ComposedLaw::react, for scaled grains. The couple is such that it and force times the scaled lever
+  /// arm share the factor ForceScaling::torque_factor, which the caller applies to their sum.
+  laws::Reaction react(const laws::ContactState& state, double* memory) const {
+    laws::ContactState original = state;
+    original.overlap = original_overlap(state.overlap);
+    original.spin = spin_ * state.spin;
+    original.time_step = state.time_step / stretch_;
+    original.rolling_step = state.rolling_step / turn_;
+    laws::Reaction reaction = law_.react(original, memory);
+    reaction.force = force_ * reaction.force + ((attraction_ - force_) * reaction.attraction) * state.normal;
+    reaction.couple = couple_ * reaction.couple;
+    for (double* contact : {&reaction.load, &reaction.viscous, &reaction.normal_power,
+                            &reaction.viscous_power, &reaction.friction_power, &reaction.rolling_power})
+      *contact *= force_;
+    reaction.attraction *= attraction_;
+    reaction.attraction_power *= attraction_;
+    return reaction;
+  }
+
+  /// J that the normal part holds: force times overlap, each scaled.
+  double contact_energy(double overlap, const double* memory) const {
+    return force_ * overlap_ * law_.contact_energy(original_overlap(overlap), memory);
+  }
+  /// J of the distant attraction.
+  double attraction_energy(double overlap, const double* memory) const {
+    // In contact the attraction is constant and acts through the overlap as it is scaled.
+    const double per_length = overlap > 0 ? overlap_ : gap_;
+    return attraction_ * (gap_ * law_.attraction_energy(0, memory) +
+                          per_length * (law_.attraction_energy(original_overlap(overlap), memory) -
+                                        law_.attraction_energy(0, memory)));
+  }
+
+ private:
+  static double power(const ForceScaling& scaling, double exponent) {
+    return std::pow(scaling.scale, exponent);
+  }
+  double original_overlap(double overlap) const { return overlap > 0 ? overlap / overlap_ : overlap / gap_; }
+
+  Law law_;
+  double spin_, overlap_, gap_, stretch_, turn_;  // original over scaled, or scaled over original length
+  double force_, couple_, attraction_;            // scaled over original
+};
+
+}  // namespace diefill::engine::coarse_graining

@@ -1,0 +1,22 @@
+// The scaled-up particle model, "SUP" (Hu 2024, chapter 3; Method 1 of chapters 4 to 6).
+#pragma once
+
+#include "engine/coarse_graining/force_scaling.h"
+#include "engine/laws/law_parameters.h"
+
+namespace diefill::engine::coarse_graining {
+
+/// Contact force, attraction and torque all grow with l^2, overlaps and gaps with l, so that stresses stay as
+/// they are (Hu 2024, Eqs. 3.21 to 3.45).
+inline ForceScaling scaled_up_particle(double scale) {
+  return {.scale = scale, .force_exponent = 2, .attraction_exponent = 2, .torque_exponent = 2};
+}
+
+/// The same rule without a scaled law: the ordinary law at the scaled size with these parameters (surface
+/// energy and surface tension times l and so on), and every grain's torque times torque_factor() = 1 / l.
+/// Identical forces (Hu 2024, Eqs. 3.46 to 3.48).
+inline laws::LawParameters scaled_up_particle(const laws::LawParameters& fine, double scale) {
+  return fine.similar(scale);
+}
+
+}  // namespace diefill::engine::coarse_graining

@@ -1,0 +1,28 @@
+// A linear spring: the elastic limit of Luding's hysteretic spring, and what walls of that model use.
+#pragma once
+
+#include "engine/laws/parameter_check.h"
+#include "engine/laws/parts.h"
+
+namespace diefill::engine::laws {
+
+/// f = k h.
+struct LinearNormal {
+  struct Parameters {
+    double stiffness = 100;  ///< N/m, k
+    void check() const { require_positive("normal stiffness", stiffness); }
+    Parameters similar(double l) const { return {l * stiffness}; }
+  };
+  static constexpr int kMemory = 0;
+  double spring = 0;  ///< N/m
+
+  LinearNormal(const Parameters& given, const PairProperties&) : spring(given.stiffness) {}
+
+  StaticForce force(double overlap, double, double*) const { return {spring * overlap, spring * overlap}; }
+  double energy(double overlap, const double*) const { return 0.5 * spring * overlap * overlap; }
+  double stiffness(double, const double*) const { return spring; }
+};
+
+static_assert(NormalPart<LinearNormal>);
+
+}  // namespace diefill::engine::laws

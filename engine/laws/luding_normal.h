@@ -1,0 +1,86 @@
+// Luding's hysteretic spring: plastic loading, stiffer unloading, a cohesion limb (Luding 2008; Kottlan 2018,
+// Eqs. 3 to 6, with the inverted fraction of Eq. 5 and the branch condition of Eq. 6 put right).
+#pragma once
+
+#include <cmath>
+
+#include "engine/laws/parameter_check.h"
+#include "engine/laws/parts.h"
+
+namespace diefill::engine::laws {
+
+/// Three branches: virgin loading k_1 h up to the plastic limit; un- and reloading along a line of slope k_2*
+/// between k_1 and k_2; the limb -k_c h, which shortens the memory of the deepest overlap. Nothing is
+/// remembered after the spheres part. Limit: force + k_c h, zero on the limb (Kottlan 2018, Eq. 18).
+struct LudingNormal {
+  struct Parameters {
+    double loading = 100;            ///< N/m, k_1
+    double unloading = 500;          ///< N/m, k_2, above k_1
+    double cohesion = 0;             ///< N/m, k_c
+    double plasticity_depth = 0.05;  ///< phi_f, plastic limit over the diameter-like length 2 R_ij
+    void check() const {
+      require_positive("loading stiffness k_1", loading);
+      require(unloading > loading && std::isfinite(unloading),
+              "unloading stiffness k_2 must exceed the loading stiffness k_1; use the linear spring for k_2 "
+              "= k_1");
+      require_range("cohesion stiffness k_c", cohesion, 0);
+      require_positive("plasticity depth", plasticity_depth);
+    }
+    Parameters similar(double l) const {
+      return {l * loading, l * unloading, l * cohesion, plasticity_depth};
+    }
+  };
+  static constexpr int kMemory = 1;  ///< deepest overlap so far, m
+  double k1, k2, kc;                 ///< N/m
+  double plastic_limit;  ///< m, overlap beyond which unloading is as stiff as k_2 (Kottlan 2018, Eq. 4)
+
+  LudingNormal(const Parameters& given, const PairProperties& pair)
+      : k1(given.loading),
+        k2(given.unloading),
+        kc(given.cohesion),
+        plastic_limit(k2 / (k2 - k1) * given.plasticity_depth * 2 * pair.effective_radius()) {}
+
+  StaticForce force(double overlap, double, double* memory) const {
+    const double deepest = overlap > memory[0] ? overlap : memory[0];
+    const double slope = unloading_slope(deepest);
+    const double line = unloading_force(overlap, deepest, slope);
+    const bool virgin = deepest < plastic_limit && line >= k1 * overlap;
+    const bool limb = !virgin && line <= -kc * overlap;
+    const double force = virgin ? k1 * overlap : (limb ? -kc * overlap : line);
+    memory[0] = limb ? (slope + kc) / (slope - k1) * overlap : deepest;
+    return {force, force + kc * overlap};
+  }
+
+  /// Area in J between the un- and reloading line and zero force, from the present overlap to where the line
+  /// crosses zero: f^2 / (2 k_2*). It is what unloading gives back down to that point, or, on the cohesion
+  /// side, what the attraction gives back up to it. The rest of the work done was lost to plasticity.
+  double energy(double overlap, const double* memory) const {
+    const double deepest = overlap > memory[0] ? overlap : memory[0];
+    const double slope = unloading_slope(deepest);
+    const double line = unloading_force(overlap, deepest, slope);
+    return overlap > 0 ? 0.5 * line * line / slope : 0;
+  }
+  /// k_2, the steepest line a contact can come to.
+  double stiffness(double, const double*) const { return k2; }
+
+  /// k_2* in N/m after the deepest overlap in m (Kottlan 2018, Eq. 5, fraction corrected).
+  double unloading_slope(double deepest) const {
+    return deepest < plastic_limit ? k1 + (k2 - k1) * deepest / plastic_limit : k2;
+  }
+
+ private:
+  double unloading_force(double overlap, double deepest, double slope) const {
+    const double turning = deepest < plastic_limit ? deepest : plastic_limit;
+    return slope * (overlap - turning) + k1 * turning;
+  }
+};
+
+static_assert(NormalPart<LudingNormal>);
+
+/// k_1 = 4/3 Y r sqrt(delta') in N/m: Hertz' secant stiffness at the reference overlap delta' (over the
+/// radius) of a sphere of `radius` in m and Young's modulus in Pa (Kottlan 2018, Eq. 3).
+inline double luding_loading_stiffness(double young, double radius, double reference_overlap) {
+  return 4.0 / 3.0 * young * radius * std::sqrt(reference_overlap);
+}
+
+}  // namespace diefill::engine::laws
