@@ -32,6 +32,12 @@ void NeighbourList::build(const SphereField& spheres, const std::vector<WallBody
   index_foreign_sums(spheres.grains);
 }
 
+std::size_t NeighbourList::near_pairs() const {
+  std::size_t pairs = 0;
+  for (const auto& block : blocks_) pairs += block.grain_pairs.size();
+  return pairs;
+}
+
 void NeighbourList::cut_into_blocks(std::size_t grains) {
   const std::size_t count = (grains + kGrainsPerBlock - 1) / kGrainsPerBlock;
   blocks_.resize(count);

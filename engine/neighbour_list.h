@@ -43,6 +43,8 @@ class NeighbourList {
 
   std::vector<Block>& blocks() { return blocks_; }
   const std::vector<Block>& blocks() const { return blocks_; }
+  /// Near pairs between grains.
+  std::size_t near_pairs() const;
   const std::vector<std::uint32_t>& body_first() const { return body_first_; }
   const NeighbourSettings& settings() const { return settings_; }
 

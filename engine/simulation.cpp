@@ -243,6 +243,24 @@ void Simulation::book_step() {
                          settings_.time_step;
 }
 
+double Simulation::bytes_moved_per_step() const {
+  const auto grains = static_cast<double>(grains_.size()), spheres = static_cast<double>(spheres_.size());
+  constexpr double kVector = sizeof(Vector3), kSum = sizeof(ContactSum);
+  // advance: reads position, velocity, orientation, spin, force, torque and the reference; writes position,
+  // orientation, spin, and the spheres. finish: reads all but position, writes velocity, force, spin, torque.
+  const double advance =
+      grains * (5 * kVector + 32 + kVector + 32 + 2 * kVector + 32) + spheres * 2 * kVector;
+  const double finish = grains * (4 * kVector + 32 + kSum + 4 * kVector);
+  double contacts = spheres * 2 * kVector;
+  for (const auto& block : list_.blocks())
+    contacts += static_cast<double>(block.grain_pairs.size() * (sizeof(GrainPair) + 1) +
+                                    block.wall_pairs.size() * (sizeof(WallPair) + 1) +
+                                    2 * block.sums.size() * sizeof(ContactSum));
+  contacts += static_cast<double>(touching_) * 2 * static_cast<double>(list_.settings().grain_memory) *
+              sizeof(double);
+  return advance + finish + contacts;
+}
+
 ContactScene Simulation::contact_scene() const {
   return {spheres_,
           bodies_,

@@ -88,6 +88,10 @@ class Simulation {
   /// Sphere centres (m) of the last contact computation, grain after grain, images last.
   const SphereField& spheres() const { return spheres_; }
 
+  /// Bytes that one step reads and writes at least: state of grains and spheres, near pairs and what touching
+  /// ones remember, each counted once a pass.
+  double bytes_moved_per_step() const;
+
   /// Energy of the powder now, summed in a fixed order.
   Energy energy() const;
   /// Difference between the energy there is and the energy the ledger expects, over the energy turned over so

@@ -1,0 +1,133 @@
+#include <unistd.h>
+
+#include <cstdio>
+#include <fstream>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <optional>
+
+#include "app/commands.h"
+#include "app/exit_code.h"
+#include "process/laboratory/race_bed.h"
+
+namespace diefill::app {
+
+namespace {
+
+using process::laboratory::RaceBed;
+
+struct BenchOptions {
+  std::string bed;
+  std::optional<std::string> state;
+  int threads = 1, steps = 600, repeats = 1;
+  std::size_t spheres = 50000;
+  bool json = false;
+};
+
+/// Steps before timing: the first searches and page faults are not what a run spends its time on.
+constexpr int kWarmUp = 100;
+
+/// Bytes of memory that the program holds now.
+double resident_bytes() {
+  std::ifstream file("/proc/self/statm");
+  double total = 0, resident = 0;
+  file >> total >> resident;
+  return resident * static_cast<double>(sysconf(_SC_PAGESIZE));
+}
+
+engine::Simulation assembled(const process::laboratory::RaceBedState& bed, int threads) {
+  engine::SimulationSettings settings = bed.settings;
+  settings.threads = threads;
+  engine::Simulation simulation(settings, bed.walls);
+  simulation.add_grains(bed.grains);
+  return simulation;
+}
+
+/// Figures of `steps` steps from now on.
+nlohmann::ordered_json timed(engine::Simulation& simulation, int steps, double bytes) {
+  const auto before = simulation.timers().seconds();
+  const auto searches = simulation.searches();
+  for (int k = 0; k < steps; ++k) simulation.step();
+  const auto after = simulation.timers().seconds();
+  const double spheres =
+      static_cast<double>(simulation.grains().size() * simulation.settings().shape.spheres());
+  double seconds = 0;
+  nlohmann::ordered_json phases;
+  for (std::size_t p = 0; p < after.size(); ++p) {
+    seconds += after[p] - before[p];
+    phases[engine::kPhaseNames[p]] = (after[p] - before[p]) / (spheres * steps) * 1e9;
+  }
+  nlohmann::ordered_json figures;
+  figures["sphere_steps_per_second"] = spheres * steps / seconds;
+  figures["spheres"] = spheres;
+  figures["steps"] = steps;
+  figures["threads"] = simulation.settings().threads;
+  figures["seconds"] = seconds;
+  figures["nanoseconds_per_sphere_step"] = phases;
+  figures["contacts_per_sphere"] = 2 * static_cast<double>(simulation.touching_pairs()) / spheres;
+  figures["near_pairs_per_sphere"] = static_cast<double>(simulation.neighbours().near_pairs()) / spheres;
+  figures["steps_per_search"] =
+      static_cast<double>(steps) / std::max(1.0, static_cast<double>(simulation.searches() - searches));
+  figures["bytes_per_sphere"] = bytes / spheres;
+  figures["bytes_moved_per_sphere_step"] = simulation.bytes_moved_per_step() / spheres;
+  char hash[32];
+  std::snprintf(hash, sizeof hash, "%016llx", static_cast<unsigned long long>(simulation.hash()));
+  figures["state_hash"] = hash;
+  return figures;
+}
+
+void print(const nlohmann::ordered_json& figures) {
+  for (const auto& [name, value] : figures.items()) {
+    if (!value.is_object()) {
+      std::printf("%s: %s\n", name.c_str(),
+                  value.is_string() ? value.get<std::string>().c_str() : value.dump().c_str());
+      continue;
+    }
+    for (const auto& [phase, nanoseconds] : value.items())
+      std::printf("%s, %s: %.2f\n", name.c_str(), phase.c_str(), nanoseconds.get<double>());
+  }
+}
+
+int bench(const BenchOptions& options) {
+  const RaceBed kind = options.bed == "spheres" ? RaceBed::spheres : RaceBed::clumps;
+  const double before = resident_bytes();
+  std::optional<engine::Simulation> simulation;
+  {
+    const auto bed = options.state ? process::laboratory::read_race_bed(kind, *options.state)
+                                   : process::laboratory::loose_race_bed(kind, options.spheres);
+    simulation.emplace(assembled(bed, options.threads));
+  }
+  const int settling = options.state ? kWarmUp : process::laboratory::kRaceBedFall;
+  for (int k = 0; k < settling; ++k) simulation->step();
+  const auto figures = timed(*simulation, options.steps, resident_bytes() - before);
+  if (options.json)
+    std::printf("%s\n", figures.dump(2).c_str());
+  else
+    print(figures);
+  return kDone;
+}
+
+}  // namespace
+
+void add_bench(CLI::App& program, Action& chosen) {
+  auto* command = program.add_subcommand("bench", "Time the engine on a settled bed");
+  auto options = std::make_shared<BenchOptions>();
+  command->add_option("BED", options->bed, "spheres or clumps (model D)")
+      ->required()
+      ->check(CLI::IsMember({"spheres", "clumps"}));
+  command
+      ->add_option("--state", options->state,
+                   "settled bed to start from (CSV, plain or gzip); otherwise one is made")
+      ->check(CLI::ExistingFile);
+  command->add_option("--spheres", options->spheres, "size of a bed that is made")
+      ->check(CLI::Range(1000, 20000000));
+  command->add_option("--threads", options->threads, "threads")->check(CLI::Range(1, 1024));
+  command->add_option("--steps", options->steps, "steps to time")->check(CLI::Range(1, 100000000));
+  command->add_flag("--json", options->json, "print JSON");
+  command->footer(
+      "Examples:\n  diefill bench clumps\n  diefill bench spheres --threads 2 --steps 2000 --json\n"
+      "Machines are noisy: compare figures of one session only, taken in turns.");
+  command->callback([options, &chosen] { chosen = [options] { return bench(*options); }; });
+}
+
+}  // namespace diefill::app

@@ -1,0 +1,122 @@
+#include "process/laboratory/race_bed.h"
+
+#include <zlib.h>
+
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <numbers>
+
+#include "process/results/result_file.h"
+
+namespace diefill::process::laboratory {
+
+namespace {
+
+constexpr double kDensity = 5400;                                 // kg/m^3
+constexpr double kSphereRadius = 1.5e-4, kClumpRadius = 7.84e-5;  // m
+constexpr double kSphereBox = 0.012, kClumpBox = 0.007;           // m
+
+double mass_of_sphere(double radius) {
+  return kDensity * 4.0 / 3.0 * std::numbers::pi * radius * radius * radius;
+}
+
+/// Lines of a plain or gzip file.
+std::vector<std::string> lines_of(const std::filesystem::path& path) {
+  gzFile file = gzopen(path.c_str(), "rb");
+  if (!file) throw results::ResultError(path.string() + ": cannot be opened");
+  std::vector<std::string> lines;
+  std::array<char, 4096> buffer;
+  while (gzgets(file, buffer.data(), static_cast<int>(buffer.size()))) lines.emplace_back(buffer.data());
+  int problem = 0;
+  gzerror(file, &problem);
+  gzclose(file);
+  if (problem != Z_OK && problem != Z_STREAM_END)
+    throw results::ResultError(path.string() + ": broken gzip file");
+  return lines;
+}
+
+/// The numbers of a line of `columns` comma-separated ones.
+std::vector<double> numbers_of(const std::string& line, std::size_t columns, const std::string& where) {
+  std::vector<double> numbers;
+  const char *at = line.data(), *end = line.data() + line.find_last_not_of("\r\n") + 1;
+  while (at < end) {
+    double value = 0;
+    const auto [next, error] = std::from_chars(at, end, value);
+    if (error != std::errc()) break;
+    numbers.push_back(value);
+    at = next + 1;
+  }
+  if (numbers.size() != columns)
+    throw results::ResultError(where + ": " + std::to_string(columns) + " numbers are expected in a line, " +
+                               std::to_string(numbers.size()) + " can be read");
+  return numbers;
+}
+
+}  // namespace
+
+RaceBedState empty_race_bed(RaceBed kind, double width) {
+  const double radius = kind == RaceBed::spheres ? kSphereRadius : kClumpRadius;
+  RaceBedState bed;
+  auto& settings = bed.settings;
+  settings.shape = kind == RaceBed::spheres ? engine::model_b(radius, mass_of_sphere(radius))
+                                            : engine::model_d(radius, 7 * mass_of_sphere(radius));
+  settings.grain_contact = {.damping = 1e6 * radius, .tangential = 1e6 * radius, .friction = 0.5};
+  settings.wall_contact = settings.grain_contact;
+  settings.time_step = 2e-6;
+  settings.period = {width, width};
+  engine::WallBodySpec floor;
+  floor.name = "floor";
+  floor.planes = {{Eigen::Vector3d::Zero(), Eigen::Vector3d::UnitZ()}};
+  bed.walls = {floor};
+  return bed;
+}
+
+RaceBedState read_race_bed(RaceBed kind, const std::filesystem::path& file) {
+  const double width = kind == RaceBed::spheres ? kSphereBox : kClumpBox;
+  RaceBedState bed = empty_race_bed(kind, width);
+  const auto lines = lines_of(file);
+  const std::size_t columns = kind == RaceBed::spheres ? 10 : 14;
+  for (std::size_t k = 1; k < lines.size(); ++k) {
+    const auto row = numbers_of(lines[k], columns, file.string() + ", line " + std::to_string(k + 1));
+    engine::NewGrain grain;
+    std::size_t at = 1;
+    const auto vector = [&] {
+      at += 3;
+      return Eigen::Vector3d(row[at - 3], row[at - 2], row[at - 1]);
+    };
+    grain.position = vector() - Eigen::Vector3d(0.5 * width, 0.5 * width, 0);
+    if (kind == RaceBed::clumps) {
+      grain.orientation = {row[at], row[at + 1], row[at + 2], row[at + 3]};
+      at += 4;
+    }
+    grain.velocity = vector();
+    grain.angular_velocity = vector();
+    bed.grains.push_back(grain);
+  }
+  if (bed.grains.empty()) throw results::ResultError(file.string() + ": holds no grains");
+  return bed;
+}
+
+RaceBedState loose_race_bed(RaceBed kind, std::size_t spheres) {
+  const std::size_t per_grain = kind == RaceBed::spheres ? 1 : 7;
+  const double radius = kind == RaceBed::spheres ? kSphereRadius : 3 * kClumpRadius;
+  const double constant = 2.1 * radius;
+  const auto grains = static_cast<double>(spheres) / static_cast<double>(per_grain);
+  const int across = std::max(4, static_cast<int>(std::lround(std::cbrt(grains))));
+  const int layers = std::max(1, static_cast<int>(std::lround(grains / (across * across))));
+  RaceBedState bed = empty_race_bed(kind, across * constant);
+  for (int k = 0; k < layers; ++k)
+    for (int j = 0; j < across; ++j)
+      for (int i = 0; i < across; ++i) {
+        engine::NewGrain grain;
+        grain.position = constant * Eigen::Vector3d(i + 0.5 - 0.5 * across, j + 0.5 - 0.5 * across, k + 0.5);
+        grain.orientation = engine::Quaternion(1, 0.3 * i, 0.2 * j, 0.1 * k).normalized();
+        // Sideways speeds, so that columns do not stay on each other.
+        grain.velocity = 0.02 * Eigen::Vector3d(std::sin(3.0 * i + 5.0 * k), std::sin(7.0 * j + 2.0 * k), 0);
+        bed.grains.push_back(grain);
+      }
+  return bed;
+}
+
+}  // namespace diefill::process::laboratory

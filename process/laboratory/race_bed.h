@@ -1,0 +1,36 @@
+// Settled beds to race on: dense, slow contact work, which is what die filling spends its time on.
+#pragma once
+
+#include <filesystem>
+#include <vector>
+
+#include "engine/simulation.h"
+
+namespace diefill::process::laboratory {
+
+enum class RaceBed { spheres, clumps };
+
+/// A bed's grains and everything else that a simulation of it needs. SI units.
+struct RaceBedState {
+  engine::SimulationSettings settings;
+  std::vector<engine::WallBodySpec> walls;
+  std::vector<engine::NewGrain> grains;
+};
+
+/// What all beds of a kind have in common, without grains: law (Bierwisch 2009, Eqs. 2.3, 2.6, 2.7) with
+/// E~ = 1e7 Pa, gamma_n / R = 1e6 Pa s/m, kappa_t / R = 1e6 Pa, mu = 0.5, a plane floor at z = 0 with R_eff =
+/// R, 2e-6 s a step. `width` (m): period along x and y.
+RaceBedState empty_race_bed(RaceBed kind, double width);
+
+/// The bed in a CSV file (plain or gzip), one row a grain, SI units, laboratory frame. Spheres: id, x, y, z,
+/// vx, vy, vz, wx, wy, wz in a box of 12 mm; clumps: id, x, y, z, qw, qx, qy, qz (body to laboratory), vx,
+/// vy, vz, wx, wy, wz in one of 7 mm. The box begins at the origin. Throws results::ResultError when the file
+/// cannot be read as such.
+RaceBedState read_race_bed(RaceBed kind, const std::filesystem::path& file);
+
+/// A bed of about `spheres` spheres as they fall, on a lattice just above the ground: let it fall for
+/// `kRaceBedFall` steps before timing.
+RaceBedState loose_race_bed(RaceBed kind, std::size_t spheres);
+inline constexpr int kRaceBedFall = 15000;
+
+}  // namespace diefill::process::laboratory
