@@ -1,6 +1,7 @@
 #include <unistd.h>
 
 #include <cstdio>
+#include <ctime>
 #include <fstream>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -47,7 +48,9 @@ engine::Simulation assembled(const process::laboratory::RaceBedState& bed, int t
 nlohmann::ordered_json timed(engine::Simulation& simulation, int steps, double bytes) {
   const auto before = simulation.timers().seconds();
   const auto searches = simulation.searches();
+  const std::clock_t clock = std::clock();
   for (int k = 0; k < steps; ++k) simulation.step();
+  const double cpu_seconds = static_cast<double>(std::clock() - clock) / CLOCKS_PER_SEC;
   const auto after = simulation.timers().seconds();
   const double spheres =
       static_cast<double>(simulation.grains().size() * simulation.settings().shape.spheres());
@@ -63,6 +66,7 @@ nlohmann::ordered_json timed(engine::Simulation& simulation, int steps, double b
   figures["steps"] = steps;
   figures["threads"] = simulation.settings().threads;
   figures["seconds"] = seconds;
+  figures["cpu_nanoseconds_per_sphere_step"] = cpu_seconds / (spheres * steps) * 1e9;
   figures["nanoseconds_per_sphere_step"] = phases;
   figures["contacts_per_sphere"] = 2 * static_cast<double>(simulation.touching_pairs()) / spheres;
   figures["near_pairs_per_sphere"] = static_cast<double>(simulation.neighbours().near_pairs()) / spheres;

@@ -33,7 +33,7 @@ struct ContactBatch {
   Vectors moment;        ///< N m on i
   Vectors other_moment;  ///< N m on j; only set where it is not the obvious one
   Scalars load, overlap;
-  Scalars viscous_power, tangential_power, rolling_power;  ///< W
+  Scalars viscous_power, friction_power, rolling_power;  ///< W
 
   /// Fills the last group with copies of the last pair, so that whole groups hold numbers that make sense.
   void fill_last_group() {
@@ -91,7 +91,7 @@ void react(ContactBatch<Law>& batch, const Law& law, const PairReach& reach, dou
     contact.time_step = time_step;
     const double arm = Arms::arm(reach.radius, contact.overlap);
     if constexpr (Arms::kTurns) contact.velocity -= arm * cross(batch.spin_sum[lane], contact.normal);
-    if constexpr (Law::kRolls) contact.relative_spin = batch.relative_spin[lane];
+    if constexpr (Law::kRolls) contact.spin = batch.relative_spin[lane];
 
     double memory[ContactBatch<Law>::kMemory + 1];
     for (std::size_t k = 0; k < ContactBatch<Law>::kMemory; ++k) memory[k] = batch.memory[k][lane];
@@ -102,7 +102,7 @@ void react(ContactBatch<Law>& batch, const Law& law, const PairReach& reach, dou
     batch.overlap[lane] = contact.overlap;
     batch.load[lane] = reaction.load;
     batch.viscous_power[lane] = reaction.viscous_power;
-    batch.tangential_power[lane] = reaction.tangential_power;
+    batch.friction_power[lane] = reaction.friction_power;
     if constexpr (Law::kRolls) batch.rolling_power[lane] = reaction.rolling_power;
     if constexpr (Arms::kTurns) {
       Vector3 point = (-arm) * contact.normal;

@@ -28,7 +28,9 @@ void remember(const ContactBatch<Law>& batch, std::size_t lane, PairTable<Pair>&
 /// Notes whether pair `p` touches now; a new contact begins without memory.
 template <class Pair>
 void note_touching(PairTable<Pair>& table, std::size_t p, bool touches) {
-  if (touches && !table.touching[p]) std::fill_n(table.memory_of(p), table.width, 0.0);
+  // Whether a near pair touches cannot be guessed, whether it has just begun to can: it is rare.
+  const unsigned begins = static_cast<unsigned>(touches) & (1U - table.touching[p]);
+  if (begins != 0) std::fill_n(table.memory_of(p), table.width, 0.0);
   table.touching[p] = touches;
 }
 
@@ -38,7 +40,7 @@ class BatchTally {
  public:
   void add(const ContactBatch<Law>& batch) {
     viscous_power_.add(batch.viscous_power, batch.count);
-    tangential_power_.add(batch.tangential_power, batch.count);
+    friction_power_.add(batch.friction_power, batch.count);
     if constexpr (Law::kRolls) rolling_power_.add(batch.rolling_power, batch.count);
     for (std::size_t lane = 0; lane < batch.count; ++lane) deepest_ = std::max(deepest_, batch.overlap[lane]);
     touching_ += batch.count;
@@ -46,14 +48,14 @@ class BatchTally {
   /// Books the work of one step of `time_step` (s).
   void book(double time_step, BlockTally& tally, double& deepest_overlap) const {
     tally.viscous_work += viscous_power_.total() * time_step;
-    tally.tangential_work += tangential_power_.total() * time_step;
+    tally.tangential_work += friction_power_.total() * time_step;
     tally.rolling_work += rolling_power_.total() * time_step;
     tally.touching += touching_;
     deepest_overlap = std::max(deepest_overlap, deepest_);
   }
 
  private:
-  LaneSum viscous_power_, tangential_power_, rolling_power_;
+  LaneSum viscous_power_, friction_power_, rolling_power_;
   double deepest_ = 0;
   std::uint64_t touching_ = 0;
 };

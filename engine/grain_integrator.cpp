@@ -37,7 +37,7 @@ struct GrainLanes {
   /// The grain of a lane.
   std::size_t grain(std::size_t lane) const { return begin + std::min(lane, count - 1); }
 
-  void load(const Grains& grains, std::size_t first, std::size_t end, bool rotates) {
+  void load(const Grains& grains, std::size_t first, std::size_t end, const GrainShape& shape) {
     begin = first;
     count = std::min(kGrains, end - first);
     for (std::size_t lane = 0; lane < groups(); ++lane) {
@@ -45,10 +45,10 @@ struct GrainLanes {
       position.set(lane, plain(grains.position[k]));
       velocity.set(lane, plain(grains.velocity[k]));
       force.set(lane, plain(grains.force[k]));
-      if (!rotates) continue;
+      if (!shape.rotates) continue;
       spin.set(lane, plain(grains.spin[k]));
       torque.set(lane, plain(grains.torque[k]));
-      orientation.set(lane, plain(grains.orientation[k]));
+      if (shape.spheres() > 1) orientation.set(lane, plain(grains.orientation[k]));
     }
   }
 };
@@ -182,7 +182,7 @@ void GrainIntegrator::advance(Grains& grains, std::size_t begin, std::size_t end
   thread_local Advanced out;
   thread_local Vectors position, velocity;
   for (std::size_t first = begin; first < end; first += kGrains) {
-    lanes.load(grains, first, end, shape_.rotates);
+    lanes.load(grains, first, end, shape_);
     with_instructions(instructions_, [&] { drift(lanes, out, shape_.mass, time_step_); });
     if (shape_.rotates && per_grain > 1)
       with_instructions(instructions_, [&] { turn(lanes, out, inertia_, time_step_); });
@@ -192,12 +192,11 @@ void GrainIntegrator::advance(Grains& grains, std::size_t begin, std::size_t end
     for (std::size_t lane = 0; lane < lanes.count; ++lane) {
       const std::size_t k = first + lane;
       grains.position[k] = eigen(lanes.position[lane]);
-      if (shape_.rotates) spheres.spin[k] = out.spin[lane];
       if (per_grain > 1) {
         grains.orientation[k] = eigen(lanes.orientation[lane]);
       } else {
         spheres.position[k] = lanes.position[lane];
-        spheres.velocity[k] = out.velocity[lane];
+        spheres.motion[k] = {out.velocity[lane], shape_.rotates ? out.spin[lane] : Vector3{}};
       }
     }
     if (per_grain == 1) continue;
@@ -206,7 +205,7 @@ void GrainIntegrator::advance(Grains& grains, std::size_t begin, std::size_t end
       with_instructions(instructions_, [&] { place_sphere(lanes, out, offset, position, velocity); });
       for (std::size_t lane = 0; lane < lanes.count; ++lane) {
         spheres.position[(first + lane) * per_grain + s] = position[lane];
-        spheres.velocity[(first + lane) * per_grain + s] = velocity[lane];
+        spheres.motion[(first + lane) * per_grain + s] = {velocity[lane], out.spin[lane]};
       }
     }
   }
@@ -222,7 +221,7 @@ GrainIntegrator::Work GrainIntegrator::finish(Grains& grains, std::size_t begin,
   thread_local Scalars rolling_load, drag_power, rolling_power;
   LaneSum drag_sum, rolling_sum;
   for (std::size_t first = begin; first < end; first += kGrains) {
-    lanes.load(grains, first, end, shape_.rotates);
+    lanes.load(grains, first, end, shape_);
     for (std::size_t lane = 0; lane < lanes.groups(); ++lane) {
       const ContactSum& sum = contacts[lanes.grain(lane) - begin];
       force.set(lane, sum.force);

@@ -18,7 +18,9 @@ constexpr std::size_t whole_groups(std::size_t count) {
 /// One number a lane.
 template <std::size_t kCount>
 struct alignas(64) Lanes {
-  double value[kCount];
+  // One group more than used: arrays whose distance is a power of two would get in each other's way in
+  // caches.
+  double value[kCount + kLaneGroup];
   double& operator[](std::size_t lane) { return value[lane]; }
   double operator[](std::size_t lane) const { return value[lane]; }
 };

@@ -7,9 +7,10 @@ namespace diefill::engine {
 
 namespace {
 
-/// Grains of a block: enough that few pairs cross its border, few enough that two threads share the work
-/// evenly. Block borders depend on the number of grains only.
-constexpr std::size_t kGrainsPerBlock = 256;
+/// Spheres of a block: enough that few pairs cross its border, few enough that threads share the work evenly
+/// and that the block's spheres and sums stay in the second-level cache. Block borders depend on the number
+/// of grains only.
+constexpr std::size_t kSpheresPerBlock = 1024;
 
 }  // namespace
 
@@ -21,15 +22,15 @@ void NeighbourList::build(const SphereField& spheres, const std::vector<WallBody
                           const ContactHistory& wall_history, Workers& workers) {
   const double reach = 2 * settings_.sphere_radius + settings_.law_range + reference.skin;
   cells_.build(spheres.position, reach);
-  cut_into_blocks(spheres.grains);
+  cut_into_blocks(spheres.grains, kSpheresPerBlock / spheres.spheres_per_grain + 1);
   workers.for_each(blocks_.size(), [&](std::size_t b) {
     Block& block = blocks_[b];
     block.reference = reference.position[(block.begin + block.end) / 2];
     find_grain_pairs(block, spheres, reach, history);
     find_wall_pairs(block, spheres, bodies, reference, wall_history);
-    block.sums.resize(block.grain_of_slot.size());
+    block.sums.resize(block.grains() + block.foreign.size());
   });
-  index_foreign_sums(spheres.grains);
+  index_foreign_sums();
 }
 
 std::size_t NeighbourList::near_pairs() const {
@@ -38,8 +39,8 @@ std::size_t NeighbourList::near_pairs() const {
   return pairs;
 }
 
-void NeighbourList::cut_into_blocks(std::size_t grains) {
-  const std::size_t count = (grains + kGrainsPerBlock - 1) / kGrainsPerBlock;
+void NeighbourList::cut_into_blocks(std::size_t grains, std::size_t grains_per_block) {
+  const std::size_t count = (grains + grains_per_block - 1) / grains_per_block;
   blocks_.resize(count);
   for (std::size_t b = 0; b < count; ++b) {
     blocks_[b].begin = static_cast<std::uint32_t>(grains * b / count);
@@ -51,12 +52,11 @@ std::uint32_t NeighbourList::slot_for(Block& block, const SphereField& spheres, 
                                       std::vector<std::uint32_t>& slot_of) const {
   if (grain >= block.begin && grain < block.end) return grain - block.begin;
   if (slot_of[grain] == kGone) {
-    slot_of[grain] = static_cast<std::uint32_t>(block.grain_of_slot.size());
+    slot_of[grain] = static_cast<std::uint32_t>(block.grains() + block.foreign.size());
     const bool real = grain < spheres.grains;
     const std::uint32_t owner = real ? grain : spheres.images[grain - spheres.grains].owner;
     block.foreign.push_back(
         {owner, real ? Eigen::Vector3d::Zero() : spheres.images[grain - spheres.grains].shift});
-    block.grain_of_slot.push_back(owner);
   }
   return slot_of[grain];
 }
@@ -68,8 +68,6 @@ void NeighbourList::find_grain_pairs(Block& block, const SphereField& spheres, d
   block.grain_pairs.clear();
   block.grain_pairs.width = settings_.grain_memory;
   block.foreign.clear();
-  block.grain_of_slot.resize(block.grains());
-  std::iota(block.grain_of_slot.begin(), block.grain_of_slot.end(), block.begin);
   // Kept between blocks and handed back clean: a table of all grains for every block would cost the square of
   // their number.
   thread_local std::vector<std::uint32_t> slot_of, touched;
@@ -116,16 +114,23 @@ void NeighbourList::find_wall_pairs(Block& block, const SphereField& spheres,
   }
 }
 
-void NeighbourList::index_foreign_sums(std::size_t grains) {
-  foreign_first_.assign(grains + 1, 0);
+void NeighbourList::index_foreign_sums() {
+  const auto home = [&](std::uint32_t grain) {
+    const auto after = std::upper_bound(blocks_.begin(), blocks_.end(), grain,
+                                        [](std::uint32_t g, const Block& block) { return g < block.end; });
+    return static_cast<std::size_t>(after - blocks_.begin());
+  };
+  foreign_first_.assign(blocks_.size() + 1, 0);
   for (const auto& block : blocks_)
-    for (const auto& foreign : block.foreign) ++foreign_first_[foreign.owner + 1];
+    for (const auto& foreign : block.foreign) ++foreign_first_[home(foreign.owner) + 1];
   std::partial_sum(foreign_first_.begin(), foreign_first_.end(), foreign_first_.begin());
   foreign_sums_.resize(foreign_first_.back());
   std::vector<std::uint32_t> next(foreign_first_.begin(), foreign_first_.end() - 1);
   for (std::uint32_t b = 0; b < blocks_.size(); ++b)
-    for (std::uint32_t k = 0; k < blocks_[b].foreign.size(); ++k)
-      foreign_sums_[next[blocks_[b].foreign[k].owner]++] = {b, blocks_[b].grains() + k};
+    for (std::uint32_t k = 0; k < blocks_[b].foreign.size(); ++k) {
+      const std::uint32_t grain = blocks_[b].foreign[k].owner;
+      foreign_sums_[next[home(grain)]++] = {grain, b, blocks_[b].grains() + k};
+    }
 }
 
 }  // namespace diefill::engine

@@ -29,6 +29,7 @@ struct ListReference {
   double skin = 0;  ///< m, how much nearer two spheres may come before the list must be renewed
   Eigen::Vector3d drift = Eigen::Vector3d::Zero();  ///< m/s, mean velocity of the powder
   double time = 0;                                  ///< s
+  std::uint64_t step = 0;
 };
 
 /// Near pairs in blocks.
@@ -48,23 +49,24 @@ class NeighbourList {
   const std::vector<std::uint32_t>& body_first() const { return body_first_; }
   const NeighbourSettings& settings() const { return settings_; }
 
-  /// Where a grain's forces are summed outside its own block: (block, slot) in fixed order.
+  /// Where a grain's forces are summed outside its own block.
   struct ForeignSum {
-    std::uint32_t block, slot;
+    std::uint32_t grain, block, slot;
   };
-  /// Foreign sums of grain g are [foreign_first()[g], foreign_first()[g + 1]).
+  /// Foreign sums of the grains of block b are [foreign_first()[b], foreign_first()[b + 1]), in the order of
+  /// the blocks that hold them.
   const std::vector<std::uint32_t>& foreign_first() const { return foreign_first_; }
   const std::vector<ForeignSum>& foreign_sums() const { return foreign_sums_; }
 
  private:
-  void cut_into_blocks(std::size_t grains);
+  void cut_into_blocks(std::size_t grains, std::size_t grains_per_block);
   void find_grain_pairs(Block& block, const SphereField& spheres, double reach,
                         const ContactHistory& history) const;
   void find_wall_pairs(Block& block, const SphereField& spheres, const std::vector<WallBody>& bodies,
                        const ListReference& reference, const ContactHistory& history) const;
   std::uint32_t slot_for(Block& block, const SphereField& spheres, std::uint32_t grain,
                          std::vector<std::uint32_t>& slot_of) const;
-  void index_foreign_sums(std::size_t grains);
+  void index_foreign_sums();
 
   NeighbourSettings settings_;
   std::vector<std::uint32_t> body_first_;

@@ -65,7 +65,6 @@ struct Block {
   PairTable<WallPair> wall_pairs;         ///< body after body
   std::vector<std::uint32_t> wall_first;  ///< first wall pair of each body, and the number of all
   std::vector<ForeignGrain> foreign;
-  std::vector<std::uint32_t> grain_of_slot;  ///< real grain whose forces a slot sums
   std::vector<ContactSum> sums;
 
   std::uint32_t grains() const { return end - begin; }

@@ -12,9 +12,9 @@ namespace diefill::engine {
 
 namespace {
 
-/// Default skin over sphere radius: wide enough for some tens of steps of falling powder, narrow enough that
-/// the list stays short.
-constexpr double kDefaultSkin = 0.5;
+double largest_skin(const SimulationSettings& settings) {
+  return AdaptiveSkin(settings.skin, settings.shape.sphere_radius).largest();
+}
 
 double farthest_sphere(const GrainShape& shape) {
   return shape.bounding_radius() - shape.sphere_radius;
@@ -29,9 +29,8 @@ SimulationSettings checked(SimulationSettings settings) {
   if (settings.shape.sphere_offsets.empty()) throw std::invalid_argument("the grain shape has no spheres");
   if (!(settings.time_step > 0)) throw std::invalid_argument("the time step must be positive");
   if (settings.threads < 1) throw std::invalid_argument("at least one thread is needed");
-  if (settings.skin <= 0) settings.skin = kDefaultSkin * settings.shape.sphere_radius;
   settings.lever_arm = arm_for(settings.shape, settings.lever_arm);
-  const double smallest = 4 * settings.shape.bounding_radius() + 2 * settings.skin;
+  const double smallest = 4 * settings.shape.bounding_radius() + 2 * largest_skin(settings);
   for (const auto& period : settings.period)
     if (period && *period < smallest)
       throw std::invalid_argument("a periodic length is below two grain sizes and the skin");
@@ -72,16 +71,18 @@ Simulation::Simulation(const SimulationSettings& settings, std::vector<WallBodyS
                                 settings_.shape.sphere_radius, settings_.shape.spheres() > 1,
                                 radii_of(walls))),
       list_(neighbour_settings(settings_.shape, *grain_loop_, *wall_loop_), first_sphere_of_bodies(walls)),
+      skin_(settings_.skin, settings_.shape.sphere_radius),
       integrator_(settings_.shape, settings_.gravity, settings_.air_viscosity, settings_.time_step,
                   settings_.instructions) {
   for (auto& wall : walls) {
-    const double reach = settings_.shape.sphere_radius + wall.sphere_radius + settings_.skin;
+    const double reach = settings_.shape.sphere_radius + wall.sphere_radius + largest_skin(settings_);
     bodies_.emplace_back(std::move(wall), reach);
     body_motion_.push_back(bodies_.back().motion_at(0));
   }
   wall_loads_.resize(bodies_.size());
   clearance_.resize(bodies_.size());
   spheres_.spheres_per_grain = settings_.shape.spheres();
+  reference_.skin = skin_.first();
   sort_and_search();
 }
 
@@ -137,6 +138,7 @@ void Simulation::step() {
   advance_grains();
   timers_.lap(Phase::advance);
   if (list_is_old()) {
+    reference_.skin = skin_.next(reference_.skin, step_ - reference_.step);
     sort_and_search();
     timers_.lap(Phase::search);
   }
@@ -178,23 +180,29 @@ double Simulation::displacement_since_search(const Block& block) const {
   return std::sqrt(moved) + 2 * list_.settings().farthest_sphere * std::sqrt(turned);
 }
 
-/// Contact forces on grain k of block b; moments about its centre.
-ContactSum Simulation::gathered(std::size_t b, std::size_t k) const {
-  const auto& blocks = list_.blocks();
+/// Contact forces on the grains of block b, moments about their centres: from the block's own pairs, then
+/// from those of other blocks in block order.
+void Simulation::gather(std::size_t b, std::vector<ContactSum>& contacts) const {
+  const Block& own = list_.blocks()[b];
   const bool composed = settings_.shape.spheres() > 1;
-  const auto about_centre = [&](ContactSum sum, const Eigen::Vector3d& arm) {
-    if (composed) sum.moment -= cross(plain(arm), sum.force);
-    return sum;
-  };
-  ContactSum sum =
-      about_centre(blocks[b].sums[k - blocks[b].begin], grains_.position[k] - blocks[b].reference);
-  for (std::uint32_t f = list_.foreign_first()[k]; f < list_.foreign_first()[k + 1]; ++f) {
-    const auto place = list_.foreign_sums()[f];
-    const Block& block = blocks[place.block];
-    const Eigen::Vector3d& shift = block.foreign[place.slot - block.grains()].shift;
-    sum += about_centre(block.sums[place.slot], grains_.position[k] + shift - block.reference);
+  contacts.assign(own.sums.begin(), own.sums.begin() + own.grains());
+  if (composed)
+    for (std::size_t k = own.begin; k < own.end; ++k) {
+      const Vector3 arm = plain(grains_.position[k]) - plain(own.reference);
+      ContactSum& sum = contacts[k - own.begin];
+      sum.moment -= cross(arm, sum.force);
+    }
+  for (std::uint32_t f = list_.foreign_first()[b]; f < list_.foreign_first()[b + 1]; ++f) {
+    const auto& place = list_.foreign_sums()[f];
+    const Block& block = list_.blocks()[place.block];
+    ContactSum sum = block.sums[place.slot];
+    if (composed) {
+      const ForeignGrain& seen = block.foreign[place.slot - block.grains()];
+      const Vector3 arm = plain(grains_.position[place.grain]) + plain(seen.shift) - plain(block.reference);
+      sum.moment -= cross(arm, sum.force);
+    }
+    contacts[place.grain - own.begin] += sum;
   }
-  return sum;
 }
 
 void Simulation::compute_contacts() {
@@ -212,8 +220,7 @@ void Simulation::finish_grains() {
   const auto& blocks = list_.blocks();
   workers_.for_each(blocks.size(), [&](std::size_t b) {
     thread_local std::vector<ContactSum> contacts;
-    contacts.clear();
-    for (std::size_t k = blocks[b].begin; k < blocks[b].end; ++k) contacts.push_back(gathered(b, k));
+    gather(b, contacts);
     const auto work = integrator_.finish(grains_, blocks[b].begin, blocks[b].end, contacts);
     tallies_[b].drag_work += work.drag;
     tallies_[b].rolling_work += work.rolling;

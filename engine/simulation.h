@@ -4,6 +4,7 @@
 #include <functional>
 #include <memory>
 
+#include "engine/adaptive_skin.h"
 #include "engine/grain_integrator.h"
 #include "engine/grain_shape.h"
 #include "engine/ledger.h"
@@ -25,7 +26,7 @@ struct SimulationSettings {
   double air_viscosity = 0;                 ///< Pa s, Stokes drag on every sphere (Bierwisch 2009, Eq. 2.9)
   double time_step = 0;                     ///< s
   std::array<std::optional<double>, 2> period;  ///< m along x and y, box centred on the origin
-  double skin = 0;                              ///< m; 0: a default from the sphere radius
+  double skin = 0;                              ///< m; 0: follows the motion of the powder
   int threads = 1;
   InstructionSet instructions = best_instruction_set();  ///< all give the same bits
 };
@@ -121,7 +122,7 @@ class Simulation {
   void place_images();
   void compute_contacts();
   void finish_grains();
-  ContactSum gathered(std::size_t block, std::size_t k) const;
+  void gather(std::size_t b, std::vector<ContactSum>& contacts) const;
   void book_step();
   ContactScene contact_scene() const;
 
@@ -134,6 +135,7 @@ class Simulation {
   std::unique_ptr<PairLoop> grain_loop_, wall_loop_;
   NeighbourList list_;
   ListReference reference_;
+  AdaptiveSkin skin_;
   GrainIntegrator integrator_;
 
   Grains grains_;

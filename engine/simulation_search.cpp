@@ -30,6 +30,7 @@ bool Simulation::list_is_old() const {
   double moved = 0;
   for (const auto& tally : tallies_) moved = std::max(moved, tally.displacement);
   if (2 * moved > reference_.skin) return true;
+  if (skin_.is_too_wide(reference_.skin, step_ - reference_.step)) return true;
   const Eigen::Vector3d drifted = reference_.drift * (time_ - reference_.time);
   for (std::size_t b = 0; b < bodies_.size(); ++b) {
     const BodyMotion &now = body_motion_[b], &then = reference_.bodies[b];
@@ -89,7 +90,7 @@ void Simulation::remember_reference() {
   reference_.orientation = grains_.orientation;
   reference_.bodies = body_motion_;
   reference_.time = time_;
-  reference_.skin = settings_.skin;
+  reference_.step = step_;
   reference_.drift.setZero();
   for (const auto& velocity : grains_.velocity) reference_.drift += velocity;
   if (grains_.size() > 0) reference_.drift /= static_cast<double>(grains_.size());
@@ -100,8 +101,7 @@ void Simulation::search(const ContactHistory& history, const ContactHistory& wal
   spheres_.grains = reference_.position.size();
   find_images();
   spheres_.position.resize((spheres_.grains + spheres_.images.size()) * spheres_.spheres_per_grain);
-  spheres_.velocity.resize(spheres_.position.size());
-  spheres_.spin.resize(spheres_.grains);
+  spheres_.motion.resize(spheres_.position.size());
   place_spheres(reference_.position, reference_.orientation);
   list_.build(spheres_, bodies_, reference_, history, wall_history, workers_);
   tallies_.resize(list_.blocks().size());
@@ -122,7 +122,7 @@ void Simulation::find_images() {
   spheres_.images.clear();
   if (!box_.any()) return;
   // A grain on the border meets others whose centre is up to two grain radii and the skin beyond it.
-  const double margin = 2 * settings_.shape.bounding_radius() + settings_.skin;
+  const double margin = 2 * settings_.shape.bounding_radius() + reference_.skin;
   std::vector<Eigen::Vector3d> shifts;
   for (std::uint32_t k = 0; k < reference_.position.size(); ++k) {
     shifts.clear();
@@ -151,7 +151,7 @@ void Simulation::place_images() {
     const std::size_t copy = (spheres_.grains + m) * per_grain, original = image.owner * per_grain;
     for (std::size_t s = 0; s < per_grain; ++s) {
       spheres_.position[copy + s] = spheres_.position[original + s] + shift;
-      spheres_.velocity[copy + s] = spheres_.velocity[original + s];
+      spheres_.motion[copy + s] = spheres_.motion[original + s];
     }
   }
 }

@@ -10,6 +10,12 @@
 
 namespace diefill::engine {
 
+/// How a sphere moves, laboratory frame.
+struct SphereMotion {
+  Vector3 velocity;  ///< m/s, of the centre
+  Vector3 spin;      ///< rad/s, angular velocity of its grain
+};
+
 /// Spheres, grain after grain; those of images follow those of real grains. Velocities are those predicted
 /// for the end of the step (OP-3). Distances are tested for many more pairs than touch, so positions lie by
 /// themselves.
@@ -17,8 +23,7 @@ struct SphereField {
   std::size_t spheres_per_grain = 1;
   std::size_t grains = 0;         ///< real ones; images follow
   std::vector<Vector3> position;  ///< m, centres
-  std::vector<Vector3> velocity;  ///< m/s, of the centres
-  std::vector<Vector3> spin;      ///< rad/s, angular velocity in the laboratory frame; one entry a real grain
+  std::vector<SphereMotion> motion;
   std::vector<GrainImage> images;
 
   /// Velocities and spins of real grains follow their grains: entry k becomes the former entry order[k].

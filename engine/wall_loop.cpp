@@ -112,10 +112,10 @@ class WallLoop final : public PairLoop {
     const Eigen::Vector3d separation = pose.rotation * eigen(touch.separation);
     const Eigen::Vector3d contact = eigen(here) - contact_share(touch, body, scene) * separation;
     batch.separation.set(lane, plain(separation));
-    batch.velocity.set(lane, scene.spheres.velocity[pair.own] - plain(pose.velocity_at(contact)));
+    batch.velocity.set(lane, scene.spheres.motion[pair.own].velocity - plain(pose.velocity_at(contact)));
     if constexpr (kComposed) batch.place.set(lane, here - plain(block.reference));
     if constexpr (Lever<kArm>::kTurns) {
-      const Vector3 spin = scene.spheres.spin[block.begin + pair.own_slot];
+      const Vector3 spin = scene.spheres.motion[pair.own].spin;
       batch.spin_sum.set(lane, spin);
       if constexpr (Law::kRolls) batch.relative_spin.set(lane, spin - plain(pose.angular_velocity));
     }

@@ -6,33 +6,9 @@
 #include <cmath>
 
 #include "engine/laws/parts.h"
+#include "engine/laws/reaction.h"
 
 namespace diefill::engine::laws {
-
-/// Relative motion of a pair, laboratory frame.
-struct ContactState {
-  double overlap = 0;               ///< m, positive in contact, minus the gap otherwise
-  Vector3 normal = {};              ///< unit vector from j to i
-  Vector3 velocity = {};            ///< m/s, of i against j where they touch
-  Vector3 spin = {};                ///< rad/s, omega_i - omega_j
-  double time_step = 0;             ///< s, springs of friction advance by it
-  double rolling_step = time_step;  ///< s, springs of rolling advance by it; differs only in coarse graining
-};
-
-/// What the law does to the pair, and the power of each kind of force for an energy ledger. A negative power
-/// takes energy out of the motion.
-struct Reaction {
-  Vector3 force = {};           ///< N, on i; the opposite on j
-  Vector3 couple = {};          ///< N m, on i besides force times lever arm; the opposite on j
-  double load = 0;              ///< N, what Coulomb's limit was taken of
-  double viscous = 0;           ///< N, damping's part of the normal force
-  double attraction = 0;        ///< N, the distant part of the normal force, negative
-  double normal_power = 0;      ///< W, of the static normal force; what it gives back is contact_energy
-  double viscous_power = 0;     ///< W
-  double friction_power = 0;    ///< W, spring and slip together
-  double rolling_power = 0;     ///< W
-  double attraction_power = 0;  ///< W
-};
 
 /// How the load of friction and rolling limits is made of the normal part's limit and damping.
 enum class LoadRule {

@@ -49,7 +49,7 @@ struct ContactLaw {
         friction.force(memory, contact.normal, sliding, root_overlap, reaction.load, contact.time_step);
     reaction.force = parts.total() * contact.normal + tangential;
     reaction.viscous_power = parts.viscous * separation_speed;
-    reaction.tangential_power = dot(tangential, sliding);
+    reaction.friction_power = dot(tangential, sliding);
     return reaction;
   }
 

@@ -5,23 +5,29 @@
 
 namespace diefill::engine::laws {
 
-/// A pair of spheres at one instant, laboratory frame.
+/// Relative motion of a pair, laboratory frame.
 struct ContactState {
-  double overlap = 0;     ///< m, positive in contact
-  Vector3 normal;         ///< from j to i
-  Vector3 velocity;       ///< m/s, of i against j where they touch
-  Vector3 relative_spin;  ///< rad/s, angular velocity of i less that of j; only for laws that roll
-  double time_step = 0;   ///< s
+  double overlap = 0;               ///< m, positive in contact, minus the gap otherwise
+  Vector3 normal = {};              ///< unit vector from j to i
+  Vector3 velocity = {};            ///< m/s, of i against j where they touch
+  Vector3 spin = {};                ///< rad/s, omega_i - omega_j
+  double time_step = 0;             ///< s, springs of friction advance by it
+  double rolling_step = time_step;  ///< s, springs of rolling advance by it; differs only in coarse graining
 };
 
-/// What the pair does to each other. Powers are those of forces on the powder: negative when taken out.
+/// What the law does to the pair, and the power of each kind of force for an energy ledger. A negative power
+/// takes energy out of the motion.
 struct Reaction {
-  Vector3 force;                ///< N on i; j receives the opposite
-  Vector3 couple;               ///< N m on i besides the force's moment; j receives the opposite
+  Vector3 force = {};           ///< N, on i; the opposite on j
+  Vector3 couple = {};          ///< N m, on i besides force times lever arm; the opposite on j
   double load = 0;              ///< N, what Coulomb's limit was taken of
-  double viscous_power = 0;     ///< W, of normal damping (and of normal forces that hold no energy)
-  double tangential_power = 0;  ///< W, of friction
-  double rolling_power = 0;     ///< W, of the couple
+  double viscous = 0;           ///< N, damping's part of the normal force
+  double attraction = 0;        ///< N, the distant part of the normal force, negative
+  double normal_power = 0;      ///< W, of the static normal force; what it gives back is contact_energy
+  double viscous_power = 0;     ///< W
+  double friction_power = 0;    ///< W, spring and slip together
+  double rolling_power = 0;     ///< W
+  double attraction_power = 0;  ///< W
 };
 
 }  // namespace diefill::engine::laws

@@ -92,6 +92,7 @@ void transfer(Io& io, Contents& checkpoint) {
   io(simulation.reference.bodies);
   io(simulation.reference.drift);
   io(simulation.reference.time);
+  io(simulation.reference.step);
   io(simulation.reference.skin);
   io(simulation.grain_memory.pair);
   io(simulation.grain_memory.value);

@@ -102,8 +102,8 @@ TEST(CundallFrictionPart, IsTheEnginesSpring) {
       const Vector3 sliding = in_plane({0.2 * std::cos(0.02 * k), 0.1, 0}, normal);
       const Vector3 found = part.force(memory, normal, sliding, kRoot, kLoad, kStep);
       const Eigen::Vector3d expected =
-          cut_back ? cut.force(spring, eigen(normal), eigen(sliding), kRoot, kLoad, kStep)
-                   : uncut.force(spring, eigen(normal), eigen(sliding), kRoot, kLoad, kStep);
+          eigen(cut_back ? cut.force(spring.data(), normal, sliding, kRoot, kLoad, kStep)
+                         : uncut.force(spring.data(), normal, sliding, kRoot, kLoad, kStep));
       EXPECT_LT((eigen(found) - expected).norm(), 1e-13 * kLoad) << k;
     }
   }
