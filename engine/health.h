@@ -15,9 +15,9 @@ struct HealthLimits {
   double comfortable_overlap = 0.2;  ///< over the sphere radius: Hertz' law is a small-overlap law
   double forbidden_overlap = 0.6;    ///< over the sphere radius, among grains
   /// Over the sphere radius, with walls. A moving tool may wedge a coarse grain against an edge, where soft
-  /// grains slip past with a deep overlap: that is reported. Deeper than this a sphere has all but met a wall
-  /// sphere's centre.
-  double forbidden_wall_overlap = 1.6;
+  /// grains slip past with a deep overlap: that is reported. From here on a sphere's centre has passed the
+  /// envelope of the wall spheres: it is being pushed through the wall, and may come out behind it.
+  double forbidden_wall_overlap = 1.0;
   double energy_error = 0.05;  ///< of the energy turned over, gained without any work that explains it
 };
 

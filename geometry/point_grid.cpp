@@ -1,5 +1,7 @@
 #include "geometry/point_grid.h"
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace diefill::geometry {
@@ -7,6 +9,8 @@ namespace diefill::geometry {
 namespace {
 
 constexpr std::size_t kFirstBuckets = 1024;
+/// More than what a square root and a product can be off.
+constexpr double kRounding = 1e-12;
 
 }  // namespace
 
@@ -26,13 +30,29 @@ std::size_t PointGrid::insert(const Eigen::Vector3d& point) {
 std::size_t PointGrid::nearest_within(const Eigen::Vector3d& place, double radius) const {
   std::size_t best = kNone;
   double best_distance = std::numeric_limits<double>::infinity();
-  for_each_within(place, radius, [&](std::size_t index) {
+  const auto compare = [&](std::size_t index) {
     const double distance = (points_[index] - place).squaredNorm();
-    if (distance > best_distance || (distance == best_distance && index > best)) return;
-    best = index;
-    best_distance = distance;
-  });
-  return best;
+    if (distance < best_distance || (distance == best_distance && index < best)) {
+      best = index;
+      best_distance = distance;
+    }
+    return false;
+  };
+  // What the cell of the place itself holds bounds how far to look round it.
+  find_in_cell(cell_of(place), compare);
+  const double bound = std::sqrt(best_distance) * (1 + kRounding);
+  find_cell(place, std::min(radius, bound),
+            [&](const Eigen::Vector3i& cell) { return find_in_cell(cell, compare); });
+  return best_distance <= radius * radius ? best : kNone;
+}
+
+bool PointGrid::any_within(const Eigen::Vector3d& place, double radius) const {
+  const double radius_squared = radius * radius;
+  const auto near = [&](std::size_t index) {
+    return (points_[index] - place).squaredNorm() <= radius_squared;
+  };
+  return find_in_cell(cell_of(place), near) ||
+         find_cell(place, radius, [&](const Eigen::Vector3i& cell) { return find_in_cell(cell, near); });
 }
 
 void PointGrid::grow() {

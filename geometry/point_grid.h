@@ -19,26 +19,45 @@ class PointGrid {
   static constexpr std::size_t kNone = static_cast<std::size_t>(-1);
   /// The nearest point within `radius` (m) of `place`, or kNone.
   std::size_t nearest_within(const Eigen::Vector3d& place, double radius) const;
+  /// Whether a point lies within `radius` (m, not negative) of `place`: costs less than the nearest one.
+  bool any_within(const Eigen::Vector3d& place, double radius) const;
 
   /// Calls `visit(index)` for every point within `radius` of `place`, in an order that depends only on the
   /// insertions.
   template <typename Visit>
   void for_each_within(const Eigen::Vector3d& place, double radius, Visit visit) const {
-    const Eigen::Vector3i low = cell_of(place - Eigen::Vector3d::Constant(radius));
-    const Eigen::Vector3i high = cell_of(place + Eigen::Vector3d::Constant(radius));
     const double radius_squared = radius * radius;
-    for (int z = low.z(); z <= high.z(); ++z)
-      for (int y = low.y(); y <= high.y(); ++y)
-        for (int x = low.x(); x <= high.x(); ++x)
-          for (std::uint32_t i = heads_[bucket({x, y, z})]; i != kEnd; i = next_[i])
-            if (cells_[i] == Eigen::Vector3i(x, y, z) && (points_[i] - place).squaredNorm() <= radius_squared)
-              visit(static_cast<std::size_t>(i));
+    find_cell(place, radius, [&](const Eigen::Vector3i& cell) {
+      return find_in_cell(cell, [&](std::size_t index) {
+        if ((points_[index] - place).squaredNorm() <= radius_squared) visit(index);
+        return false;
+      });
+    });
   }
 
   const std::vector<Eigen::Vector3d>& points() const { return points_; }
 
  private:
   static constexpr std::uint32_t kEnd = 0xffffffffU;
+
+  /// Calls `found(cell)` for the cells within `radius` (m) of `place` until it says true; whether it did.
+  template <typename Found>
+  bool find_cell(const Eigen::Vector3d& place, double radius, Found found) const {
+    const Eigen::Vector3i low = cell_of(place - Eigen::Vector3d::Constant(radius));
+    const Eigen::Vector3i high = cell_of(place + Eigen::Vector3d::Constant(radius));
+    for (int z = low.z(); z <= high.z(); ++z)
+      for (int y = low.y(); y <= high.y(); ++y)
+        for (int x = low.x(); x <= high.x(); ++x)
+          if (found(Eigen::Vector3i(x, y, z))) return true;
+    return false;
+  }
+  /// Calls `found(index)` for the points of a cell until it says true; whether it did.
+  template <typename Found>
+  bool find_in_cell(const Eigen::Vector3i& cell, Found found) const {
+    for (std::uint32_t i = heads_[bucket(cell)]; i != kEnd; i = next_[i])
+      if (cells_[i] == cell && found(static_cast<std::size_t>(i))) return true;
+    return false;
+  }
 
   Eigen::Vector3i cell_of(const Eigen::Vector3d& place) const {
     return (place * inverse_cell_).array().floor().cast<int>();

@@ -15,6 +15,8 @@ struct SurfaceSample {
   Eigen::Vector3d point;   ///< m
   Eigen::Vector3d normal;  ///< unit length, out of the solid
   double area = 0;         ///< m^2 it stands for; 0 on edges
+  /// The place straight below, `depth` (m) into the solid.
+  Eigen::Vector3d at_depth(double depth) const { return point - depth * normal; }
 };
 
 /// Calls `visit(sample)` for points in rows along the triangle's longest edge, at most `step` (m) apart;

@@ -51,7 +51,7 @@ void visit_parts_near_powder(const CoverTarget& target, const Corners& corners, 
   }
   const Eigen::Vector3d middle = (corners[0] + corners[1] + corners[2]) / 3;
   const double margin = kThinning / kPartLength * longest;
-  if (target.powder_parts.nearest_within(middle, longest + margin) != PointGrid::kNone) visit(corners);
+  if (target.powder_parts.any_within(middle, longest + margin)) visit(corners);
 }
 
 /// Calls `visit(sample)` for the reachable samples of a facet and of the inner edges to facets of higher
@@ -63,9 +63,7 @@ void sample_facet(const CoverTarget& target, std::size_t facet_index, double dep
   // What is reachable was asked once, about R apart: asking again more finely would find slivers at frayed
   // edges that no sphere was meant for.
   const auto visit_reachable = [&](const SurfaceSample& sample) {
-    if (!target.reachable ||
-        target.near_powder.nearest_within(sample.point, kSameAnswer * depth) != PointGrid::kNone)
-      visit(sample);
+    if (!target.reachable || target.near_powder.any_within(sample.point, kSameAnswer * depth)) visit(sample);
   };
   const auto sample_part = [&](const Corners& part) { sample_triangle(part, step, visit_reachable); };
   for (const std::size_t triangle : facet.triangles) {
@@ -168,7 +166,9 @@ class Surveyor {
   }
 
   void measure_gap(const SurfaceSample& sample, Measured& result) const {
-    const Hole hole = holes_.find(sample, std::max(radius_, result.widest));
+    const double least = std::max(radius_, result.widest);
+    if (holes_.covered(sample, least)) return;
+    const Hole hole = holes_.find(holes_.below(sample), least);
     if (hole.distance <= result.widest) return;
     result.widest = hole.distance;
     result.widest_place = sample.point;
@@ -180,27 +180,86 @@ class Surveyor {
   HoleFinder holes_;
 };
 
-/// One pass over all samples. True when centres were added: they may bring a hole into a sample's view that
-/// it did not see before, so that another pass is due.
-bool close_holes(const CoverTarget& target, WallLayout& layout) {
-  LatticeFront front(layout);
-  const double radius = layout.offset().depth();
-  const double step = kSampleStep * radius;
-  const double allowed = cover_distance(layout.spacing());
-  const HoleFinder holes(layout, step);
-  const std::size_t count_before = layout.centres().points().size();
-  for (std::size_t f = 0; f < target.facets.list.size(); ++f) {
-    const Corners seed = corners_of(target.mesh, target.facets.list[f].triangles.front());
-    const Eigen::Vector3d direction = (seed[1] - seed[0]).normalized();
-    sample_facet(target, f, radius, step, [&](const SurfaceSample& sample) {
-      const Hole hole = holes.find(sample, allowed);
-      if (hole.distance < allowed) return;
-      const auto added = layout.add(hole.middle, sample.point, (1 - 1e-3) * allowed);
-      if (added) front.grow(*added, direction);
-    });
+/// Fills holes with centres, sample by sample. New centres may bring a hole into a sample's view that it did
+/// not see before, so that further passes are due; they look again only where a centre came into view.
+class HoleCloser {
+ public:
+  HoleCloser(const CoverTarget& target, WallLayout& layout)
+      : target_(target),
+        layout_(layout),
+        front_(layout),
+        holes_(layout, kSampleStep * layout.offset().depth()),
+        allowed_(cover_distance(layout.spacing())),
+        begun_(count()),
+        noted_(count()),
+        new_centres_(holes_.sight()) {}
+
+  /// True when centres were added.
+  bool first_pass() {
+    const double radius = layout_.offset().depth();
+    begin_pass();
+    for (std::size_t f = 0; f < target_.facets.list.size(); ++f)
+      sample_facet(target_, f, radius, kSampleStep * radius, [&](const SurfaceSample& sample) {
+        if (holes_.covered(sample, allowed_)) return;  // and will be, as centres only come
+        open_.push_back({sample, holes_.below(sample), f});
+        close(open_.back());
+      });
+    return count() > begun_;
   }
-  return layout.centres().points().size() > count_before;
-}
+
+  /// True when centres were added.
+  bool next_pass() {
+    begin_pass();
+    for (const OpenSample& open : open_) {
+      const double aside = (open.sample.at_depth(layout_.offset().depth()) - open.place).norm();
+      if (!new_centres_.any_within(open.place, holes_.sight() + aside)) continue;
+      if (!holes_.covered(open.sample, allowed_)) close(open);
+      note_new_centres();
+    }
+    return count() > begun_;
+  }
+
+ private:
+  /// A sample where there may be a hole.
+  struct OpenSample {
+    SurfaceSample sample;
+    Eigen::Vector3d place;  ///< at depth R
+    std::size_t facet;
+  };
+
+  std::size_t count() const { return layout_.centres().points().size(); }
+
+  /// The centres of the pass before are new to every sample, those of the pass that begins to the ones to
+  /// come.
+  void begin_pass() {
+    new_centres_ = PointGrid(holes_.sight());
+    noted_ = begun_;
+    begun_ = count();
+    note_new_centres();
+  }
+  void note_new_centres() {
+    for (; noted_ < count(); ++noted_) new_centres_.insert(layout_.centres().points()[noted_]);
+  }
+
+  void close(const OpenSample& open) {
+    const Hole hole = holes_.find(open.place, allowed_);
+    if (hole.distance < allowed_) return;
+    const auto added = layout_.add(hole.middle, open.sample.point, (1 - 1e-3) * allowed_);
+    if (!added) return;
+    const Corners corners = corners_of(target_.mesh, target_.facets.list[open.facet].triangles.front());
+    front_.grow(*added, (corners[1] - corners[0]).normalized());
+  }
+
+  const CoverTarget& target_;
+  WallLayout& layout_;
+  LatticeFront front_;
+  HoleFinder holes_;
+  double allowed_;
+  std::vector<OpenSample> open_;
+  std::size_t begun_;      ///< centres there were when the pass began
+  std::size_t noted_;      ///< of the centres, those already in new_centres_ or too old for it
+  PointGrid new_centres_;  ///< those that came since a sample was looked at last, and a few more
+};
 
 }  // namespace
 
@@ -209,7 +268,7 @@ PointGrid reachable_points(const CoverTarget& target, double step) {
   for (const Facet& facet : target.facets.list)
     for (const std::size_t triangle : facet.triangles)
       sample_triangle(corners_of(target.mesh, triangle), step, [&](const SurfaceSample& sample) {
-        const bool known = points.nearest_within(sample.point, step / 2) != PointGrid::kNone;
+        const bool known = points.any_within(sample.point, step / 2);
         if (!known && target.reachable(sample.point, sample.normal)) points.insert(sample.point);
       });
   return points;
@@ -218,13 +277,14 @@ PointGrid reachable_points(const CoverTarget& target, double step) {
 PointGrid powder_parts(const PointGrid& reachable, double radius) {
   PointGrid kept(kPartLength * radius);
   for (const Eigen::Vector3d& point : reachable.points())
-    if (kept.nearest_within(point, kThinning * radius) == PointGrid::kNone) kept.insert(point);
+    if (!kept.any_within(point, kThinning * radius)) kept.insert(point);
   return kept;
 }
 
 void close_cover(const CoverTarget& target, WallLayout& layout) {
-  for (int pass = 0; pass < kMostPasses; ++pass)
-    if (!close_holes(target, layout)) return;
+  HoleCloser closer(target, layout);
+  bool added = closer.first_pass();
+  for (int pass = 1; added && pass < kMostPasses; ++pass) added = closer.next_pass();
 }
 
 void measure_cover(const CoverTarget& target, const WallLayout& layout, WallSpheres& spheres) {

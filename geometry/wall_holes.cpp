@@ -35,26 +35,25 @@ std::optional<Eigen::Vector3d> circumcentre(const Eigen::Vector3d& a, const Eige
 
 }  // namespace
 
-Hole HoleFinder::find(const SurfaceSample& sample, double least) const {
-  const double limit = 2 * layout_.spacing() + layout_.offset().depth();
-  Hole hole;
-  hole.middle = sample.point - layout_.offset().depth() * sample.normal;
-  if (layout_.distance_to_nearest(hole.middle, least - step_) < least - step_) return {};
-  hole.middle = below(sample);
-  hole.distance = layout_.distance_to_nearest(hole.middle, limit);
+bool HoleFinder::covered(const SurfaceSample& sample, double least) const {
+  const double near = least - step_;  // below 0 where centres lie closer than samples
+  return near > 0 && layout_.centres().any_within(sample.at_depth(layout_.offset().depth()), near);
+}
+
+Hole HoleFinder::find(const Eigen::Vector3d& place, double least) const {
+  const Hole hole{place, layout_.distance_to_nearest(place, limit())};
   if (hole.distance < least - step_) return {};
   // The circle's centre lies off the surface at depth R where that is bent, so it is brought back there.
-  const auto between = layout_.offset().settle(between_nearest_centres(hole.middle));
-  if (!between || (between->centre - hole.middle).norm() > step_) return hole;
-  const double distance = layout_.distance_to_nearest(between->centre, limit);
+  const auto between = layout_.offset().settle(between_nearest_centres(place));
+  if (!between || (between->centre - place).norm() > step_) return hole;
+  const double distance = layout_.distance_to_nearest(between->centre, limit());
   return distance > hole.distance ? Hole{between->centre, distance} : hole;
 }
 
-/// The place at depth R that belongs to the sample. Where the solid is thinner than R, as at the tip of a
-/// wedge, the way there starts from the middle of the solid.
+// Where the solid is thinner than R, as at the tip of a wedge, the way starts from the middle of the solid.
 Eigen::Vector3d HoleFinder::below(const SurfaceSample& sample) const {
   const OffsetSurface& offset = layout_.offset();
-  const Eigen::Vector3d guess = sample.point - offset.depth() * sample.normal;
+  const Eigen::Vector3d guess = sample.at_depth(offset.depth());
   if (const auto place = offset.settle(guess)) return place->centre;
   const double thickness = offset.thickness(sample.point, sample.normal);
   const Eigen::Vector3d inside = sample.point - thickness / 2 * sample.normal;

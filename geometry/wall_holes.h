@@ -18,15 +18,23 @@ class HoleFinder {
   /// `step` is the spacing of the surface samples in m: holes are looked for that far around each.
   HoleFinder(const WallLayout& layout, double step) : layout_(layout), step_(step) {}
 
-  /// The hole under a surface sample; distance 0 where the nearest centre is so near that the hole cannot be
-  /// wider than `least` (m, as Hole::distance). From the sample the search goes to the point equally far from
-  /// the three nearest centres, so that a hole is found in full size although samples miss its middle. Throws
-  /// MeshError where the solid is too thin for a sphere.
-  Hole find(const SurfaceSample& sample, double least) const;
+  /// Whether the nearest centre is so near the sample that no hole there can be wider than `least` (m, as
+  /// Hole::distance).
+  bool covered(const SurfaceSample& sample, double least) const;
+  /// The place at depth R that belongs to the sample, whatever the centres. Throws MeshError where the solid
+  /// is too thin for a sphere.
+  Eigen::Vector3d below(const SurfaceSample& sample) const;
+  /// The hole round `place`, a place below(); distance 0 where it cannot be wider than `least`. From `place`
+  /// the search goes to the point equally far from the three nearest centres, so that a hole is found in full
+  /// size although samples miss its middle.
+  Hole find(const Eigen::Vector3d& place, double least) const;
+  /// Centres farther from a place than this (m) change nothing about the hole found there.
+  double sight() const { return limit() + step_; }
 
  private:
-  Eigen::Vector3d below(const SurfaceSample& sample) const;
   Eigen::Vector3d between_nearest_centres(const Eigen::Vector3d& place) const;
+  /// Distance (m) at which the search for a nearest centre ends.
+  double limit() const { return 2 * layout_.spacing() + layout_.offset().depth(); }
 
   const WallLayout& layout_;
   double step_;

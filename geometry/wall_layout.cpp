@@ -32,8 +32,7 @@ std::optional<OffsetSurface::Place> WallLayout::add(const Eigen::Vector3d& guess
                                                     double least_distance) {
   if (!wanted_(foot)) return std::nullopt;
   const std::optional<OffsetSurface::Place> place = offset_.settle(guess);
-  if (!place || centres_.nearest_within(place->centre, least_distance) != PointGrid::kNone)
-    return std::nullopt;
+  if (!place || centres_.any_within(place->centre, least_distance)) return std::nullopt;
   centres_.insert(place->centre);
   return place;
 }

@@ -34,9 +34,7 @@ WallSpheres make_wall_spheres(const Mesh& mesh, const WallSphereOptions& options
     // Spheres up to about a spacing beyond the reachable surface close its edge.
     target.near_powder = reachable_points(target, options.radius);
     target.powder_parts = powder_parts(target.near_powder, options.radius);
-    wanted = [&](const Eigen::Vector3d& foot) {
-      return target.near_powder.nearest_within(foot, 1.4 * spacing) != PointGrid::kNone;
-    };
+    wanted = [&](const Eigen::Vector3d& foot) { return target.near_powder.any_within(foot, 1.4 * spacing); };
   }
   WallLayout layout(offset, spacing, wanted);
   const Strips strips = find_strips(facets, options.radius, spacing);

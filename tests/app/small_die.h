@@ -9,24 +9,22 @@
 
 #include "tests/app/cad.h"
 #include "tests/app/program.h"
+#include "tests/support/temporary_folder.h"
 
 namespace diefill::app {
 
-std::string contents(const std::filesystem::path& file);
+using support::contents;
 
 /// The folder with die.stl, shoe.stl and scene.toml; gone at the end.
 class SmallDie {
  public:
   SmallDie();
-  ~SmallDie();
-  SmallDie(const SmallDie&) = delete;
-  SmallDie& operator=(const SmallDie&) = delete;
 
-  const std::filesystem::path& folder() const { return folder_; }
-  std::filesystem::path scene() const { return folder_ / "scene.toml"; }
+  const std::filesystem::path& folder() const { return folder_.path(); }
+  std::filesystem::path scene() const { return folder() / "scene.toml"; }
   /// Where run() puts its results.
-  std::filesystem::path out() const { return folder_ / "out"; }
-  void write(const std::string& name, const std::string& bytes) const;
+  std::filesystem::path out() const { return folder() / "out"; }
+  void write(const std::string& name, const std::string& bytes) const { folder_.write(name, bytes); }
   /// Exchanges `old` for `text` in the scene file; throws std::logic_error if it does not stand there.
   void exchange(const std::string& old, const std::string& text) const;
 
@@ -38,7 +36,7 @@ class SmallDie {
   static std::vector<std::string> files_in(const std::filesystem::path& folder);
 
  private:
-  std::filesystem::path folder_;
+  support::TemporaryFolder folder_;
 };
 
 /// The parts as SmallDie writes them, mm: the pocket is 4 x 4 mm wide and 4 mm deep.

@@ -70,7 +70,8 @@ TEST(Health, StopsAtForbiddenOverlapAndWarnsOnceBefore) {
   EXPECT_NE(message.find("reduced_modulus"), std::string::npos);
 }
 
-/// A sphere of radius 1.5e-4 m held `ratio` of its radius deep in a plane of one large wall sphere for one step.
+/// A sphere of radius 1.5e-4 m held `ratio` of its radius deep in a plane of one large wall sphere for one
+/// step.
 Simulation pressed_into_wall(double ratio) {
   auto settings = weightless(Model::a, {.damping_over_radius = 0}, 1e-9);
   Simulation simulation(settings, {plate(1e-3, 1.5e-4)});
@@ -88,8 +89,10 @@ TEST(Health, ReportsAGrainPinchedByAToolAndStopsBeforeItIsPushedThrough) {
   EXPECT_EQ(complaint(health, pressed_into_wall(0.8)), "");
   ASSERT_EQ(health.warnings().size(), 1U);
   EXPECT_NE(health.warnings()[0].find("pinched a grain"), std::string::npos) << health.warnings()[0];
-  const std::string message = complaint(health, pressed_into_wall(1.7));
-  EXPECT_NE(message.find("pressed into a wall"), std::string::npos) << message;
+  EXPECT_EQ(complaint(health, pressed_into_wall(0.95)), "");
+  EXPECT_EQ(health.warnings().size(), 1U);
+  const std::string message = complaint(health, pressed_into_wall(1.05));
+  EXPECT_NE(message.find("pressed into a wall by 1.05 of its radius"), std::string::npos) << message;
 }
 
 TEST(Health, StopsAtAStepAboveTheCriticalOne) {

@@ -1,11 +1,7 @@
 #include "tests/geometry/mesh_files.h"
 
-#include <gtest/gtest.h>
-#include <unistd.h>
-
 #include <cstdint>
 #include <cstring>
-#include <fstream>
 #include <iomanip>
 #include <sstream>
 
@@ -25,23 +21,6 @@ const Eigen::Vector3d& corner(const Mesh& mesh, const Eigen::Vector3i& triangle,
 }
 
 }  // namespace
-
-TemporaryDirectory::TemporaryDirectory() {
-  const auto* test = testing::UnitTest::GetInstance()->current_test_info();
-  path_ = std::filesystem::temp_directory_path() /
-          ("diefill_" + std::string(test->name()) + "_" + std::to_string(getpid()));
-  std::filesystem::create_directories(path_);
-}
-
-TemporaryDirectory::~TemporaryDirectory() {
-  std::error_code ignored;
-  std::filesystem::remove_all(path_, ignored);
-}
-
-std::filesystem::path TemporaryDirectory::write(const std::string& name, const std::string& bytes) const {
-  std::ofstream(path_ / name, std::ios::binary) << bytes;
-  return path_ / name;
-}
 
 std::string ascii_stl(const Mesh& mesh) {
   std::ostringstream out;

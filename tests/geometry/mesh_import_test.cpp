@@ -5,11 +5,12 @@
 
 #include "tests/geometry/mesh_files.h"
 #include "tests/geometry/sample_meshes.h"
+#include "tests/support/temporary_folder.h"
 
 namespace diefill::geometry {
 namespace {
 
-using sample::TemporaryDirectory;
+using support::TemporaryFolder;
 
 std::string import_error(const std::filesystem::path& file) {
   try {
@@ -29,7 +30,7 @@ void expect_error(const std::filesystem::path& file, const std::string& words) {
 
 TEST(MeshImport, EveryFormatGivesTheSameTube) {
   const Mesh tube = sample::tube(8, 12, 10, 90);
-  const TemporaryDirectory directory;
+  const TemporaryFolder directory;
   for (const auto& [name, bytes] : {std::pair("text.stl", sample::ascii_stl(tube)),
                                     {"binary.STL", sample::binary_stl(tube)},
                                     {"tube.obj", sample::obj(tube)},
@@ -51,12 +52,12 @@ TEST(MeshImport, JoinsCornersThatDifferByRoundingOnly) {
       soup.vertices.push_back(box.vertices[static_cast<std::size_t>(t[k])] * (1 + 2e-8 * (first % 4)));
     soup.triangles.emplace_back(first, first + 1, first + 2);
   }
-  const TemporaryDirectory directory;
+  const TemporaryFolder directory;
   EXPECT_EQ(import_mesh(directory.write("box.stl", sample::ascii_stl(soup)), 1e-3).vertices.size(), 8U);
 }
 
 TEST(MeshImport, ReadsSeveralSolidsOfOneFile) {
-  const TemporaryDirectory directory;
+  const TemporaryFolder directory;
   const std::string text = sample::ascii_stl(sample::box({0, 0, 0}, {1, 1, 1})) +
                            sample::ascii_stl(sample::box({5, 0, 0}, {6, 1, 2}));
   const Mesh mesh = import_mesh(directory.write("two.stl", text), 1);
@@ -65,7 +66,7 @@ TEST(MeshImport, ReadsSeveralSolidsOfOneFile) {
 }
 
 TEST(MeshImport, SaysWhatIsWrongWithAFile) {
-  const TemporaryDirectory directory;
+  const TemporaryFolder directory;
   const std::string box = sample::binary_stl(sample::box({0, 0, 0}, {1, 1, 1}));
   const std::string text = sample::ascii_stl(sample::box({0, 0, 0}, {1, 1, 1}));
   expect_error(directory.path() / "missing.stl", "does not exist");
@@ -85,7 +86,7 @@ TEST(MeshImport, SaysWhatIsWrongWithAFile) {
 }
 
 TEST(MeshImport, RefusesCoordinatesThatAreNotFinite) {
-  const TemporaryDirectory directory;
+  const TemporaryFolder directory;
   Mesh mesh = sample::box({0, 0, 0}, {1, 1, 1});
   mesh.vertices[3].y() = std::numeric_limits<double>::quiet_NaN();
   expect_error(directory.write("nan.stl", sample::binary_stl(mesh)), "finite");
@@ -94,14 +95,14 @@ TEST(MeshImport, RefusesCoordinatesThatAreNotFinite) {
 }
 
 TEST(MeshImport, RefusesAUnitThatIsNotPositive) {
-  const TemporaryDirectory directory;
+  const TemporaryFolder directory;
   const auto file = directory.write("box.stl", sample::binary_stl(sample::box({0, 0, 0}, {1, 1, 1})));
   EXPECT_THROW(import_mesh(file, 0), MeshError);
   EXPECT_THROW(import_mesh(file, -1), MeshError);
 }
 
 TEST(MeshImport, HashNamesTheBytes) {
-  const TemporaryDirectory directory;
+  const TemporaryFolder directory;
   // Published test vectors of FNV-1a, 64 bit.
   EXPECT_EQ(file_hash(directory.write("a", "a")), "af63dc4c8601ec8c");
   EXPECT_EQ(file_hash(directory.write("foobar", "foobar")), "85944171f73967e8");

@@ -9,23 +9,20 @@
 #include "process/results/group_names.h"
 #include "process/results/result_file.h"
 #include "results_sample.h"
+#include "tests/support/temporary_folder.h"
 
 namespace diefill::results {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::string contents(const fs::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(stream), {}};
-}
+using support::contents;
 
 std::ptrdiff_t files_in(const fs::path& directory) {
   return std::distance(fs::directory_iterator(directory), {});
 }
 
 TEST(AtomicFile, WritesAndReplaces) {
-  const ScratchDirectory scratch("atomic");
+  const support::TemporaryFolder scratch;
   const fs::path target = scratch.path() / "report.json";
   write_text_atomically(target, "first");
   EXPECT_EQ(contents(target), "first");
@@ -36,7 +33,7 @@ TEST(AtomicFile, WritesAndReplaces) {
 }
 
 TEST(AtomicFile, TargetIsUntouchedWhileWriting) {
-  const ScratchDirectory scratch("atomic");
+  const support::TemporaryFolder scratch;
   const fs::path target = scratch.path() / "state";
   write_text_atomically(target, "old");
   write_atomically(target, [&](const fs::path& path) {
@@ -49,7 +46,7 @@ TEST(AtomicFile, TargetIsUntouchedWhileWriting) {
 }
 
 TEST(AtomicFile, FailedWriteLeavesTheOldFileAndNothingElse) {
-  const ScratchDirectory scratch("atomic");
+  const support::TemporaryFolder scratch;
   const fs::path target = scratch.path() / "state";
   write_text_atomically(target, "old");
   const auto fail = [](const fs::path& path) {
@@ -68,7 +65,7 @@ TEST(AtomicFile, FailedWriteLeavesTheOldFileAndNothingElse) {
 }
 
 TEST(AtomicFile, TargetThatCannotBeReplacedIsAnError) {
-  const ScratchDirectory scratch("atomic");
+  const support::TemporaryFolder scratch;
   fs::create_directory(scratch.path() / "state");
   EXPECT_THROW(write_text_atomically(scratch.path() / "state", "text"), ResultError);
   EXPECT_THROW(write_text_atomically(scratch.path() / "no" / "such" / "directory", "text"), ResultError);
@@ -77,13 +74,13 @@ TEST(AtomicFile, TargetThatCannotBeReplacedIsAnError) {
 
 TEST(AtomicFile, DirectoryWithoutPermissionKeepsItsFiles) {
   if (::geteuid() == 0) {  // nothing is forbidden to root; a file in place of the directory is
-    const ScratchDirectory scratch("atomic");
+    const support::TemporaryFolder scratch;
     write_text_atomically(scratch.path() / "file", "text");
     EXPECT_THROW(write_results(scratch.path() / "file", sample_result()), ResultError);
     EXPECT_EQ(contents(scratch.path() / "file"), "text");
     return;
   }
-  const ScratchDirectory scratch("atomic");
+  const support::TemporaryFolder scratch;
   write_text_atomically(scratch.path() / "state", "old");
   fs::permissions(scratch.path(), fs::perms::owner_read | fs::perms::owner_exec);
   EXPECT_THROW(write_text_atomically(scratch.path() / "state", "new"), ResultError);
@@ -93,7 +90,7 @@ TEST(AtomicFile, DirectoryWithoutPermissionKeepsItsFiles) {
 }
 
 TEST(AtomicFile, ManyWritersLeaveOneWholeFile) {
-  const ScratchDirectory scratch("atomic");
+  const support::TemporaryFolder scratch;
   const fs::path target = scratch.path() / "state";
   std::vector<std::thread> writers;
   for (char letter = 'a'; letter < 'e'; ++letter)

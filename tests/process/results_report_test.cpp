@@ -6,6 +6,7 @@
 
 #include "process/results/result_file.h"
 #include "results_sample.h"
+#include "tests/support/temporary_folder.h"
 
 namespace diefill::results {
 namespace {
@@ -13,7 +14,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 Json report_of(const FillResult& result) {
-  const ScratchDirectory scratch("report");
+  const support::TemporaryFolder scratch;
   write_report(scratch.path(), result);
   std::ifstream stream(scratch.path() / "report.json");
   return Json::parse(stream);

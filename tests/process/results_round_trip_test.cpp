@@ -12,11 +12,13 @@
 #include "process/results/result_file.h"
 #include "process/results/schema.h"
 #include "results_sample.h"
+#include "tests/support/temporary_folder.h"
 
 namespace diefill::results {
 namespace {
 
 namespace fs = std::filesystem;
+using support::contents;
 
 /// Writes every value, in the order of the schema, into one string of bytes: equal strings are equal results,
 /// NaNs and signs of zero included.
@@ -68,11 +70,6 @@ std::string bytes_of(const FillResult& result) {
   return archive.bytes;
 }
 
-std::string contents(const fs::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(stream), {}};
-}
-
 void put(const fs::path& file, const std::string& text) {
   std::ofstream(file, std::ios::binary | std::ios::trunc) << text;
 }
@@ -87,7 +84,7 @@ std::string message_of_reading(const fs::path& directory) {
 }
 
 TEST(ResultFile, GivesBackEveryBit) {
-  const ScratchDirectory scratch("round_trip");
+  const support::TemporaryFolder scratch;
   const FillResult result = sample_result();
   write_results(scratch.path(), result);
   const FillResult back = read_results(scratch.path());
@@ -99,20 +96,20 @@ TEST(ResultFile, GivesBackEveryBit) {
 }
 
 TEST(ResultFile, GivesBackManyGrains) {
-  const ScratchDirectory scratch("many_grains");
+  const support::TemporaryFolder scratch;
   const FillResult result = sample_result(40000);  // several chunks
   write_results(scratch.path(), result);
   EXPECT_TRUE(bytes_of(read_results(scratch.path())) == bytes_of(result));
 }
 
 TEST(ResultFile, GivesBackAnEmptyResult) {
-  const ScratchDirectory scratch("empty");
+  const support::TemporaryFolder scratch;
   write_results(scratch.path(), FillResult{});
   EXPECT_TRUE(bytes_of(read_results(scratch.path())) == bytes_of(FillResult{}));
 }
 
 TEST(ResultFile, IsTheSameFileForTheSameResult) {
-  const ScratchDirectory scratch("same");
+  const support::TemporaryFolder scratch;
   write_results(scratch.path() / "a", sample_result());
   std::this_thread::sleep_for(std::chrono::milliseconds(1100));  // HDF5 keeps times in whole seconds
   write_results(scratch.path() / "b", sample_result());
@@ -162,14 +159,14 @@ TEST(FigureMeaning, TakesTheUnitFromTheName) {
 }
 
 TEST(ResultFile, MissingFileIsNamed) {
-  const ScratchDirectory scratch("missing");
+  const support::TemporaryFolder scratch;
   EXPECT_NE(message_of_reading(scratch.path()).find((scratch.path() / "results.h5").string()),
             std::string::npos);
   EXPECT_NE(message_of_reading(scratch.path()).find("no such results file"), std::string::npos);
 }
 
 TEST(ResultFile, ForeignFilesAreRefused) {
-  const ScratchDirectory scratch("foreign");
+  const support::TemporaryFolder scratch;
   const fs::path file = scratch.path() / "results.h5";
   put(file, "time,mass\n0,1\n");
   EXPECT_NE(message_of_reading(scratch.path()).find("not an HDF5 file"), std::string::npos);
@@ -181,7 +178,7 @@ TEST(ResultFile, ForeignFilesAreRefused) {
 }
 
 TEST(ResultFile, OtherSchemaVersionsAreRefused) {
-  const ScratchDirectory scratch("version");
+  const support::TemporaryFolder scratch;
   const fs::path file = scratch.path() / "results.h5";
   write_results(scratch.path(), sample_result());
   std::string text = contents(file);
@@ -194,7 +191,7 @@ TEST(ResultFile, OtherSchemaVersionsAreRefused) {
 }
 
 TEST(ResultFile, TruncatedFilesAreRefused) {
-  const ScratchDirectory scratch("truncated");
+  const support::TemporaryFolder scratch;
   const fs::path file = scratch.path() / "results.h5";
   write_results(scratch.path(), sample_result());
   const std::string whole = contents(file);
@@ -205,7 +202,7 @@ TEST(ResultFile, TruncatedFilesAreRefused) {
 }
 
 TEST(ResultFile, DamagedBytesAreNoticed) {
-  const ScratchDirectory scratch("damaged");
+  const support::TemporaryFolder scratch;
   const fs::path file = scratch.path() / "results.h5";
   write_results(scratch.path(), sample_result(40000));
   std::string text = contents(file);
@@ -216,7 +213,7 @@ TEST(ResultFile, DamagedBytesAreNoticed) {
 }
 
 TEST(ResultFile, ArraysThatDoNotBelongTogetherAreRefused) {
-  const ScratchDirectory scratch("lengths");
+  const support::TemporaryFolder scratch;
   FillResult result = sample_result();
   result.powder.velocity.pop_back();
   EXPECT_THROW(write_results(scratch.path(), result), ResultError);
@@ -230,7 +227,7 @@ TEST(ResultFile, ArraysThatDoNotBelongTogetherAreRefused) {
 }
 
 TEST(ResultFile, FiguresNeedNamesThatFitAPath) {
-  const ScratchDirectory scratch("names");
+  const support::TemporaryFolder scratch;
   FillResult result = sample_result();
   result.figures["mass/volume"] = 1;
   EXPECT_THROW(write_results(scratch.path(), result), ResultError);
@@ -257,7 +254,7 @@ class SmallFilesOnly {
 };
 
 TEST(ResultFile, OutlivesAFullDisk) {
-  const ScratchDirectory scratch("full_disk");
+  const support::TemporaryFolder scratch;
   write_results(scratch.path(), sample_result());
   FillResult larger = sample_result(2000);
   {
@@ -269,7 +266,7 @@ TEST(ResultFile, OutlivesAFullDisk) {
 }
 
 TEST(ResultXdmf, PointsAtSpheresAndTriangles) {
-  const ScratchDirectory scratch("xdmf");
+  const support::TemporaryFolder scratch;
   write_results(scratch.path(), sample_result(5));
   const std::string text = contents(scratch.path() / "results.xdmf");
   const auto has = [&](const std::string& part) { return text.find(part) != std::string::npos; };

@@ -13,6 +13,7 @@
 #include "process/run/pour.h"
 #include "process/run/rest.h"
 #include "process/scene/powder_presets.h"
+#include "tests/support/temporary_folder.h"
 
 namespace diefill::process {
 namespace {
@@ -131,13 +132,7 @@ TEST(RestWatch, WaitsForQuietPowderAndSeesItFall) {
 
 class CheckpointFile : public testing::Test {
  protected:
-  void SetUp() override {
-    directory_ = std::filesystem::path(testing::TempDir()) /
-                 testing::UnitTest::GetInstance()->current_test_info()->name();
-    std::filesystem::create_directories(directory_);
-  }
-  void TearDown() override { std::filesystem::remove_all(directory_); }
-  std::filesystem::path directory_;
+  support::TemporaryFolder folder_;
 };
 
 TEST_F(CheckpointFile, GivesBackEveryBitAndContinuesTheSameRun) {
@@ -151,8 +146,8 @@ TEST_F(CheckpointFile, GivesBackEveryBitAndContinuesTheSameRun) {
   kept.schedule.stage = 3;
   kept.schedule.rest.quiet_since = 0.25;
   kept.grains_left = 7;
-  write_checkpoint(directory_, kept);
-  const auto read = read_checkpoint(directory_);
+  write_checkpoint(folder_.path(), kept);
+  const auto read = read_checkpoint(folder_.path());
   ASSERT_TRUE(read.has_value());
   EXPECT_EQ(read->scene_hash, 42U);
   EXPECT_EQ(read->schedule.stage, 3U);
@@ -168,9 +163,9 @@ TEST_F(CheckpointFile, GivesBackEveryBitAndContinuesTheSameRun) {
 }
 
 TEST_F(CheckpointFile, IsNothingWhereThereIsNoneAndAnErrorWhereItIsDamaged) {
-  EXPECT_FALSE(read_checkpoint(directory_).has_value());
-  std::ofstream(checkpoint_file(directory_)) << "no checkpoint at all";
-  EXPECT_THROW(read_checkpoint(directory_), results::ResultError);
+  EXPECT_FALSE(read_checkpoint(folder_.path()).has_value());
+  std::ofstream(checkpoint_file(folder_.path())) << "no checkpoint at all";
+  EXPECT_THROW(read_checkpoint(folder_.path()), results::ResultError);
 }
 
 }  // namespace

@@ -2,24 +2,19 @@
 // readable.
 #include <gtest/gtest.h>
 
-#include <fstream>
-#include <iterator>
-
 #include "process/machine/step_registry.h"
 #include "process/scene/powder_presets.h"
 #include "process/scene/scene.h"
 #include "tests/process/scene_files.h"
 #include "tests/process/wrong_scene.h"
+#include "tests/support/temporary_folder.h"
 
 namespace diefill::process {
 namespace {
 
-const std::filesystem::path kSource = DIEFILL_SOURCE_DIR;
+using support::contents;
 
-std::string contents(const std::filesystem::path& file) {
-  std::ifstream stream(file);
-  return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
-}
+const std::filesystem::path kSource = DIEFILL_SOURCE_DIR;
 
 /// The keys that the reader offers where it finds one that it does not know, for a table header and what it
 /// needs.

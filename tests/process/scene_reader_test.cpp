@@ -4,17 +4,18 @@
 #include "process/machine/passage.h"
 #include "process/scene/scene.h"
 #include "tests/process/scene_files.h"
-#include "tests/process/wrong_scene.h"
+#include "tests/support/scene_text.h"
 
 namespace diefill::process {
 namespace {
 
-const char* const kFullScene = R"(title = "Everything"
+std::string full_scene() {
+  support::SceneTables tables;
+  tables.top = R"(title = "Everything"
 seed = 42
 gravity = "1.62 m/s^2"
-
-[powder]
-preset = "ASC100.29 D2"
+)";
+  tables.powder = R"(preset = "ASC100.29 D2"
 model = "D"
 sphere_radius = "0.08 mm"
 grain_mass = "0.08 mg"
@@ -27,39 +28,27 @@ damping_over_radius = "2e5 Pa s/m"
 tangential_over_radius = "3 MPa"
 air_viscosity = "1e-5 Pa s"
 coarse_graining = "bierwisch"
-
-[walls]
-sphere_radius = "0.2 mm"
+)";
+  tables.walls = R"(sphere_radius = "0.2 mm"
 spacing = 1.5
 friction = 0.2
 work_of_adhesion = "1 mJ/m^2"
-
-[[tool]]
-name = "die"
-role = "die"
-file = "die.stl"
-length_unit = "mm"
-
-[[tool]]
-name = "shoe"
-role = "shoe"
-file = "shoe.stl"
-length_unit = "inch"
+)";
+  tables.shoe = R"(length_unit = "inch"
 position = ["35 mm", "-1 mm", "2 um"]
 rotation = { axis = "z", angle = "90 deg" }
 sphere_radius = "0.1 mm"
 spacing = 1.2
-
-[pour]
-from = ["20 mm", "-5 mm", "0 mm"]
+)";
+  tables.pour = R"(from = ["20 mm", "-5 mm", "0 mm"]
 to = ["50 mm", "5 mm", "90 mm"]
 fill_height = "20 mm"
 solid_fraction = 0.4
 rim_speed = "0.02 m/s"
 lattice_constant = 1.5
 random_offset = 0.2
-
-[[step]]
+)";
+  tables.steps = R"([[step]]
 kind = "settle"
 [[step]]
 kind = "passage"
@@ -74,9 +63,8 @@ travel = "70 mm"
 [[step]]
 kind = "wait"
 duration = "0.1 s"
-
-[numerics]
-time_step = "1 us"
+)";
+  tables.numerics = R"(time_step = "1 us"
 lever_arm = "contact"
 tangential_spring = "free"
 opening = "centres"
@@ -84,9 +72,8 @@ periodic = { y = "10 mm" }
 energy_ledger = false
 max_time = "2 s"
 checkpoint_interval = "2 min"
-
-[measure]
-fill_plane = "-1 mm"
+)";
+  tables.measure = R"(fill_plane = "-1 mm"
 averaging_width = "0.7 mm"
 azimuth_bins = 72
 [[measure.section]]
@@ -97,18 +84,20 @@ normal = [0, 3, 4]
 name = "along"
 normal = "-x"
 )";
+  return support::scene_text(tables);
+}
 
 class FullScene : public testing::Test {
  protected:
   SceneFolder folder_;
-  Scene scene_ = read_scene(folder_.write(kFullScene));
+  Scene scene_ = read_scene(folder_.write(full_scene()));
 };
 
 TEST_F(FullScene, KeepsTitleSeedGravityAndText) {
   EXPECT_EQ(scene_.title, "Everything");
   EXPECT_EQ(scene_.seed, 42U);
   EXPECT_EQ(scene_.gravity, Eigen::Vector3d(0, 0, -1.62));
-  EXPECT_EQ(scene_.text, kFullScene);
+  EXPECT_EQ(scene_.text, full_scene());
   EXPECT_EQ(scene_.file, folder_.path() / "scene.toml");
   EXPECT_EQ(scene_.coarse_graining, CoarseGraining::bierwisch);
 }

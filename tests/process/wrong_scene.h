@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "tests/support/scene_text.h"
+
 namespace diefill::process {
 
 /// A scene with a fault. To be tried from a file called `scene.toml` in a folder that holds files `die.stl`,
@@ -24,47 +26,7 @@ inline std::ostream& operator<<(std::ostream& stream, const WrongScene& scene) {
 
 /// A scene without fault, which every case spoils in one place.
 inline std::string faultless_scene() {
-  return R"(title = "Narrow ring, one passage"
-seed = 1
-
-[powder]
-preset = "Distaloy AE"
-grain_diameter = "1.88 mm"
-
-[walls]
-sphere_radius = "0.15 mm"
-spacing = 1.6
-
-[[tool]]
-name = "die"
-role = "die"
-file = "die.stl"
-length_unit = "mm"
-
-[[tool]]
-name = "shoe"
-role = "shoe"
-file = "shoe.stl"
-length_unit = "mm"
-position = ["35.4 mm", "0 mm", "0 mm"]
-
-[pour]
-from = ["19.4 mm", "-14.5 mm", "0 mm"]
-to = ["51.4 mm", "14.5 mm", "110 mm"]
-fill_height = "24 mm"
-
-[[step]]
-kind = "passage"
-tool = "shoe"
-velocity = "0.2 m/s"
-direction = "-x"
-
-[numerics]
-max_time = "5 s"
-
-[measure]
-fill_plane = "0 mm"
-)";
+  return support::scene_text({});
 }
 
 /// The faultless scene from its start to where `end` begins.
@@ -77,10 +39,7 @@ inline std::string scene_up_to(const std::string& end) {
 /// name.
 inline WrongScene spoil(const std::string& name, const std::string& old, const std::string& spoilt,
                         std::vector<std::string> expected) {
-  std::string text = faultless_scene();
-  const std::size_t start = text.find(old);
-  if (start == std::string::npos) throw std::logic_error(name + ": nothing to spoil");
-  text.replace(start, old.size(), spoilt);
+  std::string text = support::exchanged(faultless_scene(), old, spoilt);
   const std::size_t mark = text.find('@');
   if (mark == std::string::npos) throw std::logic_error(name + ": no place is marked");
   text.erase(mark, 1);

@@ -160,7 +160,7 @@ TEST_F(ChartTest, ProfileFileIsTheSameTwice) {
   const auto profile = make_ring().profiles.front();
   for (const char* name : {"one.png", "two.png"})
     draw_profile(file(name), profile, "1 passage at 0.2 m/s", "Dist. AE, grain size 1.88 mm");
-  EXPECT_EQ(bytes_of(file("one.png")), bytes_of(file("two.png")));
+  EXPECT_EQ(contents(file("one.png")), contents(file("two.png")));
   const QImage image(QString::fromStdString(file("one.png").string()));
   keep(image, "fill_level.png");
   EXPECT_EQ(image.size(), QSize(1600, 1000));

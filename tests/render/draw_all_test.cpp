@@ -37,7 +37,7 @@ TEST_F(DrawAll, DieThatIsNoRingShowsItsSectionAsMap) {
   result.profiles.clear();
   const auto written = draw_all(folder, result);
   EXPECT_EQ(names_of(written), (std::vector<std::string>{"density_map.png", "section.png", "snapshot.png"}));
-  EXPECT_EQ(bytes_of(folder / "density_map.png"), bytes_of(folder / "section.png"));
+  EXPECT_EQ(contents(folder / "density_map.png"), contents(folder / "section.png"));
 }
 
 TEST_F(DrawAll, PicturesThereBeforeAreReplaced) {
@@ -45,10 +45,10 @@ TEST_F(DrawAll, PicturesThereBeforeAreReplaced) {
   std::filesystem::create_directory(folder);
   auto result = make_ring();
   draw_all(folder, result);
-  const auto before = bytes_of(folder / "density_map.png");
+  const auto before = contents(folder / "density_map.png");
   result.strategy = "6 passages at 0.1 m/s";
   draw_all(folder, result);
-  EXPECT_NE(bytes_of(folder / "density_map.png"), before);
+  EXPECT_NE(contents(folder / "density_map.png"), before);
 }
 
 TEST_F(DrawAll, NothingNeedsADisplay) {

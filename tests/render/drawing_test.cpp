@@ -1,9 +1,6 @@
 #include "tests/render/drawing_test.h"
 
 #include <cstdlib>
-#include <fstream>
-#include <iterator>
-#include <stdexcept>
 
 #include "render/pictures.h"
 
@@ -15,19 +12,6 @@ void Drawing::SetUpTestSuite() {
   int count = 1;
   unsetenv("DISPLAY");
   start_offscreen(count, arguments);
-}
-
-void Drawing::TearDown() {
-  if (!folder_.empty()) std::filesystem::remove_all(folder_);
-}
-
-std::filesystem::path Drawing::file(const std::string& name) {
-  if (folder_.empty()) {
-    std::string pattern = (std::filesystem::temp_directory_path() / "diefill-render-XXXXXX").string();
-    if (!mkdtemp(pattern.data())) throw std::runtime_error("no temporary folder");
-    folder_ = pattern;
-  }
-  return folder_ / name;
 }
 
 void Drawing::keep(const QImage& image, const std::string& name) {
@@ -46,11 +30,6 @@ Rgb pixel_at(const QImage& image, const QPointF& place) {
 bool close_to(const Rgb& one, const Rgb& other, int tolerance) {
   return std::abs(one.red - other.red) <= tolerance && std::abs(one.green - other.green) <= tolerance &&
          std::abs(one.blue - other.blue) <= tolerance;
-}
-
-std::string bytes_of(const std::filesystem::path& path) {
-  std::ifstream stream(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(stream), {}};
 }
 
 int ink(const QImage& image, const QRect& area) {

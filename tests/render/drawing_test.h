@@ -7,24 +7,26 @@
 #include <filesystem>
 
 #include "render/colour_map.h"
+#include "tests/support/temporary_folder.h"
 
 namespace diefill::render::test {
+
+using support::contents;
 
 /// Starts drawing without a screen once for the program, and gives each test its own folder. With
 /// DIEFILL_PICTURES set to a folder, pictures are kept there for people to look at.
 class Drawing : public ::testing::Test {
  protected:
   static void SetUpTestSuite();
-  void TearDown() override;
 
   /// A path in this test's folder.
-  std::filesystem::path file(const std::string& name);
+  std::filesystem::path file(const std::string& name) const { return folder_.path() / name; }
 
   /// Keeps a copy of a picture made in memory, where the user asked for that.
   static void keep(const QImage& image, const std::string& name);
 
  private:
-  std::filesystem::path folder_;
+  support::TemporaryFolder folder_;
 };
 
 /// Colour of the pixel that holds `place`.
@@ -32,9 +34,6 @@ Rgb pixel_at(const QImage& image, const QPointF& place);
 
 /// Whether two colours differ by at most `tolerance` in every channel.
 bool close_to(const Rgb& one, const Rgb& other, int tolerance);
-
-/// The bytes of a file.
-std::string bytes_of(const std::filesystem::path& path);
 
 /// Number of pixels in `area` that are not white.
 int ink(const QImage& image, const QRect& area);

@@ -142,7 +142,7 @@ TEST_F(Snapshot, DrawnTwiceIsTheSameFile) {
   const auto result = make_ring();
   draw_snapshot(file("one.png"), result);
   draw_snapshot(file("two.png"), result);
-  EXPECT_EQ(bytes_of(file("one.png")), bytes_of(file("two.png")));
+  EXPECT_EQ(contents(file("one.png")), contents(file("two.png")));
 }
 
 }  // namespace
