@@ -88,7 +88,7 @@ void react(ContactBatch<Law>& batch, const Law& law, const PairReach& reach, dou
     contact.overlap = reach.contact - distance;
     contact.normal = (1 / distance) * separation;
     contact.velocity = batch.velocity[lane];
-    contact.time_step = time_step;
+    contact.time_step = contact.rolling_step = time_step;
     const double arm = Arms::arm(reach.radius, contact.overlap);
     if constexpr (Arms::kTurns) contact.velocity -= arm * cross(batch.spin_sum[lane], contact.normal);
     if constexpr (Law::kRolls) contact.spin = batch.relative_spin[lane];

@@ -43,7 +43,7 @@ class BatchTally {
     friction_power_.add(batch.friction_power, batch.count);
     if constexpr (Law::kRolls) rolling_power_.add(batch.rolling_power, batch.count);
     for (std::size_t lane = 0; lane < batch.count; ++lane) deepest_ = std::max(deepest_, batch.overlap[lane]);
-    touching_ += batch.count;
+    for (std::size_t lane = 0; lane < batch.count; ++lane) touching_ += batch.overlap[lane] > 0;
   }
   /// Books the work of one step of `time_step` (s).
   void book(double time_step, BlockTally& tally, double& deepest_overlap) const {
@@ -60,28 +60,35 @@ class BatchTally {
   std::uint64_t touching_ = 0;
 };
 
+/// Calls use(arm) with a constant of LeverArm.
+template <class Use>
+auto with_arm(LeverArm arm, const Use& use) {
+  switch (arm) {
+    case LeverArm::none:
+      return use(std::integral_constant<LeverArm, LeverArm::none>{});
+    case LeverArm::surface:
+      return use(std::integral_constant<LeverArm, LeverArm::surface>{});
+    case LeverArm::center:
+      return use(std::integral_constant<LeverArm, LeverArm::center>{});
+    default:
+      return use(std::integral_constant<LeverArm, LeverArm::contact>{});
+  }
+}
+
 /// Calls use(law, arm) with the types that the parameters ask for: `law` a ContactLaw type, `arm` a constant
-/// of LeverArm. This is where a new cohesion or friction is registered: one line each.
+/// of LeverArm. This is where a cohesion or friction that deserves a loop of its own is registered: one line
+/// each.
 template <class Use>
 auto with_law(const ContactParameters& parameters, LeverArm arm, SpringLimit limit, const Use& use) {
-  const auto with_arm = [&]<class Law>(std::type_identity<Law> law) {
-    switch (arm) {
-      case LeverArm::none:
-        return use(law, std::integral_constant<LeverArm, LeverArm::none>{});
-      case LeverArm::surface:
-        return use(law, std::integral_constant<LeverArm, LeverArm::surface>{});
-      case LeverArm::center:
-        return use(law, std::integral_constant<LeverArm, LeverArm::center>{});
-      default:
-        return use(law, std::integral_constant<LeverArm, LeverArm::contact>{});
-    }
+  const auto of = [&]<class Law>(std::type_identity<Law> law) {
+    return with_arm(arm, [&](auto constant) { return use(law, constant); });
   };
   const auto with_friction = [&]<class Cohesion>(std::type_identity<Cohesion>) {
     if (parameters.friction == 0)
-      return with_arm(std::type_identity<laws::ContactLaw<Cohesion, laws::NoFriction>>{});
+      return of(std::type_identity<laws::ContactLaw<Cohesion, laws::NoFriction>>{});
     if (limit == SpringLimit::cut_back)
-      return with_arm(std::type_identity<laws::ContactLaw<Cohesion, laws::TangentialSpring<true>>>{});
-    return with_arm(std::type_identity<laws::ContactLaw<Cohesion, laws::TangentialSpring<false>>>{});
+      return of(std::type_identity<laws::ContactLaw<Cohesion, laws::TangentialSpring<true>>>{});
+    return of(std::type_identity<laws::ContactLaw<Cohesion, laws::TangentialSpring<false>>>{});
   };
   if (parameters.work_of_adhesion == 0) return with_friction(std::type_identity<laws::NoCohesion>{});
   return with_friction(std::type_identity<laws::HertzianCohesion>{});

@@ -16,8 +16,8 @@ namespace {
 template <class Law, LeverArm kArm, bool kComposed>
 class GrainLoop final : public PairLoop {
  public:
-  GrainLoop(const ContactParameters& parameters, double radius)
-      : law_(parameters, effective_radius(radius, radius)), reach_{2 * radius, radius} {}
+  /// `radius`: m, of the spheres.
+  GrainLoop(Law law, double radius) : law_(std::move(law)), reach_{2 * radius, radius} {}
 
   void add_forces(Block& block, const ContactScene& scene, BlockTally& tally) const override {
     thread_local std::vector<std::uint32_t> touching;
@@ -40,17 +40,18 @@ class GrainLoop final : public PairLoop {
 
   double stored_energy(const Block& block, const ContactScene& scene) const override {
     double energy = 0;
-    for (const GrainPair& pair : block.grain_pairs.pair) {
+    const auto& table = block.grain_pairs;
+    for (std::size_t p = 0; p < table.size(); ++p) {
+      const GrainPair pair = table.pair[p];
       const double overlap =
           reach_.contact - length(scene.spheres.position[pair.own] - scene.spheres.position[pair.other]);
-      if (overlap > 0) energy += law_.energy(overlap);
+      if (overlap > 0) energy += law_.energy(overlap, table.memory_of(p));
     }
     return energy;
   }
 
-  std::vector<double> memory_signs() const override {
-    return std::vector<double>(static_cast<std::size_t>(Law::kMemory), -1.0);
-  }
+  std::vector<double> memory_signs() const override { return Law::memory_signs(); }
+  double range() const override { return law_.range(); }
 
  private:
   using Batch = ContactBatch<Law>;
@@ -63,7 +64,7 @@ class GrainLoop final : public PairLoop {
   void find_touching(PairTable<GrainPair>& table, const SphereField& spheres,
                      std::vector<std::uint32_t>& touching) const {
     touching.resize(table.size());
-    const double reach_squared = reach_.contact * reach_.contact;
+    const double reach = reach_.contact + law_.range(), reach_squared = reach * reach;
     std::size_t count = 0;
     for (std::size_t p = 0; p < table.size(); ++p) {
       const std::uint32_t later = table.pair[std::min(p + kPairsAhead, table.size() - 1)].other;
@@ -127,10 +128,24 @@ std::unique_ptr<PairLoop> make_grain_loop(const ContactParameters& parameters, L
                                           SpringLimit limit, double sphere_radius, bool composed) {
   return with_law(parameters, arm, limit,
                   [&]<class Law, class Arm>(std::type_identity<Law>, Arm) -> std::unique_ptr<PairLoop> {
+                    const Law law(parameters, effective_radius(sphere_radius, sphere_radius));
                     if (composed)
-                      return std::make_unique<GrainLoop<Law, Arm::value, true>>(parameters, sphere_radius);
-                    return std::make_unique<GrainLoop<Law, Arm::value, false>>(parameters, sphere_radius);
+                      return std::make_unique<GrainLoop<Law, Arm::value, true>>(law, sphere_radius);
+                    return std::make_unique<GrainLoop<Law, Arm::value, false>>(law, sphere_radius);
                   });
+}
+
+std::unique_ptr<PairLoop> make_general_grain_loop(const GeneralContact& contact, LeverArm arm,
+                                                  const GrainShape& shape) {
+  const double radius = shape.sphere_radius;
+  laws::require_sensible(contact.grains);
+  const laws::GeneralContactLaw law(contact.grains, contact.scaling,
+                                    {radius, radius, shape.mass, shape.mass});
+  return with_arm(arm, [&]<class Arm>(Arm) -> std::unique_ptr<PairLoop> {
+    if (shape.spheres() > 1)
+      return std::make_unique<GrainLoop<laws::GeneralContactLaw, Arm::value, true>>(law, radius);
+    return std::make_unique<GrainLoop<laws::GeneralContactLaw, Arm::value, false>>(law, radius);
+  });
 }
 
 }  // namespace diefill::engine

@@ -7,6 +7,8 @@
 
 #include "engine/contact_parameters.h"
 #include "engine/deepest_overlap.h"
+#include "engine/grain_shape.h"
+#include "engine/laws/general_contact_law.h"
 #include "engine/pair_table.h"
 #include "engine/sphere_field.h"
 #include "engine/vector_instructions.h"
@@ -50,6 +52,14 @@ class PairLoop {
   /// For each number that a pair remembers: what it is multiplied by when the pair is seen from its other
   /// side.
   virtual std::vector<double> memory_signs() const = 0;
+  /// m, largest gap at which pairs act on each other.
+  virtual double range() const = 0;
+};
+
+/// Laws chosen from all that the sources know, for grains of one size.
+struct GeneralContact {
+  laws::LawParameters grains, walls;      ///< of the original grains where forces are scaled
+  coarse_graining::ForceScaling scaling;  ///< as it stands: none
 };
 
 /// The loop for pairs between grains of spheres of `sphere_radius` (m). `composed`: several spheres a grain.
@@ -60,5 +70,12 @@ std::unique_ptr<PairLoop> make_grain_loop(const ContactParameters& parameters, L
 std::unique_ptr<PairLoop> make_wall_loop(const ContactParameters& parameters, LeverArm arm, SpringLimit limit,
                                          double sphere_radius, bool composed,
                                          const std::vector<double>& wall_radii);
+/// The same for laws put together while the program runs. Throw std::invalid_argument where parts of the law
+/// do not go together, or walls are to attract from afar.
+std::unique_ptr<PairLoop> make_general_grain_loop(const GeneralContact& contact, LeverArm arm,
+                                                  const GrainShape& shape);
+std::unique_ptr<PairLoop> make_general_wall_loop(const GeneralContact& contact, LeverArm arm,
+                                                 const GrainShape& shape,
+                                                 const std::vector<double>& wall_radii);
 
 }  // namespace diefill::engine

@@ -30,6 +30,7 @@ SimulationSettings checked(SimulationSettings settings) {
   if (!(settings.time_step > 0)) throw std::invalid_argument("the time step must be positive");
   if (settings.threads < 1) throw std::invalid_argument("at least one thread is needed");
   settings.lever_arm = arm_for(settings.shape, settings.lever_arm);
+  if (settings.general_contact) settings.shape.inertia /= settings.general_contact->scaling.torque_factor();
   const double smallest = 4 * settings.shape.bounding_radius() + 2 * largest_skin(settings);
   for (const auto& period : settings.period)
     if (period && *period < smallest)
@@ -51,10 +52,26 @@ std::vector<double> radii_of(const std::vector<WallBodySpec>& walls) {
   return radii;
 }
 
+std::unique_ptr<PairLoop> grain_loop_for(const SimulationSettings& settings) {
+  if (settings.general_contact)
+    return make_general_grain_loop(*settings.general_contact, settings.lever_arm, settings.shape);
+  return make_grain_loop(settings.grain_contact, settings.lever_arm, settings.spring_limit,
+                         settings.shape.sphere_radius, settings.shape.spheres() > 1);
+}
+
+std::unique_ptr<PairLoop> wall_loop_for(const SimulationSettings& settings,
+                                        const std::vector<double>& radii) {
+  if (settings.general_contact)
+    return make_general_wall_loop(*settings.general_contact, settings.lever_arm, settings.shape, radii);
+  return make_wall_loop(settings.wall_contact, settings.lever_arm, settings.spring_limit,
+                        settings.shape.sphere_radius, settings.shape.spheres() > 1, radii);
+}
+
 NeighbourSettings neighbour_settings(const GrainShape& shape, const PairLoop& grain_loop,
                                      const PairLoop& wall_loop) {
   return {.sphere_radius = shape.sphere_radius,
           .farthest_sphere = farthest_sphere(shape),
+          .law_range = grain_loop.range(),
           .grain_memory = grain_loop.memory_signs().size(),
           .wall_memory = wall_loop.memory_signs().size()};
 }
@@ -65,11 +82,8 @@ Simulation::Simulation(const SimulationSettings& settings, std::vector<WallBodyS
     : settings_(checked(settings)),
       workers_(settings_.threads),
       box_(settings_.period),
-      grain_loop_(make_grain_loop(settings_.grain_contact, settings_.lever_arm, settings_.spring_limit,
-                                  settings_.shape.sphere_radius, settings_.shape.spheres() > 1)),
-      wall_loop_(make_wall_loop(settings_.wall_contact, settings_.lever_arm, settings_.spring_limit,
-                                settings_.shape.sphere_radius, settings_.shape.spheres() > 1,
-                                radii_of(walls))),
+      grain_loop_(grain_loop_for(settings_)),
+      wall_loop_(wall_loop_for(settings_, radii_of(walls))),
       list_(neighbour_settings(settings_.shape, *grain_loop_, *wall_loop_), first_sphere_of_bodies(walls)),
       skin_(settings_.skin, settings_.shape.sphere_radius),
       integrator_(settings_.shape, settings_.gravity, settings_.air_viscosity, settings_.time_step,

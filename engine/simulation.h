@@ -22,6 +22,9 @@ struct SimulationSettings {
   LeverArm lever_arm =
       LeverArm::contact;  ///< ignored for single spheres: none or surface, after GrainShape::rotates
   SpringLimit spring_limit = SpringLimit::cut_back;
+  /// Any other law of the sources, in place of `grain_contact`, `wall_contact` and `spring_limit`. Where
+  /// forces are scaled, moments of inertia are those with which torques, energy and angular momentum balance.
+  std::optional<GeneralContact> general_contact;
   Eigen::Vector3d gravity = {0, 0, -9.81};  ///< m/s^2
   double air_viscosity = 0;                 ///< Pa s, Stokes drag on every sphere (Bierwisch 2009, Eq. 2.9)
   double time_step = 0;                     ///< s

@@ -122,7 +122,7 @@ void Simulation::find_images() {
   spheres_.images.clear();
   if (!box_.any()) return;
   // A grain on the border meets others whose centre is up to two grain radii and the skin beyond it.
-  const double margin = 2 * settings_.shape.bounding_radius() + reference_.skin;
+  const double margin = 2 * settings_.shape.bounding_radius() + grain_loop_->range() + reference_.skin;
   std::vector<Eigen::Vector3d> shifts;
   for (std::uint32_t k = 0; k < reference_.position.size(); ++k) {
     shifts.clear();

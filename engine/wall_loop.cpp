@@ -1,4 +1,6 @@
 #include <Eigen/Geometry>
+#include <limits>
+#include <stdexcept>
 
 #include "engine/contact_kernel.h"
 
@@ -11,11 +13,8 @@ namespace {
 template <class Law, LeverArm kArm, bool kComposed>
 class WallLoop final : public PairLoop {
  public:
-  WallLoop(const ContactParameters& parameters, double radius, const std::vector<double>& wall_radii)
-      : radius_(radius) {
-    for (const double wall_radius : wall_radii)
-      laws_.emplace_back(parameters, effective_radius(radius, wall_radius));
-  }
+  /// `laws`: one a body; `radius`: m, of the grains' spheres.
+  WallLoop(std::vector<Law> laws, double radius) : radius_(radius), laws_(std::move(laws)) {}
 
   void add_forces(Block& block, const ContactScene& scene, BlockTally& tally) const override {
     if (block.wall_pairs.size() == 0) return;
@@ -29,14 +28,13 @@ class WallLoop final : public PairLoop {
       for (std::uint32_t p = block.wall_first[body]; p < block.wall_first[body + 1]; ++p) {
         const double overlap =
             reach(scene, body) - length(separation_in_body(block.wall_pairs.pair[p], body, scene));
-        if (overlap > 0) energy += laws_[body].energy(overlap);
+        if (overlap > 0) energy += laws_[body].energy(overlap, block.wall_pairs.memory_of(p));
       }
     return energy;
   }
 
-  std::vector<double> memory_signs() const override {
-    return std::vector<double>(static_cast<std::size_t>(Law::kMemory), -1.0);
-  }
+  std::vector<double> memory_signs() const override { return Law::memory_signs(); }
+  double range() const override { return 0; }
 
  private:
   using Batch = ContactBatch<Law>;
@@ -149,13 +147,36 @@ class WallLoop final : public PairLoop {
 std::unique_ptr<PairLoop> make_wall_loop(const ContactParameters& parameters, LeverArm arm, SpringLimit limit,
                                          double sphere_radius, bool composed,
                                          const std::vector<double>& wall_radii) {
-  return with_law(
-      parameters, arm, limit,
-      [&]<class Law, class Arm>(std::type_identity<Law>, Arm) -> std::unique_ptr<PairLoop> {
-        if (composed)
-          return std::make_unique<WallLoop<Law, Arm::value, true>>(parameters, sphere_radius, wall_radii);
-        return std::make_unique<WallLoop<Law, Arm::value, false>>(parameters, sphere_radius, wall_radii);
-      });
+  return with_law(parameters, arm, limit,
+                  [&]<class Law, class Arm>(std::type_identity<Law>, Arm) -> std::unique_ptr<PairLoop> {
+                    std::vector<Law> laws;
+                    for (const double radius : wall_radii)
+                      laws.emplace_back(parameters, effective_radius(sphere_radius, radius));
+                    if (composed)
+                      return std::make_unique<WallLoop<Law, Arm::value, true>>(laws, sphere_radius);
+                    return std::make_unique<WallLoop<Law, Arm::value, false>>(laws, sphere_radius);
+                  });
+}
+
+std::unique_ptr<PairLoop> make_general_wall_loop(const GeneralContact& contact, LeverArm arm,
+                                                 const GrainShape& shape,
+                                                 const std::vector<double>& wall_radii) {
+  laws::require_sensible(contact.walls);
+  const double radius = shape.sphere_radius;
+  std::vector<laws::GeneralContactLaw> laws;
+  for (const double wall_radius : wall_radii) {
+    laws.emplace_back(
+        contact.walls, contact.scaling,
+        laws::PairProperties{radius, wall_radius, shape.mass, std::numeric_limits<double>::infinity()});
+    if (laws.back().range() > 0)
+      throw std::invalid_argument(
+          "walls attract only what touches them: give the wall law no distant attraction");
+  }
+  return with_arm(arm, [&]<class Arm>(Arm) -> std::unique_ptr<PairLoop> {
+    if (shape.spheres() > 1)
+      return std::make_unique<WallLoop<laws::GeneralContactLaw, Arm::value, true>>(laws, radius);
+    return std::make_unique<WallLoop<laws::GeneralContactLaw, Arm::value, false>>(laws, radius);
+  });
 }
 
 }  // namespace diefill::engine

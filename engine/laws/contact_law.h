@@ -2,6 +2,8 @@
 // for walls and the tests all call these few lines.
 #pragma once
 
+#include <vector>
+
 #include "engine/contact_parameters.h"
 #include "engine/laws/cohesion.h"
 #include "engine/laws/damping.h"
@@ -59,7 +61,13 @@ struct ContactLaw {
             damping.force(root_overlap, separation_speed)};
   }
   /// Energy in J that the normal springs hold at overlap h (m).
-  double energy(double overlap) const { return elastic.energy(overlap) + cohesion.energy(overlap); }
+  double energy(double overlap, const double* = nullptr) const {
+    return elastic.energy(overlap) + cohesion.energy(overlap);
+  }
+  /// m, gap at which the pair still acts on each other: it must touch.
+  double range() const { return 0; }
+  /// What remembered numbers are multiplied by for the other sphere.
+  static std::vector<double> memory_signs() { return std::vector<double>(kMemory, -1.0); }
 };
 
 }  // namespace diefill::engine::laws

@@ -12,7 +12,7 @@ struct ContactState {
   Vector3 velocity = {};            ///< m/s, of i against j where they touch
   Vector3 spin = {};                ///< rad/s, omega_i - omega_j
   double time_step = 0;             ///< s, springs of friction advance by it
-  double rolling_step = time_step;  ///< s, springs of rolling advance by it; differs only in coarse graining
+  double rolling_step = time_step;  ///< s, springs of rolling advance by it; differs where forces are scaled
 };
 
 /// What the law does to the pair, and the power of each kind of force for an energy ledger. A negative power

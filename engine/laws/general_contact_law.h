@@ -1,0 +1,56 @@
+// Any law of the sources, scaled by any rule of coarse graining, as the pair loop wants it.
+#pragma once
+
+#include <vector>
+
+#include "engine/coarse_graining/scaled_law.h"
+#include "engine/laws/law_parameters.h"
+
+namespace diefill::engine::laws {
+
+/// A law put together while the program runs. Slower than ContactLaw, which knows its parts beforehand.
+class GeneralContactLaw {
+ public:
+  static constexpr int kMemory = GeneralLaw::kMemory;
+  static constexpr bool kRolls = true;
+  /// N m over N; rolling resistance is a part of the law here.
+  static constexpr double rolling_friction = 0;
+
+  /// `pair`: the grains as they are simulated. Throws what make_law throws.
+  GeneralContactLaw(const LawParameters& parameters, const coarse_graining::ForceScaling& scaling,
+                    const PairProperties& pair)
+      : law_(scaling, make_law(parameters, scaling.original(pair))),
+        hysteretic_(parameters.normal.of<LudingNormal>() ? 1 : 0) {}
+
+  /// m, largest gap at which the pair acts on each other.
+  double range() const { return law_.range(); }
+
+  /// As ComposedLaw::react. Forces that hold no energy which could be got back count as viscous: the
+  /// attraction, and a normal force with hysteresis.
+  Reaction react(const ContactState& contact, double* memory) const {
+    Reaction reaction = law_.react(contact, memory);
+    reaction.viscous_power += reaction.attraction_power + hysteretic_ * reaction.normal_power;
+    return reaction;
+  }
+
+  /// J that the normal force holds at `overlap` (m).
+  double energy(double overlap, const double* memory) const {
+    return hysteretic_ > 0 ? 0 : law_.contact_energy(overlap, memory);
+  }
+
+  /// Springs of friction and rolling point the other way for the other sphere; depth, slip and bridge do not.
+  static std::vector<double> memory_signs() {
+    std::vector<double> signs(static_cast<std::size_t>(kMemory), 1.0);
+    for (int k = 0; k < 3; ++k) {
+      signs[static_cast<std::size_t>(GeneralLaw::kFrictionMemory + k)] = -1;
+      signs[static_cast<std::size_t>(GeneralLaw::kRollingMemory + k)] = -1;
+    }
+    return signs;
+  }
+
+ private:
+  coarse_graining::ScaledLaw<GeneralLaw> law_;
+  double hysteretic_;  // 1 or 0: a factor keeps the loop free of branches
+};
+
+}  // namespace diefill::engine::laws
