@@ -7,11 +7,15 @@ wall = 3;        // thickness of the shoe's walls
 overhang = 1;    // of the die plate beyond the shoe, all around, at both ends of its travel
 clearance = 0.02; // of the lower punch to die and core, each side: runs freely, holds the finest powder back
 
-// Frame without bottom or lid, standing on the fill plane, centred on the origin.
-module shoe(inside_x, inside_y, height) {
-  linear_extrude(height) difference() {
-    square([inside_x + 2 * wall, inside_y + 2 * wall], center = true);
-    square([inside_x, inside_y], center = true);
+// Frame without bottom or lid, standing on the fill plane, centred on the origin. `edge`: the inner lower edge is
+// cut off at 45 degrees so high, so that it pushes grains into the die where a sharp one would shear them off.
+module shoe(inside_x, inside_y, height, edge = 0) {
+  difference() {
+    linear_extrude(height) square([inside_x + 2 * wall, inside_y + 2 * wall], center = true);
+    translate([0, 0, -1]) linear_extrude(height + 2) square([inside_x, inside_y], center = true);
+    if (edge > 0)
+      linear_extrude(edge, scale = [inside_x / (inside_x + 2 * edge), inside_y / (inside_y + 2 * edge)])
+        square([inside_x + 2 * edge, inside_y + 2 * edge], center = true);
   }
 }
 

@@ -10,6 +10,7 @@ margin = 4;         // between cavity and shoe at both ends of the travel
 shoe_x = 32;
 shoe_y = 29;        // widest ring + 4 mm
 shoe_height = 46;
+edge = 0;           // height of the chamfer on the shoe's inner lower edge
 widest = inner_radius + adjusted_width(free_width, 1.88);
 
 outer_radius = inner_radius + adjusted_width(free_width, d);
@@ -17,4 +18,4 @@ if (part == "die")
   bored_block(plate_half_x(widest, margin, shoe_x), plate_half_y(shoe_y), block, outer_radius);
 if (part == "core_rod") core_rod(inner_radius, block);
 if (part == "punch") ring_punch(inner_radius, outer_radius, depth, block);
-if (part == "shoe") shoe(shoe_x, shoe_y, shoe_height);
+if (part == "shoe") shoe(shoe_x, shoe_y, shoe_height, edge);

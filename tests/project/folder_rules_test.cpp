@@ -23,9 +23,9 @@ const std::vector<Rule>& rules() {
       {"geometry/", {"geometry/"}, {"Eigen/", "CGAL/", "assimp/", "voro++/", "oneapi/tbb/", "tbb/"}},
       {"process/results/", {"process/results/"}, {"Eigen/", "hdf5.h", "nlohmann/"}},
       {"process/measure/", {"process/results/", "process/measure/", "geometry/"}, {"Eigen/"}},
-      {"process/", {"engine/", "geometry/", "process/"}, {"Eigen/", "toml++/", "udunits2.h", "spdlog/"}},
+      {"process/", {"engine/", "geometry/", "process/"}, {"Eigen/", "toml++/", "udunits2.h", "zlib.h"}},
       {"render/", {"process/results/", "render/"}, {"Eigen/", "Q", "vtk", "GL/"}},
-      {"app/", {"engine/", "geometry/", "process/", "render/", "app/"}, {"Eigen/", "CLI/"}},
+      {"app/", {"engine/", "geometry/", "process/", "render/", "app/"}, {"Eigen/", "CLI/", "nlohmann/"}},
   };
   return all;
 }

@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <string>
 
@@ -49,14 +51,20 @@ BedFigures shoe_column(const std::string& preset, std::uint64_t seed) {
   return figures;
 }
 
-/// Mean solid fraction of three columns that differ in the grains' first spins and offsets.
-double mean_shoe_fraction(const std::string& preset) {
+/// Mean solid fractions of three columns that differ in the grains' first spins and offsets. The source does
+/// not say whether its mean is that of volumes or of grains, and the published tolerance covers both (OP-11).
+void expect_shoe_fraction(const std::string& preset, double published) {
   constexpr int kSeeds = 3;
-  double sum = 0;
-  for (int seed = 1; seed <= kSeeds; ++seed)
-    sum += shoe_column(preset, static_cast<std::uint64_t>(seed)).bulk_fraction;
-  std::printf("%s: mean f_m of %d seeds %.4f\n", preset.c_str(), kSeeds, sum / kSeeds);
-  return sum / kSeeds;
+  constexpr double kTolerance = 0.015;
+  double of_volumes = 0, of_grains = 0;
+  for (int seed = 1; seed <= kSeeds; ++seed) {
+    const BedFigures figures = shoe_column(preset, static_cast<std::uint64_t>(seed));
+    of_volumes += figures.bulk_fraction / kSeeds;
+    of_grains += figures.arithmetic_fraction / kSeeds;
+  }
+  std::printf("%s: mean of %d seeds: f_m %.4f, arithmetic %.4f, published %.2f\n", preset.c_str(), kSeeds,
+              of_volumes, of_grains, published);
+  EXPECT_LT(std::min(std::abs(of_volumes - published), std::abs(of_grains - published)), kTolerance);
 }
 
 /// Table C.2 at d = 1.88 mm: 20 mm x 20 mm, ground spheres of the grains' radius centred at z = 0, fall from
@@ -79,19 +87,19 @@ BedFigures bulk_formation(const std::string& name, double friction, double work_
 }
 
 TEST(ShoeColumn, ModelAInitialSettlesToPublishedFraction) {
-  EXPECT_NEAR(mean_shoe_fraction("ASC100.29 initial A"), 0.59, 0.015);
+  expect_shoe_fraction("ASC100.29 initial A", 0.59);
 }
 
 TEST(ShoeColumn, ModelDInitialSettlesToPublishedFraction) {
-  EXPECT_NEAR(mean_shoe_fraction("ASC100.29 initial D"), 0.38, 0.015);
+  expect_shoe_fraction("ASC100.29 initial D", 0.38);
 }
 
 TEST(ShoeColumn, ModelD1SettlesToPublishedFraction) {
-  EXPECT_NEAR(mean_shoe_fraction("ASC100.29 D1"), 0.30, 0.015);
+  expect_shoe_fraction("ASC100.29 D1", 0.30);
 }
 
 TEST(ShoeColumn, ModelD2SettlesToPublishedFraction) {
-  EXPECT_NEAR(mean_shoe_fraction("ASC100.29 D2"), 0.32, 0.015);
+  expect_shoe_fraction("ASC100.29 D2", 0.32);
 }
 
 TEST(BulkFormation, NoncohesiveBedMatchesPublishedContacts) {
