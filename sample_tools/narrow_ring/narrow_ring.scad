@@ -10,7 +10,7 @@ margin = 4;         // between cavity and shoe at both ends of the travel
 shoe_x = 32;
 shoe_y = 29;        // widest ring + 4 mm
 shoe_height = 46;
-edge = 0;           // height of the chamfer on the shoe's inner lower edge
+edge = 1.5;         // height of the chamfer on the shoe's inner lower edge
 widest = inner_radius + adjusted_width(free_width, 1.88);
 
 outer_radius = inner_radius + adjusted_width(free_width, d);
