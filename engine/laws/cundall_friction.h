@@ -1,11 +1,10 @@
-// Coulomb friction with a tangential spring on plain vectors (Bierwisch 2009, Eq. 2.7).
+// Coulomb friction with a tangential spring (Bierwisch 2009, Eq. 2.7), which way it slips chosen while the
+// program runs.
 #pragma once
-
-#include <cmath>
 
 #include "engine/laws/parameter_check.h"
 #include "engine/laws/parts.h"
-#include "engine/laws/spring_memory.h"
+#include "engine/laws/tangential_spring.h"
 
 namespace diefill::engine::laws {
 
@@ -23,26 +22,19 @@ struct CundallFriction {
     Parameters similar(double l) const { return {l * tangential, friction, cut_back}; }
   };
   static constexpr int kMemory = 3;  ///< xi, m
-  double coefficient;                ///< N/m^(3/2), kappa_t / sqrt(R_eff)
-  double friction;                   ///< mu
-  double cut_back;                   ///< 1 or 0; a number, as loops with a flag do not vectorise
+  TangentialSpring<true> slipping;
+  TangentialSpring<false> stretching;
+  bool cut_back;
 
   CundallFriction(const Parameters& given, const PairProperties& pair)
-      : coefficient(given.tangential / std::sqrt(pair.effective_radius())),
-        friction(given.friction),
-        cut_back(given.cut_back ? 1.0 : 0.0) {}
+      : slipping(given.tangential, given.friction, pair.effective_radius()),
+        stretching(given.tangential, given.friction, pair.effective_radius()),
+        cut_back(given.cut_back) {}
 
   Vector3 force(double* memory, Vector3 normal, Vector3 sliding, double root_overlap, double load,
                 double time_step) const {
-    const Vector3 before = load_vector(memory);
-    const Vector3 flat = in_plane(before, normal);
-    const double kept = dot(flat, flat);
-    const double regained = kept > 0 ? std::sqrt(dot(before, before) / kept) : 1;
-    const Vector3 spring = regained * flat + time_step * sliding;
-    const double stiffness = coefficient * root_overlap;
-    const double slip = shortening(stiffness * length(spring), friction * load);
-    store_vector(memory, (cut_back > 0 ? slip : 1.0) * spring);
-    return (-stiffness * slip) * spring;
+    return cut_back ? slipping.force(memory, normal, sliding, root_overlap, load, time_step)
+                    : stretching.force(memory, normal, sliding, root_overlap, load, time_step);
   }
 };
 

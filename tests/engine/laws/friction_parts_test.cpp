@@ -1,5 +1,4 @@
 // Friction at a contact of constant load: sticking, slipping, reversing, and what the options change.
-#include "engine/laws/tangential_spring.h"
 #include "law_test_support.h"
 
 namespace diefill::engine::laws {
@@ -86,26 +85,6 @@ TYPED_TEST(FrictionKinds, SpringStaysInTheTurningPlane) {
     const double angle = 0.01 * k;
     part.force(memory, {std::sin(angle), 0, std::cos(angle)}, {}, kRoot, kLoad, kStep);
     EXPECT_NEAR(memory[0] * std::sin(angle) + memory[2] * std::cos(angle), 0, 1e-20);
-  }
-}
-
-TEST(CundallFrictionPart, IsTheEnginesSpring) {
-  const double effective = kPair.effective_radius();
-  const TangentialSpring<true> cut(780, 0.5, effective);
-  const TangentialSpring<false> uncut(780, 0.5, effective);
-  for (const bool cut_back : {true, false}) {
-    const CundallFriction part({.tangential = 780, .friction = 0.5, .cut_back = cut_back}, kPair);
-    double memory[3] = {};
-    Eigen::Vector3d spring = Eigen::Vector3d::Zero();
-    for (int k = 0; k < 300; ++k) {
-      const Vector3 normal{std::sin(1e-3 * k), 0, std::cos(1e-3 * k)};
-      const Vector3 sliding = in_plane({0.2 * std::cos(0.02 * k), 0.1, 0}, normal);
-      const Vector3 found = part.force(memory, normal, sliding, kRoot, kLoad, kStep);
-      const Eigen::Vector3d expected =
-          eigen(cut_back ? cut.force(spring.data(), normal, sliding, kRoot, kLoad, kStep)
-                         : uncut.force(spring.data(), normal, sliding, kRoot, kLoad, kStep));
-      EXPECT_LT((eigen(found) - expected).norm(), 1e-13 * kLoad) << k;
-    }
   }
 }
 
