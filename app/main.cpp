@@ -16,7 +16,8 @@ int main(int argc, char** argv) {
       "simulated?\n"
       "  diefill run sample_tools/narrow_ring/fill.toml       fill the die, write maps and report\n"
       "  diefill map out/narrow_ring --averaging-width '1 mm' draw the maps again, smoother\n"
-      "  diefill info out/narrow_ring                         what is in these results?");
+      "  diefill info out/narrow_ring                         what is in these results?\n"
+      "  diefill bench clumps                                 how fast is this machine?");
   diefill::app::Action chosen;
   diefill::app::add_commands(program, chosen);
   try {

@@ -9,7 +9,7 @@
 namespace diefill::app {
 namespace {
 
-const char* const kCommands[] = {"run", "check", "map", "info"};
+const char* const kCommands[] = {"run", "check", "map", "info", "bench"};
 
 TEST(CommandLine, HelpShowsAnExampleOfEveryCommand) {
   for (const std::string command : kCommands) {
@@ -46,6 +46,8 @@ TEST(CommandLine, WrongWordsExitWithTwo) {
       {"check", scene, "more"},
       {"info"},
       {"map"},
+      {"bench"},
+      {"bench", "cubes"},
       {"map", die.folder().string(), "--normal", "up"},
       {"map", die.folder().string(), "--origin", "0 mm", "0 mm"},
   };
