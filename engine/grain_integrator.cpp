@@ -1,7 +1,6 @@
 #include "engine/grain_integrator.h"
 
 #include <algorithm>
-#include <array>
 #include <numbers>
 
 #include "engine/lanes.h"
@@ -42,7 +41,6 @@ struct GrainLanes {
     count = std::min(kGrains, end - first);
     for (std::size_t lane = 0; lane < groups(); ++lane) {
       const std::size_t k = grain(lane);
-      position.set(lane, plain(grains.position[k]));
       velocity.set(lane, plain(grains.velocity[k]));
       force.set(lane, plain(grains.force[k]));
       if (!shape.rotates) continue;
@@ -50,6 +48,11 @@ struct GrainLanes {
       torque.set(lane, plain(grains.torque[k]));
       if (shape.spheres() > 1) orientation.set(lane, plain(grains.orientation[k]));
     }
+  }
+  /// Positions are needed on the way to the end of the step only.
+  void load_positions(const Grains& grains) {
+    for (std::size_t lane = 0; lane < groups(); ++lane)
+      position.set(lane, plain(grains.position[grain(lane)]));
   }
 };
 
@@ -183,6 +186,7 @@ void GrainIntegrator::advance(Grains& grains, std::size_t begin, std::size_t end
   thread_local Vectors position, velocity;
   for (std::size_t first = begin; first < end; first += kGrains) {
     lanes.load(grains, first, end, shape_);
+    lanes.load_positions(grains);
     with_instructions(instructions_, [&] { drift(lanes, out, shape_.mass, time_step_); });
     if (shape_.rotates && per_grain > 1)
       with_instructions(instructions_, [&] { turn(lanes, out, inertia_, time_step_); });

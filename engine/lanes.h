@@ -37,7 +37,7 @@ struct VectorLanes {
   }
 };
 
-/// A sum, or a maximum, over many lanes, the same whatever instructions compute it.
+/// A sum over many lanes, the same whatever instructions compute it.
 class LaneSum {
  public:
   /// Adds the first `count` lanes.

@@ -16,6 +16,16 @@ double largest_skin(const SimulationSettings& settings) {
   return AdaptiveSkin(settings.skin, settings.shape.sphere_radius).largest();
 }
 
+/// Throws where a grain would meet another, or itself, from two sides at once. `range`: m, gap at which
+/// grains act on each other.
+void check_periods(const SimulationSettings& settings, double range) {
+  const double smallest = 4 * settings.shape.bounding_radius() + 2 * (range + largest_skin(settings));
+  for (const auto& period : settings.period)
+    if (period && *period < smallest)
+      throw std::invalid_argument(
+          "a periodic length is below two grain sizes, the reach of the law and the skin");
+}
+
 double farthest_sphere(const GrainShape& shape) {
   return shape.bounding_radius() - shape.sphere_radius;
 }
@@ -31,10 +41,6 @@ SimulationSettings checked(SimulationSettings settings) {
   if (settings.threads < 1) throw std::invalid_argument("at least one thread is needed");
   settings.lever_arm = arm_for(settings.shape, settings.lever_arm);
   if (settings.general_contact) settings.shape.inertia /= settings.general_contact->scaling.torque_factor();
-  const double smallest = 4 * settings.shape.bounding_radius() + 2 * largest_skin(settings);
-  for (const auto& period : settings.period)
-    if (period && *period < smallest)
-      throw std::invalid_argument("a periodic length is below two grain sizes and the skin");
   return settings;
 }
 
@@ -88,6 +94,7 @@ Simulation::Simulation(const SimulationSettings& settings, std::vector<WallBodyS
       skin_(settings_.skin, settings_.shape.sphere_radius),
       integrator_(settings_.shape, settings_.gravity, settings_.air_viscosity, settings_.time_step,
                   settings_.instructions) {
+  check_periods(settings_, grain_loop_->range());
   for (auto& wall : walls) {
     const double reach = settings_.shape.sphere_radius + wall.sphere_radius + largest_skin(settings_);
     bodies_.emplace_back(std::move(wall), reach);
@@ -266,13 +273,15 @@ void Simulation::book_step() {
 
 double Simulation::bytes_moved_per_step() const {
   const auto grains = static_cast<double>(grains_.size()), spheres = static_cast<double>(spheres_.size());
-  constexpr double kVector = sizeof(Vector3), kSum = sizeof(ContactSum);
-  // advance: reads position, velocity, orientation, spin, force, torque and the reference; writes position,
-  // orientation, spin, and the spheres. finish: reads all but position, writes velocity, force, spin, torque.
-  const double advance =
-      grains * (5 * kVector + 32 + kVector + 32 + 2 * kVector + 32) + spheres * 2 * kVector;
-  const double finish = grains * (4 * kVector + 32 + kSum + 4 * kVector);
-  double contacts = spheres * 2 * kVector;
+  const bool composed = settings_.shape.spheres() > 1;
+  constexpr double kVector = sizeof(Vector3), kSphere = sizeof(Vector3) + sizeof(SphereMotion);
+  const double turning = settings_.shape.rotates ? 2 * kVector : 0;  // spin and torque
+  const double orientation = composed ? sizeof(Quaternion) : 0;
+  // Reads position, velocity, force and the reference, writes positions and spheres.
+  const double advance = grains * (5 * kVector + turning + 3 * orientation) + spheres * kSphere;
+  // Reads and writes velocity and force; places of composed grains, for moments about their centres.
+  const double finish = grains * (4 * kVector + 2 * turning + orientation + (composed ? kVector : 0));
+  double contacts = spheres * kSphere;
   for (const auto& block : list_.blocks())
     contacts += static_cast<double>(block.grain_pairs.size() * (sizeof(GrainPair) + 1) +
                                     block.wall_pairs.size() * (sizeof(WallPair) + 1) +

@@ -90,7 +90,7 @@ class WallLoop final : public PairLoop {
       with_instructions(scene.instructions,
                         [&] { react<kArm, kComposed>(batch, laws_[body], distances, scene.time_step); });
       for (std::size_t lane = 0; lane < batch.count; ++lane)
-        hand_out(batch, lane, block, body, pairs[lane].pair, scene, tally);
+        hand_out(batch, lane, block, body, pairs[lane], scene, tally);
       batches.add(batch);
     }
     batches.book(scene.time_step, tally, tally.overlap.walls);
@@ -120,20 +120,19 @@ class WallLoop final : public PairLoop {
     recall(block.wall_pairs, touch.pair, batch, lane);
   }
 
-  void hand_out(const Batch& batch, std::size_t lane, Block& block, std::size_t body, std::uint32_t p,
+  void hand_out(const Batch& batch, std::size_t lane, Block& block, std::size_t body, const Touch& touch,
                 const ContactScene& scene, BlockTally& tally) const {
-    const WallPair pair = block.wall_pairs.pair[p];
+    const WallPair pair = block.wall_pairs.pair[touch.pair];
     ContactSum& own = block.sums[pair.own_slot];
     const Vector3 force = batch.force[lane];
     own.force += force;
     if constexpr (Lever<kArm>::kTurns) own.moment += batch.moment[lane];
     if constexpr (!kComposed && Lever<kArm>::kTurns)
       own.rolling_load += laws_[body].rolling_friction * batch.load[lane];
-    remember(batch, lane, block.wall_pairs, p);
+    remember(batch, lane, block.wall_pairs, touch.pair);
 
-    const double overlap = batch.overlap[lane];
-    const double share = (radius_ - 0.5 * overlap) / (reach(scene, body) - overlap);
-    const Vector3 contact = scene.spheres.position[pair.own] - share * batch.separation[lane];
+    const Vector3 contact =
+        scene.spheres.position[pair.own] - contact_share(touch, body, scene) * batch.separation[lane];
     tally.body_force[body] -= eigen(force);
     tally.body_torque[body] -= (eigen(contact) - scene.body_motion[body].translation).cross(eigen(force));
   }

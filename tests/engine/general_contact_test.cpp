@@ -73,21 +73,7 @@ Reference reference_for(const SimulationSettings& settings, const std::vector<Ne
   return reference;
 }
 
-struct Case {
-  laws::NamedLaw law;
-  std::string method;
-  double scale;
-};
-
-std::vector<Case> cases() {
-  std::vector<Case> all;
-  for (const auto& law : laws::laws_of_the_sources()) {
-    all.push_back({law, "none", 1});
-    all.push_back({law, "scaled-up particle", 2});
-    all.push_back({law, "Hu chapter 4 method 2", 2});
-  }
-  return all;
-}
+using Case = laws::ScaledCase;
 
 class GeneralContactLaws : public ::testing::TestWithParam<Case> {};
 
@@ -158,12 +144,15 @@ TEST_P(GeneralContactLaws, InstructionSetsGiveTheSameBits) {
   for (const auto hash : hashes) EXPECT_EQ(hash, hashes.front());
 }
 
-INSTANTIATE_TEST_SUITE_P(Sources, GeneralContactLaws, ::testing::ValuesIn(cases()), [](const auto& instance) {
-  std::string name = instance.param.law.name + "_" + instance.param.method;
-  for (char& letter : name)
-    if (!std::isalnum(static_cast<unsigned char>(letter))) letter = '_';
-  return name;
-});
+INSTANTIATE_TEST_SUITE_P(Sources, GeneralContactLaws,
+                         ::testing::ValuesIn(laws::laws_under({"scaled-up particle",
+                                                               "Hu chapter 4 method 2"})),
+                         [](const auto& instance) {
+                           std::string name = instance.param.law.name + "_" + instance.param.method;
+                           for (char& letter : name)
+                             if (!std::isalnum(static_cast<unsigned char>(letter))) letter = '_';
+                           return name;
+                         });
 
 TEST(GeneralContact, BierwischPutTogetherIsTheTunedLaw) {
   // Model D clumps with friction and cohesion: once through the loop of its own, once through the general

@@ -45,4 +45,21 @@ inline std::vector<NamedLaw> laws_of_the_sources() {
           {"capillary", wet},       {"Kottlan", kottlan}, {"Luding rolling", luding}};
 }
 
+/// A law under a method of coarse graining (coarse_graining/methods.h) at a scale.
+struct ScaledCase {
+  NamedLaw law;
+  std::string method;
+  double scale;
+};
+
+/// Every law of the sources unscaled and, at twice the size, under each of `methods`.
+inline std::vector<ScaledCase> laws_under(const std::vector<std::string>& methods) {
+  std::vector<ScaledCase> all;
+  for (const auto& law : laws_of_the_sources()) {
+    all.push_back({law, "none", 1});
+    for (const auto& method : methods) all.push_back({law, method, 2});
+  }
+  return all;
+}
+
 }  // namespace diefill::engine::laws

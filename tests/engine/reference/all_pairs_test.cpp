@@ -45,22 +45,7 @@ std::vector<Ball> cluster(double speed) {
   return balls;
 }
 
-struct Case {
-  laws::NamedLaw law;
-  std::string method;
-  double scale;
-};
-
-std::vector<Case> cases() {
-  std::vector<Case> all;
-  for (const auto& law : laws::laws_of_the_sources()) {
-    all.push_back({law, "none", 1});
-    all.push_back({law, "scaled-up particle", 2});
-    all.push_back({law, "Hu chapter 4 method 2", 2});
-    all.push_back({law, "Sakai-Koshizuka", 2});
-  }
-  return all;
-}
+using Case = laws::ScaledCase;
 
 class EveryLaw : public ::testing::TestWithParam<Case> {};
 
@@ -104,7 +89,10 @@ std::string name_of(const ::testing::TestParamInfo<Case>& instance) {
   return name;
 }
 
-INSTANTIATE_TEST_SUITE_P(Sources, EveryLaw, ::testing::ValuesIn(cases()), name_of);
+INSTANTIATE_TEST_SUITE_P(Sources, EveryLaw,
+                         ::testing::ValuesIn(laws::laws_under({"scaled-up particle", "Hu chapter 4 method 2",
+                                                               "Sakai-Koshizuka"})),
+                         name_of);
 
 TEST(AllPairsReference, ElasticSpringsGiveAllBack) {
   const laws::LawParameters hertz{.normal = laws::HertzMindlinNormal::Parameters{.modulus = 5e6}};
