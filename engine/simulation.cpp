@@ -133,6 +133,17 @@ std::size_t Simulation::remove_grains(const std::function<bool(const Eigen::Vect
   std::vector<std::uint32_t> staying;
   for (std::uint32_t k = 0; k < grains_.size(); ++k)
     if (!leaves(box_.wrapped(grains_.position[k]))) staying.push_back(k);
+  return keep_grains(staying);
+}
+
+std::size_t Simulation::remove_grains(const std::vector<std::uint64_t>& ids) {
+  std::vector<std::uint32_t> staying;
+  for (std::uint32_t k = 0; k < grains_.size(); ++k)
+    if (std::find(ids.begin(), ids.end(), grains_.id[k]) == ids.end()) staying.push_back(k);
+  return keep_grains(staying);
+}
+
+std::size_t Simulation::keep_grains(const std::vector<std::uint32_t>& staying) {
   const std::size_t gone = grains_.size() - staying.size();
   if (gone == 0) return 0;
   wrap_grains();

@@ -59,6 +59,8 @@ class Simulation {
   void add_grains(const std::vector<NewGrain>& grains);
   /// Takes out every grain for which `leaves(position)` is true; returns how many.
   std::size_t remove_grains(const std::function<bool(const Eigen::Vector3d&)>& leaves);
+  /// Takes out the grains of these ids; returns how many there were.
+  std::size_t remove_grains(const std::vector<std::uint64_t>& ids);
   /// Prescribes a body's motion from now on: pose and velocity at time t (s since the start of the run).
   void set_motion(std::size_t body, std::function<BodyMotion(double)> motion);
 
@@ -114,6 +116,7 @@ class Simulation {
   double displacement_since_search(const Block& block) const;
   bool list_is_old() const;
   void wrap_grains();
+  std::size_t keep_grains(const std::vector<std::uint32_t>& staying);
   void check_places() const;
   void sort_and_search();
   void search_in_order(const std::vector<std::uint32_t>& order);

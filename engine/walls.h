@@ -2,7 +2,7 @@
 // mass is infinite; forces on them are summed for measurement (Bierwisch 2009, section 2.3).
 #pragma once
 
-#include <Eigen/Core>
+#include <Eigen/Geometry>
 #include <cstdint>
 #include <functional>
 #include <string>

@@ -98,6 +98,7 @@ void add_figures(results::FillResult& result, const Tooling& tooling, const Fill
   figures["deepest_overlap_ratio"] = simulation.overlaps_of_run().grains / settings.shape.sphere_radius;
   figures["deepest_wall_overlap_ratio"] = simulation.overlaps_of_run().walls / settings.shape.sphere_radius;
   figures["grains_left"] = static_cast<double>(run.grains_left());
+  figures["grains_sheared"] = static_cast<double>(run.grains_sheared());
   figures["mass_left_kg"] = static_cast<double>(run.grains_left()) * settings.shape.mass;
   figures["grain_diameter_m"] = result.powder.grain_diameter;
   figures["bulk_solid_fraction"] = bulk_solid_fraction(result.powder, result.solid_fraction);

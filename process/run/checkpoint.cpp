@@ -13,7 +13,7 @@ namespace diefill::process {
 
 namespace {
 
-constexpr std::array<char, 8> kMagic = {'d', 'f', 'c', 'h', 'k', 'p', 't', '2'};
+constexpr std::array<char, 8> kMagic = {'d', 'f', 'c', 'h', 'k', 'p', 't', '3'};
 
 std::uint64_t hash_of(const std::string& bytes) {
   std::uint64_t hash = 0xcbf29ce484222325ULL;
@@ -71,6 +71,7 @@ template <class Io, class Contents>
 void transfer(Io& io, Contents& checkpoint) {
   io(checkpoint.scene_hash);
   io(checkpoint.grains_left);
+  io(checkpoint.grains_sheared);
   io(checkpoint.wall_seconds);
   io(checkpoint.sphere_steps);
   io(checkpoint.schedule.stage);

@@ -16,9 +16,10 @@ struct Checkpoint {
   std::uint64_t scene_hash = 0;
   engine::Snapshot simulation;
   ScheduleState schedule;
-  std::uint64_t grains_left = 0;   ///< spilled or discharged, out of the computation
-  double wall_seconds = 0;         ///< s of computing so far, over all sittings
-  std::uint64_t sphere_steps = 0;  ///< spheres times steps so far
+  std::uint64_t grains_left = 0;     ///< spilled or discharged, out of the computation
+  std::uint64_t grains_sheared = 0;  ///< wedged between tools, out of the computation
+  double wall_seconds = 0;           ///< s of computing so far, over all sittings
+  std::uint64_t sphere_steps = 0;    ///< spheres times steps so far
 };
 
 /// The file of a run's checkpoint in its results directory.

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "engine/pinched_grains.h"
 #include "geometry/solid_query.h"
 #include "process/results/result_file.h"
 #include "process/run/material.h"
@@ -16,7 +17,12 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 // Duties fall on multiples of these steps, so that a restart does them when the unbroken run does.
-constexpr std::uint64_t kScheduleEvery = 20, kSpillEvery = 100, kHealthEvery = 200;
+constexpr std::uint64_t kScheduleEvery = 20, kSpillEvery = 100, kHealthEvery = 200, kPinchEvery = 10;
+/// Overlap over the sphere radius beyond which a grain between moving tools is sheared off: past all that
+/// free powder reaches, and short of engine::HealthLimits.
+constexpr double kShearingOverlap = 0.45;
+/// Of all grains poured: if more are sheared off, the run says nothing about the real powder.
+constexpr double kMostSheared = 0.005;
 /// s, guess for the time powder needs to come to rest; only for the progress bar.
 constexpr double kSettlingGuess = 0.25;
 
@@ -105,6 +111,7 @@ void FillRun::start_or_resume() {
   schedule_.begin(*simulation_, checkpoint->schedule);
   simulation_->restore(checkpoint->simulation);
   grains_left_ = checkpoint->grains_left;
+  grains_sheared_ = checkpoint->grains_sheared;
   earlier_wall_seconds_ = checkpoint->wall_seconds;
   sphere_steps_ = checkpoint->sphere_steps;
   progress_.say("resuming at t = " + std::to_string(simulation_->time()) + " s");
@@ -125,6 +132,7 @@ void FillRun::run() {
 
 void FillRun::duties() {
   const std::uint64_t step = simulation_->steps();
+  if (step % kPinchEvery == 0) shear_off_pinched_grains();
   if (step % kHealthEvery == 0) health_.check(*simulation_);
   if (step % kSpillEvery == 0) let_spilled_grains_go();
   bool stage_over = false;
@@ -149,6 +157,31 @@ void FillRun::duties() {
 void FillRun::let_spilled_grains_go() {
   grains_left_ += simulation_->remove_grains(
       [this](const Eigen::Vector3d& position) { return !domain_.contains(position); });
+}
+
+void FillRun::shear_off_pinched_grains() {
+  if (scene_.numerics.pinched_grains == PinchedGrains::stop) return;
+  const double limit = kShearingOverlap * simulation_->settings().shape.sphere_radius;
+  std::vector<std::uint64_t> ids;
+  for (const auto& grain : engine::pinched_grains(*simulation_, limit)) ids.push_back(grain.id);
+  if (ids.empty()) return;
+  const auto poured = static_cast<double>(simulation_->grains().size() + grains_left_ + grains_sheared_);
+  grains_sheared_ += simulation_->remove_grains(ids);
+  if (static_cast<double>(grains_sheared_) > kMostSheared * poured)
+    throw engine::OutOfRange(shear_warning() + " by t = " + std::to_string(simulation_->time()) +
+                             " s: too many to ignore; take smaller model grains, or chamfer the "
+                             "edges that move past each other");
+}
+
+std::string FillRun::shear_warning() const {
+  char text[240];
+  std::snprintf(
+      text, sizeof text,
+      "%llu grains (%.3g g) were wedged between tools moving past each other and sheared off, that is, "
+      "taken out of the computation",
+      static_cast<unsigned long long>(grains_sheared_),
+      1e3 * static_cast<double>(grains_sheared_) * simulation_->settings().shape.mass);
+  return text;
 }
 
 void FillRun::look_for_lost_grains() const {
@@ -182,6 +215,7 @@ void FillRun::write_checkpoint() {
   checkpoint.simulation = simulation_->snapshot();
   checkpoint.schedule = schedule_.state();
   checkpoint.grains_left = grains_left_;
+  checkpoint.grains_sheared = grains_sheared_;
   checkpoint.wall_seconds = wall_seconds();
   checkpoint.sphere_steps = sphere_steps_;
   try {
@@ -208,6 +242,7 @@ double FillRun::wall_seconds() const {
 std::vector<std::string> FillRun::warnings() const {
   std::vector<std::string> all = warnings_;
   all.insert(all.end(), health_.warnings().begin(), health_.warnings().end());
+  if (grains_sheared_ > 0) all.push_back(shear_warning());
   return all;
 }
 

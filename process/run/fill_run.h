@@ -43,6 +43,8 @@ class FillRun {
   const engine::Simulation& simulation() const { return *simulation_; }
   const Schedule& schedule() const { return schedule_; }
   std::uint64_t grains_left() const { return grains_left_; }
+  /// Grains wedged between tools that were taken out (NumericsSpec::pinched).
+  std::uint64_t grains_sheared() const { return grains_sheared_; }
   double wall_seconds() const;
   std::uint64_t sphere_steps() const { return sphere_steps_; }
   double critical_time_step() const { return critical_step_; }
@@ -52,6 +54,8 @@ class FillRun {
   void start_or_resume();
   void duties();
   void let_spilled_grains_go();
+  void shear_off_pinched_grains();
+  std::string shear_warning() const;
   void look_for_lost_grains() const;
   void write_checkpoint();
   void show_progress();
@@ -68,7 +72,7 @@ class FillRun {
   Progress progress_;
   geometry::Box domain_;  ///< m, grains beyond it have been spilled or discharged
   std::vector<std::string> warnings_;
-  std::uint64_t grains_left_ = 0, sphere_steps_ = 0;
+  std::uint64_t grains_left_ = 0, grains_sheared_ = 0, sphere_steps_ = 0;
   double earlier_wall_seconds_ = 0;
   std::chrono::steady_clock::time_point started_, last_checkpoint_;
 };

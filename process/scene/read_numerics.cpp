@@ -36,12 +36,15 @@ NumericsSpec read_numerics(TableReader table, const PowderSpec& powder) {
                                                     {"free", TangentialSpring::free}};
   static const Choices<OpeningMeasure> openings = {{"surfaces", OpeningMeasure::surfaces},
                                                    {"centres", OpeningMeasure::centres}};
+  static const Choices<PinchedGrains> pinched = {{"shear off", PinchedGrains::shear_off},
+                                                 {"stop", PinchedGrains::stop}};
   NumericsSpec numerics;
   read_time_step(table, numerics);
   numerics.lever_arm = table.choice("lever_arm", lever_arms).value_or(numerics.lever_arm);
   numerics.tangential_spring =
       table.choice("tangential_spring", springs).value_or(numerics.tangential_spring);
   numerics.opening = table.choice("opening", openings).value_or(numerics.opening);
+  numerics.pinched_grains = table.choice("pinched_grains", pinched).value_or(numerics.pinched_grains);
   numerics.energy_ledger = table.flag("energy_ledger").value_or(numerics.energy_ledger);
   numerics.max_time = table.quantity("max_time", kMaxTime).value_or(numerics.max_time);
   numerics.checkpoint_interval =

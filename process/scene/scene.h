@@ -79,10 +79,10 @@ struct PourSpec {
   double fill_height = 0;  ///< m, wanted depth of the settled powder over the box's floor
   double solid_fraction =
       0;  ///< estimate of the settled solid fraction, sets the number of grains; 0: from the preset
-  double rim_speed = 0.05;        ///< m/s of the initial random spin
+  double rim_speed = 0.05;  ///< m/s of the initial random spin
   /// Over d; 0: 1.2, or wider so that the lattice is at most a tenth solid (Bierwisch 2009, section 3.2.1).
   double lattice_constant = 0;
-  double random_offset = 0.1;     ///< over d, uniform in +- per axis
+  double random_offset = 0.1;  ///< over d, uniform in +- per axis
   int line = 0;
 };
 
@@ -95,6 +95,9 @@ enum class TangentialSpring { cut_back, free };
 enum class OpeningMeasure { surfaces, centres };
 
 /// How to compute.
+/// What becomes of grains that tools wedge (engine/pinched_grains.h).
+enum class PinchedGrains { shear_off, stop };
+
 struct NumericsSpec {
   double time_step_fraction = 0;    ///< of the critical step; 0: the default of engine/time_step
   std::optional<double> time_step;  ///< s, given outright
@@ -102,6 +105,7 @@ struct NumericsSpec {
   TangentialSpring tangential_spring = TangentialSpring::cut_back;
   OpeningMeasure opening = OpeningMeasure::surfaces;
   std::array<std::optional<double>, 2> period;  ///< m, periodic length along x and y, centred on the origin
+  PinchedGrains pinched_grains = PinchedGrains::shear_off;
   bool energy_ledger = true;
   double max_time = 0;              ///< s of simulated time allowed in all; 0: no limit
   double checkpoint_interval = 60;  ///< s of wall-clock time

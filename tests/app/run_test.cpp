@@ -42,7 +42,7 @@ void expect_plausible_report(const nlohmann::json& report) {
   EXPECT_LT(std::abs(report.at("energy_balance_error").get<double>()), 0.005);
   const double grains = report.at("grains").get<double>(), steps = report.at("steps").get<double>();
   EXPECT_EQ(report.at("spheres").get<double>(), grains);
-  EXPECT_EQ(grains + report.at("grains_left").get<double>(),
+  EXPECT_EQ(grains + report.at("grains_left").get<double>() + report.at("grains_sheared").get<double>(),
             138);  // 5 mm x 5 mm x 5 mm at 0.58, 1 mm spheres
   EXPECT_GT(report.at("wall_spheres").get<double>(), 1000);
   EXPECT_NEAR(report.at("simulated_s").get<double>(), steps * report.at("time_step_s").get<double>(), 1e-9);

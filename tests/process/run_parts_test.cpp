@@ -146,6 +146,7 @@ TEST_F(CheckpointFile, GivesBackEveryBitAndContinuesTheSameRun) {
   kept.schedule.stage = 3;
   kept.schedule.rest.quiet_since = 0.25;
   kept.grains_left = 7;
+  kept.grains_sheared = 3;
   write_checkpoint(folder_.path(), kept);
   const auto read = read_checkpoint(folder_.path());
   ASSERT_TRUE(read.has_value());
@@ -153,6 +154,7 @@ TEST_F(CheckpointFile, GivesBackEveryBitAndContinuesTheSameRun) {
   EXPECT_EQ(read->schedule.stage, 3U);
   EXPECT_EQ(read->schedule.rest.quiet_since, 0.25);
   EXPECT_EQ(read->grains_left, 7U);
+  EXPECT_EQ(read->grains_sheared, 3U);
   engine::Simulation resumed(original.settings(), {});
   resumed.restore(read->simulation);
   for (int n = 0; n < 300; ++n) {

@@ -1,0 +1,28 @@
+// Grains wedged between tools that move against each other. A real agglomerate at a shearing edge comes
+// apart; a rigid model grain can only be pressed deeper until the force laws mean nothing. Who owns the
+// simulation decides what becomes of such grains.
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <vector>
+
+#include "engine/simulation.h"
+
+namespace diefill::engine {
+
+/// A grain that a moving tool has wedged.
+struct PinchedGrain {
+  std::uint64_t id;
+  Eigen::Vector3d position;  ///< m
+  double overlap;            ///< m, its deepest
+};
+
+/// Grains to be given up so that nothing is pinched beyond `limit` (m of overlap) any more, by rising id.
+/// Pinched is what lies on a chain of contacts deeper than half the limit that joins two tools of different
+/// velocity; of every chain that is anywhere beyond the limit the most deeply pressed grain is named. A deep
+/// overlap alone, as from a fast impact on one wall, is not pinching.
+/// Costs nothing worth mentioning while no overlap of the last step is beyond the limit.
+std::vector<PinchedGrain> pinched_grains(const Simulation& simulation, double limit);
+
+}  // namespace diefill::engine
