@@ -40,8 +40,9 @@ ContactHistory remember_grain_contacts(const std::vector<Block>& blocks, const P
     const auto& table = block.grain_pairs;
     for (std::size_t p = 0; p < table.size(); ++p) {
       if (!table.touching[p]) continue;
-      const std::uint32_t a = renamed(table.pair[p].own, per_grain, new_place);
-      const std::uint32_t b = renamed(naming.real_sphere(table.pair[p].other), per_grain, new_place);
+      const std::uint32_t a = renamed(block.sphere(table.pair[p].own), per_grain, new_place);
+      const std::uint32_t b =
+          renamed(naming.real_sphere(block.sphere(table.pair[p].other)), per_grain, new_place);
       if (a == kGone || b == kGone) continue;
       if (a < b)
         history.add(a, b, table.memory_of(p), nullptr);
@@ -63,7 +64,7 @@ ContactHistory remember_wall_contacts(const std::vector<Block>& blocks, const Pa
     for (std::size_t body = 0; body + 1 < block.wall_first.size(); ++body)
       for (std::uint32_t p = block.wall_first[body]; p < block.wall_first[body + 1]; ++p) {
         if (!table.touching[p]) continue;
-        const std::uint32_t a = renamed(table.pair[p].own, per_grain, new_place);
+        const std::uint32_t a = renamed(block.sphere(table.pair[p].own), per_grain, new_place);
         if (a != kGone)
           history.add(a, (*naming.body_first)[body] + table.pair[p].wall, table.memory_of(p), nullptr);
       }

@@ -56,20 +56,13 @@ class GrainLoop final : public PairLoop {
  private:
   using Batch = ContactBatch<Law>;
 
-  /// Partners lie where no processor can guess; asked for so many pairs ahead, they have come from memory
-  /// when their turn comes.
-  static constexpr std::size_t kPairsAhead = 24;
-
   /// Distances are tested first and touching pairs collected, so that the costly part runs without guessing.
-  void find_touching(PairTable<GrainPair>& table, const SphereField& spheres,
+  void find_touching(PairTable<GrainPair>& table, const LocalSpheres& spheres,
                      std::vector<std::uint32_t>& touching) const {
     touching.resize(table.size());
     const double reach = reach_.contact + law_.range(), reach_squared = reach * reach;
     std::size_t count = 0;
     for (std::size_t p = 0; p < table.size(); ++p) {
-      const std::uint32_t later = table.pair[std::min(p + kPairsAhead, table.size() - 1)].other;
-      __builtin_prefetch(&spheres.position[later]);
-      __builtin_prefetch(&spheres.motion[later]);
       const GrainPair pair = table.pair[p];
       const Vector3 between = spheres.position[pair.own] - spheres.position[pair.other];
       const bool touches = dot(between, between) < reach_squared;
@@ -80,7 +73,7 @@ class GrainLoop final : public PairLoop {
     touching.resize(count);
   }
 
-  void pack(const Block& block, std::uint32_t p, const SphereField& spheres, std::size_t lane,
+  void pack(const Block& block, std::uint32_t p, const LocalSpheres& spheres, std::size_t lane,
             Batch& batch) const {
     const GrainPair pair = block.grain_pairs.pair[p];
     const Vector3 here = spheres.position[pair.own];
@@ -98,8 +91,8 @@ class GrainLoop final : public PairLoop {
 
   void hand_out(const Batch& batch, std::size_t lane, Block& block, std::uint32_t p) const {
     const GrainPair pair = block.grain_pairs.pair[p];
-    ContactSum& own = block.sums[pair.own_slot];
-    ContactSum& other = block.sums[pair.other_slot];
+    ContactSum& own = block.sums[block.slot[pair.own]];
+    ContactSum& other = block.sums[block.slot[pair.other]];
     own.force += batch.force[lane];
     other.force -= batch.force[lane];
     if constexpr (Lever<kArm>::kTurns) {

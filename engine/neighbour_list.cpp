@@ -1,7 +1,10 @@
 #include "engine/neighbour_list.h"
 
 #include <algorithm>
+#include <limits>
 #include <numeric>
+
+#include "engine/out_of_range.h"
 
 namespace diefill::engine {
 
@@ -22,7 +25,7 @@ void NeighbourList::build(const SphereField& spheres, const std::vector<WallBody
                           const ContactHistory& wall_history, Workers& workers) {
   const double reach = 2 * settings_.sphere_radius + settings_.law_range + reference.skin;
   cells_.build(spheres.position, reach);
-  cut_into_blocks(spheres.grains, kSpheresPerBlock / spheres.spheres_per_grain + 1);
+  cut_into_blocks(spheres.grains, static_cast<std::uint32_t>(spheres.spheres_per_grain));
   workers.for_each(blocks_.size(), [&](std::size_t b) {
     Block& block = blocks_[b];
     block.reference = reference.position[(block.begin + block.end) / 2];
@@ -39,67 +42,96 @@ std::size_t NeighbourList::near_pairs() const {
   return pairs;
 }
 
-void NeighbourList::cut_into_blocks(std::size_t grains, std::size_t grains_per_block) {
+void NeighbourList::cut_into_blocks(std::size_t grains, std::uint32_t spheres_per_grain) {
+  const std::size_t grains_per_block = kSpheresPerBlock / spheres_per_grain + 1;
   const std::size_t count = (grains + grains_per_block - 1) / grains_per_block;
   blocks_.resize(count);
   for (std::size_t b = 0; b < count; ++b) {
     blocks_[b].begin = static_cast<std::uint32_t>(grains * b / count);
     blocks_[b].end = static_cast<std::uint32_t>(grains * (b + 1) / count);
+    blocks_[b].spheres_per_grain = spheres_per_grain;
   }
 }
 
-std::uint32_t NeighbourList::slot_for(Block& block, const SphereField& spheres, std::uint32_t grain,
-                                      std::vector<std::uint32_t>& slot_of) const {
-  if (grain >= block.begin && grain < block.end) return grain - block.begin;
-  if (slot_of[grain] == kGone) {
-    slot_of[grain] = static_cast<std::uint32_t>(block.grains() + block.foreign.size());
-    const bool real = grain < spheres.grains;
-    const std::uint32_t owner = real ? grain : spheres.images[grain - spheres.grains].owner;
-    block.foreign.push_back(
-        {owner, real ? Eigen::Vector3d::Zero() : spheres.images[grain - spheres.grains].shift});
+/// Local numbers and sums of the block's spheres and of `partners`, which must be known.
+void NeighbourList::number_spheres(Block& block, const SphereField& spheres) const {
+  const auto per_grain = static_cast<std::uint32_t>(spheres.spheres_per_grain);
+  const std::size_t all = block.own_spheres() + block.partners.size();
+  if (all > std::numeric_limits<LocalSphere>::max())
+    throw OutOfRange(
+        "a grain has thousands of neighbours: powder has been pressed into itself, or its grains "
+        "are made of too many spheres");
+  block.slot.clear();
+  for (std::uint32_t k = 0; k < block.own_spheres(); ++k)
+    block.slot.push_back(static_cast<std::uint16_t>(k / per_grain));
+  block.foreign.clear();
+  std::uint32_t last = kGone;
+  for (const std::uint32_t sphere : block.partners) {
+    const std::uint32_t grain = sphere / per_grain;
+    if (grain != last) {
+      const bool real = grain < spheres.grains;
+      const GrainImage image =
+          real ? GrainImage{grain, Eigen::Vector3d::Zero()} : spheres.images[grain - spheres.grains];
+      block.foreign.push_back({image.owner, image.shift});
+      last = grain;
+    }
+    block.slot.push_back(static_cast<std::uint16_t>(block.grains() + block.foreign.size() - 1));
   }
-  return slot_of[grain];
 }
 
 void NeighbourList::find_grain_pairs(Block& block, const SphereField& spheres, double reach,
                                      const ContactHistory& history) const {
+  struct Found {
+    std::uint32_t own, other;
+  };
   const auto per_grain = static_cast<std::uint32_t>(spheres.spheres_per_grain);
   const auto grains = static_cast<std::uint32_t>(spheres.grains);
-  block.grain_pairs.clear();
-  block.grain_pairs.width = settings_.grain_memory;
-  block.foreign.clear();
-  // Kept between blocks and handed back clean: a table of all grains for every block would cost the square of
-  // their number.
-  thread_local std::vector<std::uint32_t> slot_of, touched;
-  slot_of.resize(std::max(slot_of.size(), spheres.size() / per_grain), kGone);
-  touched.clear();
-
-  for (std::uint32_t i = block.begin * per_grain; i < block.end * per_grain; ++i) {
+  const auto real_sphere = [&](std::uint32_t j) {
+    const std::uint32_t grain = j / per_grain;
+    return grain < grains ? j : spheres.images[grain - grains].owner * per_grain + j % per_grain;
+  };
+  const std::uint32_t first = block.begin * per_grain, end = block.end * per_grain;
+  thread_local std::vector<Found> found;
+  found.clear();
+  block.partners.clear();
+  for (std::uint32_t i = first; i < end; ++i) {
     const Vector3 here = spheres.position[i];
-    const std::uint32_t own_grain = i / per_grain;
     cells_.visit_neighbourhood(here, [&](std::uint32_t j, Vector3 there) {
       const Vector3 between = there - here;
       if (dot(between, between) >= reach * reach) return;
-      const std::uint32_t grain = j / per_grain;
-      const std::uint32_t owner = grain < grains ? grain : spheres.images[grain - grains].owner;
       // Every pair once, by the grain that comes first; an image stands for its owner.
-      if (owner <= own_grain) return;
-      if (grain >= block.end) touched.push_back(grain);
-      block.grain_pairs.add({i, j, own_grain - block.begin, slot_for(block, spheres, grain, slot_of)},
-                            history.find(i, owner * per_grain + j % per_grain));
+      if (real_sphere(j) / per_grain <= i / per_grain) return;
+      found.push_back({i, j});
+      if (j >= end) block.partners.push_back(j);
     });
   }
-  for (const std::uint32_t grain : touched) slot_of[grain] = kGone;
+  std::sort(block.partners.begin(), block.partners.end());
+  block.partners.erase(std::unique(block.partners.begin(), block.partners.end()), block.partners.end());
+  block.partners.shrink_to_fit();
+  number_spheres(block, spheres);
+
+  const auto local = [&](std::uint32_t j) {
+    if (j < end) return static_cast<LocalSphere>(j - first);
+    const auto place = std::lower_bound(block.partners.begin(), block.partners.end(), j);
+    return static_cast<LocalSphere>(block.own_spheres() + (place - block.partners.begin()));
+  };
+  block.grain_pairs.start(found.size(), settings_.grain_memory);
+  for (const Found& pair : found)
+    block.grain_pairs.add({local(pair.own), local(pair.other)},
+                          history.find(pair.own, real_sphere(pair.other)));
 }
 
 void NeighbourList::find_wall_pairs(Block& block, const SphereField& spheres,
                                     const std::vector<WallBody>& bodies, const ListReference& reference,
                                     const ContactHistory& history) const {
   const auto per_grain = static_cast<std::uint32_t>(spheres.spheres_per_grain);
-  block.wall_pairs.clear();
-  block.wall_pairs.width = settings_.wall_memory;
+  struct Found {
+    std::uint32_t own, part;
+  };
+  thread_local std::vector<Found> pairs;
+  thread_local std::vector<std::uint32_t> found;
+  pairs.clear();
   block.wall_first.assign(1, 0);
-  std::vector<std::uint32_t> found;
   for (std::uint32_t b = 0; b < bodies.size(); ++b) {
     const BodyMotion& pose = reference.bodies[b];
     const double reach = settings_.sphere_radius + bodies[b].sphere_radius() + reference.skin;
@@ -107,11 +139,16 @@ void NeighbourList::find_wall_pairs(Block& block, const SphereField& spheres,
       found.clear();
       bodies[b].find(pose.rotation.transpose() * (eigen(spheres.position[i]) - pose.translation), reach,
                      found);
-      for (const std::uint32_t w : found)
-        block.wall_pairs.add({i, w, i / per_grain - block.begin}, history.find(i, body_first_[b] + w));
+      for (const std::uint32_t part : found) pairs.push_back({i, part});
     }
-    block.wall_first.push_back(static_cast<std::uint32_t>(block.wall_pairs.size()));
+    block.wall_first.push_back(static_cast<std::uint32_t>(pairs.size()));
   }
+  block.wall_pairs.start(pairs.size(), settings_.wall_memory);
+  for (std::uint32_t b = 0; b < bodies.size(); ++b)
+    for (std::uint32_t k = block.wall_first[b]; k < block.wall_first[b + 1]; ++k) {
+      const auto own = static_cast<LocalSphere>(pairs[k].own - block.begin * per_grain);
+      block.wall_pairs.add({pairs[k].part, own}, history.find(pairs[k].own, body_first_[b] + pairs[k].part));
+    }
 }
 
 void NeighbourList::index_foreign_sums() {

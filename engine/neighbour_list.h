@@ -24,7 +24,7 @@ struct NeighbourSettings {
 /// old, and to make it again.
 struct ListReference {
   std::vector<Eigen::Vector3d> position;  ///< m, of grains
-  std::vector<Quaternion> orientation;
+  std::vector<Quaternion> orientation;    ///< of grains of several spheres
   std::vector<BodyMotion> bodies;
   double skin = 0;  ///< m, how much nearer two spheres may come before the list must be renewed
   Eigen::Vector3d drift = Eigen::Vector3d::Zero();  ///< m/s, mean velocity of the powder
@@ -59,13 +59,12 @@ class NeighbourList {
   const std::vector<ForeignSum>& foreign_sums() const { return foreign_sums_; }
 
  private:
-  void cut_into_blocks(std::size_t grains, std::size_t grains_per_block);
+  void cut_into_blocks(std::size_t grains, std::uint32_t spheres_per_grain);
   void find_grain_pairs(Block& block, const SphereField& spheres, double reach,
                         const ContactHistory& history) const;
   void find_wall_pairs(Block& block, const SphereField& spheres, const std::vector<WallBody>& bodies,
                        const ListReference& reference, const ContactHistory& history) const;
-  std::uint32_t slot_for(Block& block, const SphereField& spheres, std::uint32_t grain,
-                         std::vector<std::uint32_t>& slot_of) const;
+  void number_spheres(Block& block, const SphereField& spheres) const;
   void index_foreign_sums();
 
   NeighbourSettings settings_;

@@ -9,8 +9,7 @@
 #include "engine/deepest_overlap.h"
 #include "engine/grain_shape.h"
 #include "engine/laws/general_contact_law.h"
-#include "engine/pair_table.h"
-#include "engine/sphere_field.h"
+#include "engine/local_spheres.h"
 #include "engine/vector_instructions.h"
 #include "engine/walls.h"
 
@@ -31,9 +30,9 @@ struct BlockTally {
   void start(std::size_t bodies);
 };
 
-/// State of the powder and the tools that contacts are computed from.
+/// A block's surroundings that contacts are computed from.
 struct ContactScene {
-  const SphereField& spheres;
+  const LocalSpheres& spheres;
   const std::vector<WallBody>& bodies;
   const std::vector<BodyMotion>& body_motion;
   double sphere_radius;  ///< m

@@ -11,16 +11,19 @@
 
 namespace diefill::engine {
 
-/// A near pair between grains: numbers of two spheres (`other` may be an image's), and where their grains'
-/// forces are summed in the block.
+/// Number of a sphere in its block: first the block's own spheres, then their partners from elsewhere. Short,
+/// because lists of pairs are what a step reads most of.
+using LocalSphere = std::uint16_t;
+
+/// A near pair between grains.
 struct GrainPair {
-  std::uint32_t own, other, own_slot, other_slot;
+  LocalSphere own, other;
 };
 
-/// A near pair with a wall: number of the grain's sphere, of the wall's sphere (or plane) in its body, and
-/// where the grain's forces are summed.
+/// A near pair with a wall: the grain's sphere, and the number of the wall's sphere (or plane) in its body.
 struct WallPair {
-  std::uint32_t own, wall, own_slot;
+  std::uint32_t wall;
+  LocalSphere own;
 };
 
 /// Pairs with a memory of `width` numbers each; what a pair that does not touch remembers has no meaning.
@@ -32,10 +35,13 @@ struct PairTable {
   std::vector<double> memory;          ///< SI units, as the law lays them out
 
   std::size_t size() const { return pair.size(); }
-  void clear() {
-    pair.clear();
-    touching.clear();
-    memory.clear();
+  /// Empties the table and makes room for `count` pairs that remember `numbers` each. Memory that would stand
+  /// idle is given back: a step's speed is that of the memory it has to pass through.
+  void start(std::size_t count, std::size_t numbers) {
+    width = numbers;
+    make_room(pair, count);
+    make_room(touching, count);
+    make_room(memory, count * width);
   }
   /// `remembered`: `width` numbers of a touching pair, or nullptr.
   void add(const Pair& added, const double* remembered) {
@@ -44,6 +50,12 @@ struct PairTable {
     memory.resize(memory.size() + width, 0.0);
     if (remembered)
       std::copy(remembered, remembered + width, memory.end() - static_cast<std::ptrdiff_t>(width));
+  }
+  template <class Value>
+  static void make_room(std::vector<Value>& values, std::size_t count) {
+    if (values.capacity() > count + count / 4) std::vector<Value>().swap(values);
+    values.clear();
+    values.reserve(count);
   }
   double* memory_of(std::size_t p) { return memory.data() + p * width; }
   const double* memory_of(std::size_t p) const { return memory.data() + p * width; }
@@ -59,15 +71,23 @@ struct ForeignGrain {
 /// grains() - 1 belong to the block's own grains, the rest to `foreign` ones.
 struct Block {
   std::uint32_t begin = 0, end = 0;  ///< grains
+  std::uint32_t spheres_per_grain = 1;
   Eigen::Vector3d reference =
       Eigen::Vector3d::Zero();  ///< m, point that moments of composed grains are about
   PairTable<GrainPair> grain_pairs;
   PairTable<WallPair> wall_pairs;         ///< body after body
   std::vector<std::uint32_t> wall_first;  ///< first wall pair of each body, and the number of all
+  std::vector<std::uint32_t> partners;    ///< spheres outside the block (of grains or images), rising
+  std::vector<std::uint16_t> slot;        ///< sum that forces on a local sphere are added to
   std::vector<ForeignGrain> foreign;
   std::vector<ContactSum> sums;
 
   std::uint32_t grains() const { return end - begin; }
+  std::uint32_t own_spheres() const { return grains() * spheres_per_grain; }
+  /// Number of a local sphere among all spheres.
+  std::uint32_t sphere(LocalSphere local) const {
+    return local < own_spheres() ? begin * spheres_per_grain + local : partners[local - own_spheres()];
+  }
 };
 
 }  // namespace diefill::engine

@@ -15,14 +15,16 @@ struct DeepContact {
   double overlap;  ///< m
 };
 
-double wall_overlap(const Simulation& simulation, std::size_t body, const WallPair& pair) {
+/// m, of sphere `i` with a wall sphere or plane of `body`.
+double wall_overlap(const Simulation& simulation, std::size_t body, std::uint32_t i,
+                    std::uint32_t wall_part) {
   const WallBody& wall = simulation.bodies()[body];
   const BodyMotion& pose = simulation.body_motion(body);
   const Eigen::Vector3d place =
-      pose.rotation.transpose() * (eigen(simulation.spheres().position[pair.own]) - pose.translation);
+      pose.rotation.transpose() * (eigen(simulation.spheres().position[i]) - pose.translation);
   const double radius = simulation.settings().shape.sphere_radius;
-  if (!wall.flat()) return radius + wall.sphere_radius() - (place - wall.centres()[pair.wall]).norm();
-  const WallPlane& plane = wall.planes()[pair.wall];
+  if (!wall.flat()) return radius + wall.sphere_radius() - (place - wall.centres()[wall_part]).norm();
+  const WallPlane& plane = wall.planes()[wall_part];
   return radius - plane.normal.dot(place - plane.point);
 }
 
@@ -36,16 +38,17 @@ std::vector<DeepContact> deep_contacts(const Simulation& simulation, double thre
     for (std::size_t p = 0; p < block.grain_pairs.size(); ++p) {
       if (!block.grain_pairs.touching[p]) continue;
       const GrainPair& pair = block.grain_pairs.pair[p];
-      const double overlap = reach - length(spheres.position[pair.own] - spheres.position[pair.other]);
-      if (overlap > threshold)
-        deep.push_back({pair.own / per_grain, spheres.owner(pair.other), false, overlap});
+      const std::uint32_t i = block.sphere(pair.own), j = block.sphere(pair.other);
+      const double overlap = reach - length(spheres.position[i] - spheres.position[j]);
+      if (overlap > threshold) deep.push_back({i / per_grain, spheres.owner(j), false, overlap});
     }
     for (std::size_t body = 0; body + 1 < block.wall_first.size(); ++body)
       for (std::uint32_t p = block.wall_first[body]; p < block.wall_first[body + 1]; ++p) {
         if (!block.wall_pairs.touching[p]) continue;
         const WallPair& pair = block.wall_pairs.pair[p];
-        const double overlap = wall_overlap(simulation, body, pair);
-        if (overlap > threshold) deep.push_back({pair.own / per_grain, body, true, overlap});
+        const std::uint32_t i = block.sphere(pair.own);
+        const double overlap = wall_overlap(simulation, body, i, pair.wall);
+        if (overlap > threshold) deep.push_back({i / per_grain, body, true, overlap});
       }
   }
   return deep;

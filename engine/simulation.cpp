@@ -238,9 +238,11 @@ void Simulation::gather(std::size_t b, std::vector<ContactSum>& contacts) const 
 }
 
 void Simulation::compute_contacts() {
-  const ContactScene scene = contact_scene();
   auto& blocks = list_.blocks();
   workers_.for_each(blocks.size(), [&](std::size_t b) {
+    thread_local LocalSpheres local;
+    local.take(blocks[b], spheres_);
+    const ContactScene scene = contact_scene(local);
     tallies_[b].start(bodies_.size());
     std::fill(blocks[b].sums.begin(), blocks[b].sums.end(), ContactSum{});
     grain_loop_->add_forces(blocks[b], scene, tallies_[b]);
@@ -302,8 +304,8 @@ double Simulation::bytes_moved_per_step() const {
   return advance + finish + contacts;
 }
 
-ContactScene Simulation::contact_scene() const {
-  return {spheres_,
+ContactScene Simulation::contact_scene(const LocalSpheres& local) const {
+  return {local,
           bodies_,
           body_motion_,
           settings_.shape.sphere_radius,

@@ -130,7 +130,7 @@ class Simulation {
   void finish_grains();
   void gather(std::size_t b, std::vector<ContactSum>& contacts) const;
   void book_step();
-  ContactScene contact_scene() const;
+  ContactScene contact_scene(const LocalSpheres& local) const;
 
   SimulationSettings settings_;
   Workers workers_;

@@ -14,9 +14,12 @@ Energy Simulation::energy() const {
     if (shape.rotates) energy.rotation += 0.5 * shape.inertia.dot(grains_.spin[k].cwiseAbs2());
     energy.height -= shape.mass * settings_.gravity.dot(grains_.position[k]);
   }
-  const ContactScene scene = contact_scene();
-  for (const auto& block : list_.blocks())
+  LocalSpheres local;
+  const ContactScene scene = contact_scene(local);
+  for (const auto& block : list_.blocks()) {
+    local.take(block, spheres_);
     energy.contacts += grain_loop_->stored_energy(block, scene) + wall_loop_->stored_energy(block, scene);
+  }
   return energy;
 }
 

@@ -87,7 +87,7 @@ void Simulation::search_in_order(const std::vector<std::uint32_t>& order) {
 
 void Simulation::remember_reference() {
   reference_.position = grains_.position;
-  reference_.orientation = grains_.orientation;
+  if (settings_.shape.spheres() > 1) reference_.orientation = grains_.orientation;
   reference_.bodies = body_motion_;
   reference_.time = time_;
   reference_.step = step_;
@@ -135,6 +135,10 @@ void Simulation::place_spheres(const std::vector<Eigen::Vector3d>& position,
                                const std::vector<Quaternion>& orientation) {
   const GrainShape& shape = settings_.shape;
   for (std::size_t k = 0; k < spheres_.grains; ++k) {
+    if (shape.spheres() == 1) {
+      spheres_.position[k] = plain(position[k]);
+      continue;
+    }
     const Eigen::Matrix3d to_lab = rotation_matrix(orientation[k]);
     for (std::size_t s = 0; s < shape.spheres(); ++s)
       spheres_.position[k * shape.spheres() + s] =

@@ -123,7 +123,7 @@ class WallLoop final : public PairLoop {
   void hand_out(const Batch& batch, std::size_t lane, Block& block, std::size_t body, const Touch& touch,
                 const ContactScene& scene, BlockTally& tally) const {
     const WallPair pair = block.wall_pairs.pair[touch.pair];
-    ContactSum& own = block.sums[pair.own_slot];
+    ContactSum& own = block.sums[block.slot[pair.own]];
     const Vector3 force = batch.force[lane];
     own.force += force;
     if constexpr (Lever<kArm>::kTurns) own.moment += batch.moment[lane];

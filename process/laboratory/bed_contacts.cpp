@@ -20,7 +20,7 @@ void visit_contacts(const engine::Simulation& simulation, const Visit& visit) {
     const auto& table = block.grain_pairs;
     for (std::size_t p = 0; p < table.size(); ++p) {
       if (!table.touching[p]) continue;
-      const std::size_t i = table.pair[p].own, j = table.pair[p].other;
+      const std::size_t i = block.sphere(table.pair[p].own), j = block.sphere(table.pair[p].other);
       const double overlap = reach - engine::length(spheres.position[i] - spheres.position[j]);
       if (overlap > 0) visit(i / per_grain, spheres.owner(j), overlap);
     }

@@ -14,7 +14,7 @@ void visit_touching_grain_pairs(const Simulation& simulation, const Visit& visit
   for (const auto& block : simulation.neighbours().blocks()) {
     const auto& table = block.grain_pairs;
     for (std::size_t p = 0; p < table.size(); ++p)
-      if (table.touching[p]) visit(block, table.pair[p].own, p);
+      if (table.touching[p]) visit(block, block.sphere(table.pair[p].own), p);
   }
 }
 
@@ -22,7 +22,7 @@ void visit_touching_grain_pairs(const Simulation& simulation, const Visit& visit
 inline double overlap_of(const Simulation& simulation, const Block& block, std::size_t i, std::size_t p) {
   const auto& position = simulation.spheres().position;
   return 2 * simulation.settings().shape.sphere_radius -
-         length(position[i] - position[block.grain_pairs.pair[p].other]);
+         length(position[i] - position[block.sphere(block.grain_pairs.pair[p].other)]);
 }
 
 /// Tangential spring (m) of pair `p`.
@@ -38,8 +38,7 @@ inline double tangential_energy(const Simulation& simulation) {
   double energy = 0;
   visit_touching_grain_pairs(simulation, [&](const Block& block, std::size_t i, std::size_t p) {
     energy += 0.5 * settings.grain_contact.tangential *
-              std::sqrt(overlap_of(simulation, block, i, p) / effective) *
-              spring_of(block, p).squaredNorm();
+              std::sqrt(overlap_of(simulation, block, i, p) / effective) * spring_of(block, p).squaredNorm();
   });
   return energy;
 }

@@ -26,7 +26,7 @@ SpherePairs found_pairs(const Simulation& simulation) {
   const auto& field = simulation.spheres();
   SpherePairs pairs;
   visit_touching_grain_pairs(simulation, [&](const Block& block, std::size_t i, std::size_t p) {
-    std::size_t j = block.grain_pairs.pair[p].other;
+    std::size_t j = block.sphere(block.grain_pairs.pair[p].other);
     j = field.owner(j) * field.spheres_per_grain + j % field.spheres_per_grain;
     pairs.insert(named(simulation, i, j));
   });
@@ -139,7 +139,7 @@ std::map<std::pair<SphereName, SphereName>, Eigen::Vector3d> springs(const Simul
   std::map<std::pair<SphereName, SphereName>, Eigen::Vector3d> found;
   const std::size_t per_grain = simulation.spheres().spheres_per_grain;
   visit_touching_grain_pairs(simulation, [&](const Block& block, std::size_t i, std::size_t p) {
-    const std::size_t j = block.grain_pairs.pair[p].other;
+    const std::size_t j = block.sphere(block.grain_pairs.pair[p].other);
     const auto pair = named(simulation, i, j);
     const bool straight = pair.first == SphereName{simulation.grains().id[i / per_grain], i % per_grain};
     found[pair] = straight ? spring_of(block, p) : Eigen::Vector3d(-spring_of(block, p));
