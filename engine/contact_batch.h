@@ -5,10 +5,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "engine/contact_parameters.h"
 #include "engine/lanes.h"
 #include "engine/laws/reaction.h"
+#include "engine/transpose.h"
 
 namespace diefill::engine {
 
@@ -35,6 +37,34 @@ struct ContactBatch {
   Scalars load, overlap;
   Scalars viscous_power, friction_power, rolling_power;  ///< W
 
+  /// The same as records, one pair each: separation and then memory, if it fits in; velocity and spin sum;
+  /// the reactions on i and on j as they are added to ContactSum.
+  static constexpr bool kMemoryInRecord = kMemory <= 5;
+  Record between[kLanes], moving[kLanes], on_own[kLanes], on_other[kLanes];
+
+  /// Fills the lanes that the records hold. `lanes`: whole groups.
+  void spread_records(std::size_t lanes) {
+    for (std::size_t k = 0; k < lanes; k += 8) {
+      if constexpr (kMemoryInRecord && kMemory > 0)
+        spread_with_memory(k, std::make_index_sequence<kMemory>{});
+      else
+        records_to_lanes<3>(between + k, {&separation.x[k], &separation.y[k], &separation.z[k]});
+      records_to_lanes<6>(moving + k, {&velocity.x[k], &velocity.y[k], &velocity.z[k], &spin_sum.x[k],
+                                       &spin_sum.y[k], &spin_sum.z[k]});
+    }
+  }
+  /// Collects force, `turning` moment and load into records of the reaction on i or j.
+  void collect_records(std::size_t lanes, Vectors& turning, Record* records) {
+    for (std::size_t k = 0; k < lanes; k += 8)
+      lanes_to_records<7>(
+          {&force.x[k], &force.y[k], &force.z[k], &turning.x[k], &turning.y[k], &turning.z[k], &load[k]},
+          records + k);
+  }
+  void collect_forces(std::size_t lanes) {
+    for (std::size_t k = 0; k < lanes; k += 8)
+      lanes_to_records<3>({&force.x[k], &force.y[k], &force.z[k]}, on_own + k);
+  }
+
   /// Fills the last group with copies of the last pair, so that whole groups hold numbers that make sense.
   void fill_last_group() {
     for (std::size_t lane = count; lane < whole_groups(count); ++lane) {
@@ -45,6 +75,13 @@ struct ContactBatch {
       place.set(lane, place[count - 1]);
       for (std::size_t k = 0; k < kMemory; ++k) memory[k][lane] = memory[k][count - 1];
     }
+  }
+
+ private:
+  template <std::size_t... kNumber>
+  void spread_with_memory(std::size_t k, std::index_sequence<kNumber...>) {
+    records_to_lanes<3 + kMemory>(
+        between + k, {&separation.x[k], &separation.y[k], &separation.z[k], &memory[kNumber][k]...});
   }
 };
 

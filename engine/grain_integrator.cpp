@@ -228,9 +228,9 @@ GrainIntegrator::Work GrainIntegrator::finish(Grains& grains, std::size_t begin,
     lanes.load(grains, first, end, shape_);
     for (std::size_t lane = 0; lane < lanes.groups(); ++lane) {
       const ContactSum& sum = contacts[lanes.grain(lane) - begin];
-      force.set(lane, sum.force);
-      moment.set(lane, sum.moment);
-      rolling_load[lane] = sum.rolling_load;
+      force.set(lane, sum.force());
+      moment.set(lane, sum.moment());
+      rolling_load[lane] = sum.rolling_load();
     }
     with_instructions(instructions_, [&] {
       total_force(lanes, force, drag, weight_, shape_.mass, time_step_, drag_power);

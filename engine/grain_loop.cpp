@@ -21,18 +21,20 @@ class GrainLoop final : public PairLoop {
 
   void add_forces(Block& block, const ContactScene& scene, BlockTally& tally) const override {
     thread_local std::vector<std::uint32_t> touching;
-    find_touching(block.grain_pairs, scene.spheres, touching);
-    thread_local ContactBatch<Law> batch;
+    touching.resize(block.grain_pairs.size());
+    std::size_t count = 0;
+    with_instructions(scene.instructions,
+                      [&] { count = find_touching(block.grain_pairs, scene.spheres, touching.data()); });
+    thread_local Batch batch;
     BatchTally<Law> batches;
-    for (std::size_t done = 0; done < touching.size(); done += batch.count) {
-      batch.count = std::min(touching.size() - done, ContactBatch<Law>::kLanes);
+    for (std::size_t done = 0; done < count; done += batch.count) {
+      batch.count = std::min(count - done, Batch::kLanes);
       const std::uint32_t* pairs = touching.data() + done;
-      for (std::size_t lane = 0; lane < batch.count; ++lane)
-        pack(block, pairs[lane], scene.spheres, lane, batch);
-      batch.fill_last_group();
-      with_instructions(scene.instructions,
-                        [&] { react<kArm, kComposed>(batch, law_, reach_, scene.time_step); });
-      for (std::size_t lane = 0; lane < batch.count; ++lane) hand_out(batch, lane, block, pairs[lane]);
+      with_instructions(scene.instructions, [&] {
+        pack(block, pairs, scene.spheres, batch);
+        react<kArm, kComposed>(batch, law_, reach_, scene.time_step);
+        hand_out(batch, pairs, block);
+      });
       batches.add(batch);
     }
     batches.book(scene.time_step, tally, tally.overlap.grains);
@@ -44,7 +46,7 @@ class GrainLoop final : public PairLoop {
     for (std::size_t p = 0; p < table.size(); ++p) {
       const GrainPair pair = table.pair[p];
       const double overlap =
-          reach_.contact - length(scene.spheres.position[pair.own] - scene.spheres.position[pair.other]);
+          reach_.contact - length(scene.spheres.position(pair.own) - scene.spheres.position(pair.other));
       if (overlap > 0) energy += law_.energy(overlap, table.memory_of(p));
     }
     return energy;
@@ -56,61 +58,76 @@ class GrainLoop final : public PairLoop {
  private:
   using Batch = ContactBatch<Law>;
 
+  static constexpr bool kTurns = Lever<kArm>::kTurns;
+  /// Whether the reaction on j is not the one on i with other signs.
+  static constexpr bool kOtherDiffers =
+      kTurns && (kComposed ? Lever<kArm>::kOtherDiffers : static_cast<bool>(Law::kRolls));
+
   /// Distances are tested first and touching pairs collected, so that the costly part runs without guessing.
-  void find_touching(PairTable<GrainPair>& table, const LocalSpheres& spheres,
-                     std::vector<std::uint32_t>& touching) const {
-    touching.resize(table.size());
+  /// Returns how many were written to `touching`.
+  std::size_t find_touching(PairTable<GrainPair>& table, const LocalSpheres& spheres,
+                            std::uint32_t* touching) const {
     const double reach = reach_.contact + law_.range(), reach_squared = reach * reach;
     std::size_t count = 0;
     for (std::size_t p = 0; p < table.size(); ++p) {
       // What touching pairs remember is not looked at before all distances are known: time to fetch it.
       __builtin_prefetch(table.memory_of(p), 1, 2);
       const GrainPair pair = table.pair[p];
-      const Vector3 between = spheres.position[pair.own] - spheres.position[pair.other];
+      const Vector3 between = spheres.position(pair.own) - spheres.position(pair.other);
       const bool touches = dot(between, between) < reach_squared;
       note_touching(table, p, touches);
       touching[count] = static_cast<std::uint32_t>(p);
       count += touches;
     }
-    touching.resize(count);
+    return count;
   }
 
-  void pack(const Block& block, std::uint32_t p, const LocalSpheres& spheres, std::size_t lane,
-            Batch& batch) const {
-    const GrainPair pair = block.grain_pairs.pair[p];
-    const Vector3 here = spheres.position[pair.own];
-    batch.separation.set(lane, here - spheres.position[pair.other]);
-    const SphereMotion& own = spheres.motion[pair.own];
-    const SphereMotion& other = spheres.motion[pair.other];
-    batch.velocity.set(lane, own.velocity - other.velocity);
-    if constexpr (kComposed) batch.place.set(lane, here - plain(block.reference));
-    if constexpr (Lever<kArm>::kTurns) {
-      batch.spin_sum.set(lane, own.spin + other.spin);
-      if constexpr (Law::kRolls) batch.relative_spin.set(lane, own.spin - other.spin);
-    }
-    recall(block.grain_pairs, p, batch, lane);
-  }
-
-  void hand_out(const Batch& batch, std::size_t lane, Block& block, std::uint32_t p) const {
-    const GrainPair pair = block.grain_pairs.pair[p];
-    ContactSum& own = block.sums[block.slot[pair.own]];
-    ContactSum& other = block.sums[block.slot[pair.other]];
-    own.force += batch.force[lane];
-    other.force -= batch.force[lane];
-    if constexpr (Lever<kArm>::kTurns) {
-      own.moment += batch.moment[lane];
-      if constexpr (kComposed ? Lever<kArm>::kOtherDiffers : Law::kRolls)
-        other.moment += batch.other_moment[lane];
-      else if constexpr (kComposed)
-        other.moment -= batch.moment[lane];
+  /// Brings the batch's pairs into its lanes, whole groups of them: the last pair fills up.
+  void pack(const Block& block, const std::uint32_t* pairs, const LocalSpheres& spheres, Batch& batch) const {
+    const std::size_t lanes = whole_groups(batch.count);
+    for (std::size_t lane = 0; lane < lanes; ++lane) {
+      const std::uint32_t p = pairs[std::min(lane, batch.count - 1)];
+      const GrainPair pair = block.grain_pairs.pair[p];
+      const auto &here = spheres.centre(pair.own), &there = spheres.centre(pair.other);
+      Record& between = batch.between[lane];
+      for (std::size_t k = 0; k < 4; ++k) between.value[k] = here.value[k] - there.value[k];
+      if constexpr (Batch::kMemoryInRecord)
+        for (std::size_t k = 0; k < Batch::kMemory; ++k)
+          between.value[3 + k] = block.grain_pairs.memory_of(p)[k];
       else
-        other.moment += batch.moment[lane];
+        recall(block.grain_pairs, p, batch, lane);
+      // Velocities are subtracted, spins added.
+      constexpr double kSign[8] = {-1, -1, -1, 1, 1, 1, 1, 1};
+      const Record &own = spheres.motion(pair.own), &other = spheres.motion(pair.other);
+      for (std::size_t k = 0; k < 8; ++k)
+        batch.moving[lane].value[k] = own.value[k] + kSign[k] * other.value[k];
+      if constexpr (kComposed) batch.place.set(lane, spheres.position(pair.own) - plain(block.reference));
+      if constexpr (kTurns && Law::kRolls)
+        batch.relative_spin.set(lane, spheres.spin(pair.own) - spheres.spin(pair.other));
     }
-    if constexpr (!kComposed && Lever<kArm>::kTurns) {
-      own.rolling_load += law_.rolling_friction * batch.load[lane];
-      other.rolling_load += law_.rolling_friction * batch.load[lane];
+    batch.spread_records(lanes);
+  }
+
+  void hand_out(Batch& batch, const std::uint32_t* pairs, Block& block) const {
+    const std::size_t lanes = whole_groups(batch.count);
+    if constexpr (kTurns)
+      batch.collect_records(lanes, batch.moment, batch.on_own);
+    else
+      batch.collect_forces(lanes);
+    if constexpr (kOtherDiffers) batch.collect_records(lanes, batch.other_moment, batch.on_other);
+    // Loads count where single spheres roll.
+    const double rolling = !kComposed && kTurns ? law_.rolling_friction : 0;
+    const Eight own_sign = {1, 1, 1, 1, 1, 1, rolling, 0};
+    const double turn = kComposed && !kOtherDiffers ? -1 : 1;
+    const Eight other_sign = {-1, -1, -1, turn, turn, turn, rolling, 0};
+    for (std::size_t lane = 0; lane < batch.count; ++lane) {
+      const std::uint32_t p = pairs[lane];
+      const GrainPair pair = block.grain_pairs.pair[p];
+      add_times(block.sums[block.slot[pair.own]].data(), batch.on_own[lane], own_sign);
+      add_times(block.sums[block.slot[pair.other]].data(),
+                kOtherDiffers ? batch.on_other[lane] : batch.on_own[lane], other_sign);
+      remember(batch, lane, block.grain_pairs, p);
     }
-    remember(batch, lane, block.grain_pairs, p);
   }
 
   Law law_;

@@ -30,20 +30,36 @@ struct Grains {
   void reorder(const std::vector<std::uint32_t>& order);
 };
 
-/// Sum of contact forces on a grain.
-struct ContactSum {
-  Vector3 force;  ///< N
+/// Sum of contact forces on a grain, laid out as a Record.
+class ContactSum {
+ public:
+  Vector3 force() const { return {value_[0], value_[1], value_[2]}; }  ///< N
   /// N m, laboratory frame: about the centre of a single sphere, about the block's reference point for
   /// composed grains.
-  Vector3 moment;
-  double rolling_load = 0;  ///< N m, sum of mu_r |f_e + f_v| (model B)
+  Vector3 moment() const { return {value_[3], value_[4], value_[5]}; }
+  /// N m, sum of mu_r |f_e + f_v| (model B).
+  double rolling_load() const { return value_[6]; }
+  /// The numbers above in their order, then one to spare.
+  double* data() { return value_; }
 
+  void add_force(Vector3 force) {
+    value_[0] += force.x;
+    value_[1] += force.y;
+    value_[2] += force.z;
+  }
+  void add_moment(Vector3 moment) {
+    value_[3] += moment.x;
+    value_[4] += moment.y;
+    value_[5] += moment.z;
+  }
+  void add_rolling_load(double load) { value_[6] += load; }
   ContactSum& operator+=(const ContactSum& other) {
-    force += other.force;
-    moment += other.moment;
-    rolling_load += other.rolling_load;
+    for (std::size_t k = 0; k < 8; ++k) value_[k] += other.value_[k];
     return *this;
   }
+
+ private:
+  alignas(64) double value_[8] = {};
 };
 
 }  // namespace diefill::engine

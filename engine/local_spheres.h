@@ -1,32 +1,63 @@
-// The spheres that a block's pairs are between, copied side by side: what a contact needs lies together.
+// The spheres that a block's pairs are between, copied side by side: what a contact needs lies together, in
+// records that one vector load takes in.
 #pragma once
 
-#include <algorithm>
+#include <vector>
 
 #include "engine/pair_table.h"
 #include "engine/sphere_field.h"
+#include "engine/transpose.h"
 
 namespace diefill::engine {
 
-/// Entry k belongs to local sphere k of the block last taken in.
-struct LocalSpheres {
-  std::vector<Vector3> position;  ///< m, centres
-  std::vector<SphereMotion> motion;
+/// Spheres by their number in the block last taken in.
+class LocalSpheres {
+ public:
+  /// A centre (m), with one number to spare.
+  struct alignas(32) Centre {
+    double value[4];
+  };
+
+  const Centre& centre(LocalSphere k) const { return centres_[k]; }
+  /// Velocity (m/s) and spin (rad/s) in numbers 0 to 5; the rest is 0.
+  const Record& motion(LocalSphere k) const { return motion_[k]; }
+  /// m, centre of sphere k.
+  Vector3 position(LocalSphere k) const {
+    const Centre& centre = centres_[k];
+    return {centre.value[0], centre.value[1], centre.value[2]};
+  }
+  /// m/s, velocity of its centre.
+  Vector3 velocity(LocalSphere k) const {
+    const Record& motion = motion_[k];
+    return {motion.value[0], motion.value[1], motion.value[2]};
+  }
+  /// rad/s, angular velocity of its grain.
+  Vector3 spin(LocalSphere k) const {
+    const Record& motion = motion_[k];
+    return {motion.value[3], motion.value[4], motion.value[5]};
+  }
 
   /// Takes in the block's own spheres and their partners as they are now.
   void take(const Block& block, const SphereField& spheres) {
     const std::size_t own = block.own_spheres(), all = own + block.partners.size();
-    position.resize(std::max(position.size(), all));
-    motion.resize(std::max(motion.size(), all));
-    const auto first = static_cast<std::ptrdiff_t>(block.begin * block.spheres_per_grain);
-    std::copy_n(spheres.position.begin() + first, own, position.begin());
-    std::copy_n(spheres.motion.begin() + first, own, motion.begin());
-    for (std::size_t k = own; k < all; ++k) {
-      const std::uint32_t sphere = block.partners[k - own];
-      position[k] = spheres.position[sphere];
-      motion[k] = spheres.motion[sphere];
+    if (centres_.size() < all) {
+      centres_.resize(all);
+      motion_.resize(all);
     }
+    const std::size_t first = std::size_t{block.begin} * block.spheres_per_grain;
+    for (std::size_t k = 0; k < own; ++k) put(k, spheres, first + k);
+    for (std::size_t k = own; k < all; ++k) put(k, spheres, block.partners[k - own]);
   }
+
+ private:
+  void put(std::size_t k, const SphereField& spheres, std::size_t sphere) {
+    static_assert(sizeof(SphereMotion) == 6 * sizeof(double));
+    __builtin_memcpy(centres_[k].value, &spheres.position[sphere], sizeof(Vector3));
+    __builtin_memcpy(motion_[k].value, &spheres.motion[sphere], sizeof(SphereMotion));
+  }
+
+  std::vector<Centre> centres_;
+  std::vector<Record> motion_;
 };
 
 }  // namespace diefill::engine

@@ -222,7 +222,7 @@ void Simulation::gather(std::size_t b, std::vector<ContactSum>& contacts) const 
     for (std::size_t k = own.begin; k < own.end; ++k) {
       const Vector3 arm = plain(grains_.position[k]) - plain(own.reference);
       ContactSum& sum = contacts[k - own.begin];
-      sum.moment -= cross(arm, sum.force);
+      sum.add_moment(-cross(arm, sum.force()));
     }
   for (std::uint32_t f = list_.foreign_first()[b]; f < list_.foreign_first()[b + 1]; ++f) {
     const auto& place = list_.foreign_sums()[f];
@@ -231,7 +231,7 @@ void Simulation::gather(std::size_t b, std::vector<ContactSum>& contacts) const 
     if (composed) {
       const ForeignGrain& seen = block.foreign[place.slot - block.grains()];
       const Vector3 arm = plain(grains_.position[place.grain]) + plain(seen.shift) - plain(block.reference);
-      sum.moment -= cross(arm, sum.force);
+      sum.add_moment(-cross(arm, sum.force()));
     }
     contacts[place.grain - own.begin] += sum;
   }

@@ -54,7 +54,7 @@ class WallLoop final : public PairLoop {
   static Vector3 separation_in_body(const WallPair& pair, std::size_t body, const ContactScene& scene) {
     const BodyMotion& pose = scene.body_motion[body];
     const Eigen::Vector3d place =
-        pose.rotation.transpose() * (eigen(scene.spheres.position[pair.own]) - pose.translation);
+        pose.rotation.transpose() * (eigen(scene.spheres.position(pair.own)) - pose.translation);
     const WallBody& wall = scene.bodies[body];
     if (!wall.flat()) return plain(place - wall.centres()[pair.wall]);
     const WallPlane& plane = wall.planes()[pair.wall];
@@ -106,14 +106,14 @@ class WallLoop final : public PairLoop {
             std::size_t lane, Batch& batch) const {
     const WallPair pair = block.wall_pairs.pair[touch.pair];
     const BodyMotion& pose = scene.body_motion[body];
-    const Vector3 here = scene.spheres.position[pair.own];
+    const Vector3 here = scene.spheres.position(pair.own);
     const Eigen::Vector3d separation = pose.rotation * eigen(touch.separation);
     const Eigen::Vector3d contact = eigen(here) - contact_share(touch, body, scene) * separation;
     batch.separation.set(lane, plain(separation));
-    batch.velocity.set(lane, scene.spheres.motion[pair.own].velocity - plain(pose.velocity_at(contact)));
+    batch.velocity.set(lane, scene.spheres.velocity(pair.own) - plain(pose.velocity_at(contact)));
     if constexpr (kComposed) batch.place.set(lane, here - plain(block.reference));
     if constexpr (Lever<kArm>::kTurns) {
-      const Vector3 spin = scene.spheres.motion[pair.own].spin;
+      const Vector3 spin = scene.spheres.spin(pair.own);
       batch.spin_sum.set(lane, spin);
       if constexpr (Law::kRolls) batch.relative_spin.set(lane, spin - plain(pose.angular_velocity));
     }
@@ -125,14 +125,14 @@ class WallLoop final : public PairLoop {
     const WallPair pair = block.wall_pairs.pair[touch.pair];
     ContactSum& own = block.sums[block.slot[pair.own]];
     const Vector3 force = batch.force[lane];
-    own.force += force;
-    if constexpr (Lever<kArm>::kTurns) own.moment += batch.moment[lane];
+    own.add_force(force);
+    if constexpr (Lever<kArm>::kTurns) own.add_moment(batch.moment[lane]);
     if constexpr (!kComposed && Lever<kArm>::kTurns)
-      own.rolling_load += laws_[body].rolling_friction * batch.load[lane];
+      own.add_rolling_load(laws_[body].rolling_friction * batch.load[lane]);
     remember(batch, lane, block.wall_pairs, touch.pair);
 
     const Vector3 contact =
-        scene.spheres.position[pair.own] - contact_share(touch, body, scene) * batch.separation[lane];
+        scene.spheres.position(pair.own) - contact_share(touch, body, scene) * batch.separation[lane];
     tally.body_force[body] -= eigen(force);
     tally.body_torque[body] -= (eigen(contact) - scene.body_motion[body].translation).cross(eigen(force));
   }
