@@ -13,7 +13,7 @@ namespace diefill::process {
 
 namespace {
 
-constexpr std::array<char, 8> kMagic = {'d', 'f', 'c', 'h', 'k', 'p', 't', '2'};
+constexpr std::array<char, 8> kMagic = {'d', 'f', 'c', 'h', 'k', 'p', 't', '3'};
 
 std::uint64_t hash_of(const std::string& bytes) {
   std::uint64_t hash = 0xcbf29ce484222325ULL;
@@ -75,6 +75,7 @@ void transfer(Io& io, Contents& checkpoint) {
   io(checkpoint.sphere_steps);
   io(checkpoint.schedule.stage);
   io(checkpoint.schedule.stage_start);
+  io(checkpoint.schedule.ends);
   io(checkpoint.schedule.rest);
   auto& simulation = checkpoint.simulation;
   io(simulation.step);

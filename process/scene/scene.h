@@ -37,6 +37,7 @@ struct PowderSpec {
   double work_of_adhesion = 0;          ///< J/m^2, w at the reference size
   double rolling_friction = 0;          ///< m, mu_r at the reference size (model B only)
   double air_viscosity = 2e-5;          ///< Pa s, mu_a at the reference size
+  double apparent_density = 0;          ///< kg/m^3 of the real powder, as weighed; 0: not known
   /// m, model grain size d wanted, exactly (d / R) times the wanted R: coarse graining scales the rest to it.
   double grain_diameter = 6 * 7.84e-5;
 };
@@ -79,10 +80,10 @@ struct PourSpec {
   double fill_height = 0;  ///< m, wanted depth of the settled powder over the box's floor
   double solid_fraction =
       0;  ///< estimate of the settled solid fraction, sets the number of grains; 0: from the preset
-  double rim_speed = 0.05;        ///< m/s of the initial random spin
+  double rim_speed = 0.05;  ///< m/s of the initial random spin
   /// Over d; 0: 1.2, or wider so that the lattice is at most a tenth solid (Bierwisch 2009, section 3.2.1).
   double lattice_constant = 0;
-  double random_offset = 0.1;     ///< over d, uniform in +- per axis
+  double random_offset = 0.1;  ///< over d, uniform in +- per axis
   int line = 0;
 };
 

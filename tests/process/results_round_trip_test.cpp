@@ -184,10 +184,30 @@ TEST(ResultFile, OtherSchemaVersionsAreRefused) {
   std::string text = contents(file);
   // An attribute message: name, type and dataspace, 16 + 16 + 8 bytes here, then the number itself.
   const std::size_t number = text.find("schema_version") + 40;
-  ASSERT_EQ(text.substr(number, 4), std::string("\1\0\0\0", 4));
-  text[number] = 2;
+  ASSERT_EQ(text.substr(number, 4), std::string("\2\0\0\0", 4));
+  text[number] = 99;
   put(file, text);
-  EXPECT_NE(message_of_reading(scratch.path()).find("schema version 2"), std::string::npos);
+  EXPECT_NE(message_of_reading(scratch.path()).find("schema version 99"), std::string::npos);
+  text[number] = 0;
+  put(file, text);
+  EXPECT_NE(message_of_reading(scratch.path()).find("schema version 0"), std::string::npos);
+}
+
+TEST(ResultFile, ListsThatAnOlderVersionDidNotHaveReadAsEmpty) {
+  const support::TemporaryFolder scratch;
+  const fs::path file = scratch.path() / "results.h5";
+  write_results(scratch.path(), sample_result());
+  std::string text = contents(file);
+  const std::string name = "stages";
+  for (std::size_t at = text.find(name); at != std::string::npos; at = text.find(name, at + 1))
+    text.replace(at, name.size(), "unread");
+  put(file, text);
+  EXPECT_NE(message_of_reading(scratch.path()).find("stages"), std::string::npos);
+  text[text.find("schema_version") + 40] = 1;
+  put(file, text);
+  const FillResult older = read_results(scratch.path());
+  EXPECT_TRUE(older.stages.empty());
+  EXPECT_EQ(older.title, sample_result().title);
 }
 
 TEST(ResultFile, TruncatedFilesAreRefused) {
