@@ -1,5 +1,6 @@
-#include <algorithm>
 #include <cstdio>
+#include <fstream>
+#include <nlohmann/json.hpp>
 
 #include "app/commands.h"
 #include "app/drawing.h"
@@ -24,31 +25,35 @@ struct ReportArguments {
   bool pdf = false;
 };
 
-/// Results directories below `directory`, in order of their names; where numbers end the names, in their
-/// order.
-std::vector<fs::path> runs_below(const fs::path& directory) {
-  std::vector<fs::path> found;
-  for (const auto& entry : fs::recursive_directory_iterator(directory))
-    if (entry.path().filename() == "results.h5") found.push_back(entry.path().parent_path());
-  std::sort(found.begin(), found.end(), [](const fs::path& a, const fs::path& b) {
-    if (a.parent_path() != b.parent_path()) return a.parent_path() < b.parent_path();
-    const auto length = [](const fs::path& path) { return path.filename().string().size(); };
-    return length(a) != length(b) ? length(a) < length(b) : a < b;  // seed-9 before seed-10
-  });
-  return found;
+/// The finished runs that `directory`/comparison.json lists, by variant and seed.
+void add_comparison(std::vector<render::report::Run>& runs, const fs::path& directory) {
+  const fs::path file = directory / "comparison.json";
+  std::ifstream stream(file);
+  const auto comparison = nlohmann::json::parse(stream, nullptr, false);
+  if (!comparison.is_object() || !comparison.contains("runs"))
+    throw process::SceneError(file.string() + ": no comparison written by diefill; name another directory");
+  std::size_t missing = 0;
+  const std::size_t before = runs.size();
+  for (const auto& run : comparison["runs"]) {
+    const std::string folder = run.value("folder", ""), variant = run.value("variant", "");
+    if (fs::exists(directory / folder / "results.h5"))
+      runs.push_back({folder, results::read_results(directory / folder), variant});
+    else
+      ++missing;
+  }
+  if (runs.size() == before)
+    throw process::SceneError(file.string() + ": a comparison without any results; finish it first");
+  if (missing > 0)
+    std::fprintf(stderr, "note: %zu runs of %s have no results and are left out\n", missing,
+                 directory.string().c_str());
 }
 
 /// A comparison's directory holds runs in its subdirectories; any other directory is a run itself.
 void add_runs(std::vector<render::report::Run>& runs, const fs::path& directory) {
-  if (!fs::exists(directory / "results.h5") && fs::exists(directory / "comparison.json")) {
-    const auto below = runs_below(directory);
-    if (below.empty())
-      throw process::SceneError(directory.string() + ": a comparison without any results; finish it first");
-    for (const auto& run : below)
-      runs.push_back({fs::relative(run, directory).string(), results::read_results(run)});
-    return;
-  }
-  runs.push_back({directory.string(), results::read_results(directory)});
+  if (!fs::exists(directory / "results.h5") && fs::exists(directory / "comparison.json"))
+    add_comparison(runs, directory);
+  else
+    runs.push_back({directory.string(), results::read_results(directory), ""});
 }
 
 int report(const ReportArguments& arguments) {

@@ -144,7 +144,7 @@ class Setter {
     if (!table.header.empty()) format.setHeaderRowCount(1);
     if (!table.numbers && columns == 2 && !table.rows.empty())
       format.setColumnWidthConstraints(
-          {QTextLength(QTextLength::PercentageLength, 30), QTextLength(QTextLength::PercentageLength, 70)});
+          {QTextLength(QTextLength::PercentageLength, 42), QTextLength(QTextLength::PercentageLength, 58)});
     cursor_.insertBlock(spacing(0, 0), letters(font(1)));
     return cursor_.insertTable(static_cast<int>(rows), static_cast<int>(columns), format);
   }

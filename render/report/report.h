@@ -13,6 +13,7 @@ namespace diefill::render::report {
 struct Run {
   std::string name;
   results::FillResult result;
+  std::string strategy;  ///< that it is a run of, where a comparison says so; empty: told from the scene
 };
 
 /// The report as content: of one run all that is known about it; of several first the comparison, then every

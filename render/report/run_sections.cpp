@@ -51,6 +51,17 @@ Section results_section(const FillResult& result) {
   return section;
 }
 
+/// The first picture, which is the map that decides, in full width; the others side by side.
+Section pictures_section(const FillResult& result) {
+  std::vector<Figure> figures = pictures_of(result);
+  Section section{"Maps and pictures", 1, {}};
+  if (figures.empty()) return section;
+  section.blocks.emplace_back(Figures{{figures.front()}});
+  figures.erase(figures.begin());
+  section.blocks.emplace_back(Figures{figures, true});
+  return section;
+}
+
 Section warnings_section(const FillResult& result) {
   Section section{"Warnings", 1, {}};
   for (const auto& warning : result.warnings)
@@ -214,7 +225,7 @@ std::vector<Section> run_sections(const FillResult& result, int level) {
   std::vector<Section> sections = {
       results_section(result),
       warnings_section(result),
-      {"Maps and pictures", 1, {Figures{pictures_of(result), true}}},
+      pictures_section(result),
       strategy_section(result),
       tooling_section(result),
       topics_section(result, "Powder and model", {"powder", "model", "walls", "numerics"}),

@@ -1,7 +1,6 @@
 #include "render/report/strategies.h"
 
 #include <algorithm>
-#include <filesystem>
 #include <set>
 #include <sstream>
 
@@ -30,11 +29,9 @@ bool sets(const std::string& line, const std::string& key) {
 
 /// Equal for runs of one strategy.
 std::string identity(const Run& run) {
+  if (!run.strategy.empty()) return run.strategy;
   const auto& result = run.result;
   std::string text = result.strategy + '\n' + result.powder_name + '\n';
-  // Runs of a comparison lie in <variant>/seed-<k>; their scene text is the same for every variant.
-  const std::filesystem::path path(run.name);
-  if (path.filename().string().starts_with("seed")) text += path.parent_path().string();
   for (const auto& line : telling_lines(result.scene_text)) text += '\n' + line;
   for (const auto& tool : result.tools) text += '\n' + tool.mesh_hash;
   return text;
@@ -46,12 +43,8 @@ void give_names(std::vector<Strategy>& strategies) {
   for (const auto& strategy : strategies) words.insert(strategy.first().strategy);
   const bool telling = words.size() == strategies.size() && !words.contains("");
   for (auto& strategy : strategies) {
-    const std::filesystem::path path(strategy.runs.front()->name);
-    const bool of_comparison = path.filename().string().starts_with("seed") && path.has_parent_path();
-    if (of_comparison)
-      strategy.name = path.parent_path().string();
-    else
-      strategy.name = telling ? strategy.first().strategy : path.string();
+    const Run& run = *strategy.runs.front();
+    strategy.name = !run.strategy.empty() ? run.strategy : telling ? run.result.strategy : run.name;
   }
 }
 

@@ -90,6 +90,20 @@ TEST(Report, HoldsRunsAgainstTheFirstAndTakesSeedsTogether) {
   EXPECT_NE(page.find(" ± "), std::string::npos);
 }
 
+TEST(Report, TakesTheRunsOfAComparisonByTheirVariants) {
+  const SmallDie die;
+  ASSERT_EQ(die.run({"--quiet"}).exit_code, 0);
+  die.write("comparison.json", R"({"runs": [{"variant": "as <it> is", "seed": 1, "folder": "out"},
+    {"variant": "again", "seed": 1, "folder": "out"}, {"variant": "again", "seed": 2, "folder": "lost"}]})");
+  const Outcome outcome = run_program({"report", die.folder().string()});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_NE(outcome.err.find("1 runs of"), std::string::npos) << outcome.err;
+  const std::string page = contents(die.folder() / "report.html");
+  EXPECT_NE(page.find("<h1>2 filling strategies, 2 runs</h1>"), std::string::npos);
+  EXPECT_EQ(cell(page, "as &lt;it&gt; is"), "1");
+  EXPECT_EQ(cell(page, "again"), "1");
+}
+
 void expect_refused(const std::vector<std::string>& arguments, const std::string& words) {
   const Outcome outcome = run_program(arguments);
   EXPECT_EQ(outcome.exit_code, 2) << words;
@@ -105,6 +119,8 @@ TEST(Report, SaysInOneLineWhatIsWrongWithADirectory) {
   expect_refused({"report", die.folder().string()}, "not an HDF5 file");
   std::filesystem::remove(die.folder() / "results.h5");
   die.write("comparison.json", "{}");
+  expect_refused({"report", die.folder().string()}, "no comparison written by diefill");
+  die.write("comparison.json", "{\"runs\": []}");
   expect_refused({"report", die.folder().string()}, "a comparison without any results");
 }
 

@@ -41,8 +41,9 @@ TEST(SectorFilling, IsSolidVolumeOverTheSectorsVolume) {
   const auto filling = sector_filling(powder, fraction, ring(), 4);
   EXPECT_EQ(filling.x, (std::vector<double>{45, 135, 225, 315}));
   const double one = 1e-9 / 0.4e-6;
+  const std::vector<double> grains = {2, 1, 0, 1};
   for (std::size_t sector = 0; sector < 4; ++sector)
-    EXPECT_NEAR(filling.y[sector], one * std::vector<double>{2, 1, 0, 1}[sector], 1e-15);
+    EXPECT_NEAR(filling.y[sector], one * grains[sector], 1e-15);
 }
 
 TEST(SectorFilling, LeavesGrainsOutsideTheCavityOut) {

@@ -75,8 +75,8 @@ TEST(CriticalSpeed, IsNotToldFromTooLittle) {
 }
 
 TEST(Strategies, RunsThatDifferInTheSeedAloneAreOne) {
-  const std::vector<Run> runs = {run_at("a", 0.1, 0.9, 1), run_at("b", 0.2, 0.6, 1),
-                                 run_at("c", 0.1, 0.8, 2)};
+  const std::vector<report::Run> runs = {run_at("a", 0.1, 0.9, 1), run_at("b", 0.2, 0.6, 1),
+                                         run_at("c", 0.1, 0.8, 2)};
   const auto strategies = strategies_of(runs);
   ASSERT_EQ(strategies.size(), 2U);
   EXPECT_EQ(strategies[0].runs.size(), 2U);
@@ -89,7 +89,7 @@ TEST(Strategies, RunsThatDifferInTheSeedAloneAreOne) {
 }
 
 TEST(Strategies, OtherToolsOrSettingsMakeAnotherStrategyAndNoSeries) {
-  std::vector<Run> runs = {run_at("a", 0.1, 0.9), run_at("b", 0.2, 0.9)};
+  std::vector<report::Run> runs = {run_at("a", 0.1, 0.9), run_at("b", 0.2, 0.9)};
   runs[1].result.scene_text += "friction = 0.3 # \"other\"\n";
   EXPECT_FALSE(series_over_speed(strategies_of(runs)));
   runs[1] = runs[0];
@@ -128,7 +128,7 @@ TEST_F(ReportDrawing, TimelineHasABarFromStartToEnd) {
 }
 
 TEST_F(ReportDrawing, SeveralRunsAreRankedByFillRatioWithTheCriticalSpeed) {
-  const std::vector<Run> runs = {run_at("fast", 0.4, 0.5), run_at("slow", 0.2, 1.0 / std::sqrt(2.0))};
+  const std::vector<report::Run> runs = {run_at("fast", 0.4, 0.5), run_at("slow", 0.2, 1.0 / std::sqrt(2.0))};
   const auto sections = comparison_sections(strategies_of(runs));
   const auto& ranking = std::get<Table>(sections.front().blocks.front());
   EXPECT_EQ(ranking.rows.front().front(), runs[1].result.strategy);
