@@ -16,7 +16,8 @@ std::string in_digits(double value, int digits) {
   char text[64];
   const double size = std::abs(value);
   // Whole numbers keep all their digits, or 87,041 spheres would become 87040.
-  if (value == std::round(value) && size < 1e12)
+  const bool long_enough = size >= std::pow(10, digits) && size < 1e9;
+  if (long_enough || (value == std::round(value) && size < 1e12))
     std::snprintf(text, sizeof text, "%.0f", value);
   else
     std::snprintf(text, sizeof text, "%.*g", digits, value);

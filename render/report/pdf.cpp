@@ -9,6 +9,7 @@
 #include <QTextBlock>
 #include <QTextCursor>
 #include <QTextDocument>
+#include <QTextLayout>
 #include <QTextTable>
 #include <QUrl>
 #include <algorithm>
@@ -190,7 +191,9 @@ class Setter {
 
 /// Page on which a text block begins.
 int page_of(const QTextDocument& document, const QTextBlock& block) {
-  const double top = document.documentLayout()->blockBoundingRect(block).top();
+  double top = document.documentLayout()->blockBoundingRect(block).top();
+  // A picture that does not fit moves to the next page while its block's rectangle begins on this one.
+  if (block.layout()->lineCount() > 0) top += block.layout()->lineAt(0).y();
   return static_cast<int>(top / document.pageSize().height());
 }
 

@@ -193,23 +193,6 @@ TEST(ResultFile, OtherSchemaVersionsAreRefused) {
   EXPECT_NE(message_of_reading(scratch.path()).find("schema version 0"), std::string::npos);
 }
 
-TEST(ResultFile, ListsThatAnOlderVersionDidNotHaveReadAsEmpty) {
-  const support::TemporaryFolder scratch;
-  const fs::path file = scratch.path() / "results.h5";
-  write_results(scratch.path(), sample_result());
-  std::string text = contents(file);
-  const std::string name = "stages";
-  for (std::size_t at = text.find(name); at != std::string::npos; at = text.find(name, at + 1))
-    text.replace(at, name.size(), "unread");
-  put(file, text);
-  EXPECT_NE(message_of_reading(scratch.path()).find("stages"), std::string::npos);
-  text[text.find("schema_version") + 40] = 1;
-  put(file, text);
-  const FillResult older = read_results(scratch.path());
-  EXPECT_TRUE(older.stages.empty());
-  EXPECT_EQ(older.title, sample_result().title);
-}
-
 TEST(ResultFile, TruncatedFilesAreRefused) {
   const support::TemporaryFolder scratch;
   const fs::path file = scratch.path() / "results.h5";
