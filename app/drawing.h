@@ -8,6 +8,9 @@
 
 namespace diefill::app {
 
+/// Sets drawing up, unless that has been done. Throws std::runtime_error where there is no renderer.
+void set_up_drawing();
+
 /// Writes the standard pictures of `result` into `directory`; returns their paths.
 std::vector<std::filesystem::path> draw(const std::filesystem::path& directory,
                                         const results::FillResult& result);

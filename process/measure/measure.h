@@ -66,4 +66,22 @@ results::Profile solid_fraction_profile(const results::PowderState& powder,
 /// in the cavity or not; NaN if there are none.
 double bulk_solid_fraction(const results::PowderState& powder, const results::GrainSolidFraction& fraction);
 
+/// The same for the powder outside the cavity, as it stands in the shoe: the model's own apparent density
+/// (Bierwisch 2009, f_m of section 4.1.5).
+double bed_solid_fraction(const results::PowderState& powder, const results::GrainSolidFraction& fraction);
+
+/// Share of a ring that solid fills, over azimuth (deg, middle of the sector) in `sectors` equal sectors:
+/// solid volume of the grains whose centre lies in the sector over the sector's part of the cavity's volume.
+/// Counts missing powder as well as loose powder. Throws std::invalid_argument for other cavities.
+results::Profile sector_filling(const results::PowderState& powder,
+                                const results::GrainSolidFraction& fraction,
+                                const results::CavityState& cavity, int sectors);
+
+/// Mean of a map over its first coordinate where it has values, against its second; NaN where fewer than half
+/// of the nodes have one. Takes a map that ends where it began (azimuth 0 and 360 deg) once.
+results::Profile height_profile(const results::Field2D& map);
+
+/// Largest less smallest over the mean of a profile's values; NaN where it has none.
+double relative_range(const results::Profile& profile);
+
 }  // namespace diefill::process

@@ -22,6 +22,15 @@ constexpr std::array kKnown = {
     Meaning{"simulated_s", "s", "simulated time"},
     Meaning{"wall_seconds", "s", "wall-clock time of the run"},
     Meaning{"sphere_steps_per_second", "1/s", "powder spheres times steps over wall-clock time"},
+    Meaning{"shoe_speed_m_s", "m/s", "speed of the shoe while it moves, median"},
+    Meaning{"fill_density_kg_m3", "kg/m^3", "mass of model powder in the cavity over the cavity's volume"},
+    Meaning{"model_apparent_density_kg_m3", "kg/m^3", "density of the model powder left outside the cavity"},
+    Meaning{"apparent_density_kg_m3", "kg/m^3", "apparent density of the real powder, as weighed"},
+    Meaning{"fill_ratio", "1", "fill density over the model powder's apparent density"},
+    Meaning{"expected_fill_density_kg_m3", "kg/m^3", "fill ratio times the real powder's apparent density"},
+    Meaning{"expected_mass_kg", "kg", "expected fill density times the cavity's volume"},
+    Meaning{"azimuthal_variation", "1", "range over mean of the filled fraction of 12 sectors"},
+    Meaning{"axial_variation", "1", "range over mean of the solid fraction over height"},
     Meaning{"energy_balance_error", "1", "energy unaccounted for, relative to the energy turned over"},
 };
 

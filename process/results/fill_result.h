@@ -49,6 +49,31 @@ struct ToolState {
   std::string mesh_hash;                             ///< of the CAD file's bytes
 };
 
+/// What the CAD check and the covering with wall spheres found out about a tool.
+struct ToolCheck {
+  std::string tool;                   ///< name of the tool
+  std::string file;                   ///< name of its CAD file, without folders
+  std::vector<std::string> findings;  ///< about the mesh, one remark each; empty: nothing to remark upon
+  double volume = 0;                  ///< m^3, enclosed by the mesh
+  double mean_deviation = 0;          ///< m, of the wall spheres' envelope from the CAD surface
+  double largest_deviation = 0;       ///< m, the same, largest
+  double largest_gap = 0;             ///< m, largest gap between wall spheres
+};
+
+/// One stage of the schedule as it happened.
+struct Stage {
+  std::string tool;           ///< name of the tool that moved; empty: none did
+  std::string words;          ///< for people, such as "1 passage at 0.2 m/s"
+  double start = 0, end = 0;  ///< s since the start of the scene
+};
+
+/// What a run says about itself in words, by topic, such as "powder" or "assumptions"; units are in the
+/// texts. `name` and `text` have the same length.
+struct Topic {
+  std::string topic;
+  std::vector<std::string> name, text;
+};
+
 /// Where the powder is collected. Rings have an axis and radii; other dies only the box.
 struct CavityState {
   bool is_ring = false;
@@ -131,6 +156,9 @@ struct FillResult {
   std::map<std::string, double> figures;        ///< grains, spheres, wall_spheres, steps, time_step_s, ...
   std::map<std::string, double> phase_seconds;  ///< the engine's phase timers
   std::vector<std::string> warnings;            ///< for people, such as "d over ring width is beyond 1/3"
+  std::vector<ToolCheck> tool_checks;           ///< in the order of the tools
+  std::vector<Stage> stages;                    ///< in the order of time
+  std::vector<Topic> topics;                    ///< model, walls, assumptions, versions, ...
 };
 
 }  // namespace diefill::results

@@ -81,6 +81,10 @@ void Hdf5Reader::field(const std::string& name, std::vector<std::string>& texts,
   texts = read_texts(name, 1);
 }
 
+bool Hdf5Reader::has_group(const std::string& name) const {
+  return H5Lexists(file_.id(), (path_ + "/" + name).c_str(), H5P_DEFAULT) > 0;
+}
+
 std::vector<std::string> Hdf5Reader::members() const {
   Hdf5Handle group(H5Gopen2(file_.id(), path_.c_str(), H5P_DEFAULT), H5Gclose);
   H5G_info_t info;

@@ -49,6 +49,8 @@ class Hdf5Reader {
 
   template <class Item, class NameOf, class Body>
   void list(const std::string& name, const char* description, std::vector<Item>& items, NameOf, Body body) {
+    items.clear();
+    if (older_ && !has_group(name)) return;  // came with a later version
     group(name, description, [&] {
       const std::vector<std::string> names = members();
       items.resize(names.size());
@@ -64,6 +66,9 @@ class Hdf5Reader {
     });
   }
 
+  /// From here on lists that the file does not have are empty: it is of an older version.
+  void allow_missing_lists() { older_ = true; }
+
   /// Attributes of the file itself; empty or -1 where there is none of that name and kind.
   std::string file_text(const char* name) const;
   int file_number(const char* name) const;
@@ -78,12 +83,14 @@ class Hdf5Reader {
   void read(const std::string& name, NumberType type, void* data) const;
   std::vector<std::string> read_texts(const std::string& name, std::size_t dimensions) const;
   std::vector<std::string> members() const;
+  bool has_group(const std::string& name) const;
   [[noreturn]] void fail(const std::string& name, const std::string& what) const;
 
   QuietHdf5 quiet_;
   std::string file_name_;
   Hdf5Handle file_;
   std::string path_;
+  bool older_ = false;
 };
 
 }  // namespace diefill::results

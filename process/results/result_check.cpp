@@ -39,6 +39,9 @@ void check_lengths(const FillResult& result) {
   same_or_none("open cells", result.solid_fraction.open.size(), grains);
   same_or_none("grains in the cavity", result.solid_fraction.in_cavity.size(), grains);
   for (const ToolState& tool : result.tools) check_tool(tool);
+  for (const Topic& topic : result.topics)
+    if (topic.name.size() != topic.text.size())
+      throw ResultError("topic \"" + topic.topic + "\" has unequal numbers of names and texts");
   for (const Field2D& map : result.maps) check_field(map, "map");
   for (const SectionField& section : result.sections) check_field(section.field, "section");
   for (const Profile& profile : result.profiles)

@@ -54,10 +54,11 @@ FillResult read_checked(const std::filesystem::path& path) {
   if (file.file_text("format") != kFormat)
     throw ResultError(path.string() + ": an HDF5 file, but not results of diefill; name another directory");
   const int version = file.file_number("schema_version");
-  if (version != kSchemaVersion)
+  if (version < kOldestSchemaVersion || version > kSchemaVersion)
     throw ResultError(path.string() + ": results of schema version " + std::to_string(version) +
-                      ", but this program reads version " + std::to_string(kSchemaVersion) +
-                      "; run the scene again with this program");
+                      ", but this program reads versions " + std::to_string(kOldestSchemaVersion) + " to " +
+                      std::to_string(kSchemaVersion) + "; run the scene again with this program");
+  if (version < kSchemaVersion) file.allow_missing_lists();
   FillResult result;
   describe(file, result);
   return result;

@@ -1,5 +1,6 @@
 // The HDF5 schema, said once: writer and reader walk through the same description, so that what is written is
-// what can be read. README.md lists the same for people. Change kSchemaVersion with every change here.
+// what can be read. README.md lists the same for people. Raise kSchemaVersion with every change here; what
+// is added as a list keeps older files readable.
 #pragma once
 
 #include <string>
@@ -11,7 +12,7 @@
 namespace diefill::results {
 
 inline constexpr const char* kFormat = "diefill results";
-inline constexpr int kSchemaVersion = 1;
+inline constexpr int kSchemaVersion = 2, kOldestSchemaVersion = 1;
 
 template <class Archive, class Powder>
 void describe_powder(Archive& archive, Powder& powder) {
@@ -132,6 +133,42 @@ void describe_profiles(Archive& archive, Profiles& profiles) {
                });
 }
 
+template <class Archive, class Checks>
+void describe_tool_checks(Archive& archive, Checks& checks) {
+  const auto name_of = [](const ToolCheck& check) { return check.tool; };
+  archive.list("tool_checks", "what the CAD check found out", checks, name_of, [&](auto& check) {
+    archive.field("tool", check.tool, "text", "name of the tool");
+    archive.field("file", check.file, "text", "name of its CAD file");
+    archive.field("findings", check.findings, "text", "remarks about the mesh");
+    archive.field("volume", check.volume, "m^3", "volume that the mesh encloses");
+    archive.field("mean_deviation", check.mean_deviation, "m",
+                  "mean distance of the wall spheres' envelope from the CAD surface");
+    archive.field("largest_deviation", check.largest_deviation, "m", "the same, largest");
+    archive.field("largest_gap", check.largest_gap, "m", "largest gap between wall spheres");
+  });
+}
+
+template <class Archive, class Stages>
+void describe_stages(Archive& archive, Stages& stages) {
+  const auto name_of = [](const Stage& stage) { return stage.words; };
+  archive.list("stages", "the schedule as it happened", stages, name_of, [&](auto& stage) {
+    archive.field("tool", stage.tool, "text", "tool that moved; empty: none");
+    archive.field("words", stage.words, "text", "what was done");
+    archive.field("start", stage.start, "s", "since the start of the scene");
+    archive.field("end", stage.end, "s", "since the start of the scene");
+  });
+}
+
+template <class Archive, class Topics>
+void describe_topics(Archive& archive, Topics& topics) {
+  const auto name_of = [](const Topic& topic) { return topic.topic; };
+  archive.list("topics", "what the run says about itself in words", topics, name_of, [&](auto& topic) {
+    archive.field("topic", topic.topic, "text", "what it is about");
+    archive.field("name", topic.name, "text", "names of the statements");
+    archive.field("text", topic.text, "text", "the statements, as many as names");
+  });
+}
+
 template <class Archive, class Result>
 void describe_scene(Archive& archive, Result& result) {
   archive.group("scene", "what was run, enough to run it again", [&] {
@@ -165,6 +202,9 @@ void describe(Archive& archive, Result& result) {
   };
   archive.numbers("phase_seconds", "wall-clock time by phase of the step", result.phase_seconds,
                   phase_meaning);
+  describe_tool_checks(archive, result.tool_checks);
+  describe_stages(archive, result.stages);
+  describe_topics(archive, result.topics);
 }
 
 }  // namespace diefill::results

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <limits>
 
 #include "process/measure/measure.h"
+#include "process/run/topics.h"
 
 #ifndef DIEFILL_VERSION
 #error "the build names the program's version in DIEFILL_VERSION"
@@ -100,6 +102,9 @@ void add_figures(results::FillResult& result, const Tooling& tooling, const Fill
   figures["grains_left"] = static_cast<double>(run.grains_left());
   figures["grains_sheared"] = static_cast<double>(run.grains_sheared());
   figures["mass_left_kg"] = static_cast<double>(run.grains_left()) * settings.shape.mass;
+  figures["overlap_limit_ratio"] = engine::HealthLimits{}.forbidden_overlap;
+  figures["wall_overlap_limit_ratio"] = engine::HealthLimits{}.forbidden_wall_overlap;
+  figures["energy_error_limit"] = engine::HealthLimits{}.energy_error;
   figures["grain_diameter_m"] = result.powder.grain_diameter;
   figures["bulk_solid_fraction"] = bulk_solid_fraction(result.powder, result.solid_fraction);
   if (result.cavity.volume > 0) {
@@ -111,6 +116,60 @@ void add_figures(results::FillResult& result, const Tooling& tooling, const Fill
   }
   for (std::size_t phase = 0; phase < engine::kPhaseNames.size(); ++phase)
     result.phase_seconds[engine::kPhaseNames[phase]] = simulation.timers().seconds()[phase];
+}
+
+/// m/s: of the shoe while it moves, the median over its steps, which leaves out how it starts and stops; NaN
+/// where no shoe moves.
+double shoe_speed(const Scene& scene) {
+  constexpr int kInstants = 1000;
+  std::vector<double> speeds;
+  for (const auto& step : scene.steps) {
+    const auto moved = std::find_if(scene.tools.begin(), scene.tools.end(),
+                                    [&](const ToolSpec& tool) { return tool.name == step->tool(); });
+    if (moved == scene.tools.end() || moved->role != ToolRole::shoe || !step->duration()) continue;
+    for (int n = 1; n < kInstants; ++n) {
+      const double speed = step->motion(*step->duration() * n / kInstants).velocity.head<2>().norm();
+      if (speed > 0) speeds.push_back(speed);
+    }
+  }
+  if (speeds.empty()) return std::numeric_limits<double>::quiet_NaN();
+  const auto middle = speeds.begin() + static_cast<std::ptrdiff_t>(speeds.size() / 2);
+  std::nth_element(speeds.begin(), middle, speeds.end());
+  return *middle;
+}
+
+/// Figures that powder metallurgy speaks of. Model powder has no real density, so that it is the fill ratio,
+/// in which density cancels, that carries over to the real powder (Bierwisch 2009, Eq. 4.2).
+void add_filling_figures(results::FillResult& result, const Scene& scene) {
+  auto& figures = result.figures;
+  const auto& powder = result.powder;
+  const double density = powder.grain_mass / powder.grain_solid_volume;
+  const double bed = bed_solid_fraction(powder, result.solid_fraction);
+  figures["shoe_speed_m_s"] = shoe_speed(scene);
+  figures["coarse_graining_factor"] = coarse_graining_factor(scene.powder);
+  figures["model_apparent_density_kg_m3"] = bed * density;
+  if (scene.powder.apparent_density > 0) figures["apparent_density_kg_m3"] = scene.powder.apparent_density;
+  if (!(result.cavity.volume > 0)) return;
+  const double fill_density = figures["filled_mass_kg"] / result.cavity.volume;
+  figures["fill_density_kg_m3"] = fill_density;
+  figures["fill_ratio"] = fill_density / (bed * density);
+  if (scene.powder.apparent_density > 0) {
+    figures["expected_fill_density_kg_m3"] = figures["fill_ratio"] * scene.powder.apparent_density;
+    figures["expected_mass_kg"] = figures["expected_fill_density_kg_m3"] * result.cavity.volume;
+  }
+  for (const auto& profile : result.profiles) {
+    if (profile.quantity == "filled fraction") figures["azimuthal_variation"] = relative_range(profile);
+    if (profile.x_name == "height") figures["axial_variation"] = relative_range(profile);
+  }
+}
+
+std::vector<results::ToolCheck> tool_checks(const Tooling& tooling) {
+  std::vector<results::ToolCheck> checks;
+  for (const Tool& tool : tooling.tools)
+    checks.push_back({tool.spec.name, tool.spec.file.filename().string(), tool.findings.in_words(),
+                      tool.mesh.volume(), tool.spheres.mean_deviation, tool.spheres.largest_deviation,
+                      tool.spheres.largest_gap});
+  return checks;
 }
 
 std::vector<results::SectionPlane> wanted_sections(const Scene& scene) {
@@ -165,6 +224,7 @@ results::SectionPlane section_plane(const std::string& name, const Eigen::Vector
 
 void measure_fields(results::FillResult& result, const FieldRequest& request, int azimuth_bins) {
   constexpr double kDefaultWidth = 5e-4;  // m, Bierwisch 2009, Figs. 3.6, 4.12
+  constexpr int kSectors = 12;
   const double width = request.averaging_width > 0
                            ? request.averaging_width
                            : std::max(kDefaultWidth, 0.5 * result.powder.grain_diameter);
@@ -174,6 +234,8 @@ void measure_fields(results::FillResult& result, const FieldRequest& request, in
   if (result.cavity.is_ring) {
     result.maps.push_back(cylindrical_map(result.powder, result.solid_fraction, result.cavity, width));
     result.profiles.push_back(fill_level(result.powder, result.cavity, azimuth_bins));
+    result.profiles.push_back(sector_filling(result.powder, result.solid_fraction, result.cavity, kSectors));
+    result.profiles.push_back(height_profile(result.maps.back()));
   }
   auto planes = request.sections;
   if (planes.empty()) planes.push_back(default_section(result));
@@ -201,6 +263,10 @@ results::FillResult assemble(const Scene& scene, const Tooling& tooling, const F
   add_figures(result, tooling, run);
   result.warnings = run.warnings();
   measure_fields(result, {scene.measure.averaging_width, wanted_sections(scene)}, scene.measure.azimuth_bins);
+  add_filling_figures(result, scene);
+  result.tool_checks = tool_checks(tooling);
+  result.stages = run.schedule().past();
+  result.topics = topics(scene, run);
   return result;
 }
 

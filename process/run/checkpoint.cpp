@@ -76,6 +76,7 @@ void transfer(Io& io, Contents& checkpoint) {
   io(checkpoint.sphere_steps);
   io(checkpoint.schedule.stage);
   io(checkpoint.schedule.stage_start);
+  io(checkpoint.schedule.ends);
   io(checkpoint.schedule.rest);
   auto& simulation = checkpoint.simulation;
   io(simulation.step);

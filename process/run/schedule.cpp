@@ -39,6 +39,7 @@ bool Schedule::update(engine::Simulation& simulation) {
                              : state_.rest.at_rest(simulation, grain_diameter_);
   if (!over) return false;
   ++state_.stage;
+  state_.ends.push_back(simulation.time());
   state_.stage_start = simulation.time();
   state_.rest = {};
   set_motions(simulation);
@@ -66,6 +67,16 @@ ToolPose Schedule::pose_before(std::size_t stage, std::size_t k) const {
     if (stages_[s]->tool() == tooling_.tools[k].spec.name && stages_[s]->duration())
       pose = standing_still(compose(stages_[s]->motion(*stages_[s]->duration()), pose));
   return pose;
+}
+
+std::vector<results::Stage> Schedule::past() const {
+  std::vector<results::Stage> stages;
+  double start = 0;
+  for (std::size_t s = 0; s < std::min(state_.ends.size(), stages_.size()); ++s) {
+    stages.push_back({stages_[s]->tool(), stages_[s]->in_words(), start, state_.ends[s]});
+    start = state_.ends[s];
+  }
+  return stages;
 }
 
 std::string Schedule::in_words() const {

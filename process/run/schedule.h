@@ -8,6 +8,7 @@
 
 #include "engine/simulation.h"
 #include "process/machine/step.h"
+#include "process/results/fill_result.h"
 #include "process/run/rest.h"
 #include "process/run/tooling.h"
 
@@ -15,8 +16,9 @@ namespace diefill::process {
 
 /// All that a restart needs of a schedule.
 struct ScheduleState {
-  std::uint64_t stage = 0;  ///< number of the step that is on; the number of steps when all are done
-  double stage_start = 0;   ///< s, when it began
+  std::uint64_t stage = 0;   ///< number of the step that is on; the number of steps when all are done
+  double stage_start = 0;    ///< s, when it began
+  std::vector<double> ends;  ///< s, when each of the steps before it ended
   RestWatch rest;
 };
 
@@ -34,6 +36,8 @@ class Schedule {
   bool finished() const { return state_.stage >= stages_.size(); }
   const ScheduleState& state() const { return state_; }
 
+  /// Steps that are over, each with its tool and its time.
+  std::vector<results::Stage> past() const;
   /// Step that is on, in words; "done" after the last.
   std::string in_words() const;
   /// s that remain at least, counting for every wait until rest `settling_time` s.

@@ -51,6 +51,12 @@ const ReferenceSize& size_of(GrainModel model) {
   throw std::logic_error("a grain model without a row in kReferenceSizes");
 }
 
+/// kg/m^3 of the real powder; 0 where it has not been published.
+double apparent_density(const std::string& preset) {
+  constexpr double kAsc10029 = 3000;  // Bierwisch 2009, section 4.1.1
+  return preset.starts_with("ASC100.29") ? kAsc10029 : 0;
+}
+
 }  // namespace
 
 std::vector<std::string> preset_names() {
@@ -69,6 +75,7 @@ PowderSpec powder_preset(const std::string& name) {
     powder.friction = preset.friction;
     powder.work_of_adhesion = preset.work_of_adhesion;
     powder.rolling_friction = preset.rolling_friction;
+    powder.apparent_density = apparent_density(name);
     powder.grain_diameter = diameter_over_radius(preset.model) * powder.sphere_radius;
     return powder;
   }

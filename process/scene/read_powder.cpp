@@ -18,6 +18,7 @@ constexpr QuantityRule kTangential = {Dimension::pressure, "1 MPa", "0 Pa", "1e1
 constexpr QuantityRule kAdhesion = {Dimension::work_of_adhesion, "0.005 J/m^2", "0 J/m^2", "10 J/m^2"};
 constexpr QuantityRule kRolling = {Dimension::length, "0.0375 mm", "0 mm", "10 mm"};
 constexpr QuantityRule kViscosity = {Dimension::viscosity, "2e-5 Pa s", "0 Pa s", "1 Pa s"};
+constexpr QuantityRule kApparentDensity = {Dimension::density, "3.0 g/cm^3", "0.01 g/cm^3", "25 g/cm^3"};
 constexpr NumberRule kFriction = {0, 10, false, "0.5"};
 
 const Choices<GrainModel>& models() {
@@ -63,6 +64,8 @@ void read_overrides(TableReader& table, PowderSpec& powder) {
   powder.tangential_over_radius =
       table.quantity("tangential_over_radius", kTangential).value_or(powder.tangential_over_radius);
   powder.air_viscosity = table.quantity("air_viscosity", kViscosity).value_or(powder.air_viscosity);
+  powder.apparent_density =
+      table.quantity("apparent_density", kApparentDensity).value_or(powder.apparent_density);
   read_rolling_friction(table, powder);
 }
 

@@ -37,6 +37,7 @@ struct PowderSpec {
   double work_of_adhesion = 0;          ///< J/m^2, w at the reference size
   double rolling_friction = 0;          ///< m, mu_r at the reference size (model B only)
   double air_viscosity = 2e-5;          ///< Pa s, mu_a at the reference size
+  double apparent_density = 0;          ///< kg/m^3 of the real powder, as weighed; 0: not known
   /// m, model grain size d wanted, exactly (d / R) times the wanted R: coarse graining scales the rest to it.
   double grain_diameter = 6 * 7.84e-5;
 };

@@ -19,12 +19,13 @@ struct DimensionEntry {
   const char* example;
 };
 
-constexpr std::array<DimensionEntry, 10> kDimensions = {{
+constexpr std::array<DimensionEntry, 11> kDimensions = {{
     {Dimension::length, "a length", "m", "0.94 mm"},
     {Dimension::time, "a time", "s", "50 ms"},
     {Dimension::velocity, "a velocity", "m/s", "0.2 m/s"},
     {Dimension::acceleration, "an acceleration", "m/s^2", "10 m/s^2"},
     {Dimension::mass, "a mass", "kg", "0.0763 mg"},
+    {Dimension::density, "a density", "kg/m^3", "3.0 g/cm^3"},
     {Dimension::pressure, "a pressure", "Pa", "10 MPa"},
     {Dimension::work_of_adhesion, "a work of adhesion per area", "J/m^2", "0.005 J/m^2"},
     {Dimension::viscosity, "a viscosity", "Pa s", "2e-5 Pa s"},

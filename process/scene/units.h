@@ -15,6 +15,7 @@ enum class Dimension {
   velocity,
   acceleration,
   mass,
+  density,
   pressure,
   work_of_adhesion,
   viscosity,

@@ -95,6 +95,12 @@ inline FillResult sample_result(int grains = 5) {
                     {"undefined", std::nan("")}};
   result.phase_seconds = {{"detect", 1.5}, {"contact", 20}, {"integrate", 0.1}};
   result.warnings = {"d over ring width is 0.4, beyond 1/3", ""};
+  result.tool_checks = {{"die", "die.stl", {"2 degenerate triangles", ""}, 1e-6, 2e-6, 3e-6, 4e-6},
+                        {"a/b c", "shoe \u00fc.stl", {}, 5e-6, 6e-6, 7e-6, 8e-6}};
+  result.stages = {{"", "settling until at rest", 0, 0.1},
+                   {"a/b c", "1 passage at 0.2 m/s", 0.1, 0.3},
+                   {"", "settling until at rest", 0.3, 0.30000000000000004}};
+  result.topics = {{"powder", {"grain model", "friction"}, {"D", "1"}}, {"versions", {}, {}}};
   return result;
 }
 

@@ -145,6 +145,7 @@ TEST_F(CheckpointFile, GivesBackEveryBitAndContinuesTheSameRun) {
   kept.simulation = original.snapshot();
   kept.schedule.stage = 3;
   kept.schedule.rest.quiet_since = 0.25;
+  kept.schedule.ends = {0.5, 0.75, 1.0};
   kept.grains_left = 7;
   kept.grains_sheared = 3;
   write_checkpoint(folder_.path(), kept);
@@ -153,6 +154,7 @@ TEST_F(CheckpointFile, GivesBackEveryBitAndContinuesTheSameRun) {
   EXPECT_EQ(read->scene_hash, 42U);
   EXPECT_EQ(read->schedule.stage, 3U);
   EXPECT_EQ(read->schedule.rest.quiet_since, 0.25);
+  EXPECT_EQ(read->schedule.ends, kept.schedule.ends);
   EXPECT_EQ(read->grains_left, 7U);
   EXPECT_EQ(read->grains_sheared, 3U);
   engine::Simulation resumed(original.settings(), {});

@@ -70,6 +70,13 @@ TEST(Powder, PresetsAreElevenAndNoneIsListedTwice) {
   EXPECT_THROW(powder_preset("ASC100.29"), std::invalid_argument);
 }
 
+TEST(Powder, ApparentDensityIsKnownWherePublishedAndCanBeStated) {
+  EXPECT_EQ(powder_preset("ASC100.29 D2").apparent_density, 3000);
+  EXPECT_EQ(powder_preset("Distaloy AE").apparent_density, 0);
+  const auto powder = powder_of("preset = \"Distaloy AE\"\napparent_density = \"3.05 g/cm^3\"\n");
+  EXPECT_DOUBLE_EQ(powder.apparent_density, 3050);
+}
+
 TEST(Powder, RadiusAndDiameterFollowTheModel) {
   EXPECT_EQ(powder_preset("ASC100.29 A2").sphere_radius, 1.5e-4);
   EXPECT_EQ(powder_preset("ASC100.29 B1").sphere_radius, 1.5e-4);

@@ -1,0 +1,104 @@
+#include <cstdio>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "app/commands.h"
+#include "app/drawing.h"
+#include "app/exit_code.h"
+#include "app/output.h"
+#include "process/results/atomic_file.h"
+#include "process/results/result_file.h"
+#include "process/scene/scene_error.h"
+#include "render/report/html.h"
+#include "render/report/pdf.h"
+#include "render/report/report.h"
+
+namespace diefill::app {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+struct ReportArguments {
+  std::vector<std::string> directories;
+  std::string out;
+  bool pdf = false;
+};
+
+/// The finished runs that `directory`/comparison.json lists, by variant and seed.
+void add_comparison(std::vector<render::report::Run>& runs, const fs::path& directory) {
+  const fs::path file = directory / "comparison.json";
+  std::ifstream stream(file);
+  const auto comparison = nlohmann::json::parse(stream, nullptr, false);
+  if (!comparison.is_object() || !comparison.contains("runs"))
+    throw process::SceneError(file.string() + ": no comparison written by diefill; name another directory");
+  std::size_t missing = 0;
+  const std::size_t before = runs.size();
+  for (const auto& run : comparison["runs"]) {
+    const std::string folder = run.value("folder", ""), variant = run.value("variant", "");
+    if (fs::exists(directory / folder / "results.h5"))
+      runs.push_back({folder, results::read_results(directory / folder), variant});
+    else
+      ++missing;
+  }
+  if (runs.size() == before)
+    throw process::SceneError(file.string() + ": a comparison without any results; finish it first");
+  if (missing > 0)
+    std::fprintf(stderr, "note: %zu runs of %s have no results and are left out\n", missing,
+                 directory.string().c_str());
+}
+
+/// A comparison's directory holds runs in its subdirectories; any other directory is a run itself.
+void add_runs(std::vector<render::report::Run>& runs, const fs::path& directory) {
+  if (!fs::exists(directory / "results.h5") && fs::exists(directory / "comparison.json"))
+    add_comparison(runs, directory);
+  else
+    runs.push_back({directory.string(), results::read_results(directory), ""});
+}
+
+int report(const ReportArguments& arguments) {
+  std::vector<render::report::Run> runs;
+  for (const auto& directory : arguments.directories) add_runs(runs, directory);
+  const fs::path html = arguments.out.empty() ? fs::path(arguments.directories.front()) / "report.html"
+                                              : fs::path(arguments.out);
+  if (html.extension() == ".pdf")
+    throw process::SceneError(
+        "--out: found \"" + arguments.out +
+        "\"; it names the HTML page, such as \"report.html\"; --pdf writes the PDF beside it");
+  make_output_directory(html.parent_path().empty() ? fs::path(".") : html.parent_path());
+  write_output([&] {
+    set_up_drawing();
+    const auto document = render::report::report_of(runs);
+    results::write_text_atomically(html, render::report::html_page(document));
+    std::printf("%s\n", html.string().c_str());
+    if (!arguments.pdf) return;
+    const fs::path pdf = fs::path(html).replace_extension(".pdf");
+    results::write_text_atomically(pdf, render::report::pdf_pages(document));
+    std::printf("%s\n", pdf.string().c_str());
+  });
+  return kDone;
+}
+
+}  // namespace
+
+void add_report(CLI::App& program, Action& chosen) {
+  auto* command = program.add_subcommand(
+      "report", "Write one page about a run, or about several held against each other, to show and to print");
+  auto arguments = std::make_shared<ReportArguments>();
+  command
+      ->add_option(
+          "DIR", arguments->directories,
+          "results directories of runs, or of a comparison; the first is what others are held against")
+      ->required();
+  command->add_flag("--pdf", arguments->pdf, "also a PDF, beside the HTML page");
+  command->add_option("--out", arguments->out,
+                      "file of the HTML page (default: report.html in the first DIR)");
+  command->footer(
+      "Runs whose scenes differ in nothing but the seed count as one strategy, and their scatter is given.\n"
+      "Examples:\n"
+      "  diefill report out/narrow_ring --pdf\n"
+      "  diefill report out/slow out/fast out/fast_seed_2 --out out/strategies.html");
+  command->callback([arguments, &chosen] { chosen = [arguments] { return report(*arguments); }; });
+}
+
+}  // namespace diefill::app

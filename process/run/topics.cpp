@@ -1,0 +1,149 @@
+#include "process/run/topics.h"
+
+#include <cstdio>
+
+#include "process/run/assemble.h"
+
+#ifndef DIEFILL_LIBRARIES
+#error "the build names the libraries in DIEFILL_LIBRARIES"
+#endif
+
+namespace diefill::process {
+
+namespace {
+
+/// `format` holds one number.
+std::string with_number(const char* format, double value) {
+  char text[240];
+  std::snprintf(text, sizeof text, format, value);
+  return text;
+}
+
+void state(results::Topic& topic, const std::string& name, const std::string& text) {
+  topic.name.push_back(name);
+  topic.text.push_back(text);
+}
+
+std::string model_in_words(GrainModel model) {
+  switch (model) {
+    case GrainModel::A:
+      return "A: a sphere that does not rotate";
+    case GrainModel::B:
+      return "B: a rotating sphere with rolling friction";
+    case GrainModel::C:
+      return "C: six overlapping spheres on an octahedron";
+    case GrainModel::D:
+      break;
+  }
+  return "D: seven touching spheres";
+}
+
+results::Topic powder_topic(const Scene& scene) {
+  const PowderSpec& powder = scene.powder;
+  const double fine = powder.grain_diameter / coarse_graining_factor(powder);
+  results::Topic topic{"powder", {}, {}};
+  state(topic, "Powder", powder.name);
+  state(topic, "Apparent density of the real powder",
+        powder.apparent_density > 0 ? with_number("%.4g kg/m\u00b3", powder.apparent_density)
+                                    : "not known here; powder.apparent_density in the scene states it");
+  state(topic, "Grain model", model_in_words(powder.model));
+  state(topic, "Calibrated grain size", with_number("%.4g mm", 1e3 * fine));
+  state(topic, "Grain size as simulated", with_number("%.4g mm", 1e3 * powder.grain_diameter));
+  const double factor = coarse_graining_factor(powder);
+  state(topic, "Coarse graining",
+        with_number("factor %.3g: ", factor) +
+            with_number("one simulated grain stands for %.4g calibrated ones of the same powder",
+                        factor * factor * factor));
+  return topic;
+}
+
+results::Topic model_topic(const Scene& scene, const engine::SimulationSettings& settings) {
+  const engine::ContactParameters& contact = settings.grain_contact;
+  results::Topic topic{"model", {}, {}};
+  state(topic, "Method", "discrete elements: every simulated grain moves by Newton's laws");
+  state(topic, "Normal force",
+        with_number("Hertz, reduced modulus %.3g MPa", 1e-6 * contact.reduced_modulus) +
+            with_number(", damping %.3g Pa s (Bierwisch 2009, section 2.2)", contact.damping));
+  state(topic, "Cohesion",
+        contact.work_of_adhesion > 0
+            ? with_number("work of adhesion %.3g J/m\u00b2 at the simulated size", contact.work_of_adhesion)
+            : "none");
+  state(topic, "Friction",
+        with_number("Coulomb, coefficient %.3g, ", contact.friction) +
+            with_number("tangential stiffness %.3g N/m", contact.tangential));
+  if (scene.powder.model == GrainModel::B)
+    state(topic, "Rolling friction", with_number("%.3g mm", 1e3 * contact.rolling_friction));
+  state(topic, "Air",
+        settings.air_viscosity > 0
+            ? with_number("Stokes drag on every sphere, viscosity %.3g Pa s", settings.air_viscosity)
+            : "none");
+  state(topic, "Rule of coarse graining",
+        "Bierwisch 2009, chapter 3: same fall, flow and packing of the bulk");
+  return topic;
+}
+
+results::Topic walls_topic(const Scene& scene) {
+  const WallSpec& walls = scene.walls;
+  results::Topic topic{"walls", {}, {}};
+  state(topic, "Tools", "rigid, covered with spheres where powder can reach them");
+  state(topic, "Wall spheres",
+        with_number("radius %.4g mm, ", 1e3 * walls.sphere_radius) +
+            with_number("spacing %.3g radii", walls.spacing));
+  state(topic, "Friction of walls", with_number("coefficient %.3g", walls.friction));
+  state(topic, "Cohesion of walls",
+        walls.work_of_adhesion > 0 ? with_number("%.3g J/m\u00b2", walls.work_of_adhesion) : "none");
+  return topic;
+}
+
+results::Topic numerics_topic(const Scene& scene, const FillRun& run) {
+  const auto& settings = run.simulation().settings();
+  results::Topic topic{"numerics", {}, {}};
+  state(topic, "Time step", with_number("%.4g s", settings.time_step));
+  state(topic, "Critical time step", with_number("%.4g s", run.critical_time_step()));
+  state(topic, "Threads", with_number("%.0f; results do not depend on it", settings.threads));
+  state(topic, "Gravity", with_number("%.4g m/s\u00b2", scene.gravity.norm()));
+  for (std::size_t axis = 0; axis < 2; ++axis)
+    if (scene.numerics.period[axis])
+      state(topic, axis == 0 ? "Period along x" : "Period along y",
+            with_number("%.4g mm", 1e3 * *scene.numerics.period[axis]));
+  return topic;
+}
+
+results::Topic assumptions_topic(const Scene& scene) {
+  results::Topic topic{"assumptions", {}, {}};
+  state(topic, "Grain size",
+        "all grains are of one size and shape; sieve cuts and lubricant are in the "
+        "calibrated parameters only");
+  state(topic, "Stiffness",
+        "grains are softer than metal on purpose, so that steps can be longer; packing and "
+        "flow hardly feel it");
+  state(topic, "Density",
+        "model grains are not as dense as metal; compare solid fractions and fill ratios, "
+        "not masses");
+  state(topic, "Air", "does not flow: air trapped under the powder and suction filling are left out");
+  state(topic, "Tools", "neither bend nor wear, and do as the schedule says whatever the force");
+  state(topic, "Segregation", "cannot appear with grains of one size");
+  if (coarse_graining_factor(scene.powder) > 1)
+    state(topic, "Narrow places",
+          "an opening acts as if narrower by 1.4 times the growth of the grains "
+          "(Bierwisch 2009, section 3.2.2)");
+  return topic;
+}
+
+results::Topic versions_topic() {
+  results::Topic topic{"versions", {}, {}};
+  state(topic, "diefill", program_version());
+  state(topic, "Compiler", __VERSION__);
+  state(topic, "Libraries", DIEFILL_LIBRARIES);
+  return topic;
+}
+
+}  // namespace
+
+std::vector<results::Topic> topics(const Scene& scene, const FillRun& run) {
+  return {powder_topic(scene),      model_topic(scene, run.simulation().settings()),
+          walls_topic(scene),       numerics_topic(scene, run),
+          assumptions_topic(scene), versions_topic()};
+}
+
+}  // namespace diefill::process

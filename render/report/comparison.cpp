@@ -1,0 +1,292 @@
+#include "render/report/comparison.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <cmath>
+#include <limits>
+
+#include "render/report/critical_speed.h"
+#include "render/report/pictures_of.h"
+#include "render/ticks.h"
+
+namespace diefill::render::report {
+namespace {
+
+/// A column of the ranking: a figure in the unit in which it is read.
+struct Column {
+  const char* name;
+  const char* figure;
+  double factor;
+};
+constexpr std::array kColumns = {
+    Column{"Fill ratio", "fill_ratio", 1}, Column{"Azimuthal variation [%]", "azimuthal_variation", 100},
+    Column{"Axial variation [%]", "axial_variation", 100}, Column{"Filled mass [g]", "filled_mass_kg", 1e3},
+    Column{"Fill density [kg/m³]", "fill_density_kg_m3", 1}};
+
+Scatter scaled(Scatter value, double factor) {
+  value.mean *= factor;
+  value.deviation *= factor;
+  return value;
+}
+
+/// Strategies from the highest to the lowest fill ratio (filled mass where there is none), unknown ones last.
+std::vector<const Strategy*> ranked(const std::vector<Strategy>& strategies) {
+  const auto merit = [](const Strategy& strategy) {
+    const double ratio = strategy.of("fill_ratio").mean;
+    return std::isfinite(ratio) ? ratio : -std::numeric_limits<double>::infinity();
+  };
+  std::vector<const Strategy*> order;
+  for (const auto& strategy : strategies) order.push_back(&strategy);
+  std::stable_sort(order.begin(), order.end(),
+                   [&](const Strategy* a, const Strategy* b) { return merit(*a) > merit(*b); });
+  return order;
+}
+
+Section ranking(const std::vector<Strategy>& strategies) {
+  Section section{"Ranking", 1, {}};
+  Table table{
+      "By fill ratio, highest first; ± is the standard deviation over seeds", {"Strategy", "Runs"}, {}, true};
+  for (const auto& column : kColumns) table.header.emplace_back(column.name);
+  table.header.emplace_back("Solid fraction");
+  for (const Strategy* strategy : ranked(strategies)) {
+    std::vector<std::string> row = {strategy->name, std::to_string(strategy->runs.size())};
+    for (const auto& column : kColumns)
+      row.push_back(as_text(scaled(strategy->of(column.figure), column.factor), 3));
+    row.push_back(as_text(strategy->solid_fraction(), 3));
+    table.rows.push_back(row);
+  }
+  section.blocks.emplace_back(table);
+  const bool single = std::any_of(strategies.begin(), strategies.end(),
+                                  [](const Strategy& strategy) { return strategy.runs.size() < 2; });
+  if (single)
+    section.blocks.emplace_back(
+        Paragraph{"Where a strategy has one run, its scatter is not known: a difference smaller than the "
+                  "scatter of other "
+                  "seeds says nothing. Run more seeds before deciding.",
+                  true});
+  return section;
+}
+
+/// The field that shows the most of a run: the map of a ring, or the first section.
+const results::Field2D* main_field(const results::FillResult& result) {
+  if (!result.maps.empty()) return &result.maps.front();
+  return result.sections.empty() ? nullptr : &result.sections.front().field;
+}
+
+Section maps(const std::vector<Strategy>& strategies) {
+  Section section{"Maps on one scale", 1, {}};
+  std::vector<double> values;
+  for (const auto& strategy : strategies)
+    if (const auto* field = main_field(strategy.first()))
+      values.insert(values.end(), field->value.begin(), field->value.end());
+  if (values.empty()) {
+    section.blocks.emplace_back(Paragraph{"The results hold no maps."});
+    return section;
+  }
+  const Interval range = robust_range(values);
+  Figures figures{{}, true};
+  for (const auto& strategy : strategies)
+    if (const auto* field = main_field(strategy.first())) {
+      const std::string seed = strategy.runs.size() > 1
+                                   ? ", seed " + std::to_string(strategy.first().seed) + " of " +
+                                         std::to_string(strategy.runs.size()) + " runs"
+                                   : "";
+      figures.figures.push_back(field_picture(*field, strategy.name, strategy.first().powder_name + seed,
+                                              {range.lower, range.upper}, strategy.name + seed));
+    }
+  section.blocks.emplace_back(figures);
+  return section;
+}
+
+const results::Profile* profile_like(const results::FillResult& result, const results::Profile& wanted) {
+  for (const auto& profile : result.profiles)
+    if (profile.quantity == wanted.quantity && profile.x_name == wanted.x_name &&
+        profile.unit == wanted.unit && profile.x_unit == wanted.x_unit)
+      return &profile;
+  return nullptr;
+}
+
+/// The mean of a profile over a strategy's runs with the scatter as error bars; the first run's alone where
+/// their abscissae differ.
+Curve curve_of(const Strategy& strategy, const results::Profile& wanted) {
+  Curve curve{strategy.name, {}, {}, CurveStyle::kLineAndMarkers, {}};
+  const auto* first = profile_like(strategy.first(), wanted);
+  if (first == nullptr) return curve;
+  curve.x = first->x;
+  if (curve.x.size() > 40) curve.style = CurveStyle::kLine;
+  std::vector<const results::Profile*> same;
+  for (const Run* run : strategy.runs)
+    if (const auto* profile = profile_like(run->result, wanted))
+      if (profile->x == first->x) same.push_back(profile);
+  for (std::size_t n = 0; n < curve.x.size(); ++n) {
+    std::vector<double> values;
+    for (const auto* profile : same) values.push_back(profile->y[n]);
+    const Scatter value = scatter(values);
+    curve.y.push_back(value.mean);
+    if (same.size() > 1) curve.y_error.push_back(std::isfinite(value.deviation) ? value.deviation : 0);
+  }
+  return curve;
+}
+
+std::string axis_name(const std::string& name, const std::string& unit) {
+  std::string text = name;
+  if (!text.empty()) text.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(text.front())));
+  return text + " [" + (unit.empty() ? "–" : unit == "deg" ? "°" : unit) + "]";
+}
+
+Section curves(const std::vector<Strategy>& strategies) {
+  Section section{"Curves", 1, {}};
+  Figures figures{{}, true};
+  for (const auto& profile : strategies.front().first().profiles) {
+    Chart chart;
+    chart.title = axis_name(profile.quantity, profile.unit);
+    chart.title.resize(chart.title.rfind(" ["));
+    chart.x.label = axis_name(profile.x_name, profile.x_unit);
+    chart.y.label = axis_name(profile.quantity, profile.unit);
+    chart.x.degrees = profile.x_unit == "deg";
+    if (chart.x.degrees) {
+      chart.x.lower = 0;
+      chart.x.upper = 360;
+    }
+    for (const auto& strategy : strategies) {
+      Curve curve = curve_of(strategy, profile);
+      if (!curve.x.empty()) chart.curves.push_back(curve);
+    }
+    figures.figures.push_back(
+        chart_picture(chart, chart.title + " over " + profile.x_name +
+                                 ". Bars: standard deviation over seeds, where there are several."));
+  }
+  if (figures.figures.empty())
+    section.blocks.emplace_back(Paragraph{"The results hold no curves."});
+  else
+    section.blocks.emplace_back(figures);
+  return section;
+}
+
+Chart speed_chart(const std::vector<Strategy>& strategies, const CriticalSpeed& critical) {
+  Chart chart;
+  chart.title = "Fill ratio over shoe speed";
+  chart.x.label = "Shoe speed [m/s]";
+  chart.y.label = "Fill ratio [–]";
+  Curve found{"runs", {}, {}, CurveStyle::kMarkers, {}};
+  double fastest = 0;
+  for (const auto& strategy : strategies) {
+    const Scatter ratio = strategy.of("fill_ratio");
+    found.x.push_back(strategy.of("shoe_speed_m_s").mean);
+    found.y.push_back(ratio.mean);
+    found.y_error.push_back(std::isfinite(ratio.deviation) ? ratio.deviation : 0);
+    fastest = std::max(fastest, found.x.back());
+  }
+  chart.curves.push_back(found);
+  chart.x.lower = 0;
+  chart.y.lower = 0;
+  if (!std::isfinite(critical.speed) || critical.speed >= fastest) return chart;
+  Curve fit{"(v_c / v)^n", {}, {}, CurveStyle::kLine, {}};
+  constexpr int kNodes = 60;
+  for (int n = 0; n <= kNodes; ++n) {
+    fit.x.push_back(critical.speed + (fastest - critical.speed) * n / kNodes);
+    fit.y.push_back(std::pow(critical.speed / fit.x.back(), critical.exponent));
+  }
+  chart.curves.push_back(fit);
+  return chart;
+}
+
+Section speed_section(const std::vector<Strategy>& strategies) {
+  Section section{"Critical shoe speed", 1, {}};
+  std::vector<double> speed, ratio;
+  for (const auto& strategy : strategies) {
+    speed.push_back(strategy.of("shoe_speed_m_s").mean);
+    ratio.push_back(strategy.of("fill_ratio").mean);
+  }
+  const CriticalSpeed critical = critical_speed(speed, ratio);
+  if (std::isfinite(critical.speed))
+    section.blocks.emplace_back(Paragraph{
+        "Fill ratio 1 is reached up to about v_c = " + with_unit(critical.speed, "m/s", 2) +
+        ": fill ratio = (v_c / v)^n with n = " + in_digits(critical.exponent, 2) + ", from " +
+        std::to_string(critical.points) +
+        " speeds with incomplete filling (Sinka, Schneider and Cocks 2004)." +
+        (critical.points == 2 ? " Two speeds give a first estimate only: the curve passes through both."
+                              : "")});
+  else
+    section.blocks.emplace_back(
+        Paragraph{"No critical speed can be told from these runs: at least two speeds with "
+                  "incomplete filling (fill ratio below 0.98) are needed, the faster one with less."});
+  section.blocks.emplace_back(
+      Figures{{chart_picture(speed_chart(strategies, critical),
+                             "Fill ratio of every speed; bars: standard deviation over seeds.")}});
+  return section;
+}
+
+/// Lines of one scene that the other does not have.
+std::string lines_missing(const std::vector<std::string>& from, std::vector<std::string> of) {
+  std::string text;
+  for (const auto& line : of)
+    if (std::find(from.begin(), from.end(), line) == from.end()) text += (text.empty() ? "" : "; ") + line;
+  return text.empty() ? "–" : text;
+}
+
+std::string change(const Scatter& value, const Scatter& reference) {
+  if (!std::isfinite(value.mean) || !std::isfinite(reference.mean)) return "–";
+  const double difference = value.mean - reference.mean;
+  std::string text = (difference >= 0 ? "+" : "−") + in_digits(std::abs(difference), 3);
+  if (reference.mean != 0)
+    text += std::string(" (") + (difference >= 0 ? "+" : "−") +
+            in_digits(std::abs(100 * difference / reference.mean), 2) + " %)";
+  return text;
+}
+
+Section differences(const std::vector<Strategy>& strategies) {
+  const Strategy& first = strategies.front();
+  Section section{"Differences from \"" + first.name + "\"", 1, {}};
+  Table figures{"Change of the mean", {"Strategy"}, {}, true};
+  for (const auto& column : kColumns) figures.header.emplace_back(column.name);
+  Table scenes{"Lines of the scenes", {"Strategy", "Only in its scene", "Only in the first scene"}, {}};
+  const auto reference = telling_lines(first.first().scene_text);
+  for (std::size_t n = 1; n < strategies.size(); ++n) {
+    std::vector<std::string> row = {strategies[n].name};
+    for (const auto& column : kColumns)
+      row.push_back(change(scaled(strategies[n].of(column.figure), column.factor),
+                           scaled(first.of(column.figure), column.factor)));
+    figures.rows.push_back(row);
+    const auto lines = telling_lines(strategies[n].first().scene_text);
+    scenes.rows.push_back(
+        {strategies[n].name, lines_missing(reference, lines), lines_missing(lines, reference)});
+  }
+  section.blocks.emplace_back(figures);
+  section.blocks.emplace_back(scenes);
+  return section;
+}
+
+Section scatter_section(const std::vector<Strategy>& strategies) {
+  Section section{"Single runs", 1, {}};
+  Table table{
+      "",
+      {"Run", "Seed", "Filled mass [g]", "Fill ratio", "Solid fraction", "Off its strategy's mean mass [%]"},
+      {},
+      true};
+  for (const auto& strategy : strategies) {
+    const double mean = strategy.of("filled_mass_kg").mean;
+    for (const Run* run : strategy.runs) {
+      const double mass = figure(run->result, "filled_mass_kg");
+      table.rows.push_back({run->name, std::to_string(run->result.seed), in_digits(1e3 * mass),
+                            in_digits(figure(run->result, "fill_ratio"), 3),
+                            in_digits(run->result.summary.mean, 3),
+                            strategy.runs.size() > 1 ? in_digits(100 * (mass / mean - 1), 2) : "–"});
+    }
+  }
+  section.blocks.emplace_back(table);
+  return section;
+}
+
+}  // namespace
+
+std::vector<Section> comparison_sections(const std::vector<Strategy>& strategies) {
+  std::vector<Section> sections = {ranking(strategies), maps(strategies), curves(strategies)};
+  if (series_over_speed(strategies)) sections.push_back(speed_section(strategies));
+  if (strategies.size() > 1) sections.push_back(differences(strategies));
+  sections.push_back(scatter_section(strategies));
+  return sections;
+}
+
+}  // namespace diefill::render::report

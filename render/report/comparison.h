@@ -1,0 +1,15 @@
+// What a report says about several runs held against each other.
+#pragma once
+
+#include <vector>
+
+#include "render/report/document.h"
+#include "render/report/strategies.h"
+
+namespace diefill::render::report {
+
+/// Ranking, maps on one scale, curves, scatter over seeds, critical shoe speed where the strategies are a
+/// series over speed, and differences from the first strategy.
+std::vector<Section> comparison_sections(const std::vector<Strategy>& strategies);
+
+}  // namespace diefill::render::report

@@ -1,0 +1,18 @@
+// A report as one HTML page that needs nothing else: styles and pictures are inside, there is no script and
+// no reference to anywhere.
+#pragma once
+
+#include <string>
+
+#include "render/report/document.h"
+
+namespace diefill::render::report {
+
+/// Text with the characters that mean something in HTML replaced; bytes that are no UTF-8 become replacement
+/// characters, control characters (except line ends and tabs) vanish.
+std::string escaped(const std::string& text);
+
+/// The whole page.
+std::string html_page(const Document& document);
+
+}  // namespace diefill::render::report

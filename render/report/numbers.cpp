@@ -1,0 +1,71 @@
+#include "render/report/numbers.h"
+
+#include <cmath>
+#include <cstdio>
+#include <limits>
+
+namespace diefill::render::report {
+namespace {
+
+constexpr const char* kNone = "–";
+
+}  // namespace
+
+std::string in_digits(double value, int digits) {
+  if (!std::isfinite(value)) return kNone;
+  char text[64];
+  const double size = std::abs(value);
+  // Whole numbers keep all their digits, or 87,041 spheres would become 87040.
+  const bool long_enough = size >= std::pow(10, digits) && size < 1e9;
+  if (long_enough || (value == std::round(value) && size < 1e12))
+    std::snprintf(text, sizeof text, "%.0f", value);
+  else
+    std::snprintf(text, sizeof text, "%.*g", digits, value);
+  return text;
+}
+
+std::string with_unit(double value, const std::string& unit, int digits) {
+  const std::string number = in_digits(value, digits);
+  return number == kNone || unit.empty() ? number : number + " " + unit;
+}
+
+std::string as_duration(double seconds) {
+  if (!std::isfinite(seconds)) return kNone;
+  char text[64];
+  const long whole = std::lround(seconds);
+  if (seconds < 60)
+    std::snprintf(text, sizeof text, "%.3g s", seconds);
+  else if (whole < 3600)
+    std::snprintf(text, sizeof text, "%ld min %02ld s", whole / 60, whole % 60);
+  else
+    std::snprintf(text, sizeof text, "%ld h %02ld min", whole / 3600, whole % 3600 / 60);
+  return text;
+}
+
+double figure(const results::FillResult& result, const std::string& name) {
+  const auto found = result.figures.find(name);
+  return found == result.figures.end() ? std::numeric_limits<double>::quiet_NaN() : found->second;
+}
+
+Scatter scatter(const std::vector<double>& values) {
+  const double none = std::numeric_limits<double>::quiet_NaN();
+  Scatter result{0, 0, 0};
+  for (const double value : values)
+    if (std::isfinite(value)) {
+      result.mean += value;
+      ++result.count;
+    }
+  if (result.count == 0) return {none, none, 0};
+  result.mean /= result.count;
+  for (const double value : values)
+    if (std::isfinite(value)) result.deviation += std::pow(value - result.mean, 2);
+  result.deviation = result.count > 1 ? std::sqrt(result.deviation / (result.count - 1)) : none;
+  return result;
+}
+
+std::string as_text(const Scatter& scatter, int digits) {
+  if (scatter.count < 2) return in_digits(scatter.mean, digits);
+  return in_digits(scatter.mean, digits) + " ± " + in_digits(scatter.deviation, 2);
+}
+
+}  // namespace diefill::render::report

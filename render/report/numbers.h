@@ -1,0 +1,32 @@
+// Numbers of a report as people read them, and where a run's figures come from.
+#pragma once
+
+#include <string>
+
+#include "process/results/fill_result.h"
+
+namespace diefill::render::report {
+
+/// `value` with `digits` significant digits, without an exponent where that stays short; "–" for NaN.
+std::string in_digits(double value, int digits = 4);
+
+/// The same with a unit behind it; "–" alone for NaN.
+std::string with_unit(double value, const std::string& unit, int digits = 4);
+
+/// "1 h 02 min", "3 min 20 s", "12.3 s"; "–" for NaN.
+std::string as_duration(double seconds);
+
+/// A figure of the run by its name in report.json; NaN where the run has none.
+double figure(const results::FillResult& result, const std::string& name);
+
+/// Mean and, over several values, standard deviation of a sample; values that are NaN do not count.
+struct Scatter {
+  double mean, deviation;
+  int count = 0;
+};
+Scatter scatter(const std::vector<double>& values);
+
+/// "0.312 ± 0.004", or the mean alone where there is one value.
+std::string as_text(const Scatter& scatter, int digits = 4);
+
+}  // namespace diefill::render::report

@@ -1,0 +1,50 @@
+#include "render/report/report.h"
+
+#include <stdexcept>
+
+#include "render/report/comparison.h"
+#include "render/report/run_sections.h"
+
+namespace diefill::render::report {
+namespace {
+
+Document single(const Run& run) {
+  const auto& result = run.result;
+  Document document;
+  document.title = result.title.empty() ? run.name : result.title;
+  document.subtitle = "Die filling: " + result.powder_name + ", " + result.strategy + ". diefill " +
+                      result.program_version + ", results in " + run.name;
+  document.sections = run_sections(result, 1);
+  return document;
+}
+
+Document several(const std::vector<Run>& runs) {
+  const auto strategies = strategies_of(runs);
+  Document document;
+  document.title = std::to_string(strategies.size()) +
+                   (strategies.size() == 1 ? " filling strategy, " : " filling strategies, ") +
+                   std::to_string(runs.size()) + " runs";
+  document.subtitle =
+      "Die filling: " + runs.front().result.powder_name + ". diefill " + runs.front().result.program_version;
+  document.sections = comparison_sections(strategies);
+  for (const auto& strategy : strategies) {
+    Section chapter{"Strategy: " + strategy.name, 1, {}};
+    std::string names;
+    for (const Run* run : strategy.runs) names += (names.empty() ? "" : ", ") + run->name;
+    chapter.blocks.emplace_back(Paragraph{"Results in " + names + "."});
+    if (strategy.runs.size() > 1)
+      chapter.blocks.emplace_back(Paragraph{"What follows is of the first of these runs."});
+    document.sections.push_back(chapter);
+    for (auto& section : run_sections(strategy.first(), 2)) document.sections.push_back(section);
+  }
+  return document;
+}
+
+}  // namespace
+
+Document report_of(const std::vector<Run>& runs) {
+  if (runs.empty()) throw std::invalid_argument("a report needs a run");
+  return runs.size() == 1 ? single(runs.front()) : several(runs);
+}
+
+}  // namespace diefill::render::report

@@ -1,0 +1,24 @@
+// Reports for people: one run, or several held against each other, as one HTML page and as a PDF.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "process/results/fill_result.h"
+#include "render/report/document.h"
+
+namespace diefill::render::report {
+
+/// A run and the name by which the report calls it.
+struct Run {
+  std::string name;
+  results::FillResult result;
+  std::string strategy;  ///< that it is a run of, where a comparison says so; empty: told from the scene
+};
+
+/// The report as content: of one run all that is known about it; of several first the comparison, then every
+/// run. Runs whose scenes differ in nothing but the seed are one strategy, whose scatter is given.
+/// start_offscreen() must have been called. Throws std::invalid_argument without runs.
+Document report_of(const std::vector<Run>& runs);
+
+}  // namespace diefill::render::report

@@ -1,0 +1,241 @@
+#include "render/report/run_sections.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "render/report/numbers.h"
+#include "render/report/pictures_of.h"
+#include "render/report/versions.h"
+
+namespace diefill::render::report {
+namespace {
+
+using Row = std::vector<std::string>;
+using results::FillResult;
+
+constexpr const char* kNotStored =
+    "These results were written by an earlier version that did not store this.";
+
+void add_row(Table& table, const std::string& name, double value, const std::string& unit, int digits = 4) {
+  if (std::isfinite(value)) table.rows.push_back({name, with_unit(value, unit, digits)});
+}
+
+Section results_section(const FillResult& result) {
+  Section section{"Results", 1, {}};
+  const auto value = [&](const char* name) { return figure(result, name); };
+  Table table;
+  add_row(table, "Filled mass of model powder", 1e3 * value("filled_mass_kg"), "g");
+  add_row(table, "Fill density of model powder", value("fill_density_kg_m3"), "kg/m³");
+  add_row(table, "Apparent density of model powder (left outside the cavity)",
+          value("model_apparent_density_kg_m3"), "kg/m³");
+  add_row(table, "Fill ratio: fill density over apparent density", value("fill_ratio"), "", 3);
+  add_row(table, "Apparent density of the real powder", value("apparent_density_kg_m3"), "kg/m³");
+  add_row(table, "Fill density of the real powder: fill ratio times its apparent density",
+          value("expected_fill_density_kg_m3"), "kg/m³", 3);
+  add_row(table, "Mass of the real powder in the cavity", 1e3 * value("expected_mass_kg"), "g", 3);
+  add_row(table, "Solid fraction, mean", result.summary.mean, "", 3);
+  add_row(table, "Solid fraction, standard deviation over grains", result.summary.std, "", 2);
+  add_row(table, "Solid fraction, lowest and highest grain", result.summary.min, "", 3);
+  if (std::isfinite(result.summary.min)) table.rows.back()[1] += " to " + in_digits(result.summary.max, 3);
+  add_row(table, "Azimuthal variation: range over mean of the filled fraction, 12 sectors",
+          100 * value("azimuthal_variation"), "%", 3);
+  add_row(table, "Axial variation: range over mean of the solid fraction over height",
+          100 * value("axial_variation"), "%", 3);
+  add_row(table, "Grains that left the tools", value("grains_left"), "");
+  section.blocks.emplace_back(table);
+  if (std::isfinite(value("fill_ratio")))
+    section.blocks.emplace_back(Paragraph{
+        "Model grains do not have the density of the real metal. Masses and densities of model powder serve "
+        "to "
+        "compare runs; the fill ratio, in which density cancels, carries over to the real powder."});
+  return section;
+}
+
+/// The first picture, which is the map that decides, in full width; the others side by side.
+Section pictures_section(const FillResult& result) {
+  std::vector<Figure> figures = pictures_of(result);
+  Section section{"Maps and pictures", 1, {}};
+  if (figures.empty()) return section;
+  section.blocks.emplace_back(Figures{{figures.front()}});
+  figures.erase(figures.begin());
+  section.blocks.emplace_back(Figures{figures, true});
+  return section;
+}
+
+Section warnings_section(const FillResult& result) {
+  Section section{"Warnings", 1, {}};
+  for (const auto& warning : result.warnings)
+    if (!warning.empty()) section.blocks.emplace_back(Paragraph{warning, true});
+  if (section.blocks.empty()) section.blocks.emplace_back(Paragraph{"The run gave no warning."});
+  return section;
+}
+
+Section strategy_section(const FillResult& result) {
+  Section section{"Strategy", 1, {Paragraph{result.strategy}}};
+  if (result.stages.empty()) {
+    section.blocks.emplace_back(Paragraph{kNotStored});
+    return section;
+  }
+  section.blocks.emplace_back(Figures{timeline_of(result)});
+  Table table{"", {"Stage", "Tool", "Start [s]", "End [s]"}, {}};
+  for (const auto& stage : result.stages)
+    table.rows.push_back(
+        {stage.words, stage.tool.empty() ? "–" : stage.tool, in_digits(stage.start), in_digits(stage.end)});
+  section.blocks.emplace_back(table);
+  return section;
+}
+
+std::string size_of(const results::ToolState& tool) {
+  if (tool.vertices.empty()) return "–";
+  Eigen::Vector3d lower = tool.vertices.front(), upper = lower;
+  for (const auto& vertex : tool.vertices) {
+    lower = lower.cwiseMin(vertex);
+    upper = upper.cwiseMax(vertex);
+  }
+  const Eigen::Vector3d size = 1e3 * (upper - lower);
+  return in_digits(size[0]) + " × " + in_digits(size[1]) + " × " + in_digits(size[2]);
+}
+
+Table tool_table(const FillResult& result) {
+  Table table{"", {"Tool", "Role", "Size [mm]", "Triangles", "Wall spheres", "Hash of the CAD file"}, {}};
+  for (const auto& tool : result.tools)
+    table.rows.push_back({tool.name, tool.role, size_of(tool),
+                          in_digits(static_cast<double>(tool.triangles.size())),
+                          in_digits(static_cast<double>(tool.wall_sphere_centres.size())), tool.mesh_hash});
+  return table;
+}
+
+Table check_table(const FillResult& result) {
+  Table table{"Mesh findings, and how well the wall spheres follow the CAD surface",
+              {"Tool", "CAD file", "Volume [cm³]", "Off the surface, mean / largest [mm]", "Largest gap [mm]",
+               "Mesh"},
+              {}};
+  for (const auto& check : result.tool_checks) {
+    std::string findings;
+    for (const auto& finding : check.findings) findings += (findings.empty() ? "" : "; ") + finding;
+    if (findings.empty()) findings = "closed, oriented, free of self-intersections";
+    table.rows.push_back(
+        {check.tool, check.file, in_digits(1e6 * check.volume),
+         in_digits(1e3 * check.mean_deviation, 2) + " / " + in_digits(1e3 * check.largest_deviation, 2),
+         in_digits(1e3 * check.largest_gap, 2), findings});
+  }
+  return table;
+}
+
+Section tooling_section(const FillResult& result) {
+  Section section{"Tooling", 1, {}};
+  section.blocks.emplace_back(Figures{tool_views(result)});
+  const auto& cavity = result.cavity;
+  if (cavity.volume > 0) {
+    Table table{"Cavity", {}, {}};
+    add_row(table, "Volume", 1e6 * cavity.volume, "cm³");
+    add_row(table, "Depth", 1e3 * (cavity.upper_corner[2] - cavity.lower_corner[2]), "mm");
+    if (cavity.narrowest_width > 0) add_row(table, "Narrowest width", 1e3 * cavity.narrowest_width, "mm");
+    if (cavity.is_ring) {
+      add_row(table, "Ring, inner diameter", 2e3 * cavity.inner_radius, "mm");
+      add_row(table, "Ring, outer diameter", 2e3 * cavity.outer_radius, "mm");
+    }
+    add_row(table, "Grain size over narrowest width", figure(result, "grain_diameter_over_cavity_width"), "",
+            3);
+    section.blocks.emplace_back(table);
+  } else {
+    section.blocks.emplace_back(Paragraph{"The tools enclose no cavity below the fill plane."});
+  }
+  section.blocks.emplace_back(tool_table(result));
+  if (result.tool_checks.empty())
+    section.blocks.emplace_back(Paragraph{std::string("Mesh findings: ") + kNotStored});
+  else
+    section.blocks.emplace_back(check_table(result));
+  return section;
+}
+
+/// The statements of the topics named, as one section.
+Section topics_section(const FillResult& result, const std::string& title,
+                       const std::vector<std::string>& wanted) {
+  Section section{title, 1, {}};
+  Table table;
+  for (const auto& name : wanted)
+    for (const auto& topic : result.topics)
+      if (topic.topic == name)
+        for (std::size_t n = 0; n < topic.name.size(); ++n)
+          table.rows.push_back({topic.name[n], topic.text[n]});
+  if (table.rows.empty())
+    section.blocks.emplace_back(Paragraph{kNotStored});
+  else
+    section.blocks.emplace_back(table);
+  return section;
+}
+
+Section stability_section(const FillResult& result) {
+  Section section{"Stability margins", 1, {}};
+  const auto value = [&](const char* name) { return figure(result, name); };
+  Table table{"", {"Quantity", "Found", "Limit", "Share of the limit"}, {}, true};
+  const auto add = [&](const char* name, double found, double limit) {
+    if (!std::isfinite(found)) return;
+    table.rows.push_back({name, in_digits(found, 3), in_digits(limit, 3),
+                          std::isfinite(limit) ? in_digits(100 * found / limit, 2) + " %" : "–"});
+  };
+  add("Time step over critical time step", value("time_step_fraction"), 1);
+  add("Deepest overlap of grains over the spheres' radius", value("deepest_overlap_ratio"),
+      value("overlap_limit_ratio"));
+  add("Deepest overlap with walls over the spheres' radius", value("deepest_wall_overlap_ratio"),
+      value("wall_overlap_limit_ratio"));
+  add("Energy unaccounted for over energy turned over", value("energy_balance_error"),
+      value("energy_error_limit"));
+  section.blocks.emplace_back(table);
+  section.blocks.emplace_back(Paragraph{"A run that passes one of these limits stops and gives no results."});
+  return section;
+}
+
+Section speed_section(const FillResult& result) {
+  Section section{"Size and speed of the computation", 1, {}};
+  const auto value = [&](const char* name) { return figure(result, name); };
+  Table table;
+  add_row(table, "Grains at the end", value("grains"), "");
+  add_row(table, "Spheres of powder at the end", value("spheres"), "");
+  add_row(table, "Wall spheres", value("wall_spheres"), "");
+  add_row(table, "Steps", value("steps"), "");
+  add_row(table, "Time step", 1e6 * value("time_step_s"), "µs");
+  add_row(table, "Simulated time", value("simulated_s"), "s");
+  table.rows.push_back({"Computing time", as_duration(value("wall_seconds"))});
+  add_row(table, "Threads", value("threads"), "");
+  add_row(table, "Speed", 1e-6 * value("sphere_steps_per_second"), "million sphere-steps/s", 3);
+  section.blocks.emplace_back(table);
+  Table phases{"Computing time by phase of the step", {"Phase", "Time"}, {}, true};
+  for (const auto& [phase, seconds] : result.phase_seconds)
+    phases.rows.push_back({phase, as_duration(seconds)});
+  if (!phases.rows.empty()) section.blocks.emplace_back(phases);
+  return section;
+}
+
+Section versions_section(const FillResult& result) {
+  Section section = topics_section(result, "Versions", {"versions"});
+  Table table;
+  if (result.topics.empty()) table.rows.push_back({"diefill", result.program_version});
+  table.rows.push_back({"Seed", std::to_string(result.seed)});
+  table.rows.push_back({"Hash of the final state", result.state_hash});
+  table.rows.push_back({"This report was drawn with", drawing_versions()});
+  section.blocks.emplace_back(table);
+  return section;
+}
+
+}  // namespace
+
+std::vector<Section> run_sections(const FillResult& result, int level) {
+  std::vector<Section> sections = {
+      results_section(result),
+      warnings_section(result),
+      pictures_section(result),
+      strategy_section(result),
+      tooling_section(result),
+      topics_section(result, "Powder and model", {"powder", "model", "walls", "numerics"}),
+      topics_section(result, "What was left out", {"assumptions"}),
+      stability_section(result),
+      speed_section(result),
+      versions_section(result),
+      {"Scene", 1, {Listing{result.scene_text}}}};
+  for (Section& section : sections) section.level = level;
+  return sections;
+}
+
+}  // namespace diefill::render::report

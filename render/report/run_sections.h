@@ -1,0 +1,15 @@
+// What a report says about one run.
+#pragma once
+
+#include <vector>
+
+#include "process/results/fill_result.h"
+#include "render/report/document.h"
+
+namespace diefill::render::report {
+
+/// Results, pictures, strategy, tooling, powder and model, assumptions, stability, speed, versions and scene
+/// of one run, with headings of `level`.
+std::vector<Section> run_sections(const results::FillResult& result, int level);
+
+}  // namespace diefill::render::report

@@ -1,0 +1,155 @@
+// Reports: escaping, self-contained pages, grouping of runs, critical shoe speed.
+#include "render/report/report.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <regex>
+
+#include "render/report/comparison.h"
+#include "render/report/critical_speed.h"
+#include "render/report/html.h"
+#include "render/report/pdf.h"
+#include "render/report/strategies.h"
+#include "render/report/timeline.h"
+#include "tests/render/drawing_test.h"
+
+namespace diefill::render::report {
+namespace {
+
+const double kNone = std::nan("");
+
+Run run_at(const std::string& name, double speed, double fill_ratio, std::uint64_t seed = 1) {
+  Run run;
+  run.name = name;
+  run.result.title = "Ring";
+  run.result.powder_name = "Distaloy AE";
+  run.result.seed = seed;
+  run.result.strategy = "1 passage at " + std::to_string(speed) + " m/s";
+  run.result.scene_text = "title = \"seed " + std::to_string(seed) + "\"\nseed = " + std::to_string(seed) +
+                          "  # any\n[[step]]\nvelocity = \"" + std::to_string(speed) + " m/s\"\n";
+  run.result.figures = {
+      {"fill_ratio", fill_ratio}, {"shoe_speed_m_s", speed}, {"filled_mass_kg", 1e-3 * fill_ratio}};
+  return run;
+}
+
+class ReportDrawing : public test::Drawing {};
+
+TEST(HtmlReport, EscapesWhatMeansSomethingInHtml) {
+  EXPECT_EQ(escaped("<script>alert(\"x\" & 'y')</script>"),
+            "&lt;script&gt;alert(&quot;x&quot; &amp; &#39;y&#39;)&lt;/script&gt;");
+  EXPECT_EQ(escaped("a\tb\nc\x01\x1b[0m"), "a\tb\nc[0m");
+  EXPECT_EQ(escaped("\xff"), "\xEF\xBF\xBD");
+  EXPECT_EQ(escaped("µ ± 日本"), "µ ± 日本");
+}
+
+TEST(HtmlReport, HoldsEveryBlockAndNeedsNothingElse) {
+  Document document{"<title> & \"more\"", "sub", {}};
+  document.sections.push_back({"One <b>", 1, {Paragraph{"plain"}, Paragraph{"remark", true}}});
+  document.sections.push_back({"Two", 2, {Table{"caption", {"a", "b"}, {{"<c>", "1"}}, true}}});
+  document.sections.push_back({"Three", 1, {Listing{"x < y\n  z"}, Figures{{{QByteArray("png"), "c\"'<"}}}}});
+  const std::string page = html_page(document);
+  EXPECT_EQ(page.find("<b>"), std::string::npos);
+  EXPECT_EQ(page.find("<c>"), std::string::npos);
+  EXPECT_NE(page.find("<pre>x &lt; y\n  z</pre>"), std::string::npos);
+  EXPECT_NE(page.find("alt=\"c&quot;&#39;&lt;\" src=\"data:image/png;base64,cG5n\""), std::string::npos);
+  const std::regex reference("(src|href)=\"(?!data:|#)[^\"]*\"|https?:|url\\(|@import|<script");
+  EXPECT_FALSE(std::regex_search(page, reference));
+}
+
+TEST(CriticalSpeed, FindsThePowerLawThatTheRunsFollow) {
+  std::vector<double> speed = {0.1, 0.3, 0.4, 0.6}, ratio = {1.02};
+  for (std::size_t n = 1; n < speed.size(); ++n) ratio.push_back(std::pow(0.25 / speed[n], 1.3));
+  const auto critical = critical_speed(speed, ratio);
+  EXPECT_NEAR(critical.speed, 0.25, 1e-12);
+  EXPECT_NEAR(critical.exponent, 1.3, 1e-12);
+  EXPECT_EQ(critical.points, 3);
+}
+
+TEST(CriticalSpeed, IsNotToldFromTooLittle) {
+  EXPECT_TRUE(std::isnan(critical_speed({}, {}).speed));
+  EXPECT_TRUE(std::isnan(critical_speed({0.1, 0.2}, {1.0, 0.9}).speed));    // one incomplete
+  EXPECT_TRUE(std::isnan(critical_speed({0.2, 0.2}, {0.8, 0.9}).speed));    // one speed
+  EXPECT_TRUE(std::isnan(critical_speed({0.1, 0.2}, {0.5, 0.6}).speed));    // rising
+  EXPECT_TRUE(std::isnan(critical_speed({0.1, 0.2}, {kNone, 0.6}).speed));  // unknown
+}
+
+TEST(Strategies, RunsThatDifferInTheSeedAloneAreOne) {
+  const std::vector<report::Run> runs = {run_at("a", 0.1, 0.9, 1), run_at("b", 0.2, 0.6, 1),
+                                         run_at("c", 0.1, 0.8, 2)};
+  const auto strategies = strategies_of(runs);
+  ASSERT_EQ(strategies.size(), 2U);
+  EXPECT_EQ(strategies[0].runs.size(), 2U);
+  const Scatter ratio = strategies[0].of("fill_ratio");
+  EXPECT_NEAR(ratio.mean, 0.85, 1e-15);
+  EXPECT_NEAR(ratio.deviation, 0.1 / std::sqrt(2.0), 1e-15);
+  EXPECT_EQ(strategies[1].of("fill_ratio").count, 1);
+  EXPECT_TRUE(std::isnan(strategies[1].of("unknown").mean));
+  EXPECT_TRUE(series_over_speed(strategies));
+}
+
+TEST(Strategies, OtherToolsOrSettingsMakeAnotherStrategyAndNoSeries) {
+  std::vector<report::Run> runs = {run_at("a", 0.1, 0.9), run_at("b", 0.2, 0.9)};
+  runs[1].result.scene_text += "friction = 0.3 # \"other\"\n";
+  EXPECT_FALSE(series_over_speed(strategies_of(runs)));
+  runs[1] = runs[0];
+  runs[1].result.tools.resize(1);
+  runs[1].result.tools[0].mesh_hash = "other";
+  EXPECT_EQ(strategies_of(runs).size(), 2U);
+}
+
+TEST(Strategies, CommentsAreNoDifferenceButMarksWithinQuotesAre) {
+  EXPECT_EQ(telling_lines("# all\nseed = 3\n a = \"x # y\"  # z\n\ntitle = \"t\"\nseeds = 1\n"),
+            (std::vector<std::string>{"a = \"x # y\"", "seeds = 1"}));
+}
+
+TEST_F(ReportDrawing, TimelineHasABarFromStartToEnd) {
+  const QImage image = compose_timeline({{"", "settling until at rest", 0, 1}, {"shoe", "1 passage", 1, 2}});
+  EXPECT_EQ(image.width(), 1600);
+  std::vector<int> blue;  // columns of the moving stage's bar
+  for (int x = 0; x < image.width(); ++x)
+    for (int y = 0; y < image.height(); ++y)
+      if (image.pixelColor(x, y) == QColor(59, 82, 139)) {
+        blue.push_back(x);
+        break;
+      }
+  std::vector<int> grey;
+  for (int x = 0; x < image.width(); ++x)
+    for (int y = 0; y < image.height(); ++y)
+      if (image.pixelColor(x, y) == QColor(190, 196, 204)) {
+        grey.push_back(x);
+        break;
+      }
+  ASSERT_FALSE(blue.empty());
+  ASSERT_FALSE(grey.empty());
+  EXPECT_NEAR(blue.front(), grey.back(), 3);
+  EXPECT_NEAR(blue.back() - blue.front(), grey.back() - grey.front(), 4);
+  EXPECT_THROW(compose_timeline({}), std::invalid_argument);
+}
+
+TEST_F(ReportDrawing, SeveralRunsAreRankedByFillRatioWithTheCriticalSpeed) {
+  const std::vector<report::Run> runs = {run_at("fast", 0.4, 0.5), run_at("slow", 0.2, 1.0 / std::sqrt(2.0))};
+  const auto sections = comparison_sections(strategies_of(runs));
+  const auto& ranking = std::get<Table>(sections.front().blocks.front());
+  EXPECT_EQ(ranking.rows.front().front(), runs[1].result.strategy);
+  bool told = false;
+  for (const auto& section : sections)
+    if (section.title == "Critical shoe speed")
+      told = std::get<Paragraph>(section.blocks.front()).text.find("v_c = 0.1 m/s") != std::string::npos;
+  EXPECT_TRUE(told);
+}
+
+TEST_F(ReportDrawing, PdfIsAPdfWithItsText) {
+  Document document{"A report", "sub", {}};
+  document.sections.push_back({"One", 1, {Table{"", {"a", "b"}, {{"c", "1"}}, true}, Listing{"x\ny"}}});
+  const std::string pdf = pdf_pages(document);
+  EXPECT_TRUE(pdf.starts_with("%PDF-"));
+  EXPECT_NE(pdf.find("%%EOF"), std::string::npos);
+}
+
+TEST(ReportOfSeveralRuns, NeedsRuns) {
+  EXPECT_THROW(report_of({}), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace diefill::render::report
