@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cctype>
+#include <charconv>
+#include <regex>
 #include <sstream>
 
 #include "process/scene/nearest_key.h"
@@ -95,10 +97,26 @@ std::string folder_of(const std::string& name) {
   return taken ? '_' + folder : folder;
 }
 
+/// The number at the end of the line with as few digits as give it back, since the library writes 0.15 as
+/// 0.14999999999999999; other lines as they are.
+std::string shortened(const std::string& line) {
+  static const std::regex number(R"(([A-Za-z0-9_-]+ = )(-?[0-9]+\.[0-9]+(e[-+]?[0-9]+)?))");
+  std::smatch part;
+  if (!std::regex_match(line, part, number)) return line;
+  char digits[40];
+  const auto end = std::to_chars(digits, digits + sizeof digits, std::stod(part[2])).ptr;
+  const std::string text(digits, end);
+  const bool whole = text.find_first_of(".e") == std::string::npos;
+  return part[1].str() + text + (whole ? ".0" : "");
+}
+
+/// The document as a scene file.
 std::string text_of(const toml::table& document) {
-  std::ostringstream text;
-  text << document << '\n';
-  return text.str();
+  std::stringstream written;
+  written << document << '\n';
+  std::string text;
+  for (std::string line; std::getline(written, line);) text += shortened(line) + '\n';
+  return text;
 }
 
 /// Names and folders of all variants, in their order.
