@@ -88,8 +88,11 @@ std::vector<double> all_values(const std::vector<ComparedField>& fields) {
 /// What of the field lies on the axes; beyond its own nodes there is no value.
 void paint_panel(QImage& image, const PlotArea& plot, const results::Field2D& field, const Interval& scale) {
   PlotArea own = plot;
-  const QPointF corner = plot.pixel(field.first.front(), field.second.front());
-  const QPointF opposite = plot.pixel(field.first.back(), field.second.back());
+  const bool all_round = has_azimuth(field);  // the field comes round again: it has values from end to end
+  const QPointF corner =
+      plot.pixel(all_round ? plot.x.range.lower : field.first.front(), field.second.front());
+  const QPointF opposite =
+      plot.pixel(all_round ? plot.x.range.upper : field.first.back(), field.second.back());
   own.rect = QRectF(corner, opposite).normalized().intersected(plot.rect);
   own.x.range = {plot.value(own.rect.topLeft()).x(), plot.value(own.rect.bottomRight()).x()};
   own.y.range = {plot.value(own.rect.bottomRight()).y(), plot.value(own.rect.topLeft()).y()};

@@ -63,11 +63,11 @@ std::string full_then_enlarged(const SmallDie& die, std::uintmax_t kilobytes) {
   const bool can_mount = std::system(("unshare -rm " + mount + " 2>/dev/null").c_str()) == 0;
   const std::string limit = can_mount ? mount : "trap '' XFSZ; ulimit -f " + std::to_string(2 * kilobytes);
   const std::string enlarge = can_mount ? "mount -o remount,size=64m " + out : ":";
-  const std::string commands = "( " + (can_mount ? ":" : limit) + "; " + run + " 2> " + folder +
-                               "said; echo $? > " + folder + "code ); ls " + out + " > " + folder +
-                               "files; " + enlarge + "; " + run + " 2> " + folder + "said_then; cp " + out +
-                               "/report.json " + folder;
-  return can_mount ? "unshare -rm sh -c \"" + mount + "; " + commands + '"' : commands;
+  const std::string commands = "( " + (can_mount ? ":" : limit) + "; " + run + " > " + folder +
+                               "said 2>&1; echo $? > " + folder + "code ); ls " + out + " > " + folder +
+                               "files; " + enlarge + "; " + run + " > " + folder + "said_then 2>&1; cp " +
+                               out + "/report.json " + folder;
+  return can_mount ? "unshare -rm sh -c '" + mount + "; " + commands + '\'' : commands;
 }
 
 TEST(FullDisk, OfASmallFileSystemLosesNothingAndTheResumedRunEndsAlike) {
