@@ -82,28 +82,40 @@ std::vector<double> values_of(const std::string& key, const std::string& variant
   return values;
 }
 
+/// Where `value` lies among rising nodes: the node at or below it and the share of the way to the next one.
+std::pair<std::size_t, double> place_among(const std::vector<double>& nodes, double value) {
+  const auto above = std::upper_bound(nodes.begin(), nodes.end(), value);
+  const auto below = static_cast<std::size_t>(std::max<std::ptrdiff_t>(above - nodes.begin(), 1) - 1);
+  if (below + 1 >= nodes.size()) return {below, value == nodes.back() ? 0 : kNone};
+  return {below, value < nodes.front() ? kNone : (value - nodes[below]) / (nodes[below + 1] - nodes[below])};
+}
+
+/// Bilinear between the nodes; NaN beyond them and beside nodes without a value.
+double value_at(const results::Field2D& field, double first, double second) {
+  if (field.value.empty()) return kNone;
+  const auto [i, right] = place_among(field.first, first);
+  const auto [j, up] = place_among(field.second, second);
+  if (std::isnan(right) || std::isnan(up)) return kNone;
+  const double weights[2][2] = {{(1 - up) * (1 - right), (1 - up) * right}, {up * (1 - right), up * right}};
+  double sum = 0;
+  for (std::size_t b = 0; b < 2; ++b)
+    for (std::size_t a = 0; a < 2; ++a)
+      if (weights[b][a] > 0) sum += weights[b][a] * field.value[(j + b) * field.first.size() + i + a];
+  return sum;
+}
+
 }  // namespace
 
 results::Field2D mean_field(const std::vector<results::Field2D>& fields) {
   if (fields.empty()) return {};
-  const auto shortest = [&](auto nodes_of) {
-    std::vector<double> nodes = nodes_of(fields.front());
-    for (const auto& field : fields) {
-      const auto same =
-          std::mismatch(nodes.begin(), nodes.end(), nodes_of(field).begin(), nodes_of(field).end());
-      nodes.erase(same.first, nodes.end());
-    }
-    return nodes;
-  };
   results::Field2D mean = fields.front();
-  mean.first = shortest([](const auto& field) -> const std::vector<double>& { return field.first; });
-  mean.second = shortest([](const auto& field) -> const std::vector<double>& { return field.second; });
-  mean.value.assign(mean.first.size() * mean.second.size(), 0.0);
-  for (const auto& field : fields)
-    for (std::size_t j = 0; j < mean.second.size(); ++j)
-      for (std::size_t i = 0; i < mean.first.size(); ++i)
-        mean.value[j * mean.first.size() + i] +=
-            field.value[j * field.first.size() + i] / static_cast<double>(fields.size());
+  const std::size_t columns = mean.first.size();
+  for (std::size_t n = 0; n < mean.value.size(); ++n) {
+    double sum = 0;
+    for (const auto& field : fields)
+      sum += value_at(field, mean.first[n % columns], mean.second[n / columns]);
+    mean.value[n] = sum / static_cast<double>(fields.size());
+  }
   return mean;
 }
 

@@ -15,8 +15,8 @@ results::Comparison collect(const std::filesystem::path& directory);
 std::vector<results::ComparedMeasure> compare_runs(const std::vector<std::string>& variants,
                                                    const std::vector<results::ComparedRun>& runs);
 
-/// Mean of fields over the same nodes; a node has a value where all of them have one. Nodes that not all
-/// fields have, as where powder was heaped higher in one, are left out. Empty without fields.
+/// Mean of fields at the nodes of the first one, bilinear between the nodes of the others. A node has a value
+/// where all of them have one. Empty without fields.
 results::Field2D mean_field(const std::vector<results::Field2D>& fields);
 
 }  // namespace diefill::process

@@ -72,7 +72,7 @@ TEST(Verdicts, TellDifferencesFromScatter) {
   EXPECT_EQ(azimuth[2].verdict, Verdict::different);
 }
 
-TEST(MeanField, IsOverNodesThatAllFieldsHave) {
+TEST(MeanField, IsAtTheNodesOfTheFirstWhereAllHaveValues) {
   results::Field2D low{"solid fraction", "azimuth", "deg", "height", "mm", {0, 180, 360}, {0, 1}, {}, 1e-3};
   low.value = {0.2, 0.3, 0.4, 0.5, std::nan(""), 0.7};
   results::Field2D high = low;
@@ -84,6 +84,13 @@ TEST(MeanField, IsOverNodesThatAllFieldsHave) {
   EXPECT_NEAR(mean.value[1], 0.4, 1e-15);
   EXPECT_TRUE(std::isnan(mean.value[4]));
   EXPECT_NEAR(mean.value[5], 0.8, 1e-15);
+  const auto other = mean_field({high, low});
+  EXPECT_EQ(other.second, high.second);
+  EXPECT_NEAR(other.value[5], 0.8, 1e-15);
+  EXPECT_TRUE(std::isnan(other.value[6]));  // above what the second one has
+  results::Field2D shifted = high;          // other nodes: halfway between those of the first
+  shifted.second = {-0.5, 0.5, 1.5};
+  EXPECT_NEAR(mean_field({low, shifted}).value[0], (0.2 + 0.5 * (0.4 + 0.7)) / 2, 1e-15);
   EXPECT_TRUE(mean_field({}).value.empty());
 }
 
