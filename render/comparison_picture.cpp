@@ -64,6 +64,7 @@ Grid lay_out(std::size_t fields, double heading, const PlotArea& axes, double ba
   const bool equal_scales = axes.x.label.section(' ', -1) == axes.y.label.section(' ', -1);
   grid.height =
       std::round(std::clamp(equal_scales ? ratio * grid.width : 0.42 * grid.width, kLowest, kTallest));
+  if (equal_scales) grid.width = std::min(grid.width, std::round(grid.height / ratio));
   grid.step_y = grid.height + kNameBand + bottom_margin() + 10;
   return grid;
 }
