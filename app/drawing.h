@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <vector>
 
+#include "process/results/comparison.h"
 #include "process/results/fill_result.h"
 
 namespace diefill::app {
@@ -14,5 +15,9 @@ void set_up_drawing();
 /// Writes the standard pictures of `result` into `directory`; returns their paths.
 std::vector<std::filesystem::path> draw(const std::filesystem::path& directory,
                                         const results::FillResult& result);
+
+/// Writes comparison.png into `directory`, where a variant has a field to draw; returns what was written.
+std::vector<std::filesystem::path> draw(const std::filesystem::path& directory,
+                                        const results::Comparison& comparison);
 
 }  // namespace diefill::app

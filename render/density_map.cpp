@@ -35,25 +35,6 @@ int tick_count(double pixels, double pixels_per_tick) {
   return std::clamp(static_cast<int>(pixels / pixels_per_tick) + 1, 2, 13);
 }
 
-PlotArea make_axes(const results::Field2D& field, const QSizeF& size) {
-  PlotArea area;
-  area.rect = QRectF(QPointF(0, 0), size);
-  area.x.label = axis_label(field.first_name, field.first_unit);
-  area.y.label = axis_label(field.second_name, field.second_unit);
-  area.x.range = {field.first.front(), field.first.back()};
-  area.y.range = {field.second.front(), field.second.back()};
-  if (has_azimuth(field)) {
-    area.x.range = {0, 360};
-    if (field.second_name == "height")
-      area.y.label = axis_label("height above cavity floor", field.second_unit);
-    area.x.ticks = angle_ticks(area.x.range, 9);
-  } else {
-    area.x.ticks = nice_ticks(area.x.range, tick_count(size.width(), 130));
-  }
-  area.y.ticks = nice_ticks(area.y.range, std::min(9, tick_count(size.height(), 75)));
-  return area;
-}
-
 // Size of the data rectangle: the given one, or with equal scales as large as fits a square.
 QSizeF plot_size(const results::Field2D& field, bool& equal_scales) {
   const double width = field.first.back() - field.first.front();
@@ -92,20 +73,6 @@ Layout lay_out_section(double heading, const PlotArea& axes, double bar_width, b
   return layout;
 }
 
-void paint_field(QImage& canvas, const PlotArea& plot, const results::Field2D& field, const Interval& scale) {
-  const results::Field2D round = continued_round(field);
-  const FieldSampler sampler(round);
-  const QRect rect = plot.rect.toRect();
-  for (int row = rect.top(); row <= rect.bottom(); ++row) {
-    auto* line = reinterpret_cast<QRgb*>(canvas.scanLine(row));
-    for (int column = rect.left(); column <= rect.right(); ++column) {
-      const QPointF place = plot.value({column + 0.5, row + 0.5});
-      const Rgb colour = value_colour(sampler.at(place.x(), place.y()), scale.lower, scale.upper);
-      line[column] = qRgb(colour.red, colour.green, colour.blue);
-    }
-  }
-}
-
 QString note_text(const results::Field2D& field, bool broken_scales) {
   QString note;
   if (field.averaging_width > 0)
@@ -130,6 +97,39 @@ void draw_foot(QPainter& painter, const QSizeF& canvas, const QString& note, boo
 
 }  // namespace
 
+PlotArea field_axes(const results::Field2D& field, const QSizeF& size) {
+  PlotArea area;
+  area.rect = QRectF(QPointF(0, 0), size);
+  area.x.label = axis_label(field.first_name, field.first_unit);
+  area.y.label = axis_label(field.second_name, field.second_unit);
+  area.x.range = {field.first.front(), field.first.back()};
+  area.y.range = {field.second.front(), field.second.back()};
+  if (has_azimuth(field)) {
+    area.x.range = {0, 360};
+    if (field.second_name == "height")
+      area.y.label = axis_label("height above cavity floor", field.second_unit);
+    area.x.ticks = angle_ticks(area.x.range, 9);
+  } else {
+    area.x.ticks = nice_ticks(area.x.range, tick_count(size.width(), 130));
+  }
+  area.y.ticks = nice_ticks(area.y.range, std::min(9, tick_count(size.height(), 75)));
+  return area;
+}
+
+void paint_field(QImage& canvas, const PlotArea& plot, const results::Field2D& field, const Interval& scale) {
+  const results::Field2D round = continued_round(field);
+  const FieldSampler sampler(round);
+  const QRect rect = plot.rect.toRect();
+  for (int row = rect.top(); row <= rect.bottom(); ++row) {
+    auto* line = reinterpret_cast<QRgb*>(canvas.scanLine(row));
+    for (int column = rect.left(); column <= rect.right(); ++column) {
+      const QPointF place = plot.value({column + 0.5, row + 0.5});
+      const Rgb colour = value_colour(sampler.at(place.x(), place.y()), scale.lower, scale.upper);
+      line[column] = qRgb(colour.red, colour.green, colour.blue);
+    }
+  }
+}
+
 FieldPicture compose_field(const results::Field2D& field, const std::string& title,
                            const std::string& subtitle, const ColourRange& range) {
   check_field(field);
@@ -143,7 +143,7 @@ FieldPicture compose_field(const results::Field2D& field, const std::string& tit
   bool equal_scales = false;
   const bool is_section = same_scales(field);
   const QSizeF size = is_section ? plot_size(field, equal_scales) : QSizeF(1200, 560);
-  picture.plot = make_axes(field, size);
+  picture.plot = field_axes(field, size);
   double width = kMapWidth;
   if (is_section)
     width = std::max(kLeastCanvas,

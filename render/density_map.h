@@ -26,4 +26,10 @@ struct FieldPicture {
 FieldPicture compose_field(const results::Field2D& field, const std::string& title,
                            const std::string& subtitle, const ColourRange& range);
 
+/// Axes of a field for a data rectangle of `size` pixels with its corner at (0, 0).
+PlotArea field_axes(const results::Field2D& field, const QSizeF& size);
+
+/// Colours the pixels of the data rectangle; bilinear between nodes, holes in neutral grey.
+void paint_field(QImage& canvas, const PlotArea& plot, const results::Field2D& field, const Interval& scale);
+
 }  // namespace diefill::render

@@ -51,4 +51,14 @@ Eigen::Vector3d ring_point(const results::CavityState& cavity, const RingPositio
   return point;
 }
 
+double travel_length(const results::CavityState& cavity) {
+  const Eigen::Vector3d size = cavity.upper_corner - cavity.lower_corner, zero = axes_of(cavity).zero;
+  return std::abs(zero.x()) * size.x() + std::abs(zero.y()) * size.y();
+}
+
+double along_travel(const results::CavityState& cavity, const Eigen::Vector3d& point) {
+  const Eigen::Vector3d from_middle = point - 0.5 * (cavity.lower_corner + cavity.upper_corner);
+  return 0.5 - from_middle.dot(axes_of(cavity).zero) / travel_length(cavity);
+}
+
 }  // namespace diefill::process

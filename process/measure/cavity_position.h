@@ -20,4 +20,9 @@ RingPosition ring_position(const results::CavityState& cavity, const Eigen::Vect
 /// The point (m, laboratory frame) at these coordinates.
 Eigen::Vector3d ring_point(const results::CavityState& cavity, const RingPosition& position);
 
+/// m, extent of the cavity's box along the shoe's travel: of its corners along CavityState::azimuth_zero.
+double travel_length(const results::CavityState& cavity);
+/// Place along the travel: 0 at the end of the cavity's box where the shoe first arrives, 1 at the other.
+double along_travel(const results::CavityState& cavity, const Eigen::Vector3d& point);
+
 }  // namespace diefill::process

@@ -32,6 +32,16 @@ constexpr std::array kKnown = {
     Meaning{"azimuthal_variation", "1", "range over mean of the filled fraction of 12 sectors"},
     Meaning{"axial_variation", "1", "range over mean of the solid fraction over height"},
     Meaning{"energy_balance_error", "1", "energy unaccounted for, relative to the energy turned over"},
+    Meaning{"cycle_time_s", "s", "time of the scene's steps, without waiting for rest"},
+    Meaning{"fill_height_mm", "mm", "mean height of the powder surface above the cavity floor"},
+    Meaning{"solid_fraction_field_std", "1", "standard deviation of the averaged field in the cavity"},
+    Meaning{"solid_fraction_top_minus_bottom", "1", "upper less lower third of the powder's height"},
+    Meaning{"solid_fraction_harmonic_1", "1", "amplitude of the first harmonic over the azimuth"},
+    Meaning{"solid_fraction_harmonic_1_azimuth_deg", "deg", "where the first harmonic is largest"},
+    Meaning{"solid_fraction_harmonic_2", "1", "amplitude of the second harmonic over the azimuth"},
+    Meaning{"solid_fraction_harmonic_2_azimuth_deg", "deg", "where the second harmonic is largest"},
+    Meaning{"solid_fraction_along_travel_1", "1", "arrival end denser than far end, half the difference"},
+    Meaning{"solid_fraction_along_travel_2", "1", "ends denser than the middle, half the difference"},
 };
 
 constexpr const char* kUnknown = "figure of the run, as in report.json";

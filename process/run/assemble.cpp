@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <limits>
 
+#include "process/measure/figures.h"
 #include "process/measure/measure.h"
 #include "process/run/topics.h"
 
@@ -79,7 +80,16 @@ results::CavityState cavity_state(const Scene& scene, const Tooling& tooling) {
   return cavity;
 }
 
-void add_figures(results::FillResult& result, const Tooling& tooling, const FillRun& run) {
+/// s that the machine is at work: all steps that last a given time. Waiting for the powder to rest is not
+/// counted, a press does not wait for it.
+double cycle_time(const Scene& scene) {
+  double time = 0;
+  for (const auto& step : scene.steps) time += step->duration().value_or(0);
+  return time;
+}
+
+void add_figures(const Scene& scene, results::FillResult& result, const Tooling& tooling,
+                 const FillRun& run) {
   const engine::Simulation& simulation = run.simulation();
   const auto& settings = simulation.settings();
   const auto grains = static_cast<double>(simulation.grains().size());
@@ -92,6 +102,7 @@ void add_figures(results::FillResult& result, const Tooling& tooling, const Fill
   figures["time_step_s"] = settings.time_step;
   figures["critical_time_step_s"] = run.critical_time_step();
   figures["time_step_fraction"] = settings.time_step / run.critical_time_step();
+  figures["cycle_time_s"] = cycle_time(scene);
   figures["simulated_s"] = simulation.time();
   figures["wall_seconds"] = run.wall_seconds();
   figures["sphere_steps_per_second"] = static_cast<double>(run.sphere_steps()) / run.wall_seconds();
@@ -260,13 +271,14 @@ results::FillResult assemble(const Scene& scene, const Tooling& tooling, const F
   result.solid_fraction =
       measure_solid_fraction(result.powder, result.tools, result.cavity, scene.numerics.period);
   result.summary = summarise(result.powder, result.solid_fraction, result.cavity);
-  add_figures(result, tooling, run);
+  add_figures(scene, result, tooling, run);
   result.warnings = run.warnings();
   measure_fields(result, {scene.measure.averaging_width, wanted_sections(scene)}, scene.measure.azimuth_bins);
   add_filling_figures(result, scene);
   result.tool_checks = tool_checks(tooling);
   result.stages = run.schedule().past();
   result.topics = topics(scene, run);
+  measure_figures(result);
   return result;
 }
 

@@ -17,8 +17,8 @@ TableReader table_or_empty(TableReader& document, const std::string& key, const 
 
 }  // namespace
 
-Scene parse_scene(const std::string& text, const std::filesystem::path& file) {
-  const toml::table parsed = parse_scene_text(text, file), empty;
+Scene scene_of(const toml::table& parsed, const std::string& text, const std::filesystem::path& file) {
+  const toml::table empty;
   TableReader document(parsed, file, "");
   Scene scene;
   scene.file = file;
@@ -35,8 +35,13 @@ Scene parse_scene(const std::string& text, const std::filesystem::path& file) {
   scene.pour = read_pour(document.required_table("pour"), scene.powder, scene.numerics);
   scene.steps = read_steps(document, scene.tools);
   scene.measure = read_measure(table_or_empty(document, "measure", empty));
+  document.tables("variant");  // no matter of this scene's own: see variants.h
   document.finish();
   return scene;
+}
+
+Scene parse_scene(const std::string& text, const std::filesystem::path& file) {
+  return scene_of(parse_scene_text(text, file), text, file);
 }
 
 Scene read_scene(const std::filesystem::path& file) {

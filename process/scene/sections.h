@@ -9,6 +9,9 @@
 
 namespace diefill::process {
 
+/// The scene in a parsed document; `text` and `file` are kept in it, and `file` stands in messages.
+Scene scene_of(const toml::table& parsed, const std::string& text, const std::filesystem::path& file);
+
 /// `coarse_graining` of [powder]; to be read before the rest, which rejects keys that nobody asked for.
 CoarseGraining read_coarse_graining(TableReader& table);
 /// The rest of [powder]: a preset, a preset with overrides, or a powder of its own.

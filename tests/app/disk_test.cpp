@@ -1,6 +1,8 @@
 // What a full disk and a bad directory do to a run.
 #include <gtest/gtest.h>
 
+#include <cstdlib>
+
 #include "tests/app/small_die.h"
 
 namespace diefill::app {
@@ -47,6 +49,44 @@ TEST(FullDisk, WithoutRoomForACheckpointWarns) {
   EXPECT_NE(outcome.err.find("warning: no checkpoint written"), std::string::npos) << outcome.err;
   EXPECT_NE(outcome.err.find("diefill: cannot write "), std::string::npos) << outcome.err;
   EXPECT_EQ(SmallDie::files_in(die.out()), std::vector<std::string>{});
+}
+
+/// Commands of a shell that run the program where its output does not fit, then where it does. The place is a
+/// small file system of its own; where the system lets nobody mount one, files that cannot grow stand in for
+/// it.
+std::string full_then_enlarged(const SmallDie& die, std::uintmax_t kilobytes) {
+  const std::string out = die.out().string(), folder = die.folder().string() + '/';
+  const std::string size = std::to_string(kilobytes),
+                    mount = "mount -t tmpfs -o size=" + size + "k none " + out;
+  const std::string run = std::string(DIEFILL_PROGRAM) + " run " + die.scene().string() + " --out " + out +
+                          " --threads 1 --quiet --resume";
+  const bool can_mount = std::system(("unshare -rm " + mount + " 2>/dev/null").c_str()) == 0;
+  const std::string limit = can_mount ? mount : "trap '' XFSZ; ulimit -f " + std::to_string(2 * kilobytes);
+  const std::string enlarge = can_mount ? "mount -o remount,size=64m " + out : ":";
+  const std::string commands = "( " + (can_mount ? ":" : limit) + "; " + run + " > " + folder +
+                               "said 2>&1; echo $? > " + folder + "code ); ls " + out + " > " + folder +
+                               "files; " + enlarge + "; " + run + " > " + folder + "said_then 2>&1; cp " +
+                               out + "/report.json " + folder;
+  return can_mount ? "unshare -rm sh -c '" + mount + "; " + commands + '\'' : commands;
+}
+
+TEST(FullDisk, OfASmallFileSystemLosesNothingAndTheResumedRunEndsAlike) {
+  const SmallDie die, other;
+  for (const SmallDie* each : {&die, &other})
+    each->exchange("velocity = \"0.1 m/s\"", "velocity = \"0.2 m/s\"");
+  ASSERT_EQ(other.run({"--quiet"}).exit_code, 0);
+  std::filesystem::create_directories(die.out());
+  const auto results = std::filesystem::file_size(other.out() / "results.h5");
+  const int status = std::system(full_then_enlarged(die, results / 1024).c_str());
+  EXPECT_EQ(status, 0) << contents(die.folder() / "said_then");
+  EXPECT_EQ(contents(die.folder() / "code"), "1\n");
+  const std::string said = contents(die.folder() / "said");
+  EXPECT_NE(said.find("diefill: cannot write " + (die.out() / "results.h5").string()), std::string::npos)
+      << said;
+  EXPECT_EQ(contents(die.folder() / "files"), "checkpoint.bin\n");
+  const auto report = nlohmann::json::parse(contents(die.folder() / "report.json"));
+  for (const char* key : {"state_hash", "steps", "filled_mass_kg", "solid_fraction"})
+    EXPECT_EQ(report.at(key), other.report().at(key)) << key;
 }
 
 TEST(OutputDirectory, ThatCannotBeMadeStopsTheRunAtOnce) {

@@ -4,8 +4,10 @@
 #include <chrono>
 #include <csignal>
 #include <functional>
+#include <random>
 #include <thread>
 
+#include "process/results/result_file.h"
 #include "tests/app/small_die.h"
 
 namespace diefill::app {
@@ -79,6 +81,59 @@ TEST(Resume, EndsAsTheUnbrokenRunAfterStopsAndKills) {
   ASSERT_EQ(last.exit_code, 0) << last.err;
   expect_same_end(other.report(), die.report());
   EXPECT_FALSE(std::filesystem::exists(checkpoint(die)));
+}
+
+// Whatever the moment: while it starts, pours, steps, writes a checkpoint, measures or draws.
+TEST(Resume, EndsAsTheUnbrokenRunAfterTwentyKillsAtRandomMoments) {
+  constexpr int kKills = 20;
+  const SmallDie die, other;
+  for (const SmallDie* each : {&die, &other})
+    each->exchange("velocity = \"0.1 m/s\"", "velocity = \"0.2 m/s\"");
+  const auto start = std::chrono::steady_clock::now();
+  ASSERT_EQ(other.run({"--quiet"}).exit_code, 0);
+  const auto whole = std::chrono::steady_clock::now() - start;
+  std::mt19937 random(20);
+  std::uniform_real_distribution<double> share(0.02, 0.8);
+  int kills = 0;
+  const auto expect_same_results = [&] {
+    expect_same_end(other.report(), die.report());
+    EXPECT_EQ(results::read_results(die.out()).state_hash, other.report().at("state_hash"));
+  };
+  while (kills < kKills) {
+    Program program(die.run_arguments({"--resume", "--quiet"}));
+    std::this_thread::sleep_for(share(random) * whole);
+    const bool killed = program.running();
+    program.send(SIGKILL);
+    const Outcome outcome = program.wait();
+    if (killed && outcome.signal == SIGKILL) {
+      ++kills;
+      continue;
+    }
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    expect_same_results();
+    std::filesystem::remove_all(die.out());
+  }
+  const Outcome last = die.run({"--resume", "--quiet"});
+  ASSERT_EQ(last.exit_code, 0) << last.err;
+  expect_same_results();
+}
+
+// The stated interval is 1 s; steps of the schedule write checkpoints of their own, and here there are none.
+TEST(Checkpoints, AreWrittenAtTheStatedInterval) {
+  const SmallDie die;
+  die.exchange("kind = \"passage\"\ntool = \"shoe\"\ndirection = \"-x\"\nvelocity = \"0.1 m/s\"",
+               "kind = \"wait\"\nduration = \"100 s\"");
+  Program program(die.run_arguments({"--quiet"}));
+  std::string before;
+  for (int written = 0; written < 3; ++written) {
+    ASSERT_TRUE(wait_until(program, [&] {
+      const std::string now = checkpoint_now(die);
+      return !now.empty() && now != before;
+    }));
+    before = checkpoint_now(die);
+  }
+  program.send(SIGINT);
+  EXPECT_EQ(program.wait().exit_code, 130);
 }
 
 TEST(Resume, RefusesADamagedOrForeignCheckpoint) {

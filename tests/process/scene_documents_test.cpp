@@ -5,6 +5,7 @@
 #include "process/machine/step_registry.h"
 #include "process/scene/powder_presets.h"
 #include "process/scene/scene.h"
+#include "process/scene/variants.h"
 #include "tests/process/scene_files.h"
 #include "tests/process/wrong_scene.h"
 #include "tests/support/temporary_folder.h"
@@ -80,6 +81,16 @@ TEST(SampleScenes, CanAllBeRead) {
     EXPECT_NO_THROW(read_scene(entry.path())) << entry.path();
   }
   EXPECT_GE(scenes, 1);
+}
+
+TEST(SampleScenes, StrategiesOfTheNarrowRingDifferInSpeedAndPassages) {
+  std::vector<std::string> strategies;
+  for (const Variant& variant : read_variants(kSource / "sample_tools/narrow_ring/strategies.toml"))
+    strategies.push_back(strategy_in_words(variant.scene));
+  const std::vector<std::string> expected = {"1 passage at 0.09 m/s",  "1 passage at 0.022 m/s",
+                                             "1 passage at 0.044 m/s", "1 passage at 0.2 m/s",
+                                             "2 passages at 0.09 m/s", "6 passages at 0.09 m/s"};
+  EXPECT_EQ(strategies, expected);
 }
 
 TEST(SampleScenes, QuickStartIsOnePassageOverTheRing) {

@@ -23,7 +23,7 @@ const std::vector<Rule>& rules() {
       {"geometry/", {"geometry/"}, {"Eigen/", "CGAL/", "assimp/", "voro++/", "oneapi/tbb/", "tbb/"}},
       {"process/results/", {"process/results/"}, {"Eigen/", "hdf5.h", "nlohmann/"}},
       {"process/measure/", {"process/results/", "process/measure/", "geometry/"}, {"Eigen/"}},
-      {"process/", {"engine/", "geometry/", "process/"}, {"Eigen/", "toml++/", "udunits2.h", "zlib.h"}},
+      {"process/", {"engine/", "geometry/", "process/"}, {"Eigen/", "toml++/", "udunits2.h", "zlib.h", "boost/math/"}},
       {"render/", {"process/results/", "render/"}, {"Eigen/", "Q", "vtk", "GL/"}},
       {"app/", {"engine/", "geometry/", "process/", "render/", "app/"}, {"Eigen/", "CLI/", "nlohmann/"}},
   };

@@ -1,0 +1,34 @@
+// A program run as a child process, with what it says going to a file.
+#pragma once
+
+#include <sys/types.h>
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace diefill::process {
+
+/// The child. It is stopped (SIGTERM) when this process dies, and waited for at the end of this object's
+/// life.
+class ChildProcess {
+ public:
+  /// Starts `words` (program and arguments), standard output and error appended to `log`. Throws
+  /// std::runtime_error where that is not possible.
+  ChildProcess(const std::vector<std::string>& words, const std::filesystem::path& log);
+  ~ChildProcess();
+  ChildProcess(const ChildProcess&) = delete;
+  ChildProcess& operator=(const ChildProcess&) = delete;
+
+  /// Exit code once it has ended, 128 + signal where a signal ended it; nothing while it runs.
+  std::optional<int> ended();
+  /// Asks it to stop, as Ctrl-C does.
+  void interrupt();
+
+ private:
+  pid_t process_ = -1;
+  std::optional<int> code_;
+};
+
+}  // namespace diefill::process

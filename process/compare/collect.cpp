@@ -1,0 +1,152 @@
+#include "process/compare/collect.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "process/compare/compared_measures.h"
+#include "process/compare/job_folder.h"
+#include "process/compare/statistics.h"
+#include "process/results/result_file.h"
+
+namespace diefill::process {
+namespace {
+
+constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+
+/// What compares best as a picture: the map of a ring, or the first section.
+const results::Field2D* field_of(const results::FillResult& result) {
+  if (!result.maps.empty()) return &result.maps.front();
+  if (!result.sections.empty()) return &result.sections.front().field;
+  return nullptr;
+}
+
+void take_values(results::ComparedRun& run, const results::FillResult& result) {
+  run.state_hash = result.state_hash;
+  for (const auto& measure : compared_measures()) {
+    const double value = value_of(measure, result);
+    if (std::isfinite(value)) run.values[measure.key] = value;
+  }
+}
+
+/// The run as it stands; adds its field to `fields` if it is finished.
+results::ComparedRun compared_run(const std::filesystem::path& directory, const results::Job& job,
+                                  std::vector<results::Field2D>& fields) {
+  results::ComparedRun run;
+  run.variant = job.variant;
+  run.folder = job.folder;
+  run.seed = job.seed;
+  const JobState state = state_of(directory, job);
+  run.reason = state.reason;
+  run.exit_code = state.exit_code;
+  run.state = state.stage == JobState::Stage::open ? "not finished" : "failed";
+  if (state.stage != JobState::Stage::finished) return run;
+  try {
+    const auto result = results::read_results(directory / job.folder);
+    take_values(run, result);
+    run.state = "finished";
+    if (const auto* field = field_of(result)) fields.push_back(*field);
+  } catch (const results::ResultError& error) {
+    run.state = "failed";
+    run.reason = error.what();
+    run.exit_code = 1;
+  }
+  return run;
+}
+
+results::ComparedValue compared_value(const Sample& first, const Sample& sample, double period,
+                                      bool is_first) {
+  results::ComparedValue value;
+  value.mean = sample.mean;
+  value.scatter = sample.scatter;
+  value.seeds = sample.count;
+  value.difference = is_first ? kNone : difference(first.mean, sample.mean, period);
+  value.interval = is_first ? kNone : welch_half_width(first, sample);
+  using results::Verdict;
+  if (sample.count == 0 || first.count == 0)
+    value.verdict = Verdict::missing;
+  else if (is_first)
+    value.verdict = Verdict::reference;
+  else if (!std::isfinite(value.interval))
+    value.verdict = Verdict::scatter_unknown;
+  else
+    value.verdict = std::abs(value.difference) > value.interval ? Verdict::different : Verdict::none;
+  return value;
+}
+
+std::vector<double> values_of(const std::string& key, const std::string& variant,
+                              const std::vector<results::ComparedRun>& runs) {
+  std::vector<double> values;
+  for (const auto& run : runs)
+    if (run.variant == variant && run.values.contains(key)) values.push_back(run.values.at(key));
+  return values;
+}
+
+/// Where `value` lies among rising nodes: the node at or below it and the share of the way to the next one.
+std::pair<std::size_t, double> place_among(const std::vector<double>& nodes, double value) {
+  const auto above = std::upper_bound(nodes.begin(), nodes.end(), value);
+  const auto below = static_cast<std::size_t>(std::max<std::ptrdiff_t>(above - nodes.begin(), 1) - 1);
+  if (below + 1 >= nodes.size()) return {below, value == nodes.back() ? 0 : kNone};
+  return {below, value < nodes.front() ? kNone : (value - nodes[below]) / (nodes[below + 1] - nodes[below])};
+}
+
+/// Bilinear between the nodes; NaN beyond them and beside nodes without a value.
+double value_at(const results::Field2D& field, double first, double second) {
+  if (field.value.empty()) return kNone;
+  const auto [i, right] = place_among(field.first, first);
+  const auto [j, up] = place_among(field.second, second);
+  if (std::isnan(right) || std::isnan(up)) return kNone;
+  const double weights[2][2] = {{(1 - up) * (1 - right), (1 - up) * right}, {up * (1 - right), up * right}};
+  double sum = 0;
+  for (std::size_t b = 0; b < 2; ++b)
+    for (std::size_t a = 0; a < 2; ++a)
+      if (weights[b][a] > 0) sum += weights[b][a] * field.value[(j + b) * field.first.size() + i + a];
+  return sum;
+}
+
+}  // namespace
+
+results::Field2D mean_field(const std::vector<results::Field2D>& fields) {
+  if (fields.empty()) return {};
+  results::Field2D mean = fields.front();
+  const std::size_t columns = mean.first.size();
+  for (std::size_t n = 0; n < mean.value.size(); ++n) {
+    double sum = 0;
+    for (const auto& field : fields)
+      sum += value_at(field, mean.first[n % columns], mean.second[n / columns]);
+    mean.value[n] = sum / static_cast<double>(fields.size());
+  }
+  return mean;
+}
+
+std::vector<results::ComparedMeasure> compare_runs(const std::vector<std::string>& variants,
+                                                   const std::vector<results::ComparedRun>& runs) {
+  std::vector<results::ComparedMeasure> all;
+  for (const auto& measure : compared_measures()) {
+    std::vector<Sample> samples;
+    for (const auto& variant : variants)
+      samples.push_back(sample_of(values_of(measure.key, variant, runs), measure.period));
+    const auto measured = [](const Sample& sample) { return sample.count > 0; };
+    if (std::none_of(samples.begin(), samples.end(), measured)) continue;
+    results::ComparedMeasure compared{measure.key, measure.name, measure.unit, {}};
+    for (std::size_t k = 0; k < samples.size(); ++k)
+      compared.values.push_back(compared_value(samples.front(), samples[k], measure.period, k == 0));
+    all.push_back(std::move(compared));
+  }
+  return all;
+}
+
+results::Comparison collect(const std::filesystem::path& directory) {
+  const results::JobList list = results::read_job_list(directory);
+  results::Comparison comparison;
+  comparison.title = list.title;
+  comparison.variants = list.variants;
+  std::map<std::string, std::vector<results::Field2D>> fields;
+  for (const auto& job : list.jobs)
+    comparison.runs.push_back(compared_run(directory, job, fields[job.variant]));
+  comparison.measures = compare_runs(comparison.variants, comparison.runs);
+  for (const auto& variant : comparison.variants) comparison.fields.push_back(mean_field(fields[variant]));
+  return comparison;
+}
+
+}  // namespace diefill::process

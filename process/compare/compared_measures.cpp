@@ -1,0 +1,35 @@
+#include "process/compare/compared_measures.h"
+
+#include <limits>
+
+namespace diefill::process {
+
+const std::vector<MeasureOfComparison>& compared_measures() {
+  static const std::vector<MeasureOfComparison> all = {
+      {"filled_mass_kg", "filled mass", "g", 1e3, 0},
+      {"solid_fraction_mean", "solid fraction", "1", 1, 0},
+      {"solid_fraction_field_std", "standard deviation of the averaged solid fraction", "1", 1, 0},
+      {"solid_fraction_std", "standard deviation over single grains", "1", 1, 0},
+      {"solid_fraction_top_minus_bottom", "solid fraction, top less bottom third", "1", 1, 0},
+      {"solid_fraction_harmonic_1", "first harmonic over the azimuth, amplitude", "1", 1, 0},
+      {"solid_fraction_harmonic_1_azimuth_deg", "first harmonic, densest at", "deg", 1, 360},
+      {"solid_fraction_harmonic_2", "second harmonic over the azimuth, amplitude", "1", 1, 0},
+      {"solid_fraction_harmonic_2_azimuth_deg", "second harmonic, densest at (and 180 deg on)", "deg", 1,
+       180},
+      {"solid_fraction_along_travel_1", "arrival end denser than far end, half the difference", "1", 1, 0},
+      {"solid_fraction_along_travel_2", "ends denser than the middle, half the difference", "1", 1, 0},
+      {"fill_height_mm", "fill height", "mm", 1, 0},
+      {"cycle_time_s", "cycle time", "s", 1, 0},
+  };
+  return all;
+}
+
+double value_of(const MeasureOfComparison& measure, const results::FillResult& result) {
+  if (measure.key == "solid_fraction_mean") return result.summary.mean;
+  if (measure.key == "solid_fraction_std") return result.summary.std;
+  const auto figure = result.figures.find(measure.key);
+  if (figure == result.figures.end()) return std::numeric_limits<double>::quiet_NaN();
+  return measure.factor * figure->second;
+}
+
+}  // namespace diefill::process

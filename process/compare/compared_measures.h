@@ -1,0 +1,25 @@
+// What variants are compared by.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "process/results/fill_result.h"
+
+namespace diefill::process {
+
+/// A number of a result. To compare by one more, its line in compared_measures.cpp.
+struct MeasureOfComparison {
+  std::string key;   ///< of FillResult::figures
+  std::string name;  ///< for people
+  std::string unit;
+  double factor = 1;  ///< from the figure to `unit`
+  double period = 0;  ///< in `unit`, for angles that come round again; 0: none
+};
+
+const std::vector<MeasureOfComparison>& compared_measures();
+
+/// The value in its unit; NaN where the result has none.
+double value_of(const MeasureOfComparison& measure, const results::FillResult& result);
+
+}  // namespace diefill::process

@@ -1,0 +1,148 @@
+#include "process/compare/run_jobs.h"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <cstdlib>
+#include <fstream>
+#include <memory>
+
+#include "process/compare/child_process.h"
+#include "process/compare/job_folder.h"
+#include "process/results/atomic_file.h"
+#include "process/run/fill_run.h"
+#include "process/run/progress.h"
+
+namespace diefill::process {
+namespace {
+
+namespace fs = std::filesystem;
+using Clock = std::chrono::steady_clock;
+
+constexpr useconds_t kPause = 20000;  // microseconds between looks at the jobs
+constexpr int kBadSignal = 128;       // exit codes from here on: ended by a signal, or stopped and resumable
+
+/// Share of the work that a job's log last told of, 0 to 1.
+double share_in(const fs::path& log) {
+  constexpr std::streamoff kTail = 2000;
+  std::ifstream file(log, std::ios::ate);
+  if (!file) return 0;
+  file.seekg(std::max<std::streamoff>(0, static_cast<std::streamoff>(file.tellg()) - kTail));
+  double share = 0;
+  for (std::string line; std::getline(file, line);)
+    if (line.find(" %  t = ") != std::string::npos) share = std::atof(line.c_str()) / 100;
+  return share;
+}
+
+struct RunningJob {
+  const results::Job* job = nullptr;
+  std::unique_ptr<ChildProcess> process;
+  Clock::time_point started = Clock::now();
+};
+
+/// The jobs of a list on their way.
+class JobPool {
+ public:
+  JobPool(const fs::path& directory, const results::JobList& list, const JobOptions& options)
+      : directory_(directory), options_(options), progress_(options.show_progress), all_(list.jobs.size()) {
+    for (const auto& job : list.jobs) {
+      const JobState state = state_of(directory, job);
+      const bool over = state.stage == JobState::Stage::finished || state.out_of_range();
+      if (!over) waiting_.push_back(&job);
+    }
+    done_ = all_ - waiting_.size();
+    if (done_ > 0)
+      progress_.say(std::to_string(done_) + " of " + std::to_string(all_) + " runs stand already");
+  }
+
+  void run() {
+    while (!waiting_.empty() || !running_.empty()) {
+      if (options_.stop != nullptr && options_.stop->load()) stop();
+      while (!waiting_.empty() && running_.size() < static_cast<std::size_t>(options_.at_once)) start_next();
+      ::usleep(kPause);
+      take_ended();
+      show();
+    }
+  }
+
+ private:
+  static std::string in_words(const results::Job& job) {
+    return '"' + job.variant + "\", seed " + std::to_string(job.seed);
+  }
+
+  void start_next() {
+    const results::Job& job = *waiting_.front();
+    waiting_.erase(waiting_.begin());
+    const fs::path folder = directory_ / job.folder;
+    fs::remove(folder / kJobExitCode);
+    const int threads = std::max(1, options_.cores / options_.at_once);
+    RunningJob running;
+    running.job = &job;
+    running.process = std::make_unique<ChildProcess>(
+        std::vector<std::string>{options_.program.string(), "run", (folder / kJobScene).string(), "--out",
+                                 folder.string(), "--resume", "--threads", std::to_string(threads)},
+        folder / kJobLog);
+    progress_.say("started " + in_words(job));
+    running_.push_back(std::move(running));
+  }
+
+  void take_ended() {
+    for (RunningJob& running : running_)
+      if (const auto code = running.process->ended()) take_down(running, *code);
+    std::erase_if(running_, [](const RunningJob& running) { return running.job == nullptr; });
+  }
+
+  void take_down(RunningJob& running, int code) {
+    const results::Job& job = *running.job;
+    const double seconds = std::chrono::duration<double>(Clock::now() - running.started).count();
+    running.job = nullptr;
+    ++done_;
+    const bool stopped = options_.stop != nullptr && options_.stop->load() && code >= kBadSignal;
+    if (!stopped)
+      results::write_text_atomically(directory_ / job.folder / kJobExitCode, std::to_string(code) + "\n");
+    const JobState state = state_of(directory_, job);
+    const std::string end = state.stage == JobState::Stage::failed ? "failed: " + state.reason : "finished";
+    if (!stopped) progress_.say(in_words(job) + ' ' + end + " (" + duration_in_words(seconds) + ')');
+  }
+
+  void show() {
+    if (Clock::now() - looked_ > std::chrono::seconds(1)) {
+      looked_ = Clock::now();
+      share_of_running_ = 0;
+      for (const RunningJob& running : running_)
+        share_of_running_ += share_in(directory_ / running.job->folder / kJobLog);
+    }
+    const double share = (static_cast<double>(done_) + share_of_running_) / static_cast<double>(all_);
+    progress_.show(share, std::to_string(done_) + " of " + std::to_string(all_) + " runs done",
+                   std::to_string(running_.size()) + " at work");
+  }
+
+  [[noreturn]] void stop() {
+    for (RunningJob& running : running_) running.process->interrupt();
+    while (!running_.empty()) {
+      ::usleep(kPause);
+      take_ended();
+    }
+    throw Interrupted("stopped with " + std::to_string(waiting_.size()) +
+                      " runs not begun and those under way at a checkpoint; the same command goes on");
+  }
+
+  const fs::path& directory_;
+  const JobOptions& options_;
+  Progress progress_;
+  std::vector<const results::Job*> waiting_;
+  std::vector<RunningJob> running_;
+  std::size_t all_, done_ = 0;
+  double share_of_running_ = 0;
+  Clock::time_point looked_ = Clock::now();
+};
+
+}  // namespace
+
+void run_jobs(const fs::path& directory, const results::JobList& list, const JobOptions& options) {
+  JobPool(directory, list, options).run();
+}
+
+}  // namespace diefill::process

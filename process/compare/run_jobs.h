@@ -1,0 +1,27 @@
+// Runs the jobs of a comparison on this machine, several at a time, each as a process of its own: one that
+// fails takes no other with it.
+#pragma once
+
+#include <atomic>
+#include <filesystem>
+
+#include "process/results/job_list.h"
+
+namespace diefill::process {
+
+struct JobOptions {
+  std::filesystem::path program;  ///< diefill itself
+  int at_once = 1;                ///< jobs at a time
+  int cores = 1;                  ///< shared evenly by them, at least one thread each
+  bool show_progress = true;
+  const std::atomic<bool>* stop = nullptr;  ///< set from a signal handler
+};
+
+/// Runs every job that is not finished, from its checkpoint where it has one; one that left the method's
+/// valid range before would do so again and is left out. What a job says goes to its run.log, how it ended to
+/// its exit_code. When asked to stop it stops the jobs with a checkpoint and throws Interrupted. Throws
+/// std::runtime_error where no process can be made.
+void run_jobs(const std::filesystem::path& directory, const results::JobList& list,
+              const JobOptions& options);
+
+}  // namespace diefill::process

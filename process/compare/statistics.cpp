@@ -1,0 +1,56 @@
+#include "process/compare/statistics.h"
+
+#include <boost/math/distributions/students_t.hpp>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace diefill::process {
+namespace {
+
+constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+
+double mean_of(const std::vector<double>& values, double period) {
+  double sum = 0, cosines = 0, sines = 0;
+  for (const double value : values) {
+    sum += value;
+    if (!(period > 0)) continue;
+    cosines += std::cos(2 * std::numbers::pi * value / period);
+    sines += std::sin(2 * std::numbers::pi * value / period);
+  }
+  if (!(period > 0)) return sum / static_cast<double>(values.size());
+  const double mean = std::atan2(sines, cosines) * period / (2 * std::numbers::pi);
+  return mean < 0 ? mean + period : mean;
+}
+
+}  // namespace
+
+double difference(double a, double b, double period) {
+  return period > 0 ? std::remainder(b - a, period) : b - a;
+}
+
+Sample sample_of(const std::vector<double>& values, double period) {
+  std::vector<double> finite;
+  for (const double value : values)
+    if (std::isfinite(value)) finite.push_back(value);
+  Sample sample{kNone, kNone, finite.size()};
+  if (finite.empty()) return sample;
+  sample.mean = mean_of(finite, period);
+  if (finite.size() < 2) return sample;
+  double squares = 0;
+  for (const double value : finite) squares += std::pow(difference(sample.mean, value, period), 2);
+  sample.scatter = std::sqrt(squares / static_cast<double>(finite.size() - 1));
+  return sample;
+}
+
+double welch_half_width(const Sample& a, const Sample& b) {
+  if (a.count < 2 || b.count < 2) return kNone;
+  const double n_a = static_cast<double>(a.count), n_b = static_cast<double>(b.count);
+  const double part_a = a.scatter * a.scatter / n_a, part_b = b.scatter * b.scatter / n_b;
+  const double sum = part_a + part_b;
+  if (!(sum > 0)) return 0;
+  const double freedom = sum * sum / (part_a * part_a / (n_a - 1) + part_b * part_b / (n_b - 1));
+  return boost::math::quantile(boost::math::students_t(freedom), 0.975) * std::sqrt(sum);
+}
+
+}  // namespace diefill::process

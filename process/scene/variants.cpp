@@ -1,0 +1,179 @@
+#include "process/scene/variants.h"
+
+#include <toml++/toml.h>
+
+#include <algorithm>
+#include <cctype>
+#include <charconv>
+#include <regex>
+#include <sstream>
+
+#include "process/scene/nearest_key.h"
+#include "process/scene/scene_text.h"
+#include "process/scene/sections.h"
+
+namespace diefill::process {
+namespace {
+
+/// Puts `node` itself at `key`: a copy would forget its line, which messages name.
+void put(toml::table& table, const toml::key& key, toml::node&& node) {
+  node.visit([&](auto& value) { table.insert_or_assign(key, std::move(value)); });
+}
+
+/// What the entries of a list can be called: their names, or else their numbers from 1.
+std::vector<std::string> entry_names(const toml::array& list) {
+  std::vector<std::string> names;
+  for (const toml::node& entry : list) {
+    const auto* table = entry.as_table();
+    const auto name = table != nullptr ? (*table)["name"].value_exact<std::string>() : std::nullopt;
+    names.push_back(name.value_or(std::to_string(names.size() + 1)));
+  }
+  return names;
+}
+
+/// Place in the list of the entry that is called `word`, by name or by number from 1; its length if none is.
+std::size_t entry_called(const std::string& word, const std::vector<std::string>& names) {
+  const auto match = std::find(names.begin(), names.end(), word);
+  if (match != names.end()) return static_cast<std::size_t>(match - names.begin());
+  for (std::size_t k = 0; k < names.size(); ++k)
+    if (word == std::to_string(k + 1)) return k;
+  return names.size();
+}
+
+[[noreturn]] void reject_entry(const TableReader& reader, const std::string& list, const std::string& word,
+                               const std::vector<std::string>& names) {
+  std::string allowed = "no [[" + list + "]] has this name or number; ";
+  if (const auto meant = nearest_key(word, names))
+    reader.reject(word, allowed + "did you mean \"" + *meant + "\"?");
+  allowed += "they are ";
+  for (std::size_t k = 0; k < names.size(); ++k) allowed += (k == 0 ? "\"" : ", \"") + names[k] + '"';
+  reader.reject(word, allowed);
+}
+
+void merge(toml::table& into, toml::table& changes, const std::filesystem::path& file,
+           const std::string& path);
+
+/// Changes the entries of a list one by one: every key of `changes` calls one of them.
+void merge_entries(toml::array& list, toml::table& changes, const std::filesystem::path& file,
+                   const std::string& path, const std::string& list_name) {
+  const TableReader reader(changes, file, path);
+  const auto names = entry_names(list);
+  for (auto&& [key, node] : changes) {
+    const std::string word(key.str());
+    const std::size_t k = entry_called(word, names);
+    if (k == names.size()) reject_entry(reader, list_name, word, names);
+    toml::table* entry = list[k].as_table();
+    toml::table* change = node.as_table();
+    if (entry == nullptr || change == nullptr)
+      reader.reject(word, "keys to change are needed, such as " + list_name + '.' + word + ".name = \"...\"");
+    merge(*entry, *change, file, path + '.' + word);
+  }
+}
+
+/// Lays `changes` over `into`: tables key by key, lists of tables by name or number, everything else whole.
+void merge(toml::table& into, toml::table& changes, const std::filesystem::path& file,
+           const std::string& path) {
+  for (auto&& [key, node] : changes) {
+    const std::string word(key.str());
+    toml::node* old = into.get(word);
+    toml::table* change = node.as_table();
+    if (old != nullptr && change != nullptr && old->is_table())
+      merge(*old->as_table(), *change, file, path + '.' + word);
+    else if (old != nullptr && change != nullptr && old->is_array_of_tables())
+      merge_entries(*old->as_array(), *change, file, path + '.' + word, word);
+    else
+      put(into, key, std::move(node));
+  }
+}
+
+std::string folder_of(const std::string& name) {
+  std::string folder;
+  for (const char letter : name) {
+    const bool plain =
+        std::isalnum(static_cast<unsigned char>(letter)) != 0 || letter == '-' || letter == '.';
+    folder += plain ? letter : '_';
+  }
+  const bool taken = folder == "tools" || folder.find_first_not_of('.') == std::string::npos;
+  return taken ? '_' + folder : folder;
+}
+
+/// The number at the end of the line with as few digits as give it back, since the library writes 0.15 as
+/// 0.14999999999999999; other lines as they are.
+std::string shortened(const std::string& line) {
+  static const std::regex number(R"(([A-Za-z0-9_-]+ = )(-?[0-9]+\.[0-9]+(e[-+]?[0-9]+)?))");
+  std::smatch part;
+  if (!std::regex_match(line, part, number)) return line;
+  char digits[40];
+  const auto end = std::to_chars(digits, digits + sizeof digits, std::stod(part[2])).ptr;
+  const std::string text(digits, end);
+  const bool whole = text.find_first_of(".e") == std::string::npos;
+  return part[1].str() + text + (whole ? ".0" : "");
+}
+
+/// The document as a scene file.
+std::string text_of(const toml::table& document) {
+  std::stringstream written;
+  written << document << '\n';
+  std::string text;
+  for (std::string line; std::getline(written, line);) text += shortened(line) + '\n';
+  return text;
+}
+
+/// Names and folders of all variants, in their order.
+std::vector<Variant> named_variants(const toml::table& document, const std::filesystem::path& file) {
+  std::vector<Variant> variants;
+  for (TableReader& table : TableReader(document, file, "").tables("variant")) {
+    Variant variant;
+    variant.name = table.required_name("name", "slow shoe");
+    variant.folder = folder_of(variant.name);
+    for (const Variant& other : variants)
+      if (other.folder == variant.folder)
+        table.reject("name",
+                     "the earlier variant \"" + other.name +
+                         "\" would have the same folder for its results; give each a name of its own");
+    if (table.has("variant")) table.reject("variant", "a variant holds no variants; write [[variant]]");
+    variants.push_back(std::move(variant));
+  }
+  return variants;
+}
+
+/// The scene of variant `number`. Parses the text anew, since laying the changes over it uses them up.
+Scene changed_scene(const std::string& text, const std::filesystem::path& file, std::size_t number,
+                    const std::string& name) {
+  toml::table document = parse_scene_text(text, file);
+  toml::array variants = std::move(*document["variant"].as_array());
+  document.erase("variant");
+  toml::table& changes = *variants[number].as_table();
+  changes.erase("name");
+  if (!changes.contains("title"))
+    document.insert_or_assign("title", document["title"].value_or(file.stem().string()) + ": " + name);
+  try {
+    merge(document, changes, file, "variant");
+    return scene_of(document, text_of(document), file);
+  } catch (const SceneError& error) {
+    throw SceneError(std::string(error.what()) + " (in variant \"" + name + "\")");
+  }
+}
+
+}  // namespace
+
+std::vector<Variant> read_variants(const std::filesystem::path& file) {
+  const std::string text = load_scene_text(file);
+  Scene as_it_is = parse_scene(text, file);
+  toml::table document = parse_scene_text(text, file);
+  std::vector<Variant> variants = named_variants(document, file);
+  for (std::size_t k = 0; k < variants.size(); ++k)
+    variants[k].scene = changed_scene(text, file, k, variants[k].name);
+  if (variants.empty()) variants.push_back({"as it is", "as_it_is", std::move(as_it_is)});
+  return variants;
+}
+
+std::string scene_text_with(const Scene& scene, std::uint64_t seed, const std::vector<std::string>& files) {
+  toml::table document = parse_scene_text(scene.text, scene.file);
+  document.insert_or_assign("seed", static_cast<std::int64_t>(seed));
+  toml::array& tools = *document["tool"].as_array();
+  for (std::size_t k = 0; k < files.size(); ++k) tools[k].as_table()->insert_or_assign("file", files[k]);
+  return text_of(document);
+}
+
+}  // namespace diefill::process

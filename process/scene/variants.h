@@ -1,0 +1,29 @@
+// Variants of a scene: [[variant]] tables that each name a way of filling and change some keys of the scene.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "process/scene/scene.h"
+
+namespace diefill::process {
+
+/// One way of filling, to be compared with others.
+struct Variant {
+  std::string name;    ///< as the scene gives it
+  std::string folder;  ///< the name as letters that suit folders and command lines; once in a scene
+  Scene scene;         ///< changes applied; `text` is a scene file of its own without variants
+};
+
+/// All variants of a scene file in their order, each read and checked in full; the scene as it stands, named
+/// "as it is", where it has none. Throws SceneError for the first fault found: of the scene itself, or of a
+/// variant, naming the line in the variant.
+std::vector<Variant> read_variants(const std::filesystem::path& file);
+
+/// The scene file's text of `scene` (one of read_variants) with this seed and, tool by tool, these files in
+/// place of its own. File names are written as given.
+std::string scene_text_with(const Scene& scene, std::uint64_t seed, const std::vector<std::string>& files);
+
+}  // namespace diefill::process

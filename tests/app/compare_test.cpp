@@ -1,0 +1,195 @@
+// Variants of a scene run and compared through the real program.
+#include <gtest/gtest.h>
+
+#include <csignal>
+#include <cstdlib>
+#include <thread>
+
+#include "tests/app/small_die.h"
+
+namespace diefill::app {
+namespace {
+
+constexpr const char* kVariants = R"(
+[[variant]]
+name = "quick"
+step.1.velocity = "0.2 m/s"
+
+[[variant]]
+name = "stays"
+[[variant.step]]
+kind = "wait"
+duration = "1 ms"
+)";
+
+/// The small die with the two variants, and `more` below them.
+void add_variants(const SmallDie& die, const std::string& more = "") {
+  die.write("scene.toml", contents(die.scene()) + kVariants + more);
+}
+
+std::vector<std::string> compare_arguments(const SmallDie& die, const std::vector<std::string>& more = {}) {
+  std::vector<std::string> arguments = {
+      "compare", die.scene().string(), "--out", die.out().string(), "--jobs", "2"};
+  arguments.insert(arguments.end(), more.begin(), more.end());
+  return arguments;
+}
+
+nlohmann::json comparison_of(const std::filesystem::path& directory) {
+  return nlohmann::json::parse(contents(directory / "comparison.json"));
+}
+
+/// The entry of `variants` in a measure.
+nlohmann::json value_in(const nlohmann::json& comparison, const std::string& key,
+                        const std::string& variant) {
+  for (const auto& measure : comparison.at("measures"))
+    if (measure.at("key") == key)
+      for (const auto& value : measure.at("variants"))
+        if (value.at("variant") == variant) return value;
+  return {};
+}
+
+nlohmann::json report_in(const std::filesystem::path& folder) {
+  return nlohmann::json::parse(contents(folder / "report.json"));
+}
+
+TEST(Compare, RunsAllVariantsAndSeedsAndSaysWhatDiffers) {
+  const SmallDie die;
+  add_variants(die);
+  const Outcome outcome = run_program(compare_arguments(die, {"--seeds", "2"}));
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  const auto comparison = comparison_of(die.out());
+  EXPECT_EQ(comparison.at("title"), "Small die, one passage");
+  EXPECT_EQ(comparison.at("reference"), "quick");
+  ASSERT_EQ(comparison.at("runs").size(), 4U);
+  double sum = 0;
+  for (const std::string seed : {"1", "2"}) {
+    const auto report = report_in(die.out() / "quick" / ("seed-" + seed));
+    EXPECT_EQ(report.at("title"), "Small die, one passage: quick");
+    EXPECT_EQ(report.at("seed").dump(), seed);
+    EXPECT_TRUE(report.contains("solid_fraction_top_minus_bottom"));
+    EXPECT_TRUE(report.contains("solid_fraction_along_travel_1"));
+    sum += 1e3 * report.at("filled_mass_kg").get<double>();
+  }
+  const auto quick = value_in(comparison, "filled_mass_kg", "quick");
+  EXPECT_NEAR(quick.at("mean").get<double>(), sum / 2, 1e-9);
+  EXPECT_EQ(quick.at("seeds"), 2);
+  EXPECT_EQ(quick.at("verdict"), "reference");
+  // The shoe that stays beside the pocket fills nothing.
+  const auto stays = value_in(comparison, "filled_mass_kg", "stays");
+  EXPECT_EQ(stays.at("mean"), 0);
+  EXPECT_NEAR(stays.at("difference").get<double>(), -sum / 2, 1e-9);
+  EXPECT_EQ(value_in(comparison, "cycle_time_s", "stays").at("mean"), 1e-3);
+
+  EXPECT_NE(outcome.out.find("difference from \"quick\""), std::string::npos) << outcome.out;
+  EXPECT_NE(outcome.out.find("filled mass, g\n"), std::string::npos) << outcome.out;
+  EXPECT_EQ(contents(die.out() / "comparison.png").substr(0, 8), "\x89PNG\r\n\x1a\n");
+  const std::string table = contents(die.out() / "comparison.csv");
+  EXPECT_EQ(table.substr(0, table.find('\n')),
+            "variant,measure,unit,mean,scatter,seeds,difference,interval_95,verdict");
+}
+
+TEST(Compare, KeepsWhatStandsAndRunsAgainWhatHasChanged) {
+  const SmallDie die;
+  add_variants(die);
+  ASSERT_EQ(run_program(compare_arguments(die)).exit_code, 0);
+  const auto before = comparison_of(die.out());
+  EXPECT_EQ(value_in(before, "filled_mass_kg", "stays").at("verdict"), "scatter unknown");
+  const auto quick = report_in(die.out() / "quick/seed-1");
+
+  const Outcome again = run_program(compare_arguments(die));
+  EXPECT_EQ(again.exit_code, 0) << again.err;
+  EXPECT_NE(again.err.find("2 of 2 runs stand already"), std::string::npos) << again.err;
+  EXPECT_EQ(comparison_of(die.out()), before);
+
+  die.exchange("duration = \"1 ms\"", "duration = \"2 ms\"");
+  const Outcome changed = run_program(compare_arguments(die));
+  EXPECT_NE(changed.err.find("1 of 2 runs stand already"), std::string::npos) << changed.err;
+  EXPECT_EQ(value_in(comparison_of(die.out()), "cycle_time_s", "stays").at("mean"), 2e-3);
+  EXPECT_EQ(report_in(die.out() / "quick/seed-1"), quick);  // wall-clock times and all
+}
+
+TEST(Compare, RecordsARunThatLeavesTheValidRangeAndGoesOn) {
+  const SmallDie die;
+  add_variants(die, "\n[[variant]]\nname = \"in no time\"\nnumerics.max_time = \"5 ms\"\n");
+  const Outcome outcome = run_program(compare_arguments(die));
+  EXPECT_EQ(outcome.exit_code, 3) << outcome.err;
+  EXPECT_NE(outcome.out.find("\"in no time\", seed 1: failed: the scene was not over"), std::string::npos)
+      << outcome.out;
+  const auto comparison = comparison_of(die.out());
+  const auto& failed = comparison.at("runs").at(2);
+  EXPECT_EQ(failed.at("state"), "failed");
+  EXPECT_EQ(failed.at("exit_code"), 3);
+  EXPECT_NE(failed.at("reason").get<std::string>().find("max_time"), std::string::npos);
+  EXPECT_EQ(value_in(comparison, "filled_mass_kg", "in no time").at("verdict"), "no value");
+  EXPECT_EQ(value_in(comparison, "filled_mass_kg", "quick").at("seeds"), 1);
+  // It would fail again in the same way: it is not tried a second time, and still told of.
+  EXPECT_EQ(run_program(compare_arguments(die)).exit_code, 3);
+}
+
+TEST(Compare, ChecksEveryVariantBeforeAnythingRuns) {
+  const SmallDie die;
+  add_variants(die, "\n[[variant]]\nname = \"wrong\"\nstep.1.velocty = \"1 m/s\"\n");
+  const Outcome outcome = run_program(compare_arguments(die));
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_EQ(outcome.complaints(), 1U) << outcome.err;
+  EXPECT_NE(outcome.err.find("did you mean \"velocity\"? (in variant \"wrong\")"), std::string::npos)
+      << outcome.err;
+  EXPECT_FALSE(std::filesystem::exists(die.out()));
+  const Outcome nothing = run_program({"compare"});
+  EXPECT_EQ(nothing.exit_code, 2);
+  EXPECT_EQ(nothing.complaints(), 1U) << nothing.err;
+  const Outcome no_jobs = run_program({"compare", "--collect", die.folder().string()});
+  EXPECT_EQ(no_jobs.exit_code, 2);
+  EXPECT_NE(no_jobs.err.find("jobs.json"), std::string::npos) << no_jobs.err;
+}
+
+TEST(Compare, GoesOnAfterCtrlCAndAfterAKillAndEndsAlike) {
+  const SmallDie die, unbroken;
+  for (const SmallDie* each : {&die, &unbroken}) add_variants(*each);
+  ASSERT_EQ(run_program(compare_arguments(unbroken)).exit_code, 0);
+  for (const int signal : {SIGINT, SIGKILL}) {
+    Program program(compare_arguments(die));
+    while (program.running() && !std::filesystem::exists(die.out() / "quick/seed-1/checkpoint.bin"))
+      std::this_thread::sleep_for(std::chrono::milliseconds(2));
+    program.send(signal);
+    const Outcome outcome = program.wait();
+    if (signal == SIGINT) {
+      EXPECT_EQ(outcome.exit_code, 130) << outcome.err;
+      EXPECT_NE(outcome.err.find("the same command goes on"), std::string::npos) << outcome.err;
+      // Where Ctrl-C came while it was drawing already, it has finished instead.
+      EXPECT_TRUE(std::filesystem::exists(die.out() / "quick/seed-1/checkpoint.bin") ||
+                  std::filesystem::exists(die.out() / "quick/seed-1/report.json"));
+    }
+  }
+  const Outcome last = run_program(compare_arguments(die));
+  ASSERT_EQ(last.exit_code, 0) << last.err;
+  EXPECT_EQ(contents(die.out() / "comparison.json"), contents(unbroken.out() / "comparison.json"));
+}
+
+TEST(ExportedJobs, StandAloneAndGatherToTheSameComparison) {
+  const SmallDie die;
+  add_variants(die);
+  ASSERT_EQ(run_program(compare_arguments(die)).exit_code, 0);
+  const auto jobs = die.folder() / "jobs", elsewhere = die.folder() / "elsewhere";
+  const Outcome exported = run_program({"compare", die.scene().string(), "--export-jobs", jobs.string()});
+  ASSERT_EQ(exported.exit_code, 0) << exported.err;
+  EXPECT_NE(exported.out.find("xargs -d '\\n' -n 1 -P 4 sh -c < jobs.txt"), std::string::npos);
+  std::filesystem::rename(jobs, elsewhere);
+  for (const char* input : {"die.stl", "shoe.stl", "scene.toml"})
+    std::filesystem::remove(die.folder() / input);
+
+  const Outcome early = run_program({"compare", "--collect", elsewhere.string()});
+  EXPECT_EQ(early.exit_code, 1);
+  EXPECT_NE(early.out.find("\"quick\", seed 1: not finished"), std::string::npos) << early.out;
+  const std::string shell = "cd " + elsewhere.string() + " && export DIEFILL=" + DIEFILL_PROGRAM + " && ";
+  EXPECT_EQ(std::system((shell + "SLURM_ARRAY_TASK_ID=1 SLURM_SUBMIT_DIR=. sh slurm.sh").c_str()), 0);
+  const auto first = report_in(elsewhere / "quick/seed-1");
+  EXPECT_EQ(std::system((shell + "./run_here.sh 2").c_str()), 0);
+  EXPECT_EQ(report_in(elsewhere / "quick/seed-1"), first) << "a finished run was done again";
+  const Outcome gathered = run_program({"compare", "--collect", elsewhere.string()});
+  EXPECT_EQ(gathered.exit_code, 0) << gathered.err << gathered.out;
+  EXPECT_EQ(contents(elsewhere / "comparison.json"), contents(die.out() / "comparison.json"));
+}
+
+}  // namespace
+}  // namespace diefill::app
