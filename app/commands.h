@@ -16,6 +16,7 @@ void add_check(CLI::App& program, Action& chosen);
 void add_map(CLI::App& program, Action& chosen);
 void add_info(CLI::App& program, Action& chosen);
 void add_bench(CLI::App& program, Action& chosen);
+void add_lab(CLI::App& program, Action& chosen);
 
 /// Adds all commands.
 void add_commands(CLI::App& program, Action& chosen);
