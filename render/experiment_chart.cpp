@@ -22,7 +22,7 @@ std::filesystem::path draw_experiment(const std::filesystem::path& directory,
   drawn.y = axis_of(chart.y);
   for (const auto& series : chart.series) {
     const bool measured = series.role == results::ExperimentSeries::Role::measured;
-    drawn.curves.push_back({.name = series.name,
+    drawn.curves.push_back({.name = series.in_legend ? series.name : "",
                             .x = series.x,
                             .y = series.y,
                             .style = measured ? CurveStyle::kLineAndMarkers : CurveStyle::kLine,

@@ -15,6 +15,7 @@ struct ExperimentSeries {
   std::string name;
   Role role = Role::measured;
   std::vector<double> x, y;  ///< equal lengths, in the axes' units; NaN where there is no value
+  bool in_legend = true;
 };
 
 struct ExperimentAxis {

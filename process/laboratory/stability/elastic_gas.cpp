@@ -1,7 +1,6 @@
 #include "process/laboratory/stability/elastic_gas.h"
 
 #include <cmath>
-#include <limits>
 #include <random>
 
 namespace diefill::process::laboratory {
@@ -48,10 +47,7 @@ double energy_growth(const ElasticGas& gas, double time_step, double duration) {
   engine::Simulation simulation(settings, gas.walls);
   simulation.add_grains(gas.grains);
   const double start = simulation.energy().kinetic();
-  const auto growth = [&](const engine::Simulation& now) { return unexplained_energy(now) / start; };
-  const bool lasted = run_while(simulation, std::lround(duration / time_step),
-                                [&](const engine::Simulation& now) { return growth(now) < 1; });
-  return lasted ? growth(simulation) : std::numeric_limits<double>::infinity();
+  return energy_from_nowhere(simulation, std::lround(duration / time_step), start);
 }
 
 }  // namespace diefill::process::laboratory

@@ -1,7 +1,6 @@
 #include "process/laboratory/stability/settled_pile.h"
 
 #include <cmath>
-#include <limits>
 #include <random>
 
 #include "engine/time_step.h"
@@ -75,11 +74,7 @@ double pile_energy_growth(const SettledPile& pile, double time_step, long steps)
   for (auto& grain : grains) grain.velocity = {normal(random), normal(random), normal(random)};
   simulation.add_grains(grains);
   const auto energy = simulation.energy();
-  const double start = energy.kinetic() + energy.contacts;
-  const auto growth = [&](const engine::Simulation& now) { return unexplained_energy(now) / start; };
-  const bool lasted =
-      run_while(simulation, steps, [&](const engine::Simulation& now) { return growth(now) < 1; });
-  return lasted ? growth(simulation) : std::numeric_limits<double>::infinity();
+  return energy_from_nowhere(simulation, steps, energy.kinetic() + energy.contacts);
 }
 
 }  // namespace diefill::process::laboratory

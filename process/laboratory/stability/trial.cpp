@@ -1,7 +1,10 @@
 #include "process/laboratory/stability/trial.h"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
+#include <numeric>
 
 #include "engine/out_of_range.h"
 
@@ -71,22 +74,26 @@ double collision_time(const engine::GrainShape& shape, const engine::ContactPara
   return 3.218 * std::pow(mass * mass / (spring * spring * speed), 0.2);
 }
 
-double unexplained_energy(const engine::Simulation& simulation) {
-  return simulation.energy().total() - simulation.ledger().expected();
-}
-
-bool run_while(engine::Simulation& simulation, long steps,
-               const std::function<bool(const engine::Simulation&)>& goes_on) {
-  constexpr long kLookEvery = 50;
+double energy_from_nowhere(engine::Simulation& simulation, long steps, double scale) {
+  constexpr long kSamples = 200;
+  std::vector<double> gained;
+  const long every = std::max(1L, steps / kSamples);
   try {
     for (long k = 1; k <= steps; ++k) {
       simulation.step();
-      if ((k % kLookEvery == 0 || k == steps) && !goes_on(simulation)) return false;
+      if (k % every != 0) continue;
+      gained.push_back((simulation.energy().total() - simulation.ledger().expected()) / scale);
+      if (!(gained.back() < 1)) return std::numeric_limits<double>::infinity();
     }
   } catch (const engine::OutOfRange&) {
-    return false;
+    return std::numeric_limits<double>::infinity();
   }
-  return true;
+  const auto quarter = static_cast<std::ptrdiff_t>(gained.size() / 4);
+  const auto mean = [&](std::ptrdiff_t first) {
+    return std::accumulate(gained.begin() + first, gained.begin() + first + quarter, 0.0) /
+           static_cast<double>(quarter);
+  };
+  return 2 * (mean(3 * quarter) - mean(quarter));
 }
 
 }  // namespace diefill::process::laboratory

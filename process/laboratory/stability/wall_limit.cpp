@@ -108,7 +108,8 @@ void push_through(const ExperimentOptions& options, results::ExperimentResult& r
   chart.title = "Impact speed that pushes a grain through a wall of spheres";
   chart.subtitle = "7.63e-8 kg, E = 1e7 Pa, at the middle of four wall spheres, undamped";
   chart.note =
-      "Lines: elastic energy on the straight way. Curves end where the grain falls through the hole.";
+      "Lines without points: elastic energy on the straight way. Curves end where the grain falls through "
+      "the hole.";
   chart.x = {.label = "Spacing of the wall spheres over their radius"};
   chart.y = {.label = "Speed [m/s]", .logarithmic = true};
   const auto sphere = thesis_grain(GrainKind::sphere), clump = thesis_grain(GrainKind::d);
@@ -120,7 +121,8 @@ void push_through(const ExperimentOptions& options, results::ExperimentResult& r
       {"model D on an arm, R_w = 1.91 R", {.shape = clump, .wall_radius = 1.5e-4}}};
   for (const auto& [name, base] : cases) {
     ExperimentSeries measured{.name = name, .x = {}, .y = {}};
-    ExperimentSeries predicted{.name = "energy: " + name, .role = Role::predicted, .x = {}, .y = {}};
+    ExperimentSeries predicted{
+        .name = "energy: " + name, .role = Role::predicted, .x = {}, .y = {}, .in_legend = false};
     for (const double spacing : linear_range(0.4, 2.2, options.quick ? 10 : 19)) {
       Target target = base;
       target.spacing = spacing;
@@ -154,13 +156,14 @@ void strike_at_angles(const ExperimentOptions& options, results::ExperimentResul
   chart.name = "wall_angle";
   chart.title = "Push-through speed against the angle of impact";
   chart.subtitle = "Sphere of 7.63e-8 kg, R_w = R, E = 1e7 Pa, aimed at the middle of four wall spheres";
-  chart.note = "Line: the normal part of the speed counts, v / cos(angle).";
+  chart.note = "Lines without points: the normal part of the speed counts, v / cos(angle).";
   chart.x = {.label = "Angle to the normal of the wall [degrees]"};
   chart.y = {.label = "Speed [m/s]", .logarithmic = true};
   for (const double spacing : {1.0, 1.6, 2.0}) {
     const std::string name = "spacing " + std::to_string(spacing).substr(0, 3) + " R_w";
     ExperimentSeries measured{.name = name, .x = {}, .y = {}};
-    ExperimentSeries predicted{.name = "v / cos, " + name, .role = Role::predicted, .x = {}, .y = {}};
+    ExperimentSeries predicted{
+        .name = "v / cos, " + name, .role = Role::predicted, .x = {}, .y = {}, .in_legend = false};
     for (const double degrees : linear_range(0, 70, options.quick ? 6 : 15)) {
       Target target{.shape = thesis_grain(GrainKind::sphere), .spacing = spacing};
       const double straight = speed_of_barrier(target);
@@ -217,13 +220,14 @@ void tilt(const ExperimentOptions& options, results::ExperimentResult& result) {
   chart.name = "wall_roughness";
   chart.title = "Roughness of a wall of spheres";
   chart.subtitle = "Tilt at which a sphere that does not turn leaves its hollow along a row, R_w = R";
-  chart.note = "Lines: saddle between two wall spheres, with the friction of a wedge.";
+  chart.note = "Lines without points: saddle between two wall spheres, with the friction of a wedge.";
   chart.x = {.label = "Spacing of the wall spheres over their radius"};
   chart.y = {.label = "Tilt [degrees]"};
   for (const double friction : {0.0, 0.15}) {
     const std::string name = friction > 0 ? "wall friction 0.15" : "no wall friction";
     ExperimentSeries measured{.name = name, .x = {}, .y = {}};
-    ExperimentSeries predicted{.name = "geometry, " + name, .role = Role::predicted, .x = {}, .y = {}};
+    ExperimentSeries predicted{
+        .name = "geometry, " + name, .role = Role::predicted, .x = {}, .y = {}, .in_legend = false};
     for (const double spacing : linear_range(0.4, 2.2, options.quick ? 7 : 13)) {
       Target target{.shape = thesis_grain(GrainKind::sphere), .spacing = spacing};
       measured.x.push_back(spacing);
