@@ -96,7 +96,7 @@ void Health::warn_of_overlap(double grains, double walls, double time) {
 
 void Health::check_time_step(const Simulation& simulation) const {
   const auto& settings = simulation.settings();
-  if (simulation.overlaps().grains <= 0) return;
+  if (settings.general_contact || simulation.overlaps().grains <= 0) return;
   const double critical =
       critical_time_step_at_overlap(settings.shape, settings.grain_contact, simulation.overlaps().grains);
   if (settings.time_step > critical)

@@ -16,7 +16,7 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 // Duties fall on multiples of these steps, so that a restart does them when the unbroken run does.
-constexpr std::uint64_t kScheduleEvery = 20, kSpillEvery = 100, kHealthEvery = 200;
+constexpr std::uint64_t kScheduleEvery = 20, kSpillEvery = 100, kHealthEvery = 200, kLostEvery = 1000;
 /// s, guess for the time powder needs to come to rest; only for the progress bar.
 constexpr double kSettlingGuess = 0.25;
 
@@ -126,6 +126,7 @@ void FillRun::run() {
 void FillRun::duties() {
   const std::uint64_t step = simulation_->steps();
   if (step % kHealthEvery == 0) health_.check(*simulation_);
+  if (step % kLostEvery == 0) look_for_lost_grains();
   if (step % kSpillEvery == 0) let_spilled_grains_go();
   bool stage_over = false;
   if (step % kScheduleEvery == 0) stage_over = schedule_.update(*simulation_);

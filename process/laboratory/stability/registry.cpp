@@ -10,6 +10,9 @@ const std::vector<Experiment>& stability_experiments() {
       {"cohesion", "what step resolves cohesion near zero overlap?", find_cohesion_limit},
       {"rotation", "how far may a grain turn in a step?", find_rotation_limit},
       {"rolling", "when does rolling resistance chatter or fly apart?", find_rolling_limit},
+      {"attraction", "what steps do Luding's spring and van der Waals cut-offs need?", find_attraction_limit},
+      {"stiffness", "how soft may grains be?", find_stiffness_limit},
+      {"step_effect", "what does a longer step change in a settled bed?", find_effect_of_step},
   };
   return all;
 }

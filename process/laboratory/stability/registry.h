@@ -15,4 +15,8 @@ void find_cohesion_limit(const ExperimentOptions& options, results::ExperimentRe
 void find_rotation_limit(const ExperimentOptions& options, results::ExperimentResult& result);
 void find_rolling_limit(const ExperimentOptions& options, results::ExperimentResult& result);
 
+void find_attraction_limit(const ExperimentOptions& options, results::ExperimentResult& result);
+void find_stiffness_limit(const ExperimentOptions& options, results::ExperimentResult& result);
+void find_effect_of_step(const ExperimentOptions& options, results::ExperimentResult& result);
+
 }  // namespace diefill::process::laboratory
