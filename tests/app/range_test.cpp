@@ -51,5 +51,17 @@ TEST(ValidRange, AWallWithHolesStopsTheRun) {
   EXPECT_FALSE(std::filesystem::exists(die.out() / "results.h5"));
 }
 
+TEST(ValidRange, BetweenComfortableAndForbiddenTheReportSaysSoOnce) {
+  const SmallDie die;
+  die.exchange("reduced_modulus = \"3 MPa\"", "reduced_modulus = \"0.15 MPa\"");
+  const Outcome outcome = die.run({"--quiet"});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  const nlohmann::json report = die.report();
+  int said = 0;
+  for (const auto& warning : report["warnings"])
+    said += warning.get<std::string>().find("overlap among grains reached") != std::string::npos ? 1 : 0;
+  EXPECT_EQ(said, 1) << report["warnings"].dump();
+}
+
 }  // namespace
 }  // namespace diefill::app
