@@ -10,6 +10,7 @@ void add_commands(CLI::App& program, Action& chosen) {
   add_report(program, chosen);
   add_info(program, chosen);
   add_bench(program, chosen);
+  add_lab(program, chosen);
 }
 
 }  // namespace diefill::app

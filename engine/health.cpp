@@ -4,6 +4,7 @@
 #include <cstdio>
 
 #include "engine/time_step.h"
+#include "engine/worst_places.h"
 
 namespace diefill::engine {
 
@@ -11,17 +12,40 @@ namespace {
 
 template <class... Values>
 std::string line(const char* format, Values... values) {
-  char text[512];
+  char text[640];
   std::snprintf(text, sizeof text, format, values...);
   return text;
 }
 
+/// ", deepest now between grain 1 at (..) mm and grain 2", or nothing.
+std::string deepest_in_words(const Simulation& simulation) {
+  const DeepestPair pair = deepest_pair(simulation);
+  if (pair.overlap <= 0) return {};
+  const Grains& grains = simulation.grains();
+  return ", deepest now between " + grain_in_words(grains, pair.first) + " and grain " +
+         std::to_string(grains.id[pair.second]);
+}
+
+/// "; the fastest, grain 1 at (..) mm, moves at 2 m/s".
+std::string fastest_in_words(const Simulation& simulation) {
+  const auto fastest = fastest_grain(simulation.grains());
+  return line("; the fastest, %s, moves at %.3g m/s",
+              grain_in_words(simulation.grains(), fastest.grain).c_str(), fastest.speed);
+}
+
 }  // namespace
+
+void Health::warn_once(bool& warned, const std::string& warning) {
+  if (!warned) warnings_.push_back(warning);
+  warned = true;
+}
 
 void Health::check(const Simulation& simulation) {
   check_numbers(simulation);
   check_overlap(simulation);
   check_time_step(simulation);
+  check_speed(simulation);
+  check_contacts(simulation);
   check_energy(simulation);
 }
 
@@ -40,10 +64,12 @@ void Health::check_overlap(const Simulation& simulation) {
   const double grains = simulation.overlaps_of_run().grains / radius;
   const double walls = simulation.overlaps_of_run().walls / radius;
   if (grains > limits_.forbidden_overlap)
-    throw OutOfRange(
-        line("two spheres overlap by %.2f of their radius by t = %.6g s (limit %.2f): grains are too soft "
-             "for this speed or load; raise reduced_modulus or take a shorter time step (now %.3g s)",
-             grains, simulation.time(), limits_.forbidden_overlap, simulation.settings().time_step));
+    throw OutOfRange(line(
+        "two spheres overlap by %.2f of their radius by t = %.6g s%s (limit %.2f: STABILITY.md, "
+        "stiffness): grains are too soft for this speed or load; raise reduced_modulus or take a shorter "
+        "time step (now %.3g s)",
+        grains, simulation.time(), deepest_in_words(simulation).c_str(), limits_.forbidden_overlap,
+        simulation.settings().time_step));
   if (walls > limits_.forbidden_wall_overlap)
     throw OutOfRange(
         line("a sphere is pressed into a wall by %.2f of its radius by t = %.6g s (limit %.2f), as when a "
@@ -54,13 +80,11 @@ void Health::check_overlap(const Simulation& simulation) {
 }
 
 void Health::warn_of_overlap(double grains, double walls, double time) {
-  if (grains > limits_.comfortable_overlap && !warned_of_overlap_) {
-    warned_of_overlap_ = true;
-    warnings_.push_back(
-        line("overlap among grains reached %.2f of the sphere radius by t = %.6g s; up to %.2f is "
-             "comfortable",
-             grains, time, limits_.comfortable_overlap));
-  }
+  if (grains > limits_.comfortable_overlap)
+    warn_once(warned_of_overlap_,
+              line("overlap among grains reached %.2f of the sphere radius by t = %.6g s; up to %.2f is "
+                   "comfortable",
+                   grains, time, limits_.comfortable_overlap));
   if (walls > limits_.forbidden_overlap && !warned_of_pinch_) {
     warned_of_pinch_ = true;
     warnings_.push_back(
@@ -72,23 +96,72 @@ void Health::warn_of_overlap(double grains, double walls, double time) {
 
 void Health::check_time_step(const Simulation& simulation) const {
   const auto& settings = simulation.settings();
-  if (simulation.overlaps().grains <= 0) return;
+  if (settings.general_contact || simulation.overlaps().grains <= 0) return;
   const double critical =
       critical_time_step_at_overlap(settings.shape, settings.grain_contact, simulation.overlaps().grains);
   if (settings.time_step > critical)
     throw OutOfRange(
         line("the time step of %.3g s is above the critical one of %.3g s for the overlap of %.3g m "
-             "reached at t = %.6g s; take a shorter step",
-             settings.time_step, critical, simulation.overlaps().grains, simulation.time()));
+             "reached at t = %.6g s%s (STABILITY.md, time step); take a shorter step",
+             settings.time_step, critical, simulation.overlaps().grains, simulation.time(),
+             deepest_in_words(simulation).c_str()));
 }
 
-void Health::check_energy(const Simulation& simulation) const {
+void Health::check_speed(const Simulation& simulation) {
+  const auto& settings = simulation.settings();
+  const auto fastest = fastest_grain(simulation.grains());
+  if (fastest.speed <= 0) return;
+  const double way = fastest.speed * settings.time_step / settings.shape.sphere_radius;
+  const std::string who = grain_in_words(simulation.grains(), fastest.grain);
+  if (way > limits_.forbidden_way)
+    throw OutOfRange(line(
+        "%s moves at %.3g m/s at t = %.6g s, %.2f of its sphere radius in a step (limit %.2f): it passes "
+        "others without meeting them; the run is unstable or the time step of %.3g s too long: take a "
+        "shorter one",
+        who.c_str(), fastest.speed, simulation.time(), way, limits_.forbidden_way, settings.time_step));
+  const double overlap = impact_overlap(settings.shape, settings.grain_contact, 2 * fastest.speed);
+  const double critical = critical_time_step_at_overlap(settings.shape, settings.grain_contact, overlap);
+  if (!settings.general_contact && settings.time_step > limits_.comfortable_step * critical)
+    warn_once(warned_of_speed_,
+              line("%s moved at %.3g m/s at t = %.6g s, where a collision allows steps of %.3g s; the run's "
+                   "are %.3g s and up to %.2f of that is comfortable (STABILITY.md, time step)",
+                   who.c_str(), fastest.speed, simulation.time(), critical, settings.time_step,
+                   limits_.comfortable_step));
+}
+
+void Health::check_contacts(const Simulation& simulation) {
+  const auto spheres =
+      static_cast<double>(simulation.grains().size() * simulation.settings().shape.spheres());
+  if (spheres <= 0) return;
+  const double contacts = static_cast<double>(simulation.touching_pairs()) / spheres;
+  if (contacts > limits_.forbidden_contacts)
+    throw OutOfRange(line(
+        "%.1f contacts a sphere at t = %.6g s%s (limit %.0f; equal spheres have room for 6): grains lie "
+        "inside each other; raise reduced_modulus, take a shorter time step (now %.3g s) or coarser wall "
+        "spheres",
+        contacts, simulation.time(), deepest_in_words(simulation).c_str(), limits_.forbidden_contacts,
+        simulation.settings().time_step));
+  if (contacts > limits_.comfortable_contacts)
+    warn_once(
+        warned_of_contacts_,
+        line("%.1f contacts a sphere at t = %.6g s; up to %.0f are comfortable, equal spheres have room "
+             "for 6",
+             contacts, simulation.time(), limits_.comfortable_contacts));
+}
+
+void Health::check_energy(const Simulation& simulation) {
   const double error = simulation.energy_balance_error();
   if (error > limits_.energy_error)
     throw OutOfRange(
         line("energy grew by %.1f %% of what was turned over with no work to explain it at t = %.6g s "
-             "(limit %.1f %%): the time step of %.3g s is too long",
-             100 * error, simulation.time(), 100 * limits_.energy_error, simulation.settings().time_step));
+             "(limit %.1f %%: STABILITY.md, time step): the time step of %.3g s is too long%s",
+             100 * error, simulation.time(), 100 * limits_.energy_error, simulation.settings().time_step,
+             fastest_in_words(simulation).c_str()));
+  if (error > limits_.comfortable_energy_error)
+    warn_once(warned_of_energy_,
+              line("energy grew by %.1f %% of what was turned over with no work to explain it by t = %.6g s; "
+                   "up to %.1f %% is comfortable (STABILITY.md, time step)",
+                   100 * error, simulation.time(), 100 * limits_.comfortable_energy_error));
 }
 
 }  // namespace diefill::engine

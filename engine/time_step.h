@@ -6,9 +6,10 @@
 
 namespace diefill::engine {
 
-/// Fraction of the critical step that a run takes when its scene names none. Bierwisch's 2e-6 s at d = 0.47
-/// mm is 0.12 of the critical step at 0.7 m/s; a fifth still resolves the stiffest collision with about
-/// a dozen steps.
+/// Fraction of the critical step that a run takes when its scene names none. Without damping clumps gain
+/// energy from 0.49 of the critical step on and spheres from 0.65 (STABILITY.md, time step): a fifth leaves a
+/// factor of 2.4 for collisions faster than foreseen, and resolves the stiffest one with about a dozen steps.
+/// Bierwisch's 2e-6 s at d = 0.47 mm is 0.12 of the critical step at 0.7 m/s.
 inline constexpr double kDefaultTimeStepFraction = 0.2;
 
 /// Coordination number in the estimate of the static limit.

@@ -17,7 +17,8 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 // Duties fall on multiples of these steps, so that a restart does them when the unbroken run does.
-constexpr std::uint64_t kScheduleEvery = 20, kSpillEvery = 100, kHealthEvery = 200, kPinchEvery = 10;
+constexpr std::uint64_t kScheduleEvery = 20, kSpillEvery = 100, kHealthEvery = 200, kPinchEvery = 10,
+                        kLostEvery = 1000;
 /// Overlap over the sphere radius beyond which a grain between moving tools is sheared off: past all that
 /// free powder reaches, and short of engine::HealthLimits.
 constexpr double kShearingOverlap = 0.45;
@@ -134,6 +135,7 @@ void FillRun::duties() {
   const std::uint64_t step = simulation_->steps();
   if (step % kPinchEvery == 0) shear_off_pinched_grains();
   if (step % kHealthEvery == 0) health_.check(*simulation_);
+  if (step % kLostEvery == 0) look_for_lost_grains();
   if (step % kSpillEvery == 0) let_spilled_grains_go();
   bool stage_over = false;
   if (step % kScheduleEvery == 0) stage_over = schedule_.update(*simulation_);

@@ -51,7 +51,7 @@ enum class CoarseGraining { bierwisch };
 /// Walls: spheres of one radius for all tools unless a tool says otherwise.
 struct WallSpec {
   double sphere_radius = 1.5e-4;  ///< m, R_w
-  double spacing = 1.6;           ///< over R_w
+  double spacing = 1.6;           ///< over R_w; holds grains up to 15 m/s (engine/STABILITY.md, walls)
   double friction = 0.15;         ///< mu_w
   double work_of_adhesion = 0;    ///< J/m^2, w_w
 };

@@ -5,6 +5,7 @@
 
 #include <limits>
 
+#include "engine/time_step.h"
 #include "engine_test_support.h"
 
 namespace diefill::engine {
@@ -120,6 +121,66 @@ TEST(Health, StopsWhenEnergyComesFromNowhere) {
   simulation.step();
   const std::string message = complaint(health, simulation);
   EXPECT_NE(message.find("energy grew"), std::string::npos) << message;
+}
+
+TEST(Health, NamesTheGrainsThatOverlapMostAndTheirPlace) {
+  Health health;
+  const std::string message = complaint(health, pair_with_overlap(0.7, 1e-9));
+  EXPECT_NE(message.find("deepest now between grain 0 at (0.00, 0.00, 0.00) mm and grain 1"),
+            std::string::npos)
+      << message;
+}
+
+/// A sphere of radius 1.5e-4 m alone, flying at `speed` (m/s), after one step of 1e-6 s.
+Simulation lone_flyer(double speed) {
+  Simulation simulation(weightless(Model::a, {.damping_over_radius = 0}, 1e-6), {});
+  NewGrain slow, fast;
+  fast.position.x() = 1e-3;
+  fast.velocity.x() = speed;
+  simulation.add_grains({slow, fast});
+  run_steps(simulation, 1);
+  return simulation;
+}
+
+TEST(Health, StopsAtAGrainThatPassesHalfItsRadiusInAStep) {
+  Health health;
+  EXPECT_EQ(complaint(health, lone_flyer(70)), "");
+  const std::string message = complaint(health, lone_flyer(80));
+  EXPECT_NE(message.find("grain 1 at (1.08, 0.00, 0.00) mm moves at 80 m/s"), std::string::npos) << message;
+}
+
+TEST(Health, WarnsOnceOfAGrainTooFastForTheStep) {
+  // A collision at 2 m/s allows 2 sqrt(m_eff / k) = 1.2e-5 s; half of that is comfortable.
+  auto settings = weightless(Model::a, {.damping_over_radius = 0}, 1);
+  const double critical = critical_time_step_at_overlap(
+      settings.shape, settings.grain_contact, impact_overlap(settings.shape, settings.grain_contact, 2));
+  for (const double share : {0.49, 0.51}) {
+    settings.time_step = share * critical;
+    Simulation simulation(settings, {});
+    NewGrain grain;
+    grain.velocity.x() = 1;
+    simulation.add_grains({grain});
+    run_steps(simulation, 1);
+    Health health;
+    EXPECT_EQ(complaint(health, simulation), "");
+    EXPECT_EQ(complaint(health, simulation), "");
+    EXPECT_EQ(health.warnings().size(), share > 0.5 ? 1U : 0U);
+  }
+}
+
+TEST(Health, StopsWhenGrainsLieInsideEachOther) {
+  auto settings = weightless(Model::a, {.damping_over_radius = 0}, 1e-12);
+  Simulation simulation(settings, {});
+  std::vector<NewGrain> heap(100);
+  for (std::size_t k = 0; k < heap.size(); ++k)
+    heap[k].position = 1e-6 * Eigen::Vector3d(static_cast<double>(k % 10), static_cast<double>(k / 10), 0);
+  simulation.add_grains(heap);
+  run_steps(simulation, 1);
+  HealthLimits limits;
+  limits.forbidden_overlap = 3;
+  Health health(limits);
+  const std::string message = complaint(health, simulation);
+  EXPECT_NE(message.find("49.5 contacts a sphere"), std::string::npos) << message;
 }
 
 /// Runs on and looks in the end, as a run does; returns the message that stopped it.

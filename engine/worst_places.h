@@ -1,0 +1,29 @@
+// Where in the powder things are worst, for messages of a run that has left the method's range. Only asked
+// for then: looks at every grain, knows no lists.
+#pragma once
+
+#include <string>
+
+#include "engine/simulation.h"
+
+namespace diefill::engine {
+
+/// The grain of largest speed.
+struct FastestGrain {
+  std::size_t grain = 0;  ///< place in Grains
+  double speed = 0;       ///< m/s
+};
+FastestGrain fastest_grain(const Grains& grains);
+
+/// Two grains whose spheres overlap most at this moment.
+struct DeepestPair {
+  std::size_t first = 0, second = 0;  ///< places in Grains
+  double overlap = 0;                 ///< m; 0: nothing touches
+};
+/// Pairs across a periodic border are left out.
+DeepestPair deepest_pair(const Simulation& simulation);
+
+/// "grain 12 at (1.00, 2.00, 3.00) mm".
+std::string grain_in_words(const Grains& grains, std::size_t grain);
+
+}  // namespace diefill::engine

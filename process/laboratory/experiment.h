@@ -1,0 +1,27 @@
+// An experiment of the laboratory: a question to the method, answered by driving the engine. To add one: a
+// file with a function like `perform`, and its line in the registry of its family.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "process/results/experiment_result.h"
+
+namespace diefill::process::laboratory {
+
+struct ExperimentOptions {
+  bool quick = false;  ///< small beds and few points
+  int threads = 2;
+};
+
+struct Experiment {
+  std::string name;      ///< on the command line and of its files
+  std::string question;  ///< one line
+  /// Fills in limits and charts.
+  void (*perform)(const ExperimentOptions& options, results::ExperimentResult& result);
+};
+
+/// Runs it; takes down how much processor time it took.
+results::ExperimentResult perform(const Experiment& experiment, const ExperimentOptions& options);
+
+}  // namespace diefill::process::laboratory

@@ -1,0 +1,22 @@
+// A dense bed at rest under gravity, to be shaken without dissipation.
+#pragma once
+
+#include "process/laboratory/stability/trial.h"
+
+namespace diefill::process::laboratory {
+
+struct SettledPile {
+  engine::SimulationSettings settings;  ///< undamped
+  std::vector<engine::NewGrain> grains;
+  double eigenfrequency = 0;  ///< rad/s, largest of the contact network
+};
+
+/// `across`^2 x `layers` grains that have fallen onto a flat floor and lost their energy to damping. With
+/// `friction` contacts hold tangential springs of kappa_t = 1e6 Pa R.
+SettledPile settled_pile(const engine::GrainShape& shape, double friction, int across, int layers);
+
+/// Energy that came from nowhere in `steps` steps of `time_step` (s), without damping and after every grain
+/// got random 1 mm/s, over the elastic and kinetic energy at the start.
+double pile_energy_growth(const SettledPile& pile, double time_step, long steps);
+
+}  // namespace diefill::process::laboratory

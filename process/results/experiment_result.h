@@ -1,0 +1,62 @@
+// What an experiment of the laboratory found: limits with their prediction, and curves to be drawn. Plain
+// values in the units that their labels name.
+#pragma once
+
+#include <filesystem>
+#include <limits>
+#include <string>
+#include <vector>
+
+namespace diefill::results {
+
+/// A curve of an experiment's chart.
+struct ExperimentSeries {
+  enum class Role { measured, predicted };
+  std::string name;
+  Role role = Role::measured;
+  std::vector<double> x, y;  ///< equal lengths, in the axes' units; NaN where there is no value
+  bool in_legend = true;
+};
+
+struct ExperimentAxis {
+  std::string label;  ///< with unit
+  bool logarithmic = false;
+  double lower = std::numeric_limits<double>::quiet_NaN();  ///< NaN: from the data
+  double upper = std::numeric_limits<double>::quiet_NaN();
+};
+
+/// A chart: measurement and prediction over one quantity.
+struct ExperimentChart {
+  std::string name;  ///< of its files, without ending
+  std::string title, subtitle, note;
+  ExperimentAxis x, y;
+  std::vector<ExperimentSeries> series;
+};
+
+/// A limit that was looked for.
+struct ExperimentLimit {
+  std::string name;
+  double measured = 0;
+  double predicted = std::numeric_limits<double>::quiet_NaN();  ///< NaN: no theory
+  std::string unit;
+  std::string source;  ///< of the prediction
+};
+
+/// All that one experiment found.
+struct ExperimentResult {
+  std::string name, question;
+  bool quick = false;
+  double cpu_seconds = 0;
+  std::vector<ExperimentLimit> limits;
+  std::vector<ExperimentChart> charts;
+};
+
+/// Writes `<experiment>.json` and a `<chart>.csv` for every chart into the directory (x, series, role, y: one
+/// row a point). Throws ResultError when that fails.
+void write_experiment(const std::filesystem::path& directory, const ExperimentResult& result);
+
+/// Writes the table of all limits as `<name>.csv` and `<name>.json`. Throws ResultError when that fails.
+void write_limits(const std::filesystem::path& directory, const std::string& name,
+                  const std::vector<ExperimentResult>& results);
+
+}  // namespace diefill::results
