@@ -56,6 +56,13 @@ class Hdf5Reader {
     });
   }
 
+  /// A list whose group may be missing: no items.
+  template <class Item, class NameOf, class Body>
+  void optional_list(const std::string& name, const char* description, std::vector<Item>& items,
+                     NameOf name_of, Body body) {
+    if (has_group(name)) list(name, description, items, name_of, body);
+  }
+
   template <class MeaningOf>
   void numbers(const std::string& name, const char* description, std::map<std::string, double>& values,
                MeaningOf) {
@@ -78,6 +85,7 @@ class Hdf5Reader {
   void read(const std::string& name, NumberType type, void* data) const;
   std::vector<std::string> read_texts(const std::string& name, std::size_t dimensions) const;
   std::vector<std::string> members() const;
+  bool has_group(const std::string& name) const;
   [[noreturn]] void fail(const std::string& name, const std::string& what) const;
 
   QuietHdf5 quiet_;

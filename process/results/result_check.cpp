@@ -39,6 +39,16 @@ void check_lengths(const FillResult& result) {
   same_or_none("open cells", result.solid_fraction.open.size(), grains);
   same_or_none("grains in the cavity", result.solid_fraction.in_cavity.size(), grains);
   for (const ToolState& tool : result.tools) check_tool(tool);
+  for (const Instant& instant : result.instants) {
+    const std::size_t there = instant.position.size();
+    const bool whole = instant.id.size() == there && instant.orientation.size() == there &&
+                       instant.velocity.size() == there &&
+                       instant.tool_orientation.size() == result.tools.size() &&
+                       instant.tool_displacement.size() == result.tools.size();
+    if (!whole)
+      throw ResultError("instant at t = " + std::to_string(instant.time) +
+                        " s: its arrays do not belong together");
+  }
   for (const Field2D& map : result.maps) check_field(map, "map");
   for (const SectionField& section : result.sections) check_field(section.field, "section");
   for (const Profile& profile : result.profiles)

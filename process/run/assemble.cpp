@@ -1,5 +1,6 @@
 #include "process/run/assemble.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cstdio>
 
@@ -75,6 +76,21 @@ results::CavityState cavity_state(const Scene& scene, const Tooling& tooling) {
   const Eigen::Vector3d direction = first_motion(scene);
   if (direction.norm() > 0) cavity.azimuth_zero = -direction;
   return cavity;
+}
+
+/// The run's instants, with tools' poses seen from where the tools are now.
+std::vector<results::Instant> instants_of(const FillRun& run) {
+  std::vector<results::Instant> instants = run.instants();
+  for (auto& instant : instants)
+    for (std::size_t b = 0; b < instant.tool_orientation.size(); ++b) {
+      const engine::BodyMotion& now = run.simulation().body_motion(b);
+      const Eigen::Vector4d& then = instant.tool_orientation[b];
+      const Eigen::Quaterniond turn = Eigen::Quaterniond(then[0], then[1], then[2], then[3]) *
+                                      Eigen::Quaterniond(now.rotation).conjugate();
+      instant.tool_orientation[b] = {turn.w(), turn.x(), turn.y(), turn.z()};
+      instant.tool_displacement[b] -= turn * now.translation;
+    }
+  return instants;
 }
 
 void add_figures(results::FillResult& result, const Tooling& tooling, const FillRun& run) {
@@ -193,6 +209,7 @@ results::FillResult assemble(const Scene& scene, const Tooling& tooling, const F
   result.powder = powder_state(scene, run.simulation());
   for (std::size_t k = 0; k < tooling.tools.size(); ++k)
     result.tools.push_back(tool_state(tooling.tools[k], run.simulation().body_motion(k)));
+  result.instants = instants_of(run);
   result.cavity = cavity_state(scene, tooling);
   result.solid_fraction =
       measure_solid_fraction(result.powder, result.tools, result.cavity, scene.numerics.period);
