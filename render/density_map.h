@@ -7,6 +7,7 @@
 #include "process/results/fill_result.h"
 #include "render/axes.h"
 #include "render/colour_bar.h"
+#include "render/field_style.h"
 #include "render/pictures.h"
 
 namespace diefill::render {
@@ -24,6 +25,7 @@ struct FieldPicture {
 /// the same unit keep equal scales. Values between nodes are bilinear; holes keep the nodes' edges. Throws
 /// std::runtime_error for a field whose coordinates do not rise, or do not match its values.
 FieldPicture compose_field(const results::Field2D& field, const std::string& title,
-                           const std::string& subtitle, const ColourRange& range);
+                           const std::string& subtitle, const ColourRange& range,
+                           const FieldStyle& style = {});
 
 }  // namespace diefill::render

@@ -39,7 +39,7 @@ results::ToolState tool_at(const results::ToolState& tool, const results::Instan
   return moved;
 }
 
-results::FillResult result_at(const results::FillResult& result, double time) {
+results::FillResult result_at(const results::FillResult& result, double time, bool with_solid_fraction) {
   const results::Instant* nearest = nullptr;
   double distance = std::abs(result.powder.time - time), spacing = 0.02 * result.powder.time;
   for (const auto& instant : result.instants) {
@@ -63,6 +63,8 @@ results::FillResult result_at(const results::FillResult& result, double time) {
   earlier.powder.angular_velocity.clear();
   for (std::size_t n = 0; n < earlier.tools.size(); ++n)
     earlier.tools[n] = tool_at(result.tools[n], *nearest, n);
+  earlier.solid_fraction = {};
+  if (!with_solid_fraction) return earlier;
   earlier.solid_fraction = measure_solid_fraction(earlier.powder, earlier.tools, earlier.cavity, {});
   earlier.summary = summarise(earlier.powder, earlier.solid_fraction, earlier.cavity);
   return earlier;

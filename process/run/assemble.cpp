@@ -178,11 +178,14 @@ results::SectionPlane section_plane(const std::string& name, const Eigen::Vector
   return plane;
 }
 
+double default_averaging_width(double grain_diameter) {
+  constexpr double kLeast = 5e-4;  // m
+  return std::max(kLeast, 0.5 * grain_diameter);
+}
+
 void measure_fields(results::FillResult& result, const FieldRequest& request, int azimuth_bins) {
-  constexpr double kDefaultWidth = 5e-4;  // m, Bierwisch 2009, Figs. 3.6, 4.12
-  const double width = request.averaging_width > 0
-                           ? request.averaging_width
-                           : std::max(kDefaultWidth, 0.5 * result.powder.grain_diameter);
+  const double width = request.averaging_width > 0 ? request.averaging_width
+                                                   : default_averaging_width(result.powder.grain_diameter);
   result.maps.clear();
   result.sections.clear();
   result.profiles.clear();
