@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <iterator>
 #include <numbers>
 #include <stdexcept>
 
@@ -45,26 +46,6 @@ render::FieldStyle style_of(const PictureRequest& request) {
   return style;
 }
 
-using FieldOf = results::Field2D (*)(const PictureRequest&, const results::FillResult&);
-
-Pictures draw_maps(const PictureRequest& request, const std::string& kind, FieldOf field_of,
-                   const std::string& note) {
-  std::vector<results::Field2D> fields;
-  for (const auto& source : request.sources) fields.push_back(field_of(request, source.result));
-  const auto range = shared_range(request, fields);
-  Pictures written;
-  for (std::size_t n = 0; n < fields.size(); ++n) {
-    const auto& source = request.sources[n];
-    render::FieldStyle style = style_of(request);
-    style.note = note;
-    style.outlines = render::fill_plane_outline(source.result.cavity, fields[n]);
-    const auto picture =
-        render::compose_field(fields[n], title_of(request, source), subtitle_of(source), range, style);
-    written.push_back(write_picture(request, file_of(request, kind, source), picture.image));
-  }
-  return written;
-}
-
 results::Field2D partial_volume_map_of(const PictureRequest& request, const results::FillResult& result) {
   const auto& cavity = result.cavity;
   const double depth = cavity.upper_corner.z() - cavity.lower_corner.z();
@@ -74,6 +55,51 @@ results::Field2D partial_volume_map_of(const PictureRequest& request, const resu
       static_cast<int>(std::lround(std::numbers::pi * (cavity.inner_radius + cavity.outer_radius) / cell));
   return process::partial_volume_map(result.powder, cavity, std::clamp(round, 8, 360),
                                      std::clamp(static_cast<int>(std::lround(depth / cell)), 4, 240));
+}
+
+/// The outermost rows again on the cavity's floor and fill plane, so that the picture covers its whole depth.
+results::Field2D over_whole_depth(results::Field2D map, const results::CavityState& cavity) {
+  const double depth = 1e3 * (cavity.upper_corner.z() - cavity.lower_corner.z());
+  const auto columns = static_cast<std::ptrdiff_t>(map.first.size());
+  const std::vector<double> lowest(map.value.begin(), map.value.begin() + columns);
+  const std::vector<double> highest(map.value.end() - columns, map.value.end());
+  map.value.insert(map.value.begin(), lowest.begin(), lowest.end());
+  map.value.insert(map.value.end(), highest.begin(), highest.end());
+  map.second.insert(map.second.begin(), 0);
+  map.second.push_back(depth);
+  return map;
+}
+
+/// A scale for what is full of powder: cells that the surface cuts through lie below it.
+render::ColourRange range_of_full_cells(const PictureRequest& request,
+                                        const std::vector<results::Field2D>& fields) {
+  constexpr double kFull = 0.75;  // of the median
+  std::vector<double> values;
+  for (const auto& field : fields)
+    std::copy_if(field.value.begin(), field.value.end(), std::back_inserter(values),
+                 [](double value) { return std::isfinite(value); });
+  if (values.empty()) return {request.lower, request.upper};
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  const double least = kFull * *middle;
+  std::erase_if(values, [least](double value) { return value < least; });
+  const render::Interval range = render::robust_range(values);
+  return {std::isnan(request.lower) ? range.lower : request.lower,
+          std::isnan(request.upper) ? range.upper : request.upper};
+}
+
+/// Slow powder in mm/s, so that the numbers stay readable.
+results::ArrowField in_readable_unit(results::ArrowField arrows) {
+  constexpr double kSlow = 0.02;  // m/s
+  arrows.unit = "m/s";
+  if (render::robust_range(arrows.field.value).upper > kSlow) return arrows;
+  arrows.unit = "mm/s";
+  for (double& value : arrows.field.value) value *= 1e3;
+  for (auto& arrow : arrows.arrows) {
+    arrow.along_first *= 1e3;
+    arrow.along_second *= 1e3;
+  }
+  return arrows;
 }
 
 void draw_difference(const PictureRequest& request, const results::Field2D& before,
@@ -110,12 +136,38 @@ std::string span_of(const TwoInstants& two) {
 }  // namespace
 
 Pictures make_map(const PictureRequest& request) {
-  return draw_maps(request, "map", map_of, "");
+  std::vector<results::Field2D> fields;
+  for (const auto& source : request.sources) fields.push_back(map_of(request, source.result));
+  const auto range = shared_range(request, fields);
+  Pictures written;
+  for (std::size_t n = 0; n < fields.size(); ++n) {
+    const auto& source = request.sources[n];
+    render::FieldStyle style = style_of(request);
+    style.outlines = render::fill_plane_outline(source.result.cavity, fields[n]);
+    const auto picture =
+        render::compose_field(fields[n], title_of(request, source), subtitle_of(source), range, style);
+    written.push_back(write_picture(request, file_of(request, "map", source), picture.image));
+  }
+  return written;
 }
 
 Pictures make_partial_volume_map(const PictureRequest& request) {
-  return draw_maps(request, "partial_volumes", partial_volume_map_of,
-                   "exact partial volumes of cells over the whole ring width");
+  std::vector<results::Field2D> fields;
+  for (const auto& source : request.sources)
+    fields.push_back(over_whole_depth(partial_volume_map_of(request, source.result), source.result.cavity));
+  const auto range = range_of_full_cells(request, fields);
+  Pictures written;
+  for (std::size_t n = 0; n < fields.size(); ++n) {
+    const auto& source = request.sources[n];
+    render::FieldStyle style;
+    style.pixels = pixels_of(request);
+    style.note =
+        "exact partial volumes of cells over the whole ring width; cells at the surface partly filled";
+    const auto picture =
+        render::compose_field(fields[n], title_of(request, source), subtitle_of(source), range, style);
+    written.push_back(write_picture(request, file_of(request, "partial_volumes", source), picture.image));
+  }
+  return written;
 }
 
 Pictures make_section(const PictureRequest& request) {
@@ -184,9 +236,9 @@ Pictures make_displacement(const PictureRequest& request) {
 Pictures make_velocity_map(const PictureRequest& request) {
   Pictures written;
   for (const auto& source : request.sources) {
-    auto arrows = process::unrolled_vectors(process::velocities(source.result.powder), source.result.cavity,
-                                            source.result.powder.grain_diameter, request.averaging_width);
-    arrows.unit = "m/s";
+    const auto arrows = in_readable_unit(
+        process::unrolled_vectors(process::velocities(source.result.powder), source.result.cavity,
+                                  source.result.powder.grain_diameter, request.averaging_width));
     render::FieldStyle style;
     style.pixels = pixels_of(request);
     const auto picture = render::compose_arrows(arrows, "velocity", title_of(request, source),
@@ -204,7 +256,7 @@ Pictures make_velocity_section(const PictureRequest& request) {
                                          request.averaging_width);
     if (arrows.field.first.empty())
       throw std::invalid_argument("velocity-section: no powder is near the plane");
-    arrows.unit = "m/s";
+    arrows = in_readable_unit(std::move(arrows));
     render::FieldStyle style;
     style.pixels = pixels_of(request);
     style.outlines = render::tool_outlines(source.result.tools, plane);

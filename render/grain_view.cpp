@@ -17,6 +17,7 @@
 #include <vtkUnsignedCharArray.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "render/cut_tools.h"
@@ -26,7 +27,7 @@ namespace diefill::render {
 namespace {
 
 constexpr int kOversampling = 2;
-constexpr double kTranslucency = 0.22;  // opacity of tools seen through
+constexpr double kTranslucency = 0.13;  // opacity of tools seen through
 
 // Spheres of the grains whose centre lies behind the cut; whole grains, so that none is drawn in part.
 vtkSmartPointer<vtkPolyData> spheres_behind_cut(const results::PowderState& powder,
@@ -88,12 +89,23 @@ void place_camera(vtkRenderer* renderer, const ViewChoice& view) {
   renderer->ResetCameraClippingRange();
 }
 
-// Darkens what lies deep between grains: looks two grain diameters round every point.
+// Darkens what lies deep between grains: looks two grain diameters round every point. VTK keeps places seen
+// from the eye in half precision: the eye comes as near as the scene allows, and what is closer than three
+// steps of that is no hollow.
 void add_ambient_occlusion(vtkRenderer* renderer, double grain_diameter) {
+  constexpr double kHalfPrecision = 1.0 / 1024;
+  std::array<double, 6> bounds{};
+  renderer->ComputeVisiblePropBounds(bounds.data());
+  const double distance = std::hypot(bounds[1] - bounds[0], bounds[3] - bounds[2], bounds[5] - bounds[4]);
+  vtkCamera* camera = renderer->GetActiveCamera();
+  const Eigen::Vector3d target(camera->GetFocalPoint()), eye(camera->GetPosition());
+  const Eigen::Vector3d nearer = target + distance * (eye - target).normalized();
+  camera->SetPosition(nearer.x(), nearer.y(), nearer.z());
+  renderer->ResetCameraClippingRange();
   const auto basic = vtkSmartPointer<vtkRenderStepsPass>::New();
   const auto occlusion = vtkSmartPointer<vtkSSAOPass>::New();
   occlusion->SetRadius(2 * kMillimetres * grain_diameter);
-  occlusion->SetBias(0.02 * kMillimetres * grain_diameter);
+  occlusion->SetBias(std::max(0.05 * kMillimetres * grain_diameter, 3 * kHalfPrecision * distance));
   occlusion->SetKernelSize(64);
   occlusion->BlurOn();
   occlusion->SetDelegatePass(basic);

@@ -86,7 +86,7 @@ void draw_triad(QPainter& painter, const QPointF& origin, const ViewChoice& view
   constexpr double kLength = 52;
   const double elevation = view.elevation;
   if (view.azimuth != 0 || elevation > 1.2) {
-    draw_turned_triad(painter, origin, view);
+    draw_turned_triad(painter, origin - QPointF(0, 22), view);
     return;
   }
   const QPointF x(kLength, 0), z(0, -kLength * std::cos(elevation));
