@@ -84,8 +84,9 @@ std::string quoted(const std::filesystem::path& path) {
 
 void make_film(const std::filesystem::path& frames, const std::filesystem::path& film, Pictures& written) {
   if (std::system("command -v ffmpeg > /dev/null 2>&1") != 0) {
-    std::printf("no film: ffmpeg is not installed (apt-get install ffmpeg); the frames are in %s\n",
-                frames.string().c_str());
+    std::fprintf(stderr,
+                 "diefill: no film: ffmpeg is not installed (apt-get install ffmpeg); the frames are in %s\n",
+                 frames.string().c_str());
     return;
   }
   const std::string command =

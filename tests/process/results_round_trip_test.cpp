@@ -153,6 +153,11 @@ class MeaningArchive {
   void list(const std::string&, const char*, const std::vector<Item>& items, NameOf, Body body) {
     for (const Item& item : items) body(item);
   }
+  template <class Item, class NameOf, class Body>
+  void optional_list(const std::string& name, const char* description, const std::vector<Item>& items,
+                     NameOf name_of, Body body) {
+    list(name, description, items, name_of, body);
+  }
   template <class MeaningOf>
   void numbers(const std::string&, const char*, const std::map<std::string, double>& values,
                MeaningOf meaning_of) {
