@@ -52,6 +52,11 @@ std::vector<double> y_values(const Chart& chart) {
       values.push_back(curve.y[k] + curve.y_error[k]);
     }
   }
+  for (const auto& curve : chart.curves)
+    for (std::size_t k = 0; k < curve.band.size(); ++k) {
+      values.push_back(curve.y[k] - curve.band[k]);
+      values.push_back(curve.y[k] + curve.band[k]);
+    }
   if (!chart.y.logarithmic) add_air(values);
   return values;
 }
@@ -104,8 +109,9 @@ Interval axis_range(const ChartAxis& axis, const std::vector<double>& values, bo
 
 void check_chart(const Chart& chart) {
   for (const auto& curve : chart.curves) {
-    const bool matches =
-        curve.x.size() == curve.y.size() && (curve.y_error.empty() || curve.y_error.size() == curve.y.size());
+    const bool matches = curve.x.size() == curve.y.size() &&
+                         (curve.y_error.empty() || curve.y_error.size() == curve.y.size()) &&
+                         (curve.band.empty() || curve.band.size() == curve.y.size());
     if (!matches)
       throw std::runtime_error("chart '" + chart.title + "', curve '" + curve.name +
                                "': " + std::to_string(curve.x.size()) + " x, " +
@@ -114,44 +120,71 @@ void check_chart(const Chart& chart) {
   }
 }
 
-ChartPicture compose_chart(const Chart& chart) {
-  check_chart(chart);
-  ChartPicture picture;
+namespace {
+
+struct ChartLayout {
+  PlotArea plot;
+  Heading heading;
+  double legend_left = 0, legend_top = 0, legend_width = 0;
+  double height = 0;
+};
+
+ChartLayout lay_out(const Chart& chart) {
   const bool has_bars = std::any_of(chart.curves.begin(), chart.curves.end(),
                                     [](const Curve& curve) { return curve.style == CurveStyle::kBars; });
-  picture.plot.x = make_axis(chart.x, axis_range(chart.x, x_values(chart), false), kXTicks);
-  picture.plot.y = make_axis(chart.y, axis_range(chart.y, y_values(chart), has_bars), kYTicks);
+  ChartLayout layout{{}, Heading(chart.title, chart.subtitle, kWidth - 2 * kMargin)};
+  layout.plot.x = make_axis(chart.x, axis_range(chart.x, x_values(chart), false), kXTicks);
+  layout.plot.y = make_axis(chart.y, axis_range(chart.y, y_values(chart), has_bars), kYTicks);
+  const double left = kMargin + left_margin(layout.plot.y), right = kWidth - kRightMargin;
+  layout.legend_left = left;
+  layout.legend_width = right - left;
+  layout.legend_top = kMargin + layout.heading.height() + 8;
+  const double legend = draw_legend(nullptr, chart.curves, left, layout.legend_top, right - left);
+  layout.height = kHeight + std::max(0.0, legend - kUsualLegend);
+  const double top = layout.legend_top + legend + (chart.markers.empty() ? 12 : kMarkerBand);
+  const double bottom = layout.height - kMargin - bottom_margin() - (chart.note.empty() ? 0 : 44);
+  layout.plot.rect = QRectF(QPointF(std::round(left), std::round(top)), QPointF(right, std::round(bottom)));
+  return layout;
+}
 
-  const Heading heading(chart.title, chart.subtitle, kWidth - 2 * kMargin);
-  const double left = kMargin + left_margin(picture.plot.y), right = kWidth - kRightMargin;
-  const double legend_top = kMargin + heading.height() + 8;
-  const double legend = draw_legend(nullptr, chart.curves, left, legend_top, right - left);
-  const double height = kHeight + std::max(0.0, legend - kUsualLegend);
-  const double top = legend_top + legend + (chart.markers.empty() ? 12 : kMarkerBand);
-  const double bottom = height - kMargin - bottom_margin() - (chart.note.empty() ? 0 : 44);
-  picture.plot.rect = QRectF(QPointF(std::round(left), std::round(top)), QPointF(right, std::round(bottom)));
-  picture.image = white_canvas(static_cast<int>(kWidth), static_cast<int>(height));
-
-  QPainter painter(&picture.image);
+void paint_chart(QPainter& painter, const Chart& chart, const ChartLayout& layout) {
   painter.setRenderHints(QPainter::Antialiasing | QPainter::TextAntialiasing);
-  heading.draw(painter, kMargin, kMargin - 8);
-  draw_legend(&painter, chart.curves, left, legend_top, right - left);
-  draw_grid(painter, picture.plot);
+  layout.heading.draw(painter, kMargin, kMargin - 8);
+  draw_legend(&painter, chart.curves, layout.legend_left, layout.legend_top, layout.legend_width);
+  draw_grid(painter, layout.plot);
   painter.save();
-  painter.setClipRect(picture.plot.rect.adjusted(-12, -12, 12, 12));
-  for (std::size_t k = 0; k < chart.curves.size(); ++k) draw_curve(painter, picture.plot, chart.curves, k);
+  painter.setClipRect(layout.plot.rect.adjusted(-12, -12, 12, 12));
+  for (std::size_t k = 0; k < chart.curves.size(); ++k) draw_curve(painter, layout.plot, chart.curves, k);
   painter.restore();
-  draw_axes(painter, picture.plot, {kWidth, height});
+  draw_axes(painter, layout.plot, {kWidth, layout.height});
   std::vector<AxisMarker> markers;
   for (const auto& marker : chart.markers) markers.push_back({marker.x, QString::fromStdString(marker.text)});
-  draw_markers(painter, picture.plot, markers);
-  draw_centred(painter, {0.5 * kWidth, height - kMargin - 8}, QString::fromStdString(chart.note), kNotePixels,
-               kWidth - 2 * kMargin);
+  draw_markers(painter, layout.plot, markers);
+  draw_centred(painter, {0.5 * kWidth, layout.height - kMargin - 8}, QString::fromStdString(chart.note),
+               kNotePixels, kWidth - 2 * kMargin);
+}
+
+}  // namespace
+
+ChartPicture compose_chart(const Chart& chart) {
+  check_chart(chart);
+  const ChartLayout layout = lay_out(chart);
+  ChartPicture picture{white_canvas(static_cast<int>(kWidth), static_cast<int>(layout.height), chart.pixels),
+                       layout.plot};
+  QPainter painter(&picture.image);
+  paint_chart(painter, chart, layout);
   return picture;
 }
 
 void draw_chart(const std::filesystem::path& png, const Chart& chart) {
   write_png(png, compose_chart(chart).image);
+}
+
+void draw_chart_pdf(const std::filesystem::path& pdf, const Chart& chart) {
+  check_chart(chart);
+  const ChartLayout layout = lay_out(chart);
+  write_pdf_page(pdf, {kWidth, layout.height},
+                 [&](QPainter& painter) { paint_chart(painter, chart, layout); });
 }
 
 }  // namespace diefill::render

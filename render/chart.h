@@ -22,7 +22,8 @@ struct Curve {
   std::string name;          ///< in the legend; empty: not in the legend
   std::vector<double> x, y;  ///< equal lengths, in the axes' units; NaN where there is no value
   CurveStyle style = CurveStyle::kLine;
-  std::vector<double> y_error;  ///< half length of an error bar at each point; empty: none
+  std::vector<double> y_error;    ///< half length of an error bar at each point; empty: none
+  std::vector<double> band = {};  ///< half height of a shaded band round the line at each point; empty: none
 };
 
 /// One axis. Limits that are NaN come from the data, widened to round numbers.
@@ -46,12 +47,17 @@ struct Chart {
   ChartAxis x, y;
   std::vector<Curve> curves;
   std::vector<ChartMarker> markers;
-  std::string note;  ///< small print at the foot
+  std::string note;   ///< small print at the foot
+  double pixels = 1;  ///< picture points a layout point: 2 doubles the resolution
 };
 
 /// Draws the chart as a PNG of 1600 x 1000 pixels (taller where the legend is long). Throws
 /// std::runtime_error where a curve's arrays differ in length, a logarithmic axis has limits that are not
 /// positive, or the file cannot be written.
 void draw_chart(const std::filesystem::path& png, const Chart& chart);
+
+/// Draws the chart as one PDF page of lines and embedded type, 16 cm wide, that scales without loss. Throws
+/// as draw_chart.
+void draw_chart_pdf(const std::filesystem::path& pdf, const Chart& chart);
 
 }  // namespace diefill::render

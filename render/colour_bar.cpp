@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <vector>
 
 #include "render/colour_map.h"
 #include "render/text.h"
@@ -46,23 +47,36 @@ void fill_bar(QPainter& painter, const ColourBar& bar, const QRectF& rect) {
   painter.save();
   painter.setClipPath(outline(bar, rect));
   painter.fillRect(QRectF(rect.left(), rect.top() - kBarPoint, rect.width(), kBarPoint),
-                   paint_colour(map_colour(1)));
-  painter.fillRect(QRectF(rect.left(), rect.bottom(), rect.width(), kBarPoint), paint_colour(map_colour(0)));
+                   paint_colour(scale_colour(bar.colours, 1)));
+  painter.fillRect(QRectF(rect.left(), rect.bottom(), rect.width(), kBarPoint),
+                   paint_colour(scale_colour(bar.colours, 0)));
   painter.setRenderHint(QPainter::Antialiasing, false);
   const int rows = static_cast<int>(std::lround(rect.height()));
   for (int row = 0; row < rows; ++row) {
     const double fraction = 1 - (row + 0.5) / rows;
     painter.fillRect(QRectF(rect.left(), rect.top() + row, rect.width(), 1),
-                     paint_colour(map_colour(fraction)));
+                     paint_colour(scale_colour(bar.colours, fraction)));
   }
   painter.restore();
+}
+
+void draw_mark(QPainter& painter, const ColourBar& bar, const QRectF& rect) {
+  constexpr double kSize = 11;
+  const double y = rect.bottom() - (bar.mark - bar.range.lower) / bar.range.length() * rect.height();
+  QPainterPath arrow(QPointF(rect.left() - 1, y));
+  arrow.lineTo(rect.left() - 1 - 1.6 * kSize, y - kSize);
+  arrow.lineTo(rect.left() - 1 - 1.6 * kSize, y + kSize);
+  arrow.closeSubpath();
+  painter.fillPath(arrow, Qt::black);
 }
 
 }  // namespace
 
 ColourBar make_colour_bar(const QString& label, std::span<const double> values, const Interval& wanted) {
   const Interval automatic = robust_range(values);
-  ColourBar bar{label, wanted, false, false};
+  ColourBar bar;
+  bar.label = label;
+  bar.range = wanted;
   if (std::isnan(wanted.lower)) bar.range.lower = automatic.lower;
   if (std::isnan(wanted.upper)) bar.range.upper = automatic.upper;
   if (!(bar.range.lower < bar.range.upper) || !std::isfinite(bar.range.length()))
@@ -73,6 +87,25 @@ ColourBar make_colour_bar(const QString& label, std::span<const double> values, 
     bar.open_above |= value > bar.range.upper;
   }
   return bar;
+}
+
+ColourBar make_diverging_bar(const QString& label, std::span<const double> values, double wanted) {
+  double limit = wanted;
+  if (std::isnan(wanted)) {
+    std::vector<double> sizes;
+    for (const double value : values)
+      if (std::isfinite(value)) sizes.push_back(std::abs(value));
+    std::sort(sizes.begin(), sizes.end());
+    const double most = sizes.empty() ? 0 : sizes[sizes.size() * 9 / 10];
+    limit = most > 0 ? widen_to_nice({0, most}, 4).upper : 1;
+  }
+  ColourBar bar = make_colour_bar(label, values, {-limit, limit});
+  bar.colours = ColourScale::kDiverging;
+  return bar;
+}
+
+Rgb bar_colour(const ColourBar& bar, double value) {
+  return scale_colour(bar.colours, (value - bar.range.lower) / bar.range.length());
 }
 
 double colour_bar_width(const ColourBar& bar) {
@@ -93,6 +126,7 @@ void draw_colour_bar(QPainter& painter, const ColourBar& bar, const QRectF& bar_
     painter.drawText(QRectF(bar_rect.right() + kTickLength + kTickGap, y - 30, 300, 60),
                      Qt::AlignLeft | Qt::AlignVCenter, QString::fromStdString(ticks.labels[k]));
   }
+  if (bar.mark >= bar.range.lower && bar.mark <= bar.range.upper) draw_mark(painter, bar, bar_rect);
   const double label_x = bar_rect.left() + colour_bar_width(bar) - 0.625 * kLabelPixels;
   draw_centred(painter, {label_x, bar_rect.center().y()}, bar.label, kLabelPixels,
                bar_rect.height() + 2 * kBarPoint, -90);

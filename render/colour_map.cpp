@@ -25,6 +25,19 @@ constexpr std::array<Rgb, 16> kStops{{{0x44, 0x01, 0x54},
                                       {0xD2, 0xE2, 0x1B},
                                       {0xFD, 0xE7, 0x25}}};
 
+// ColorBrewer's RdBu of eleven classes (Brewer, Harrower and others, Apache licence), from blue to red.
+constexpr std::array<Rgb, 11> kDivergingStops{{{0x05, 0x30, 0x61},
+                                               {0x21, 0x66, 0xAC},
+                                               {0x43, 0x93, 0xC3},
+                                               {0x92, 0xC5, 0xDE},
+                                               {0xD1, 0xE5, 0xF0},
+                                               {0xF7, 0xF7, 0xF7},
+                                               {0xFD, 0xDB, 0xC7},
+                                               {0xF4, 0xA5, 0x82},
+                                               {0xD6, 0x60, 0x4D},
+                                               {0xB2, 0x18, 0x2B},
+                                               {0x67, 0x00, 0x1F}}};
+
 std::uint8_t mix(std::uint8_t from, std::uint8_t to, double weight) {
   return static_cast<std::uint8_t>(std::lround(from + weight * (to - from)));
 }
@@ -39,15 +52,24 @@ double lab_curve(double ratio) {
   return ratio > kKnee * kKnee * kKnee ? std::cbrt(ratio) : ratio / (3 * kKnee * kKnee) + 4.0 / 29.0;
 }
 
+template <std::size_t N>
+Rgb between_stops(const std::array<Rgb, N>& stops, double fraction) {
+  if (std::isnan(fraction)) return kNoValueColour;
+  const double place = std::clamp(fraction, 0.0, 1.0) * (N - 1);
+  const auto below = std::min(static_cast<std::size_t>(place), N - 2);
+  const double weight = place - static_cast<double>(below);
+  const Rgb &from = stops[below], &to = stops[below + 1];
+  return {mix(from.red, to.red, weight), mix(from.green, to.green, weight), mix(from.blue, to.blue, weight)};
+}
+
 }  // namespace
 
 Rgb map_colour(double fraction) {
-  if (std::isnan(fraction)) return kNoValueColour;
-  const double place = std::clamp(fraction, 0.0, 1.0) * (kStops.size() - 1);
-  const auto below = std::min(static_cast<std::size_t>(place), kStops.size() - 2);
-  const double weight = place - static_cast<double>(below);
-  const Rgb &from = kStops[below], &to = kStops[below + 1];
-  return {mix(from.red, to.red, weight), mix(from.green, to.green, weight), mix(from.blue, to.blue, weight)};
+  return between_stops(kStops, fraction);
+}
+
+Rgb scale_colour(ColourScale scale, double fraction) {
+  return scale == ColourScale::kDiverging ? between_stops(kDivergingStops, fraction) : map_colour(fraction);
 }
 
 Rgb value_colour(double value, double lower, double upper) {

@@ -23,6 +23,16 @@ inline constexpr Rgb kNoValueColour{217, 217, 217};
 /// rises evenly from dark violet to yellow, so that it also reads in grey print. NaN gives kNoValueColour.
 Rgb map_colour(double fraction);
 
+/// Which colours a scale runs through.
+enum class ColourScale {
+  kSequential,  ///< viridis: from little to much
+  kDiverging    ///< blue, white, red: less, the same, more
+};
+
+/// Colour at `fraction` of a scale, clamped to 0..1; NaN gives kNoValueColour. The diverging one is
+/// ColorBrewer's RdBu, turned round: lightness rises evenly to the white middle and falls evenly from there.
+Rgb scale_colour(ColourScale scale, double fraction);
+
 /// map_colour of `value` on the scale lower..upper. Throws nothing; equal limits give the middle colour.
 Rgb value_colour(double value, double lower, double upper);
 

@@ -87,7 +87,7 @@ std::vector<double> all_values(const std::vector<ComparedField>& fields) {
 }
 
 /// What of the field lies on the axes; beyond its own nodes there is no value.
-void paint_panel(QImage& image, const PlotArea& plot, const results::Field2D& field, const Interval& scale) {
+void paint_panel(QImage& image, const PlotArea& plot, const results::Field2D& field, const ColourBar& bar) {
   PlotArea own = plot;
   const bool all_round = has_azimuth(field);  // the field comes round again: it has values from end to end
   const QPointF corner =
@@ -99,7 +99,7 @@ void paint_panel(QImage& image, const PlotArea& plot, const results::Field2D& fi
   own.y.range = {plot.value(own.rect.bottomRight()).y(), plot.value(own.rect.topLeft()).y()};
   const QColor grey(kNoValueColour.red, kNoValueColour.green, kNoValueColour.blue);
   QPainter(&image).fillRect(plot.rect, grey);
-  paint_field(image, own, field, scale);
+  paint_field(image, own, field, bar);
 }
 
 void draw_foot(QPainter& painter, double height, const results::Field2D& field) {
@@ -134,7 +134,7 @@ ComparisonPicture compose_comparison(const std::vector<ComparedField>& fields, c
   for (std::size_t k = 0; k < fields.size(); ++k) {
     picture.plots.push_back(axes);
     picture.plots.back().rect = grid.rect(k);
-    paint_panel(picture.image, picture.plots.back(), fields[k].field, picture.bar.range);
+    paint_panel(picture.image, picture.plots.back(), fields[k].field, picture.bar);
   }
   QPainter painter(&picture.image);
   painter.setRenderHints(QPainter::Antialiasing | QPainter::TextAntialiasing);

@@ -119,6 +119,32 @@ void draw_bars(QPainter& painter, const PlotArea& area, const Curve& curve, cons
   }
 }
 
+// One shaded ribbon for each piece of the curve without gaps.
+void draw_band(QPainter& painter, const PlotArea& area, const Curve& curve, const Look& look) {
+  QColor fill = look.colour;
+  fill.setAlpha(55);
+  painter.setPen(Qt::NoPen);
+  painter.setBrush(fill);
+  QPolygonF upper, lower;
+  const auto close = [&] {
+    std::reverse(lower.begin(), lower.end());
+    if (upper.size() > 1) painter.drawPolygon(upper + lower);
+    upper.clear();
+    lower.clear();
+  };
+  for (std::size_t k = 0; k < curve.band.size(); ++k) {
+    const QPointF top = area.pixel(curve.x[k], curve.y[k] + curve.band[k]);
+    const QPointF foot = area.pixel(curve.x[k], curve.y[k] - curve.band[k]);
+    if (is_drawable(top) && is_drawable(foot)) {
+      upper << top;
+      lower << foot;
+    } else {
+      close();
+    }
+  }
+  close();
+}
+
 void draw_sample(QPainter& painter, const Curve& curve, const Look& look, double left, double middle) {
   if (curve.style == CurveStyle::kBars) {
     QColor fill = look.colour;
@@ -148,6 +174,7 @@ void draw_curve(QPainter& painter, const PlotArea& area, const std::vector<Curve
                 std::size_t index) {
   const Curve& curve = curves[index];
   const Look look = look_of(curves, index);
+  draw_band(painter, area, curve, look);
   if (curve.style == CurveStyle::kBars) {
     draw_bars(painter, area, curve, look);
   } else if (curve.style != CurveStyle::kMarkers) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "render/arrow_painter.h"
 #include "render/colour_map.h"
 #include "render/field_sampler.h"
 #include "render/picture_file.h"
@@ -73,26 +74,78 @@ Layout lay_out_section(double heading, const PlotArea& axes, double bar_width, b
   return layout;
 }
 
-QString note_text(const results::Field2D& field, bool broken_scales) {
+// Without value: grey; where white means "no change", with lines across, so that the two are told apart.
+QRgb hole_colour(const ColourBar& bar, int column, int row) {
+  const bool hatched = bar.colours == ColourScale::kDiverging && (column + row) % 14 < 3;
+  const int grey = hatched ? 150 : kNoValueColour.red;
+  return qRgb(grey, grey, grey);
+}
+
+void draw_outlines(QPainter& painter, const PlotArea& plot, const std::vector<Outline>& outlines) {
+  painter.save();
+  painter.setClipRect(plot.rect);
+  painter.setPen(QPen(QColor(40, 40, 40), 2.5));
+  painter.setBrush(Qt::NoBrush);
+  for (const Outline& outline : outlines) {
+    QPolygonF line;
+    for (const auto& point : outline) line << plot.pixel(point.x(), point.y());
+    painter.drawPolyline(line);
+  }
+  painter.restore();
+}
+
+double mean_of(const std::vector<double>& values) {
+  double sum = 0;
+  std::size_t count = 0;
+  for (const double value : values) {
+    if (!std::isfinite(value)) continue;
+    sum += value;
+    ++count;
+  }
+  return count > 0 ? sum / static_cast<double>(count) : std::nan("");
+}
+
+ColourBar make_bar(const results::Field2D& field, const ColourRange& range, const FieldStyle& style) {
+  const std::string name = style.scale_label.empty() ? field.quantity : style.scale_label;
+  const QString label = axis_label(name, style.unit);
+  ColourBar bar = style.diverging ? make_diverging_bar(label, field.value, range.upper)
+                                  : make_colour_bar(label, field.value, {range.lower, range.upper});
+  if (style.mark_mean) bar.mark = mean_of(field.value);
+  return bar;
+}
+
+QString note_text(const results::Field2D& field, const FieldStyle& style, const ColourBar& bar,
+                  bool broken_scales) {
   QString note;
+  const auto add = [&note](const QString& part) { note += (note.isEmpty() ? "" : "; ") + part; };
+  if (std::isfinite(bar.mark))
+    add(QStringLiteral("▸ mean %1")
+            .arg(QString::fromStdString(tick_label(bar.mark, bar.range.length() / 100))));
   if (field.averaging_width > 0)
-    note = QStringLiteral("Gaussian average, σ = %1 mm").arg(field.averaging_width * 1e3, 0, 'g', 3);
-  if (broken_scales) note += (note.isEmpty() ? "" : "; ") + QStringLiteral("axes not to the same scale");
+    add(QStringLiteral("Gaussian average, σ = %1 mm").arg(field.averaging_width * 1e3, 0, 'g', 3));
+  if (!style.note.empty()) add(QString::fromStdString(style.note));
+  if (broken_scales) add(QStringLiteral("axes not to the same scale"));
   return note;
 }
 
 // The line at the foot: averaging width at the left, what the grey means at the right end of it.
-void draw_foot(QPainter& painter, const QSizeF& canvas, const QString& note, bool has_holes) {
+void draw_foot(QPainter& painter, const QSizeF& canvas, const QString& note, bool has_holes, bool hatched) {
   const double top = canvas.height() - kMargin - 30;
   painter.setFont(text_font(kNotePixels));
   painter.setPen(QColor(70, 70, 70));
-  painter.drawText(QRectF(kMargin, top, canvas.width() - 2 * kMargin, 32), Qt::AlignLeft | Qt::AlignVCenter,
-                   note);
+  const double room = canvas.width() - 2 * kMargin - (has_holes ? 220 : 0);
+  QFont font = text_font(kNotePixels);
+  for (int pixels = kNotePixels; pixels > 16 && text_width(note, font) > room;) font = text_font(--pixels);
+  painter.setFont(font);
+  painter.drawText(QRectF(kMargin, top, room, 32), Qt::AlignLeft | Qt::AlignVCenter, note);
   if (!has_holes) return;
   const QString text = QStringLiteral("no powder");
   const double width = 38 + text_width(text, text_font(kNotePixels));
   const QColor grey(kNoValueColour.red, kNoValueColour.green, kNoValueColour.blue);
-  draw_swatch(painter, {canvas.width() - kMargin - width, top + 2}, grey, text);
+  const QPointF corner(canvas.width() - kMargin - width, top + 2);
+  draw_swatch(painter, corner, grey, text);
+  if (hatched)
+    painter.fillRect(QRectF(corner, QSizeF(28, 28)), QBrush(QColor(120, 120, 120), Qt::BDiagPattern));
 }
 
 }  // namespace
@@ -116,25 +169,28 @@ PlotArea field_axes(const results::Field2D& field, const QSizeF& size) {
   return area;
 }
 
-void paint_field(QImage& canvas, const PlotArea& plot, const results::Field2D& field, const Interval& scale) {
+void paint_field(QImage& canvas, const PlotArea& plot, const results::Field2D& field, const ColourBar& bar) {
   const results::Field2D round = continued_round(field);
   const FieldSampler sampler(round);
-  const QRect rect = plot.rect.toRect();
+  const double pixels = canvas.devicePixelRatio();
+  const QRect rect = QRectF(plot.rect.topLeft() * pixels, plot.rect.size() * pixels).toRect();
   for (int row = rect.top(); row <= rect.bottom(); ++row) {
     auto* line = reinterpret_cast<QRgb*>(canvas.scanLine(row));
     for (int column = rect.left(); column <= rect.right(); ++column) {
-      const QPointF place = plot.value({column + 0.5, row + 0.5});
-      const Rgb colour = value_colour(sampler.at(place.x(), place.y()), scale.lower, scale.upper);
-      line[column] = qRgb(colour.red, colour.green, colour.blue);
+      const QPointF place = plot.value({(column + 0.5) / pixels, (row + 0.5) / pixels});
+      const double value = sampler.at(place.x(), place.y());
+      const Rgb colour = bar_colour(bar, value);
+      line[column] =
+          std::isnan(value) ? hole_colour(bar, column, row) : qRgb(colour.red, colour.green, colour.blue);
     }
   }
 }
 
 FieldPicture compose_field(const results::Field2D& field, const std::string& title,
-                           const std::string& subtitle, const ColourRange& range) {
+                           const std::string& subtitle, const ColourRange& range, const FieldStyle& style) {
   check_field(field);
   FieldPicture picture;
-  picture.bar = make_colour_bar(axis_label(field.quantity, ""), field.value, {range.lower, range.upper});
+  picture.bar = make_bar(field, range, style);
   const auto is_hole = [](double value) { return !std::isfinite(value); };
   picture.has_holes = std::any_of(field.value.begin(), field.value.end(), is_hole);
   const bool is_empty = std::all_of(field.value.begin(), field.value.end(), is_hole);
@@ -152,13 +208,15 @@ FieldPicture compose_field(const results::Field2D& field, const std::string& tit
   const Layout layout = is_section ? lay_out_section(heading.height(), picture.plot, bar_width, equal_scales)
                                    : lay_out_map(heading.height(), picture.plot, bar_width);
   picture.plot.rect = layout.plot;
-  picture.image =
-      white_canvas(static_cast<int>(layout.canvas.width()), static_cast<int>(layout.canvas.height()));
-  paint_field(picture.image, picture.plot, field, picture.bar.range);
+  picture.image = white_canvas(static_cast<int>(layout.canvas.width()),
+                               static_cast<int>(layout.canvas.height()), style.pixels);
+  paint_field(picture.image, picture.plot, field, picture.bar);
 
   QPainter painter(&picture.image);
   painter.setRenderHints(QPainter::Antialiasing | QPainter::TextAntialiasing);
   heading.draw(painter, kMargin, kMargin - 8);
+  draw_outlines(painter, picture.plot, style.outlines);
+  draw_arrows(painter, picture.plot, style);
   draw_axes(painter, picture.plot, layout.canvas);
   if (has_azimuth(field)) draw_markers(painter, picture.plot, shoe_markers());
   if (is_empty) {
@@ -168,7 +226,8 @@ FieldPicture compose_field(const results::Field2D& field, const std::string& tit
     picture.bar_rect = layout.bar;
     draw_colour_bar(painter, picture.bar, layout.bar);
   }
-  draw_foot(painter, layout.canvas, note_text(field, is_section && !equal_scales), picture.has_holes);
+  draw_foot(painter, layout.canvas, note_text(field, style, picture.bar, is_section && !equal_scales),
+            picture.has_holes, style.diverging);
   return picture;
 }
 

@@ -7,6 +7,7 @@
 #include "process/results/fill_result.h"
 #include "render/axes.h"
 #include "render/colour_bar.h"
+#include "render/field_style.h"
 #include "render/pictures.h"
 
 namespace diefill::render {
@@ -24,12 +25,14 @@ struct FieldPicture {
 /// the same unit keep equal scales. Values between nodes are bilinear; holes keep the nodes' edges. Throws
 /// std::runtime_error for a field whose coordinates do not rise, or do not match its values.
 FieldPicture compose_field(const results::Field2D& field, const std::string& title,
-                           const std::string& subtitle, const ColourRange& range);
+                           const std::string& subtitle, const ColourRange& range,
+                           const FieldStyle& style = {});
 
 /// Axes of a field for a data rectangle of `size` pixels with its corner at (0, 0).
 PlotArea field_axes(const results::Field2D& field, const QSizeF& size);
 
-/// Colours the pixels of the data rectangle; bilinear between nodes, holes in neutral grey.
-void paint_field(QImage& canvas, const PlotArea& plot, const results::Field2D& field, const Interval& scale);
+/// Colours the pixels of the data rectangle with the bar's scale; bilinear between nodes, holes in grey,
+/// hatched where the scale is white in its middle.
+void paint_field(QImage& canvas, const PlotArea& plot, const results::Field2D& field, const ColourBar& bar);
 
 }  // namespace diefill::render

@@ -4,16 +4,20 @@
 #include <vtkCamera.h>
 #include <vtkCellArray.h>
 #include <vtkLightKit.h>
+#include <vtkOpenGLRenderer.h>
 #include <vtkOpenGLSphereMapper.h>
 #include <vtkPointData.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
 #include <vtkProperty.h>
+#include <vtkRenderStepsPass.h>
 #include <vtkRenderer.h>
+#include <vtkSSAOPass.h>
 #include <vtkSmartPointer.h>
 #include <vtkUnsignedCharArray.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "render/cut_tools.h"
@@ -23,6 +27,7 @@ namespace diefill::render {
 namespace {
 
 constexpr int kOversampling = 2;
+constexpr double kTranslucency = 0.13;  // opacity of tools seen through
 
 // Spheres of the grains whose centre lies behind the cut; whole grains, so that none is drawn in part.
 vtkSmartPointer<vtkPolyData> spheres_behind_cut(const results::PowderState& powder,
@@ -73,15 +78,38 @@ void add_powder(vtkRenderer* renderer, const results::PowderState& powder,
 void place_camera(vtkRenderer* renderer, const ViewChoice& view) {
   const double distance = 10 * kMillimetres * std::max(view.width, view.height);
   const Eigen::Vector3d target = kMillimetres * view.target;
-  const Eigen::Vector3d eye =
-      target + distance * Eigen::Vector3d(0, -std::cos(view.elevation), std::sin(view.elevation));
+  const ViewAxes axes = view_axes(view);
+  const Eigen::Vector3d eye = target + distance * axes.to_eye;
   vtkCamera* camera = renderer->GetActiveCamera();
   camera->ParallelProjectionOn();
   camera->SetFocalPoint(target.x(), target.y(), target.z());
   camera->SetPosition(eye.x(), eye.y(), eye.z());
-  camera->SetViewUp(0, 0, 1);
+  camera->SetViewUp(axes.up.x(), axes.up.y(), axes.up.z());
   camera->SetParallelScale(0.5 * kMillimetres * view.height);
   renderer->ResetCameraClippingRange();
+}
+
+// Darkens what lies deep between grains: looks two grain diameters round every point. VTK keeps places seen
+// from the eye in half precision: the eye comes as near as the scene allows, and what is closer than three
+// steps of that is no hollow.
+void add_ambient_occlusion(vtkRenderer* renderer, double grain_diameter) {
+  constexpr double kHalfPrecision = 1.0 / 1024;
+  std::array<double, 6> bounds{};
+  renderer->ComputeVisiblePropBounds(bounds.data());
+  const double distance = std::hypot(bounds[1] - bounds[0], bounds[3] - bounds[2], bounds[5] - bounds[4]);
+  vtkCamera* camera = renderer->GetActiveCamera();
+  const Eigen::Vector3d target(camera->GetFocalPoint()), eye(camera->GetPosition());
+  const Eigen::Vector3d nearer = target + distance * (eye - target).normalized();
+  camera->SetPosition(nearer.x(), nearer.y(), nearer.z());
+  renderer->ResetCameraClippingRange();
+  const auto basic = vtkSmartPointer<vtkRenderStepsPass>::New();
+  const auto occlusion = vtkSmartPointer<vtkSSAOPass>::New();
+  occlusion->SetRadius(2 * kMillimetres * grain_diameter);
+  occlusion->SetBias(std::max(0.05 * kMillimetres * grain_diameter, 3 * kHalfPrecision * distance));
+  occlusion->SetKernelSize(64);
+  occlusion->BlurOn();
+  occlusion->SetDelegatePass(basic);
+  vtkOpenGLRenderer::SafeDownCast(renderer)->SetPass(occlusion);
 }
 
 QImage read_back(OffscreenWindow& window, int width, int height) {
@@ -94,15 +122,23 @@ QImage read_back(OffscreenWindow& window, int width, int height) {
 }  // namespace
 
 QImage draw_grains(const results::FillResult& result, const std::vector<Rgb>& grain_colours,
-                   const ViewChoice& view, int width, int height) {
+                   const ViewChoice& view, int width, int height, const SceneLook& look) {
   const auto window = vtkSmartPointer<OffscreenWindow>::New();
   window->open(kOversampling * width, kOversampling * height);
   const auto renderer = vtkSmartPointer<vtkRenderer>::New();
   renderer->SetBackground(1, 1, 1);
   window->AddRenderer(renderer);
-  add_powder(renderer, result.powder, grain_colours, view.cut_y);
-  for (const auto& tool : result.tools)
-    if (const auto actor = make_cut_tool(tool, view.cut_y)) renderer->AddActor(actor);
+  constexpr double kUncut = -1e6;  // m: before anything
+  add_powder(renderer, result.powder, grain_colours, look.cut_powder ? view.cut_y : kUncut);
+  const bool whole = look.tools == ToolLook::kTranslucent;
+  for (const auto& tool : result.tools) {
+    if (look.tools == ToolLook::kHidden) break;
+    const auto actor = make_cut_tool(tool, whole ? kUncut : view.cut_y);
+    if (!actor) continue;
+    if (whole) actor->GetProperty()->SetOpacity(kTranslucency);
+    renderer->AddActor(actor);
+  }
+  if (whole) renderer->UseDepthPeelingOn();
   renderer->AutomaticLightCreationOff();
   const auto lights = vtkSmartPointer<vtkLightKit>::New();
   lights->SetKeyLightIntensity(0.85);
@@ -112,6 +148,7 @@ QImage draw_grains(const results::FillResult& result, const std::vector<Rgb>& gr
   lights->SetBackLightWarmth(0.5);
   lights->AddLightsToRenderer(renderer);
   place_camera(renderer, view);
+  if (look.ambient_occlusion) add_ambient_occlusion(renderer, result.powder.grain_diameter);
   window->Render();
   const QImage large = read_back(*window, kOversampling * width, kOversampling * height);
   return large.scaled(width, height, Qt::IgnoreAspectRatio, Qt::SmoothTransformation)

@@ -3,7 +3,10 @@
 #include <QString>
 #include <limits>
 
+#include "render/density_map.h"
+#include "render/picture_file.h"
 #include "render/ticks.h"
+#include "render/tool_outline.h"
 
 namespace diefill::render {
 namespace {
@@ -45,16 +48,25 @@ std::vector<std::filesystem::path> draw_all(const std::filesystem::path& directo
   const std::string title = result.strategy.empty() ? result.title : result.strategy;
   const std::string subtitle = subtitle_of(result);
   const ColourRange range = common_range(result);
-  const auto field_picture = [&](const char* name, const results::Field2D& field) {
-    draw_field(directory / name, field, title, subtitle, range);
+  const auto field_picture = [&](const char* name, const results::Field2D& field,
+                                 const std::vector<Outline>& outlines) {
+    FieldStyle style;
+    style.mark_mean = true;
+    style.outlines = outlines;
+    write_png(directory / name, compose_field(field, title, subtitle, range, style).image);
     written.push_back(directory / name);
   };
+  const auto section_picture = [&](const char* name) {
+    const auto& section = result.sections.front();
+    field_picture(name, section.field, tool_outlines(result.tools, section.plane));
+  };
   if (!result.maps.empty()) {
-    field_picture("density_map.png", result.maps.front());
+    const auto& map = result.maps.front();
+    field_picture("density_map.png", map, fill_plane_outline(result.cavity, map));
   } else if (!result.sections.empty()) {
-    field_picture("density_map.png", result.sections.front().field);
+    section_picture("density_map.png");
   }
-  if (!result.sections.empty()) field_picture("section.png", result.sections.front().field);
+  if (!result.sections.empty()) section_picture("section.png");
   draw_snapshot(directory / "snapshot.png", result);
   written.push_back(directory / "snapshot.png");
   if (const auto* profile = fill_level_of(result)) {

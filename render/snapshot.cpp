@@ -1,6 +1,7 @@
 #include "render/snapshot.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -67,9 +68,27 @@ void draw_arrow(QPainter& painter, const QPointF& from, const QPointF& to, const
   painter.drawText(QRectF(at.x() - 20, at.y() - 20, 40, 40), Qt::AlignCenter, name);
 }
 
+// The axes as a turned eye sees them; one that points at the eye is left out.
+void draw_turned_triad(QPainter& painter, const QPointF& origin, const ViewChoice& view) {
+  constexpr double kLength = 52, kLeast = 12;
+  const ViewAxes axes = view_axes(view);
+  const std::array<QString, 3> names = {"x", "y", "z"};
+  for (int n = 0; n < 3; ++n) {
+    const QPointF arrow(kLength * axes.right[n], -kLength * axes.up[n]);
+    const double length = std::hypot(arrow.x(), arrow.y());
+    if (length > kLeast)
+      draw_arrow(painter, origin, origin + arrow, names[n], origin + arrow * (1 + 18 / length));
+  }
+}
+
 // The three axes as the tilted view shows them: y points into the picture, and so upwards by the tilt's sine.
-void draw_triad(QPainter& painter, const QPointF& origin, double elevation) {
+void draw_triad(QPainter& painter, const QPointF& origin, const ViewChoice& view) {
   constexpr double kLength = 52;
+  const double elevation = view.elevation;
+  if (view.azimuth != 0 || elevation > 1.2) {
+    draw_turned_triad(painter, origin - QPointF(0, 22), view);
+    return;
+  }
   const QPointF x(kLength, 0), z(0, -kLength * std::cos(elevation));
   const QPointF y(0.0, -kLength * std::sin(elevation));
   // Seen exactly from the front y would lie on z: a slant, as on drawings, keeps them apart.
@@ -79,15 +98,14 @@ void draw_triad(QPainter& painter, const QPointF& origin, double elevation) {
   draw_arrow(painter, origin, origin + slanted, QStringLiteral("y"), origin + slanted + QPointF(16, -6));
 }
 
-void draw_foot(QPainter& painter, const SnapshotPicture& picture, bool has_open) {
+void draw_foot(QPainter& painter, const SnapshotPicture& picture, const QString& grey_means) {
   const double middle = picture.scene.bottom() + 0.5 * kFoot + 8;
   if (picture.view.empty) return;
   draw_scale_bar(painter, picture, middle);
-  draw_triad(painter, {kWidth - kMargin - 110, middle + 34}, picture.view.elevation);
-  if (!has_open) return;
+  draw_triad(painter, {kWidth - kMargin - 110, middle + 34}, picture.view);
+  if (grey_means.isEmpty()) return;
   const QColor grey(kNoValueColour.red, kNoValueColour.green, kNoValueColour.blue);
-  draw_swatch(painter, {picture.scene.left() + 0.36 * picture.scene.width(), middle - 14}, grey,
-              QStringLiteral("grain without closed cell (free surface)"));
+  draw_swatch(painter, {picture.scene.left() + 0.36 * picture.scene.width(), middle - 14}, grey, grey_means);
 }
 
 std::string subtitle_of(const results::FillResult& result) {
@@ -100,43 +118,54 @@ std::string subtitle_of(const results::FillResult& result) {
   return text;
 }
 
+Heading heading_of(const results::FillResult& result) {
+  return {result.strategy.empty() ? result.title : result.strategy, subtitle_of(result),
+          kWidth - 2 * kMargin};
+}
+
+QRectF scene_rect(const Heading& heading, bool has_bar) {
+  const double top = std::round(kMargin + heading.height() + 12),
+               right = kWidth - kMargin - (has_bar ? kBarColumn : 0);
+  return {QPointF(kMargin, top), QPointF(right, kHeight - kFoot - kMargin / 2)};
+}
+
 }  // namespace
 
-SnapshotPicture compose_snapshot(const results::FillResult& result) {
-  const std::vector<double> values = grain_values(result);
+SnapshotPicture compose_snapshot(const results::FillResult& result, const ViewOptions& options) {
+  const std::vector<double> values = options.values.empty() ? grain_values(result) : options.values;
   const auto closed = static_cast<std::size_t>(
       std::count_if(values.begin(), values.end(), [](double value) { return std::isfinite(value); }));
-  const double none = std::numeric_limits<double>::quiet_NaN();
   SnapshotPicture picture;
-  picture.image = white_canvas(kWidth, kHeight);
-  picture.bar = make_colour_bar(axis_label("solid fraction", ""), values, {none, none});
+  picture.image = white_canvas(kWidth, kHeight, options.pixels);
+  picture.bar =
+      make_colour_bar(axis_label(options.quantity, options.unit), values, {options.lower, options.upper});
   std::vector<Rgb> colours;
   for (const double value : values)
     colours.push_back(value_colour(value, picture.bar.range.lower, picture.bar.range.upper));
 
   QPainter painter(&picture.image);
   painter.setRenderHints(QPainter::Antialiasing | QPainter::TextAntialiasing);
-  const Heading heading(result.strategy.empty() ? result.title : result.strategy, subtitle_of(result),
-                        kWidth - 2 * kMargin);
+  const Heading heading = heading_of(result);
   heading.draw(painter, kMargin, kMargin - 8);
-  const double top = std::round(kMargin + heading.height() + 12),
-               right = kWidth - kMargin - (closed ? kBarColumn : 0);
-  picture.scene = QRectF(QPointF(kMargin, top), QPointF(right, kHeight - kFoot - kMargin / 2));
-  picture.view = choose_view(result, picture.scene.width() / picture.scene.height());
+  picture.scene = scene_rect(heading, closed > 0);
+  picture.view = options.view
+                     ? *options.view
+                     : choose_view(result, picture.scene.width() / picture.scene.height(), options.camera);
   if (picture.view.empty) {
     draw_centred(painter, picture.scene.center(), QStringLiteral("neither powder nor tools to show"),
                  kLabelPixels, picture.scene.width());
     return picture;
   }
-  const QSize size = picture.scene.toRect().size();
-  painter.drawImage(picture.scene.topLeft(),
-                    draw_grains(result, colours, picture.view, size.width(), size.height()));
+  const QSize size = (picture.scene.toRect().size().toSizeF() * options.pixels).toSize();
+  painter.drawImage(QRectF(picture.scene.topLeft(), picture.scene.toRect().size()),
+                    draw_grains(result, colours, picture.view, size.width(), size.height(), options.look));
   painter.setPen(QPen(QColor(150, 150, 150), 1.5));
   painter.setBrush(Qt::NoBrush);
   painter.drawRect(picture.scene);
   picture.scale_bar = scale_bar_length(1e3 * picture.view.width);
   picture.scale_pixels = picture.scale_bar / (1e3 * picture.view.width) * picture.scene.width();
-  draw_foot(painter, picture, closed < values.size());
+  draw_foot(painter, picture,
+            closed < values.size() ? QString::fromStdString(options.grey_means) : QString());
   if (closed) {
     const double height = std::min(760.0, picture.scene.height() - 2 * kBarPoint);
     picture.bar_rect =
@@ -145,6 +174,11 @@ SnapshotPicture compose_snapshot(const results::FillResult& result) {
     draw_colour_bar(painter, picture.bar, picture.bar_rect);
   }
   return picture;
+}
+
+double scene_aspect(const results::FillResult& result) {
+  const QRectF scene = scene_rect(heading_of(result), true);
+  return scene.width() / scene.height();
 }
 
 void draw_snapshot(const std::filesystem::path& png, const results::FillResult& result) {

@@ -3,9 +3,14 @@
 #pragma once
 
 #include <QImage>
+#include <limits>
+#include <optional>
+#include <string>
+#include <vector>
 
 #include "process/results/fill_result.h"
 #include "render/colour_bar.h"
+#include "render/grain_view.h"
 #include "render/view_choice.h"
 
 namespace diefill::render {
@@ -21,8 +26,24 @@ struct SnapshotPicture {
   double scale_pixels = 0;  ///< pixels, its length
 };
 
-/// Draws the snapshot on a canvas of 1600 x 1200 pixels; throws std::runtime_error where there is no
+/// What a shaded view is of.
+struct ViewOptions {
+  std::vector<double> values;  ///< one a grain, NaN: grey; empty: solid fraction of closed cells
+  std::string quantity = "solid fraction", unit;
+  std::string grey_means = "grain without closed cell (free surface)";
+  double lower = std::numeric_limits<double>::quiet_NaN();  ///< of the colour scale; NaN: from the values
+  double upper = std::numeric_limits<double>::quiet_NaN();
+  Camera camera;
+  std::optional<ViewChoice> view;  ///< instead of one chosen for `camera`: films keep theirs
+  SceneLook look;
+  double pixels = 1;  ///< picture points a layout point
+};
+
+/// Draws the snapshot on a canvas of 1600 x 1200 layout points; throws std::runtime_error where there is no
 /// renderer.
-SnapshotPicture compose_snapshot(const results::FillResult& result);
+SnapshotPicture compose_snapshot(const results::FillResult& result, const ViewOptions& options = {});
+
+/// Width over height of the scene in a snapshot of this result, for choose_view.
+double scene_aspect(const results::FillResult& result);
 
 }  // namespace diefill::render

@@ -9,8 +9,7 @@ namespace {
 
 using Box = Eigen::AlignedBox3d;
 
-constexpr double kElevation = 0.35;  // rad, some 20 degrees: the powder's surface shows, depths stay readable
-constexpr double kSideRoom = 0.25;   // of the cavity's width, around the cavity
+constexpr double kSideRoom = 0.25;    // of the cavity's width, around the cavity
 constexpr double kNearPowder = 0.75;  // of the cavity's width: powder this far beside it is framed
 constexpr double kNearShoe = 1.0;     // of the cavity's width: a shoe this near is framed
 constexpr double kWidestView = 2.6;   // of the cavity's width: never further away than this
@@ -55,11 +54,33 @@ Box cavity_region(const results::FillResult& result, const Box& cavity) {
   return region;
 }
 
+// Frames all corners of the box as the eye sees them.
+void frame_box(ViewChoice& view, const Box& box, double aspect) {
+  const ViewAxes axes = view_axes(view);
+  Eigen::AlignedBox2d seen;
+  for (int n = 0; n < 8; ++n) {
+    const Eigen::Vector3d corner = box.corner(static_cast<Box::CornerType>(n)) - box.center();
+    seen.extend(Eigen::Vector2d(corner.dot(axes.right), corner.dot(axes.up)));
+  }
+  view.width = kFrame * std::max({seen.sizes().x(), seen.sizes().y() * aspect, 1e-6});
+  view.height = view.width / aspect;
+  view.target = box.center() + seen.center().x() * axes.right + seen.center().y() * axes.up;
+}
+
 }  // namespace
 
-ViewChoice choose_view(const results::FillResult& result, double aspect) {
+ViewAxes view_axes(const ViewChoice& view) {
+  const double turn = view.azimuth, tilt = view.elevation;
+  const Eigen::Vector3d right(std::cos(turn), std::sin(turn), 0);
+  const Eigen::Vector3d to_eye(std::sin(turn) * std::cos(tilt), -std::cos(turn) * std::cos(tilt),
+                               std::sin(tilt));
+  return {right, to_eye.cross(right), to_eye};
+}
+
+ViewChoice choose_view(const results::FillResult& result, double aspect, const Camera& camera) {
   ViewChoice view;
-  view.elevation = kElevation;
+  view.elevation = camera.elevation;
+  view.azimuth = camera.azimuth;
   const Box cavity(result.cavity.lower_corner, result.cavity.upper_corner);
   const Box powder = powder_box(result.powder);
   Box region;
@@ -76,15 +97,19 @@ ViewChoice choose_view(const results::FillResult& result, double aspect) {
     }
     view.cut_y = region.center().y();
   }
+  if (camera != Camera{}) {
+    frame_box(view, region, aspect);
+    return view;
+  }
   // In the picture, up is z lifted by the view's tilt: a point behind the cut appears higher by its depth's
   // sine.
   const double depth = std::max(0.0, region.max().y() - view.cut_y);
-  const double low = region.min().z() * std::cos(kElevation);
-  const double high = region.max().z() * std::cos(kElevation) + depth * std::sin(kElevation);
+  const double low = region.min().z() * std::cos(camera.elevation);
+  const double high = region.max().z() * std::cos(camera.elevation) + depth * std::sin(camera.elevation);
   const double needed_width = kFrame * region.sizes().x(), needed_height = kFrame * (high - low);
   view.width = std::max({needed_width, needed_height * aspect, 1e-6});
   view.height = view.width / aspect;
-  view.target = {region.center().x(), view.cut_y, 0.5 * (low + high) / std::cos(kElevation)};
+  view.target = {region.center().x(), view.cut_y, 0.5 * (low + high) / std::cos(camera.elevation)};
   return view;
 }
 

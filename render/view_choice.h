@@ -13,11 +13,25 @@ struct ViewChoice {
   Eigen::Vector3d target = Eigen::Vector3d::Zero();  ///< m: centre of the picture, in the cutting plane
   double width = 0, height = 0;                      ///< m: what the picture spans
   double elevation = 0;                              ///< rad: how far the eye is above the horizon
-  bool empty = false;                                ///< neither powder nor tools: nothing to show
+  double azimuth = 0;  ///< rad: how far the eye has gone round z, counter-clockwise, from the front (-y)
+  bool empty = false;  ///< neither powder nor tools: nothing to show
+};
+
+/// To the right and upwards in the picture, and from the scene to the eye.
+struct ViewAxes {
+  Eigen::Vector3d right, up, to_eye;
+};
+ViewAxes view_axes(const ViewChoice& view);
+
+/// Where the eye is.
+struct Camera {
+  double azimuth = 0;       ///< rad, as in ViewChoice
+  double elevation = 0.35;  ///< rad, some 20 degrees: the powder's surface shows, depths stay readable
+  bool operator==(const Camera&) const = default;
 };
 
 /// Cuts through the cavity's axis (or the middle of its box, or of the powder), and frames the cavity, the
 /// powder over it and a shoe that stands near; `aspect` is the picture's width over its height.
-ViewChoice choose_view(const results::FillResult& result, double aspect);
+ViewChoice choose_view(const results::FillResult& result, double aspect, const Camera& camera = {});
 
 }  // namespace diefill::render

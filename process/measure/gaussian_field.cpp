@@ -42,6 +42,13 @@ GaussianField::GaussianField(Source source, double averaging_width, double hole)
       values_(std::move(source.values)),
       grid_(source.centres, 0.5 * reach_) {}
 
+GaussianField GaussianField::of_all_grains(const std::vector<Eigen::Vector3d>& centres,
+                                           std::vector<double> values, double grain_diameter,
+                                           double averaging_width) {
+  return {Source{centres, std::move(values)}, checked(averaging_width),
+          hole_distance(averaging_width, grain_diameter)};
+}
+
 GaussianField::Source GaussianField::closed_grains(const results::PowderState& powder,
                                                    const results::GrainSolidFraction& fraction, double margin,
                                                    const Period& period) {

@@ -25,6 +25,10 @@ class GaussianField {
   GaussianField(const results::PowderState& powder, const results::GrainSolidFraction& fraction,
                 double averaging_width, const Period& period = {});
 
+  /// Any value of all grains, closed cells or not; `values` one a grain.
+  static GaussianField of_all_grains(const std::vector<Eigen::Vector3d>& centres, std::vector<double> values,
+                                     double grain_diameter, double averaging_width);
+
   /// Value at `point` (m, laboratory frame), NaN in holes and outside the powder.
   double at(const Eigen::Vector3d& point) const;
 

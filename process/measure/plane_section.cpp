@@ -6,6 +6,7 @@
 #include "geometry/solid_query.h"
 #include "process/measure/gaussian_field.h"
 #include "process/measure/measure.h"
+#include "process/measure/plane_sample.h"
 
 namespace diefill::process {
 namespace {
@@ -67,12 +68,11 @@ bool in_a_tool(const std::vector<geometry::SolidQuery>& solids, const Eigen::Vec
 
 }  // namespace
 
-results::SectionField plane_section(const results::PowderState& powder,
-                                    const results::GrainSolidFraction& fraction,
-                                    const std::vector<results::ToolState>& tools,
-                                    const results::SectionPlane& plane, double averaging_width,
-                                    const Period& period) {
-  const GaussianField field(powder, fraction, averaging_width, period);
+results::SectionField sample_plane(const results::PowderState& powder,
+                                   const results::GrainSolidFraction& fraction,
+                                   const std::vector<results::ToolState>& tools,
+                                   const results::SectionPlane& plane, double averaging_width,
+                                   const PlaneValue& value_at) {
   const std::vector<geometry::SolidQuery> solids = solids_of(tools);
   results::SectionField section{plane,
                                 {"solid fraction",
@@ -98,12 +98,22 @@ results::SectionField plane_section(const results::PowderState& powder,
     for (const double first : grid.first) {
       const Eigen::Vector3d point =
           plane.origin + kMillimetre * (first * plane.first_axis + second * plane.second_axis);
-      double value = field.at(point);
+      double value = value_at(point);
       if (!std::isnan(value) && in_a_tool(solids, point)) value = std::numeric_limits<double>::quiet_NaN();
       grid.value.push_back(value);
     }
   }
   return section;
+}
+
+results::SectionField plane_section(const results::PowderState& powder,
+                                    const results::GrainSolidFraction& fraction,
+                                    const std::vector<results::ToolState>& tools,
+                                    const results::SectionPlane& plane, double averaging_width,
+                                    const Period& period) {
+  const GaussianField field(powder, fraction, averaging_width, period);
+  return sample_plane(powder, fraction, tools, plane, averaging_width,
+                      [&field](const Eigen::Vector3d& point) { return field.at(point); });
 }
 
 }  // namespace diefill::process

@@ -135,6 +135,18 @@ struct SolidFractionSummary {
   std::uint64_t grains = 0;  ///< grains counted
 };
 
+/// The powder and the tools' places at an earlier instant of the run. Arrays over the grains there were, and
+/// over FillResult::tools.
+struct Instant {
+  double time = 0;                                 ///< s since the start of the scene
+  std::vector<std::uint64_t> id;                   ///< identity of the grain
+  std::vector<Eigen::Vector3d> position;           ///< m, laboratory frame
+  std::vector<Eigen::Vector4d> orientation;        ///< unit quaternion (w, x, y, z), body to laboratory
+  std::vector<Eigen::Vector3d> velocity;           ///< m/s
+  std::vector<Eigen::Vector4d> tool_orientation;   ///< unit quaternion from the tool's place in FillResult
+  std::vector<Eigen::Vector3d> tool_displacement;  ///< m, added after turning about the laboratory's origin
+};
+
 /// Everything that describes one run. `figures` are the numbers of report.json at the top level; `texts` its
 /// strings.
 struct FillResult {
@@ -153,6 +165,7 @@ struct FillResult {
   std::vector<Field2D> maps;  ///< cylindrical (azimuth, height) maps; empty for cavities that are no rings
   std::vector<SectionField> sections;
   std::vector<Profile> profiles;
+  std::vector<Instant> instants;  ///< earlier times in rising order; empty unless the scene asks for them
   std::map<std::string, double> figures;        ///< grains, spheres, wall_spheres, steps, time_step_s, ...
   std::map<std::string, double> phase_seconds;  ///< the engine's phase timers
   std::vector<std::string> warnings;            ///< for people, such as "d over ring width is beyond 1/3"

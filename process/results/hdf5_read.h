@@ -58,6 +58,13 @@ class Hdf5Reader {
     });
   }
 
+  /// A list whose group may be missing: no items.
+  template <class Item, class NameOf, class Body>
+  void optional_list(const std::string& name, const char* description, std::vector<Item>& items,
+                     NameOf name_of, Body body) {
+    if (has_group(name)) list(name, description, items, name_of, body);
+  }
+
   template <class MeaningOf>
   void numbers(const std::string& name, const char* description, std::map<std::string, double>& values,
                MeaningOf) {

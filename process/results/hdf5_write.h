@@ -66,6 +66,13 @@ class Hdf5Writer {
     });
   }
 
+  /// A list whose group is left out where there are no items.
+  template <class Item, class NameOf, class Body>
+  void optional_list(const std::string& name, const char* description, const std::vector<Item>& items,
+                     NameOf name_of, Body body) {
+    if (!items.empty()) list(name, description, items, name_of, body);
+  }
+
   /// Named numbers; `meaning_of(key)` gives a pair of unit and description.
   template <class MeaningOf>
   void numbers(const std::string& name, const char* description, const std::map<std::string, double>& values,

@@ -42,6 +42,16 @@ void check_lengths(const FillResult& result) {
   for (const Topic& topic : result.topics)
     if (topic.name.size() != topic.text.size())
       throw ResultError("topic \"" + topic.topic + "\" has unequal numbers of names and texts");
+  for (const Instant& instant : result.instants) {
+    const std::size_t there = instant.position.size();
+    const bool whole = instant.id.size() == there && instant.orientation.size() == there &&
+                       instant.velocity.size() == there &&
+                       instant.tool_orientation.size() == result.tools.size() &&
+                       instant.tool_displacement.size() == result.tools.size();
+    if (!whole)
+      throw ResultError("instant at t = " + std::to_string(instant.time) +
+                        " s: its arrays do not belong together");
+  }
   for (const Field2D& map : result.maps) check_field(map, "map");
   for (const SectionField& section : result.sections) check_field(section.field, "section");
   for (const Profile& profile : result.profiles)

@@ -169,6 +169,22 @@ void describe_topics(Archive& archive, Topics& topics) {
   });
 }
 
+template <class Archive, class Instants>
+void describe_instants(Archive& archive, Instants& instants) {
+  const auto name_of = [](const Instant&) { return std::string("instant"); };
+  archive.optional_list("instants", "the powder at earlier times", instants, name_of, [&](auto& instant) {
+    archive.field("time", instant.time, "s", "time since the start of the scene");
+    archive.field("id", instant.id, "1", "identity of the grain");
+    archive.field("position", instant.position, "m", "grain centres, laboratory frame, z up");
+    archive.field("orientation", instant.orientation, "1",
+                  "unit quaternion (w, x, y, z), body to laboratory");
+    archive.field("velocity", instant.velocity, "m/s", "velocity of the grain centre");
+    archive.field("tool_orientation", instant.tool_orientation, "1",
+                  "unit quaternion that turns every tool from its place in /tools, in their order");
+    archive.field("tool_displacement", instant.tool_displacement, "m", "shift of every tool after turning");
+  });
+}
+
 template <class Archive, class Result>
 void describe_scene(Archive& archive, Result& result) {
   archive.group("scene", "what was run, enough to run it again", [&] {
@@ -196,6 +212,7 @@ void describe(Archive& archive, Result& result) {
                [&](auto& map) { describe_field(archive, map); });
   describe_sections(archive, result.sections);
   describe_profiles(archive, result.profiles);
+  describe_instants(archive, result.instants);
   archive.numbers("figures", "single numbers of the run, as in report.json", result.figures, figure_meaning);
   const auto phase_meaning = [](const std::string&) {
     return std::pair("s", "wall-clock time in this phase");

@@ -1,5 +1,6 @@
 #include "process/run/assemble.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cstdio>
 #include <limits>
@@ -78,6 +79,21 @@ results::CavityState cavity_state(const Scene& scene, const Tooling& tooling) {
   const Eigen::Vector3d direction = first_motion(scene);
   if (direction.norm() > 0) cavity.azimuth_zero = -direction;
   return cavity;
+}
+
+/// The run's instants, with tools' poses seen from where the tools are now.
+std::vector<results::Instant> instants_of(const FillRun& run) {
+  std::vector<results::Instant> instants = run.instants();
+  for (auto& instant : instants)
+    for (std::size_t b = 0; b < instant.tool_orientation.size(); ++b) {
+      const engine::BodyMotion& now = run.simulation().body_motion(b);
+      const Eigen::Vector4d& then = instant.tool_orientation[b];
+      const Eigen::Quaterniond turn = Eigen::Quaterniond(then[0], then[1], then[2], then[3]) *
+                                      Eigen::Quaterniond(now.rotation).conjugate();
+      instant.tool_orientation[b] = {turn.w(), turn.x(), turn.y(), turn.z()};
+      instant.tool_displacement[b] -= turn * now.translation;
+    }
+  return instants;
 }
 
 /// s that the machine is at work: all steps that last a given time. Waiting for the powder to rest is not
@@ -233,12 +249,15 @@ results::SectionPlane section_plane(const std::string& name, const Eigen::Vector
   return plane;
 }
 
+double default_averaging_width(double grain_diameter) {
+  constexpr double kLeast = 5e-4;  // m
+  return std::max(kLeast, 0.5 * grain_diameter);
+}
+
 void measure_fields(results::FillResult& result, const FieldRequest& request, int azimuth_bins) {
-  constexpr double kDefaultWidth = 5e-4;  // m, Bierwisch 2009, Figs. 3.6, 4.12
   constexpr int kSectors = 12;
-  const double width = request.averaging_width > 0
-                           ? request.averaging_width
-                           : std::max(kDefaultWidth, 0.5 * result.powder.grain_diameter);
+  const double width = request.averaging_width > 0 ? request.averaging_width
+                                                   : default_averaging_width(result.powder.grain_diameter);
   result.maps.clear();
   result.sections.clear();
   result.profiles.clear();
@@ -267,6 +286,7 @@ results::FillResult assemble(const Scene& scene, const Tooling& tooling, const F
   result.powder = powder_state(scene, run.simulation());
   for (std::size_t k = 0; k < tooling.tools.size(); ++k)
     result.tools.push_back(tool_state(tooling.tools[k], run.simulation().body_motion(k)));
+  result.instants = instants_of(run);
   result.cavity = cavity_state(scene, tooling);
   result.solid_fraction =
       measure_solid_fraction(result.powder, result.tools, result.cavity, scene.numerics.period);

@@ -66,6 +66,22 @@ class Reader {
   std::size_t at_ = 0;
 };
 
+template <class Io, class Instants>
+void transfer_instants(Io& io, Instants& instants) {
+  std::uint64_t count = instants.size();
+  io(count);
+  if constexpr (!std::is_const_v<Instants>) instants.resize(count);
+  for (auto& instant : instants) {
+    io(instant.time);
+    io(instant.id);
+    io(instant.position);
+    io(instant.orientation);
+    io(instant.velocity);
+    io(instant.tool_orientation);
+    io(instant.tool_displacement);
+  }
+}
+
 /// Passes every value of a checkpoint to `io`, a Writer or a Reader: one list, so that the two cannot differ.
 template <class Io, class Contents>
 void transfer(Io& io, Contents& checkpoint) {
@@ -103,6 +119,7 @@ void transfer(Io& io, Contents& checkpoint) {
   io(simulation.ledger);
   io(simulation.next_id);
   io(simulation.overlap);
+  transfer_instants(io, checkpoint.instants);
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "engine/state.h"
+#include "process/results/fill_result.h"
 #include "process/run/schedule.h"
 
 namespace diefill::process {
@@ -16,10 +17,11 @@ struct Checkpoint {
   std::uint64_t scene_hash = 0;
   engine::Snapshot simulation;
   ScheduleState schedule;
-  std::uint64_t grains_left = 0;     ///< spilled or discharged, out of the computation
-  std::uint64_t grains_sheared = 0;  ///< wedged between tools, out of the computation
-  double wall_seconds = 0;           ///< s of computing so far, over all sittings
-  std::uint64_t sphere_steps = 0;    ///< spheres times steps so far
+  std::uint64_t grains_left = 0;           ///< spilled or discharged, out of the computation
+  std::uint64_t grains_sheared = 0;        ///< wedged between tools, out of the computation
+  double wall_seconds = 0;                 ///< s of computing so far, over all sittings
+  std::uint64_t sphere_steps = 0;          ///< spheres times steps so far
+  std::vector<results::Instant> instants;  ///< kept so far; tools' poses in the laboratory frame
 };
 
 /// The file of a run's checkpoint in its results directory.

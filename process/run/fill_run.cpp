@@ -1,5 +1,6 @@
 #include "process/run/fill_run.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -115,6 +116,7 @@ void FillRun::start_or_resume() {
   grains_sheared_ = checkpoint->grains_sheared;
   earlier_wall_seconds_ = checkpoint->wall_seconds;
   sphere_steps_ = checkpoint->sphere_steps;
+  instants_ = checkpoint->instants;
   progress_.say("resuming at t = " + std::to_string(simulation_->time()) + " s");
 }
 
@@ -137,6 +139,7 @@ void FillRun::duties() {
   if (step % kHealthEvery == 0) health_.check(*simulation_);
   if (step % kLostEvery == 0) look_for_lost_grains();
   if (step % kSpillEvery == 0) let_spilled_grains_go();
+  if (scene_.measure.snapshot_interval > 0) keep_instant();
   bool stage_over = false;
   if (step % kScheduleEvery == 0) stage_over = schedule_.update(*simulation_);
   if (stage_over) {
@@ -186,6 +189,27 @@ std::string FillRun::shear_warning() const {
   return text;
 }
 
+void FillRun::keep_instant() {
+  // Counted in steps, so that a restart keeps the same instants.
+  const double interval = scene_.measure.snapshot_interval / simulation_->settings().time_step;
+  const auto every = static_cast<std::uint64_t>(std::max(1.0, std::round(interval)));
+  if (simulation_->steps() % every != 0) return;
+  const auto& grains = simulation_->grains();
+  results::Instant instant;
+  instant.time = simulation_->time();
+  instant.id = grains.id;
+  instant.position = grains.position;
+  instant.orientation = grains.orientation;
+  instant.velocity = grains.velocity;
+  for (std::size_t b = 0; b < tooling_.tools.size(); ++b) {
+    const auto& motion = simulation_->body_motion(b);
+    const Eigen::Quaterniond turn(motion.rotation);
+    instant.tool_orientation.emplace_back(turn.w(), turn.x(), turn.y(), turn.z());
+    instant.tool_displacement.push_back(motion.translation);
+  }
+  instants_.push_back(std::move(instant));
+}
+
 void FillRun::look_for_lost_grains() const {
   const auto& grains = simulation_->grains();
   for (std::size_t b = 0; b < tooling_.tools.size(); ++b) {
@@ -220,6 +244,7 @@ void FillRun::write_checkpoint() {
   checkpoint.grains_sheared = grains_sheared_;
   checkpoint.wall_seconds = wall_seconds();
   checkpoint.sphere_steps = sphere_steps_;
+  checkpoint.instants = instants_;
   try {
     process::write_checkpoint(options_.directory, checkpoint);
   } catch (const results::ResultError& error) {

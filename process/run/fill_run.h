@@ -42,6 +42,8 @@ class FillRun {
 
   const engine::Simulation& simulation() const { return *simulation_; }
   const Schedule& schedule() const { return schedule_; }
+  /// Instants kept on the way (measure.snapshot_interval); tools' poses in the laboratory frame.
+  const std::vector<results::Instant>& instants() const { return instants_; }
   std::uint64_t grains_left() const { return grains_left_; }
   /// Grains wedged between tools that were taken out (NumericsSpec::pinched).
   std::uint64_t grains_sheared() const { return grains_sheared_; }
@@ -57,6 +59,7 @@ class FillRun {
   void shear_off_pinched_grains();
   std::string shear_warning() const;
   void look_for_lost_grains() const;
+  void keep_instant();
   void write_checkpoint();
   void show_progress();
   std::uint64_t scene_hash() const;
@@ -72,6 +75,7 @@ class FillRun {
   Progress progress_;
   geometry::Box domain_;  ///< m, grains beyond it have been spilled or discharged
   std::vector<std::string> warnings_;
+  std::vector<results::Instant> instants_;
   std::uint64_t grains_left_ = 0, grains_sheared_ = 0, sphere_steps_ = 0;
   double earlier_wall_seconds_ = 0;
   std::chrono::steady_clock::time_point started_, last_checkpoint_;

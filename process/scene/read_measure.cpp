@@ -7,6 +7,7 @@ namespace {
 
 constexpr QuantityRule kHeight = {Dimension::length, "0 mm", "-10 m", "10 m"};
 constexpr QuantityRule kAveragingWidth = {Dimension::length, "0.5 mm", "0 mm", "100 mm", true};
+constexpr QuantityRule kSnapshotInterval = {Dimension::time, "50 ms", "0.1 ms", "1000 s"};
 
 SectionSpec read_section(TableReader& table) {
   SectionSpec section;
@@ -26,6 +27,8 @@ MeasureSpec read_measure(TableReader table) {
       table.quantity("averaging_width", kAveragingWidth).value_or(measure.averaging_width);
   measure.azimuth_bins =
       static_cast<int>(table.integer("azimuth_bins", 4, 360).value_or(measure.azimuth_bins));
+  measure.snapshot_interval =
+      table.quantity("snapshot_interval", kSnapshotInterval).value_or(measure.snapshot_interval);
   for (TableReader& section_table : table.tables("section")) {
     SectionSpec section = read_section(section_table);
     const auto same = [&section](const SectionSpec& other) { return other.name == section.name; };

@@ -122,6 +122,7 @@ struct MeasureSpec {
   double fill_plane = 0;       ///< m, height of the die's top
   double averaging_width = 0;  ///< m, sigma of Eq. 2.27; 0: the larger of 0.5 mm and d/2
   int azimuth_bins = 36;
+  double snapshot_interval = 0;  ///< s of simulated time between instants kept in the results; 0: none
   std::vector<SectionSpec> sections;  ///< empty: the plane through the cavity's axis along the shoe's motion
 };
 

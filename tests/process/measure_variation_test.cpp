@@ -1,104 +1,143 @@
-// How filling varies round a ring and over its height, against numbers worked out by hand.
 #include <gtest/gtest.h>
 
-#include <cmath>
-#include <numbers>
+#include <numeric>
 
-#include "process/measure/measure.h"
+#include "process/measure/coordination.h"
+#include "process/measure/earlier_instant.h"
+#include "process/measure/motion_field.h"
+#include "process/measure/variation.h"
+#include "tests/process/measure_sample.h"
 
 namespace diefill::process {
 namespace {
 
-const double kNone = std::nan("");
+const double kNan = std::nan("");
 
-results::CavityState ring() {
+results::Field2D small_map() {
+  return {"solid fraction",
+          "azimuth",
+          "deg",
+          "height",
+          "mm",
+          {0, 180, 360},
+          {1, 2},
+          {0.3, 0.4, 0.3, kNan, 0.5, kNan},
+          1e-3};
+}
+
+TEST(Variation, ProfilesCountBothEndsOfTheTurnOnce) {
+  const auto over_height = profile_over_height(small_map());
+  EXPECT_EQ(over_height.mean.x, (std::vector<double>{1, 2}));
+  EXPECT_NEAR(over_height.mean.y[0], 0.35, 1e-15);
+  EXPECT_NEAR(over_height.spread[0], 0.05, 1e-15);
+  EXPECT_EQ(over_height.mean.y[1], 0.5);
+  EXPECT_EQ(over_height.spread[1], 0);
+  const auto over_azimuth = profile_over_azimuth(small_map());
+  EXPECT_EQ(over_azimuth.mean.y[0], 0.3);
+  EXPECT_NEAR(over_azimuth.mean.y[1], 0.45, 1e-15);
+}
+
+TEST(Variation, DifferenceIsAfterMinusBeforeWhereBothHavePowder) {
+  auto after = small_map();
+  after.second = {1, 2, 3};
+  after.value = {0.31, kNan, 0.31, 0.2, 0.7, 0.2, 1, 1, 1};
+  const auto change = difference(small_map(), after);
+  EXPECT_NEAR(change.value[0], 0.01, 1e-15);
+  EXPECT_TRUE(std::isnan(change.value[1]));
+  EXPECT_TRUE(std::isnan(change.value[3]));
+  EXPECT_NEAR(change.value[4], 0.2, 1e-15);
+  after.first = {10, 170, 350};
+  EXPECT_THROW(difference(small_map(), after), std::invalid_argument);
+  after.first_name = "x";
+  EXPECT_THROW(difference(small_map(), after), std::invalid_argument);
+}
+
+TEST(Variation, HistogramSharesSumToOne) {
+  const auto counts = histogram("x", "1", {0.305, 0.307, 0.335, kNan, 0.349}, 0.01);
+  EXPECT_EQ(counts.grains, 4U);
+  ASSERT_EQ(counts.middle.size(), 5U);
+  EXPECT_NEAR(counts.middle.front(), 0.305, 1e-12);
+  EXPECT_NEAR(counts.share.front(), 0.5, 1e-15);
+  EXPECT_NEAR(std::accumulate(counts.share.begin(), counts.share.end(), 0.0), 1, 1e-15);
+  EXPECT_NEAR(counts.mean, 0.324, 1e-12);
+  EXPECT_TRUE(histogram("x", "1", {}, 0.1).middle.empty());
+}
+
+TEST(Coordination, CubicLatticeHasSixNeighboursInside) {
+  std::vector<Eigen::Vector3d> places;
+  for (int n = 0; n < 27; ++n) places.emplace_back(n % 3, n / 3 % 3, n / 9);
+  const auto numbers = coordination_numbers(powder_of(places, 1.0));
+  EXPECT_EQ(numbers[13], 6);
+  EXPECT_EQ(numbers[0], 3);
+  EXPECT_EQ(coordination_numbers(powder_of(places, 0.99))[13], 0);
+}
+
+TEST(Coordination, SeveralContactsOfTwoGrainsCountOnce) {
+  auto powder = powder_of({{0, 0, 0}, {0, 1, 0}}, 1.0);
+  powder.sphere_offsets = {{0, 0, 0}, {1, 0, 0}};
+  EXPECT_EQ(coordination_numbers(powder), (std::vector<int>{1, 1}));
+}
+
+results::CavityState wide_ring() {
   results::CavityState cavity;
   cavity.is_ring = true;
-  cavity.inner_radius = 8e-3;
-  cavity.outer_radius = 10e-3;
-  cavity.lower_corner = {-10e-3, -10e-3, -15e-3};
-  cavity.upper_corner = {10e-3, 10e-3, 0};
-  cavity.volume = 1.6e-6;
-  cavity.azimuth_zero = {1, 0, 0};
+  cavity.inner_radius = 4e-3;
+  cavity.outer_radius = 8e-3;
+  cavity.lower_corner = {-8e-3, -8e-3, -6e-3};
+  cavity.upper_corner = {8e-3, 8e-3, 0};
   return cavity;
 }
 
-/// One grain of 1e-9 m^3 at each azimuth (deg), all in the cavity.
-results::PowderState grains_at(const std::vector<double>& azimuths) {
-  results::PowderState powder;
-  powder.grain_solid_volume = 1e-9;
-  for (const double azimuth : azimuths) {
-    const double angle = azimuth * std::numbers::pi / 180;
-    powder.position.emplace_back(9e-3 * std::cos(angle), 9e-3 * std::sin(angle), -5e-3);
+std::vector<Eigen::Vector3d> ring_places() {
+  std::vector<Eigen::Vector3d> places;
+  for (double x = -7.75e-3; x < 8e-3; x += 0.5e-3)
+    for (double y = -7.75e-3; y < 8e-3; y += 0.5e-3)
+      for (double z = -5.75e-3; z < 0; z += 0.5e-3)
+        if (std::hypot(x, y) > 4e-3 && std::hypot(x, y) < 8e-3) places.emplace_back(x, y, z);
+  return places;
+}
+
+TEST(MotionField, TurnedAndSettledRingMovesRoundAndDown) {
+  const auto before = powder_of(ring_places());
+  auto after = before;
+  const Eigen::AngleAxisd turn(0.01, Eigen::Vector3d::UnitZ());
+  for (auto& place : after.position) place = turn * place - Eigen::Vector3d(0, 0, 0.02e-3);
+  const auto field =
+      unrolled_vectors(displacements(before, after, wide_ring()), wide_ring(), kDiameter, 0.5e-3);
+  ASSERT_GT(field.arrows.size(), 20U);
+  for (const auto& arrow : field.arrows) {
+    EXPECT_NEAR(arrow.along_first, 0.06, 0.006);  // mm at the middle radius
+    EXPECT_NEAR(arrow.along_second, -0.02, 1e-9);
   }
-  return powder;
 }
 
-TEST(SectorFilling, IsSolidVolumeOverTheSectorsVolume) {
-  const auto powder = grains_at({10, 80, 100, 300});
-  results::GrainSolidFraction fraction;
-  fraction.in_cavity = {1, 1, 1, 1};
-  const auto filling = sector_filling(powder, fraction, ring(), 4);
-  EXPECT_EQ(filling.x, (std::vector<double>{45, 135, 225, 315}));
-  const double one = 1e-9 / 0.4e-6;
-  const std::vector<double> grains = {2, 1, 0, 1};
-  for (std::size_t sector = 0; sector < 4; ++sector)
-    EXPECT_NEAR(filling.y[sector], one * grains[sector], 1e-15);
+TEST(MotionField, GrainsThatAreNotThereTwiceStayOut) {
+  const auto before = powder_of({{6e-3, 0, -3e-3}, {-6e-3, 0, -3e-3}, {20e-3, 0, -3e-3}});
+  auto after = before;
+  after.id = {0, 99, 2};
+  EXPECT_EQ(displacements(before, after, wide_ring()).place.size(), 1U);
 }
 
-TEST(SectorFilling, LeavesGrainsOutsideTheCavityOut) {
-  const auto powder = grains_at({10, 100});
-  results::GrainSolidFraction fraction;
-  fraction.in_cavity = {0, 1};
-  const auto filling = sector_filling(powder, fraction, ring(), 2);
-  EXPECT_EQ(filling.y[1], 0);
-  EXPECT_NEAR(filling.y[0], 1e-9 / 0.8e-6, 1e-15);
-}
-
-TEST(SectorFilling, WantsARing) {
-  EXPECT_THROW(sector_filling({}, {}, {}, 12), std::invalid_argument);
-  EXPECT_THROW(sector_filling({}, {}, ring(), 0), std::invalid_argument);
-}
-
-TEST(HeightProfile, AveragesRowsThatAreAtLeastHalfKnownAndCountsTheSeamOnce) {
-  const results::Field2D map{"solid fraction",
-                             "azimuth",
-                             "deg",
-                             "height",
-                             "mm",
-                             {0, 120, 240, 360},
-                             {0, 1, 2},
-                             {0.3, 0.4, 0.5, 0.3, 0.3, kNone, 0.5, 0.3, kNone, kNone, 0.5, kNone},
-                             5e-4};
-  const auto profile = height_profile(map);
-  EXPECT_EQ(profile.x, map.second);
-  EXPECT_NEAR(profile.y[0], 0.4, 1e-15);
-  EXPECT_NEAR(profile.y[1], 0.4, 1e-15);
-  EXPECT_TRUE(std::isnan(profile.y[2]));
-}
-
-TEST(RelativeRange, IsRangeOverMeanOfWhatIsKnown) {
-  EXPECT_NEAR(relative_range({"", "", "", "", {0, 1, 2, 3}, {0.2, kNone, 0.3, 0.4}}), 0.2 / 0.3, 1e-15);
-  EXPECT_EQ(relative_range({"", "", "", "", {0, 1}, {0.2, 0.2}}), 0);
-  EXPECT_TRUE(std::isnan(relative_range({"", "", "", "", {0}, {kNone}})));
-}
-
-TEST(BedSolidFraction, CountsOnlyDeepClosedCellsOutsideTheCavity) {
-  results::PowderState powder;
-  powder.grain_diameter = 1e-3;
-  powder.grain_solid_volume = 4e-10;
-  results::GrainSolidFraction fraction;
-  for (int layer = 0; layer < 4; ++layer) {
-    powder.position.emplace_back(0, 0, 1e-3 * layer);
-    fraction.cell_volume.push_back(1e-9 * (layer + 1));
-    fraction.solid_fraction.push_back(0.4 / (layer + 1));
-    fraction.open.push_back(0);
-    fraction.in_cavity.push_back(layer == 0);
-  }
-  EXPECT_NEAR(bed_solid_fraction(powder, fraction), 4e-10 / 2e-9, 1e-12);  // the second layer alone
-  EXPECT_NEAR(bulk_solid_fraction(powder, fraction), 8e-10 / 3e-9, 1e-12);
-  fraction.in_cavity.assign(4, 1);
-  EXPECT_TRUE(std::isnan(bed_solid_fraction(powder, fraction)));
+TEST(EarlierInstant, MovesPowderAndToolsBack) {
+  results::FillResult result;
+  result.powder = powder_of({{1, 0, 0}});
+  result.powder.time = 3;
+  result.tools.push_back({"shoe", "shoe", {{1, 0, 0}}, {}, {{0, 1, 0}}, 0.1, ""});
+  results::Instant instant{
+      1,          {7}, {{5, 0, 0}}, {{1, 0, 0, 0}}, {{0, 0, -1}}, {{std::sqrt(0.5), 0, 0, std::sqrt(0.5)}},
+      {{0, 0, 2}}};
+  result.instants = {instant};
+  instant.time = 2;
+  result.instants.push_back(instant);
+  const auto earlier = result_at(result, 1.1, false);
+  EXPECT_EQ(earlier.powder.time, 1);
+  EXPECT_EQ(earlier.powder.position.front(), Eigen::Vector3d(5, 0, 0));
+  EXPECT_TRUE(earlier.tools.front().vertices.front().isApprox(Eigen::Vector3d(0, 1, 2), 1e-12));
+  EXPECT_TRUE(earlier.tools.front().wall_sphere_centres.front().isApprox(Eigen::Vector3d(-1, 0, 2), 1e-12));
+  EXPECT_EQ(result_at(result, 2.9, false).powder.time, 3);
+  EXPECT_THROW(result_at(result, 9), std::invalid_argument);
+  result.instants.clear();
+  EXPECT_THROW(result_at(result, 1), std::invalid_argument);
 }
 
 }  // namespace

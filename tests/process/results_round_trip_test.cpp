@@ -39,6 +39,11 @@ class ByteArchive {
     add(items.size());
     for (const Item& item : items) body(item);
   }
+  template <class Item, class NameOf, class Body>
+  void optional_list(const std::string& name, const char* description, const std::vector<Item>& items,
+                     NameOf name_of, Body body) {
+    list(name, description, items, name_of, body);
+  }
   template <class MeaningOf>
   void numbers(const std::string&, const char*, const std::map<std::string, double>& values, MeaningOf) {
     for (const auto& [name, value] : values) {
@@ -95,6 +100,21 @@ TEST(ResultFile, GivesBackEveryBit) {
   EXPECT_TRUE(std::signbit(back.powder.velocity[0].z()));
 }
 
+TEST(ResultFile, NeedsNoInstants) {
+  const support::TemporaryFolder scratch;
+  FillResult result = sample_result();
+  result.instants.clear();
+  write_results(scratch.path(), result);
+  EXPECT_TRUE(read_results(scratch.path()).instants.empty());
+}
+
+TEST(ResultFile, InstantsNeedAPoseForEveryTool) {
+  const support::TemporaryFolder scratch;
+  FillResult result = sample_result();
+  result.instants.front().tool_displacement.pop_back();
+  EXPECT_THROW(write_results(scratch.path(), result), ResultError);
+}
+
 TEST(ResultFile, GivesBackManyGrains) {
   const support::TemporaryFolder scratch;
   const FillResult result = sample_result(40000);  // several chunks
@@ -132,6 +152,11 @@ class MeaningArchive {
   template <class Item, class NameOf, class Body>
   void list(const std::string&, const char*, const std::vector<Item>& items, NameOf, Body body) {
     for (const Item& item : items) body(item);
+  }
+  template <class Item, class NameOf, class Body>
+  void optional_list(const std::string& name, const char* description, const std::vector<Item>& items,
+                     NameOf name_of, Body body) {
+    list(name, description, items, name_of, body);
   }
   template <class MeaningOf>
   void numbers(const std::string&, const char*, const std::map<std::string, double>& values,

@@ -81,6 +81,12 @@ inline FillResult sample_result(int grains = 5) {
       {{"y z", {1, 2, 3}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, sample_field("solid fraction")}};
   result.profiles = {
       {"fill level", "mm", "azimuth", "deg", {45, 135, 225, 315}, {14.5, std::nan(""), 13.25, 14}}};
+  for (const double time : {0.1, 0.2}) {
+    const PowderState powder = sample_powder(3);
+    result.instants.push_back({time, powder.id, powder.position, powder.orientation, powder.velocity,
+                               std::vector<Eigen::Vector4d>(result.tools.size(), {0.6, 0, 0, 0.8}),
+                               std::vector<Eigen::Vector3d>(result.tools.size(), {time, 0, -1e-3})});
+  }
   result.figures = {{"filled_mass_kg", 1.0 / 3000.0},
                     {"grains", 65000},
                     {"spheres", 455000},

@@ -76,6 +76,7 @@ checkpoint_interval = "2 min"
   tables.measure = R"(fill_plane = "-1 mm"
 averaging_width = "0.7 mm"
 azimuth_bins = 72
+snapshot_interval = "20 ms"
 [[measure.section]]
 name = "across"
 origin = ["1 mm", "0 mm", "-2 mm"]
@@ -181,6 +182,7 @@ TEST_F(FullScene, KeepsNumericsAndMeasure) {
   EXPECT_DOUBLE_EQ(scene_.measure.fill_plane, -1e-3);
   EXPECT_DOUBLE_EQ(scene_.measure.averaging_width, 7e-4);
   EXPECT_EQ(scene_.measure.azimuth_bins, 72);
+  EXPECT_DOUBLE_EQ(scene_.measure.snapshot_interval, 0.02);
   ASSERT_EQ(scene_.measure.sections.size(), 2U);
   EXPECT_EQ(scene_.measure.sections[0].name, "across");
   EXPECT_TRUE(scene_.measure.sections[0].origin.isApprox(Eigen::Vector3d(1e-3, 0, -2e-3), 1e-14));
@@ -223,6 +225,7 @@ fill_height = "5 mm"
   EXPECT_EQ(scene.numerics.max_time, 0);
   EXPECT_EQ(scene.numerics.checkpoint_interval, 60);
   EXPECT_EQ(scene.measure.azimuth_bins, 36);
+  EXPECT_EQ(scene.measure.snapshot_interval, 0);
   EXPECT_TRUE(scene.measure.sections.empty());
 }
 

@@ -1,0 +1,270 @@
+// Pictures of fields: maps, sections, differences, velocities, displacements.
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <iterator>
+#include <numbers>
+#include <stdexcept>
+
+#include "app/picture_files.h"
+#include "process/measure/earlier_instant.h"
+#include "process/measure/measure.h"
+#include "process/measure/motion_field.h"
+#include "process/measure/partial_volumes.h"
+#include "process/measure/variation.h"
+#include "render/arrow_map.h"
+#include "render/difference_map.h"
+#include "render/tool_outline.h"
+
+namespace diefill::app {
+namespace {
+
+std::string in_seconds(double time) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.3f s", time);
+  return text;
+}
+
+results::Field2D map_of(const PictureRequest& request, const results::FillResult& result) {
+  return process::cylindrical_map(result.powder, result.solid_fraction, result.cavity,
+                                  request.averaging_width);
+}
+
+/// One scale for the fields of all sources.
+render::ColourRange shared_range(const PictureRequest& request, const std::vector<results::Field2D>& fields) {
+  std::vector<double> values;
+  for (const auto& field : fields) values.insert(values.end(), field.value.begin(), field.value.end());
+  const render::Interval range = render::robust_range(values);
+  return {std::isnan(request.lower) ? range.lower : request.lower,
+          std::isnan(request.upper) ? range.upper : request.upper};
+}
+
+render::FieldStyle style_of(const PictureRequest& request) {
+  render::FieldStyle style;
+  style.mark_mean = true;
+  style.pixels = pixels_of(request);
+  return style;
+}
+
+results::Field2D partial_volume_map_of(const PictureRequest& request, const results::FillResult& result) {
+  const auto& cavity = result.cavity;
+  const double depth = cavity.upper_corner.z() - cavity.lower_corner.z();
+  // Cells of two averaging widths each way: as much powder in each as a Gaussian weighs.
+  const double cell = 2 * request.averaging_width;
+  const int round =
+      static_cast<int>(std::lround(std::numbers::pi * (cavity.inner_radius + cavity.outer_radius) / cell));
+  return process::partial_volume_map(result.powder, cavity, std::clamp(round, 8, 360),
+                                     std::clamp(static_cast<int>(std::lround(depth / cell)), 4, 240));
+}
+
+/// The outermost rows again on the cavity's floor and fill plane, so that the picture covers its whole depth.
+results::Field2D over_whole_depth(results::Field2D map, const results::CavityState& cavity) {
+  const double depth = 1e3 * (cavity.upper_corner.z() - cavity.lower_corner.z());
+  const auto columns = static_cast<std::ptrdiff_t>(map.first.size());
+  const std::vector<double> lowest(map.value.begin(), map.value.begin() + columns);
+  const std::vector<double> highest(map.value.end() - columns, map.value.end());
+  map.value.insert(map.value.begin(), lowest.begin(), lowest.end());
+  map.value.insert(map.value.end(), highest.begin(), highest.end());
+  map.second.insert(map.second.begin(), 0);
+  map.second.push_back(depth);
+  return map;
+}
+
+/// A scale for what is full of powder: cells that the surface cuts through lie below it.
+render::ColourRange range_of_full_cells(const PictureRequest& request,
+                                        const std::vector<results::Field2D>& fields) {
+  constexpr double kFull = 0.75;  // of the median
+  std::vector<double> values;
+  for (const auto& field : fields)
+    std::copy_if(field.value.begin(), field.value.end(), std::back_inserter(values),
+                 [](double value) { return std::isfinite(value); });
+  if (values.empty()) return {request.lower, request.upper};
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  const double least = kFull * *middle;
+  std::erase_if(values, [least](double value) { return value < least; });
+  const render::Interval range = render::robust_range(values);
+  return {std::isnan(request.lower) ? range.lower : request.lower,
+          std::isnan(request.upper) ? range.upper : request.upper};
+}
+
+/// Slow powder in mm/s, so that the numbers stay readable.
+results::ArrowField in_readable_unit(results::ArrowField arrows) {
+  constexpr double kSlow = 0.02;  // m/s
+  arrows.unit = "m/s";
+  if (render::robust_range(arrows.field.value).upper > kSlow) return arrows;
+  arrows.unit = "mm/s";
+  for (double& value : arrows.field.value) value *= 1e3;
+  for (auto& arrow : arrows.arrows) {
+    arrow.along_first *= 1e3;
+    arrow.along_second *= 1e3;
+  }
+  return arrows;
+}
+
+void draw_difference(const PictureRequest& request, const results::Field2D& before,
+                     const results::Field2D& after, const std::string& title, const std::string& compared,
+                     const std::filesystem::path& file, Pictures& written) {
+  auto change = process::difference(before, after);
+  change.quantity = std::string("change of solid fraction");
+  render::FieldStyle style;
+  style.pixels = pixels_of(request);
+  const auto picture = render::compose_difference(change, title, compared, request.upper, style);
+  written.push_back(write_picture(request, file, picture.image));
+}
+
+struct TwoInstants {
+  results::FillResult before, after;
+};
+
+TwoInstants two_instants(const PictureRequest& request, const PictureSource& source) {
+  const auto& result = source.result;
+  if (!request.from && result.instants.empty()) process::result_at(result, -1);  // says what is missing
+  const double from = request.from ? *request.from : result.instants.back().time;
+  TwoInstants two{process::result_at(result, from),
+                  request.to ? process::result_at(result, *request.to) : result};
+  if (two.before.powder.time >= two.after.powder.time)
+    throw std::invalid_argument("--from " + in_seconds(two.before.powder.time) + " must come before --to " +
+                                in_seconds(two.after.powder.time));
+  return two;
+}
+
+std::string span_of(const TwoInstants& two) {
+  return "t = " + in_seconds(two.before.powder.time) + " to " + in_seconds(two.after.powder.time);
+}
+
+}  // namespace
+
+Pictures make_map(const PictureRequest& request) {
+  std::vector<results::Field2D> fields;
+  for (const auto& source : request.sources) fields.push_back(map_of(request, source.result));
+  const auto range = shared_range(request, fields);
+  Pictures written;
+  for (std::size_t n = 0; n < fields.size(); ++n) {
+    const auto& source = request.sources[n];
+    render::FieldStyle style = style_of(request);
+    style.outlines = render::fill_plane_outline(source.result.cavity, fields[n]);
+    const auto picture =
+        render::compose_field(fields[n], title_of(request, source), subtitle_of(source), range, style);
+    written.push_back(write_picture(request, file_of(request, "map", source), picture.image));
+  }
+  return written;
+}
+
+Pictures make_partial_volume_map(const PictureRequest& request) {
+  std::vector<results::Field2D> fields;
+  for (const auto& source : request.sources)
+    fields.push_back(over_whole_depth(partial_volume_map_of(request, source.result), source.result.cavity));
+  const auto range = range_of_full_cells(request, fields);
+  Pictures written;
+  for (std::size_t n = 0; n < fields.size(); ++n) {
+    const auto& source = request.sources[n];
+    render::FieldStyle style;
+    style.pixels = pixels_of(request);
+    style.note =
+        "exact partial volumes of cells over the whole ring width; cells at the surface partly filled";
+    const auto picture =
+        render::compose_field(fields[n], title_of(request, source), subtitle_of(source), range, style);
+    written.push_back(write_picture(request, file_of(request, "partial_volumes", source), picture.image));
+  }
+  return written;
+}
+
+Pictures make_section(const PictureRequest& request) {
+  std::vector<results::Field2D> fields;
+  std::vector<results::SectionPlane> planes;
+  for (const auto& source : request.sources) {
+    planes.push_back(request.plane_given ? request.plane : source.result.sections.front().plane);
+    fields.push_back(process::plane_section(source.result.powder, source.result.solid_fraction,
+                                            source.result.tools, planes.back(), request.averaging_width)
+                         .field);
+    if (fields.back().first.empty()) throw std::invalid_argument("section: no powder is near the plane");
+  }
+  const auto range = shared_range(request, fields);
+  Pictures written;
+  for (std::size_t n = 0; n < fields.size(); ++n) {
+    const auto& source = request.sources[n];
+    render::FieldStyle style = style_of(request);
+    style.outlines = render::tool_outlines(source.result.tools, planes[n]);
+    const auto picture =
+        render::compose_field(fields[n], title_of(request, source), subtitle_of(source), range, style);
+    written.push_back(write_picture(request, file_of(request, "section", source), picture.image));
+  }
+  return written;
+}
+
+Pictures make_difference(const PictureRequest& request) {
+  Pictures written;
+  const auto& first = request.sources.front();
+  if (request.from || request.to || request.sources.size() == 1) {
+    for (const auto& source : request.sources) {
+      const TwoInstants two = two_instants(request, source);
+      draw_difference(request, map_of(request, two.before), map_of(request, two.after),
+                      title_of(request, source), "Change from " + span_of(two),
+                      file_of(request, "difference", source), written);
+    }
+    return written;
+  }
+  const auto reference = map_of(request, first.result);
+  for (std::size_t n = 1; n < request.sources.size(); ++n) {
+    const auto& source = request.sources[n];
+    draw_difference(request, reference, map_of(request, source.result), source.name + " minus " + first.name,
+                    source.result.strategy + " compared with " + first.result.strategy,
+                    file_of(request, "difference", source), written);
+  }
+  return written;
+}
+
+Pictures make_displacement(const PictureRequest& request) {
+  Pictures written;
+  for (const auto& source : request.sources) {
+    const TwoInstants two = two_instants(request, source);
+    auto arrows = process::unrolled_vectors(
+        process::displacements(two.before.powder, two.after.powder, two.after.cavity), two.after.cavity,
+        two.after.powder.grain_diameter, request.averaging_width);
+    arrows.unit = "mm";
+    render::FieldStyle style;
+    style.pixels = pixels_of(request);
+    const auto picture =
+        render::compose_arrows(arrows, "displacement", title_of(request, source),
+                               source.result.powder_name + ", " + span_of(two), request.upper, style);
+    written.push_back(write_picture(request, file_of(request, "displacement", source), picture.image));
+  }
+  return written;
+}
+
+Pictures make_velocity_map(const PictureRequest& request) {
+  Pictures written;
+  for (const auto& source : request.sources) {
+    const auto arrows = in_readable_unit(
+        process::unrolled_vectors(process::velocities(source.result.powder), source.result.cavity,
+                                  source.result.powder.grain_diameter, request.averaging_width));
+    render::FieldStyle style;
+    style.pixels = pixels_of(request);
+    const auto picture = render::compose_arrows(arrows, "velocity", title_of(request, source),
+                                                subtitle_of(source), request.upper, style);
+    written.push_back(write_picture(request, file_of(request, "velocity", source), picture.image));
+  }
+  return written;
+}
+
+Pictures make_velocity_section(const PictureRequest& request) {
+  Pictures written;
+  for (const auto& source : request.sources) {
+    const auto plane = request.plane_given ? request.plane : source.result.sections.front().plane;
+    auto arrows = process::plane_vectors(process::velocities(source.result.powder), source.result, plane,
+                                         request.averaging_width);
+    if (arrows.field.first.empty())
+      throw std::invalid_argument("velocity-section: no powder is near the plane");
+    arrows = in_readable_unit(std::move(arrows));
+    render::FieldStyle style;
+    style.pixels = pixels_of(request);
+    style.outlines = render::tool_outlines(source.result.tools, plane);
+    const auto picture = render::compose_arrows(arrows, "velocity", title_of(request, source),
+                                                subtitle_of(source), request.upper, style);
+    written.push_back(write_picture(request, file_of(request, "velocity_section", source), picture.image));
+  }
+  return written;
+}
+
+}  // namespace diefill::app

@@ -1,0 +1,58 @@
+#include "app/picture_files.h"
+
+#include <cmath>
+#include <cstdio>
+
+#include "render/picture_file.h"
+
+namespace diefill::app {
+namespace {
+
+constexpr double kLayoutWidth = 1600;
+
+}  // namespace
+
+std::string title_of(const PictureRequest& request, const PictureSource& source) {
+  const auto& result = source.result;
+  const std::string title = result.strategy.empty() ? result.title : result.strategy;
+  return request.sources.size() > 1 ? source.name + ": " + title : title;
+}
+
+std::string subtitle_of(const PictureSource& source) {
+  const auto& powder = source.result.powder;
+  char text[160];
+  std::snprintf(text, sizeof text, ", grain size %.3g mm, t = %.3f s", 1e3 * powder.grain_diameter,
+                powder.time);
+  return source.result.powder_name + text;
+}
+
+std::filesystem::path file_of(const PictureRequest& request, const std::string& kind,
+                              const PictureSource& source) {
+  return request.out / (request.sources.size() > 1 ? kind + "_" + source.name + ".png" : kind + ".png");
+}
+
+double pixels_of(const PictureRequest& request) {
+  return request.width / kLayoutWidth;
+}
+
+std::filesystem::path write_picture(const PictureRequest& request, const std::filesystem::path& png,
+                                    const QImage& image) {
+  render::write_png(png, image, static_cast<int>(std::lround(request.width)));
+  return png;
+}
+
+std::vector<std::filesystem::path> write_chart(const PictureRequest& request, const std::string& kind,
+                                               render::Chart chart) {
+  chart.pixels = pixels_of(request);
+  const auto png = request.out / (kind + ".png"), pdf = request.out / (kind + ".pdf");
+  render::draw_chart(png, chart);
+  if (!request.pdf) return {png};
+  render::draw_chart_pdf(pdf, chart);
+  return {png, pdf};
+}
+
+std::string legend_of(const PictureRequest& request, const PictureSource& source) {
+  return request.sources.size() > 1 ? source.name : std::string();
+}
+
+}  // namespace diefill::app

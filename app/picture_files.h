@@ -1,0 +1,35 @@
+// What the makers of pictures share: titles, file names, writing at the width that was asked for.
+#pragma once
+
+#include "app/picture_kinds.h"
+#include "render/chart.h"
+
+class QImage;
+
+namespace diefill::app {
+
+/// "Strategy" of the source; with several sources its directory's name before it.
+std::string title_of(const PictureRequest& request, const PictureSource& source);
+
+/// Powder, grain size, time, and the directory's name as source.
+std::string subtitle_of(const PictureSource& source);
+
+/// DIR's file for a kind: kind.png, or kind_<name>.png where there are several sources.
+std::filesystem::path file_of(const PictureRequest& request, const std::string& kind,
+                              const PictureSource& source);
+
+/// Layout points to pixels for the width that was asked for.
+double pixels_of(const PictureRequest& request);
+
+/// Writes the picture scaled to exactly the width asked for; returns its path.
+std::filesystem::path write_picture(const PictureRequest& request, const std::filesystem::path& png,
+                                    const QImage& image);
+
+/// Writes a chart of all sources as kind.png, and kind.pdf where that was asked for.
+std::vector<std::filesystem::path> write_chart(const PictureRequest& request, const std::string& kind,
+                                               render::Chart chart);
+
+/// Legend name of a source: none where it is alone.
+std::string legend_of(const PictureRequest& request, const PictureSource& source);
+
+}  // namespace diefill::app

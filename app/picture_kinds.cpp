@@ -1,0 +1,45 @@
+#include "app/picture_kinds.h"
+
+#include <algorithm>
+
+#include "process/scene/nearest_key.h"
+
+namespace diefill::app {
+
+const std::vector<PictureKind>& picture_kinds() {
+  static const std::vector<PictureKind> kinds = {
+      {"map", "solid fraction over azimuth and height of a ring, Gaussian average", make_map},
+      {"partial-volumes", "the same by exact partial volumes of cells, without averaging width",
+       make_partial_volume_map},
+      {"section", "solid fraction in a plane (--origin, --normal)", make_section},
+      {"difference", "what changed: from the first DIR to each other one, or between --from and --to",
+       make_difference},
+      {"displacement", "where grains went between --from and --to, round the ring", make_displacement},
+      {"velocity", "velocities round the ring", make_velocity_map},
+      {"velocity-section", "velocities in a plane (--origin, --normal)", make_velocity_section},
+      {"height-profile", "solid fraction over height with its scatter round the ring", make_height_profile},
+      {"azimuth-profile", "solid fraction over azimuth with its scatter over height", make_azimuth_profile},
+      {"histogram", "how many grains have which solid fraction", make_histogram},
+      {"fill-level", "powder surface over azimuth", make_fill_level},
+      {"coordination", "how many grains touch how many others", make_coordination},
+      {"view", "shaded view (--colour-by, --tools, --camera, --ambient-occlusion)", make_view},
+      {"frames", "the filling as numbered views, and as film.mp4 where ffmpeg is installed", make_frames},
+  };
+  return kinds;
+}
+
+const PictureKind& picture_kind(const std::string& name) {
+  std::vector<std::string> names;
+  for (const auto& kind : picture_kinds()) {
+    if (kind.name == name) return kind;
+    names.emplace_back(kind.name);
+  }
+  std::string message = "--picture: found \"" + name + "\"";
+  if (const auto nearest = process::nearest_key(name, names))
+    message += "; did you mean \"" + *nearest + "\"?";
+  message += " Kinds:";
+  for (const auto& known : names) message += " " + known;
+  throw process::SceneError(message);
+}
+
+}  // namespace diefill::app

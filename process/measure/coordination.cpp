@@ -1,0 +1,29 @@
+#include "process/measure/coordination.h"
+
+#include <algorithm>
+
+#include "geometry/neighbour_grid.h"
+
+namespace diefill::process {
+
+std::vector<int> coordination_numbers(const results::PowderState& powder, double tolerance) {
+  const auto centres = powder.sphere_centres();
+  const std::size_t spheres = powder.sphere_offsets.size();
+  const double reach = 2 * powder.sphere_radius * (1 + tolerance);
+  const geometry::NeighbourGrid grid(centres, reach);
+  std::vector<int> numbers;
+  std::vector<std::size_t> touched;
+  for (std::size_t grain = 0; grain < powder.position.size(); ++grain) {
+    touched.clear();
+    for (std::size_t s = grain * spheres; s < (grain + 1) * spheres; ++s)
+      grid.for_each_within(centres[s], reach, [&](std::uint32_t other, const auto&, double) {
+        if (other / spheres != grain) touched.push_back(other / spheres);
+      });
+    std::sort(touched.begin(), touched.end());
+    const auto last = std::unique(touched.begin(), touched.end());
+    numbers.push_back(static_cast<int>(last - touched.begin()));
+  }
+  return numbers;
+}
+
+}  // namespace diefill::process

@@ -1,0 +1,15 @@
+// Contacts of every grain, found again from places alone.
+#pragma once
+
+#include <vector>
+
+#include "process/results/fill_result.h"
+
+namespace diefill::process {
+
+/// Number of other grains that every grain touches: at least one of its spheres overlaps one of theirs,
+/// within `tolerance` (of the sphere radius). Several contacts of the same two grains count once; walls do
+/// not count.
+std::vector<int> coordination_numbers(const results::PowderState& powder, double tolerance = 1e-9);
+
+}  // namespace diefill::process

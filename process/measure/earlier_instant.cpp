@@ -1,0 +1,73 @@
+#include "process/measure/earlier_instant.h"
+
+#include <Eigen/Geometry>
+#include <cmath>
+#include <cstdio>
+#include <stdexcept>
+
+#include "process/measure/measure.h"
+
+namespace diefill::process {
+namespace {
+
+std::string seconds(double time) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.4g s", time);
+  return text;
+}
+
+void refuse(const results::FillResult& result, double time) {
+  if (result.instants.empty())
+    throw std::invalid_argument(
+        "the results hold the end of the run only (t = " + seconds(result.powder.time) +
+        "); set measure.snapshot_interval in the scene and run it again to keep earlier times");
+  throw std::invalid_argument(
+      "no instant near t = " + seconds(time) + ": the results hold " +
+      std::to_string(result.instants.size()) + " from " + seconds(result.instants.front().time) + " to " +
+      seconds(result.instants.back().time) + ", and the end at " + seconds(result.powder.time));
+}
+
+}  // namespace
+
+results::ToolState tool_at(const results::ToolState& tool, const results::Instant& instant,
+                           std::size_t number) {
+  const Eigen::Vector4d& turn = instant.tool_orientation.at(number);
+  const Eigen::Matrix3d rotation = Eigen::Quaterniond(turn[0], turn[1], turn[2], turn[3]).toRotationMatrix();
+  results::ToolState moved = tool;
+  for (auto* points : {&moved.vertices, &moved.wall_sphere_centres})
+    for (auto& point : *points) point = rotation * point + instant.tool_displacement.at(number);
+  return moved;
+}
+
+results::FillResult result_at(const results::FillResult& result, double time, bool with_solid_fraction) {
+  const results::Instant* nearest = nullptr;
+  double distance = std::abs(result.powder.time - time), spacing = 0.02 * result.powder.time;
+  for (const auto& instant : result.instants) {
+    if (std::abs(instant.time - time) < distance) {
+      nearest = &instant;
+      distance = std::abs(instant.time - time);
+    }
+  }
+  if (result.instants.size() > 1) spacing = result.instants[1].time - result.instants[0].time;
+  if (distance > spacing) refuse(result, time);
+  if (nearest == nullptr) return result;
+  results::FillResult earlier = result;
+  earlier.maps.clear();
+  earlier.sections.clear();
+  earlier.profiles.clear();
+  earlier.powder.time = nearest->time;
+  earlier.powder.id = nearest->id;
+  earlier.powder.position = nearest->position;
+  earlier.powder.orientation = nearest->orientation;
+  earlier.powder.velocity = nearest->velocity;
+  earlier.powder.angular_velocity.clear();
+  for (std::size_t n = 0; n < earlier.tools.size(); ++n)
+    earlier.tools[n] = tool_at(result.tools[n], *nearest, n);
+  earlier.solid_fraction = {};
+  if (!with_solid_fraction) return earlier;
+  earlier.solid_fraction = measure_solid_fraction(earlier.powder, earlier.tools, earlier.cavity, {});
+  earlier.summary = summarise(earlier.powder, earlier.solid_fraction, earlier.cavity);
+  return earlier;
+}
+
+}  // namespace diefill::process

@@ -1,0 +1,27 @@
+// What a field's picture carries besides the field: scale, outlines, arrows, remarks.
+#pragma once
+
+#include <Eigen/Core>
+#include <string>
+#include <vector>
+
+#include "process/results/arrow_field.h"
+
+namespace diefill::render {
+
+/// A line on the picture, in the field's coordinates.
+using Outline = std::vector<Eigen::Vector2d>;
+
+struct FieldStyle {
+  bool diverging = false;   ///< a difference: colours run from less (blue) over 0 (white) to more (red)
+  bool mark_mean = false;   ///< an arrow at the scale and a remark give the mean of the nodes with powder
+  std::string unit;         ///< of the values; empty: none
+  std::string scale_label;  ///< of the colour scale; empty: the field's quantity
+  std::vector<Outline> outlines;            ///< cavity and tools
+  std::vector<results::PlaneArrow> arrows;  ///< drawn in black with a white edge
+  double arrow_length = 0;  ///< value (in `unit`) of the arrow in the legend; 0: from the arrows
+  std::string note;         ///< small print added at the foot, such as what was compared
+  double pixels = 1;        ///< picture points a layout point: 2 doubles the resolution
+};
+
+}  // namespace diefill::render

@@ -1,0 +1,16 @@
+// Where a plane cuts the tools: the outlines that a section shows.
+#pragma once
+
+#include "process/results/fill_result.h"
+#include "render/field_style.h"
+
+namespace diefill::render {
+
+/// Lines in which the tools' meshes meet the plane, in mm along its axes from its origin.
+std::vector<Outline> tool_outlines(const std::vector<results::ToolState>& tools,
+                                   const results::SectionPlane& plane);
+
+/// The fill plane as a line across a ring's map, where the map goes on beyond it.
+std::vector<Outline> fill_plane_outline(const results::CavityState& cavity, const results::Field2D& map);
+
+}  // namespace diefill::render

@@ -1,0 +1,157 @@
+// One picture of every kind from a results file alone, with no display.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <numbers>
+
+#include "process/results/result_file.h"
+#include "tests/app/program.h"
+#include "tests/support/temporary_folder.h"
+
+namespace diefill::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr double kSize = 1e-3;  // m, grains of one sphere
+
+void add_grain(results::FillResult& result, const Eigen::Vector3d& place) {
+  auto& powder = result.powder;
+  powder.id.push_back(powder.id.size());
+  powder.position.push_back(place);
+  powder.orientation.emplace_back(1, 0, 0, 0);
+  powder.velocity.emplace_back(-place.y(), place.x(), -1e-3);
+  powder.angular_velocity.push_back(Eigen::Vector3d::Zero());
+  result.solid_fraction.solid_fraction.push_back(0.5 + 5 * place.z());
+  result.solid_fraction.cell_volume.push_back(1e-9);
+  result.solid_fraction.open.push_back(place.z() > -1e-3);
+  result.solid_fraction.in_cavity.push_back(1);
+}
+
+/// A tetrahedron, so that there is a tool to cut and to move.
+results::ToolState small_tool() {
+  results::ToolState tool;
+  tool.name = tool.role = "shoe";
+  tool.vertices = {{-9e-3, -3e-3, 1e-3}, {9e-3, -3e-3, 1e-3}, {0, 6e-3, 1e-3}, {0, 0, 8e-3}};
+  tool.triangles = {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}};
+  return tool;
+}
+
+results::FillResult small_ring() {
+  results::FillResult result;
+  result.strategy = "1 passage at 0.2 m/s";
+  result.powder_name = "spheres";
+  result.powder.time = 0.3;
+  result.powder.grain_diameter = kSize;
+  result.powder.sphere_radius = kSize / 2;
+  result.powder.grain_solid_volume = std::numbers::pi / 6 * std::pow(kSize, 3);
+  result.powder.sphere_offsets = {Eigen::Vector3d::Zero()};
+  for (double z = -4.5e-3; z < 0; z += kSize)
+    for (double radius = 4.5e-3; radius < 8e-3; radius += kSize)
+      for (int k = 0; k < 30; ++k) {
+        const double angle = 2 * std::numbers::pi * k / 30;
+        add_grain(result, {radius * std::cos(angle), radius * std::sin(angle), z});
+      }
+  result.tools = {small_tool()};
+  result.cavity.is_ring = true;
+  result.cavity.inner_radius = 4e-3;
+  result.cavity.outer_radius = 8e-3;
+  result.cavity.lower_corner = {-8e-3, -8e-3, -5e-3};
+  result.cavity.upper_corner = {8e-3, 8e-3, 0};
+  result.cavity.volume = std::numbers::pi * 48e-6 * 5e-3;
+  results::SectionField section;
+  section.plane.name = "middle";
+  result.sections = {section};
+  for (const double time : {0.1, 0.2}) {
+    results::Instant instant{time,
+                             result.powder.id,
+                             result.powder.position,
+                             result.powder.orientation,
+                             result.powder.velocity,
+                             {{1, 0, 0, 0}},
+                             {{0.01 * time, 0, 0}}};
+    for (auto& place : instant.position) place *= 1 - 0.02 * time;
+    result.instants.push_back(instant);
+  }
+  return result;
+}
+
+class EveryPicture : public ::testing::Test {
+ protected:
+  static void SetUpTestSuite() { unsetenv("DISPLAY"); }
+  EveryPicture() {
+    results::write_results(one(), small_ring());
+    auto other = small_ring();
+    for (double& value : other.solid_fraction.solid_fraction) value += 0.01;
+    results::write_results(two(), other);
+  }
+  fs::path one() const { return folder_.path() / "one"; }
+  fs::path two() const { return folder_.path() / "two"; }
+  fs::path out() const { return folder_.path() / "out"; }
+  Outcome map(std::vector<std::string> more, bool both = false) const {
+    std::vector<std::string> arguments = {"map", one().string()};
+    if (both) arguments.push_back(two().string());
+    const std::vector<std::string> common = {"--out", out().string(), "--width", "400"};
+    arguments.insert(arguments.end(), common.begin(), common.end());
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return run_program(arguments);
+  }
+
+ private:
+  support::TemporaryFolder folder_;
+};
+
+/// Kinds as the help lists them.
+std::vector<std::string> kinds() {
+  const std::string help = run_program({"map", "--help"}).out;
+  std::vector<std::string> found;
+  std::size_t at = help.find("Kinds of picture:\n");
+  for (at = help.find('\n', at) + 1; help.compare(at, 2, "  ") == 0; at = help.find('\n', at) + 1)
+    found.push_back(help.substr(at + 2, help.find(' ', at + 2) - at - 2));
+  return found;
+}
+
+TEST_F(EveryPicture, IsMadeWithoutADisplay) {
+  const auto all = kinds();
+  ASSERT_GE(all.size(), 14U);
+  for (const auto& kind : all) {
+    SCOPED_TRACE(kind);
+    const Outcome outcome = map({"--picture", kind, "--pdf"});
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    const std::string first = outcome.out.substr(0, outcome.out.find('\n'));
+    EXPECT_TRUE(fs::exists(first)) << outcome.out;
+    EXPECT_EQ(support::contents(first).substr(1, 3), "PNG");
+  }
+  EXPECT_EQ(support::contents(out() / "histogram.pdf").substr(0, 5), "%PDF-");
+}
+
+TEST_F(EveryPicture, OfTwoRunsSharesTheirScale) {
+  const Outcome outcome =
+      map({"--picture", "map", "--picture", "difference", "--picture", "histogram"}, true);
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  for (const char* name : {"map_one.png", "map_two.png", "difference_two.png", "histogram.png"})
+    EXPECT_TRUE(fs::exists(out() / name)) << name;
+}
+
+TEST_F(EveryPicture, WrongWordsAreExplainedInOneLine) {
+  const std::vector<std::pair<std::vector<std::string>, std::string>> wrong = {
+      {{"--picture", "hystogram"}, "did you mean \"histogram\"?"},
+      {{"--picture", "section", "--normal", "0,0,0"}, "three numbers not all 0"},
+      {{"--picture", "view", "--camera", "behind"}, "azimuth and elevation"},
+      {{"--picture", "difference", "--from", "9 s"}, "the results hold 2 from 0.1 s to 0.2 s"},
+      {{"--picture", "displacement", "--from", "0.2 s", "--to", "0.1 s"}, "must come before"},
+      {{"--picture", "map", "--range", "0.4", "0.3"}, "must be below"},
+  };
+  for (const auto& [arguments, expected] : wrong) {
+    SCOPED_TRACE(expected);
+    const Outcome outcome = map(arguments);
+    EXPECT_EQ(outcome.exit_code, 2);
+    EXPECT_NE(outcome.err.find(expected), std::string::npos) << outcome.err;
+    EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
+  }
+}
+
+}  // namespace
+}  // namespace diefill::app
