@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <numbers>
 
 #include "process/measure/measure.h"
+#include "process/run/die_frame.h"
 
 #ifndef DIEFILL_VERSION
 #error "the build names the program's version in DIEFILL_VERSION"
@@ -45,11 +47,11 @@ results::ToolState tool_state(const Tool& tool, const engine::BodyMotion& motion
   return state;
 }
 
-/// Horizontal direction in which the first moving tool sets out; zero when none moves.
+/// Horizontal direction in which the first tool that goes anywhere sets out; zero when none does.
 Eigen::Vector3d first_motion(const Scene& scene) {
   constexpr int kInstants = 100;
   for (const auto& step : scene.steps) {
-    if (step->tool().empty() || !step->duration()) continue;
+    if (step->tools().empty() || step->stays() || step->open_ended()) continue;
     for (int n = 1; n < kInstants; ++n) {
       Eigen::Vector3d velocity = step->motion(*step->duration() * n / kInstants).velocity;
       velocity[2] = 0;
@@ -59,22 +61,42 @@ Eigen::Vector3d first_motion(const Scene& scene) {
   return Eigen::Vector3d::Zero();
 }
 
-results::CavityState cavity_state(const Scene& scene, const Tooling& tooling) {
-  const geometry::Cavity& found = tooling.cavity;
-  results::CavityState cavity;
-  cavity.is_ring = found.is_ring;
-  cavity.axis_origin = found.axis_origin;
-  cavity.inner_radius = found.inner_radius;
-  cavity.outer_radius = found.outer_radius;
-  if (found.found) {
-    cavity.lower_corner = found.box.lower;
-    cavity.upper_corner = found.box.upper;
+/// The cavity as it is now: foreseen, unless a step ended elsewhere than foreseen.
+results::CavityState cavity_now(const Scene& scene, const Tooling& tooling, const FillRun& run) {
+  constexpr double kAsForeseen = 1e-6;  // m
+  std::vector<ToolPose> poses;
+  const Stages& stages = run.schedule().stages();
+  const auto plan = foreseen(stages, kSettlingGuess);
+  constexpr double kLongAfter = 1e9;  // s
+  double off = 0;
+  for (std::size_t k = 0; k < tooling.tools.size(); ++k) {
+    const engine::BodyMotion& motion = run.simulation().body_motion(k);
+    ToolPose pose;
+    pose.rotation = motion.rotation;
+    pose.translation = motion.translation;
+    poses.push_back(pose);
+    if (tooling.tools[k].spec.role == ToolRole::shoe) continue;
+    const ToolPose planned = pose_of(stages, plan, tooling.tools[k].spec.name, kLongAfter);
+    off = std::max(
+        {off, (pose.translation - planned.translation).norm(),
+         (pose.rotation - planned.rotation).norm() * tooling.tools[k].mesh.bounding_box().size().norm()});
   }
-  cavity.volume = found.volume;
-  cavity.narrowest_width = found.narrowest_width;
+  results::CavityState cavity =
+      cavity_state(off > kAsForeseen ? cavity_between(scene, tooling, poses) : tooling.cavity);
   const Eigen::Vector3d direction = first_motion(scene);
   if (direction.norm() > 0) cavity.azimuth_zero = -direction;
   return cavity;
+}
+
+/// Where the die has been left away from its place, what that means for the results.
+std::vector<std::string> moved_die(const DieFrame& frame, const std::string& name) {
+  if (frame.at_home()) return {};
+  char text[200];
+  std::snprintf(text, sizeof text,
+                "tool \"%s\" ended %.3g mm and %.3g deg from where it began; all places in the results are "
+                "in its frame",
+                name.c_str(), 1e3 * frame.shift(), frame.turn() * 180 / std::numbers::pi);
+  return {text};
 }
 
 void add_figures(results::FillResult& result, const Tooling& tooling, const FillRun& run) {
@@ -190,15 +212,23 @@ results::FillResult assemble(const Scene& scene, const Tooling& tooling, const F
   result.program_version = program_version();
   result.seed = scene.seed;
   result.state_hash = hexadecimal(run.simulation().hash());
+  const DieFrame die(run.simulation().body_motion(tooling.die));
   result.powder = powder_state(scene, run.simulation());
-  for (std::size_t k = 0; k < tooling.tools.size(); ++k)
-    result.tools.push_back(tool_state(tooling.tools[k], run.simulation().body_motion(k)));
-  result.cavity = cavity_state(scene, tooling);
+  // A die that stands at its place up to rounding is not to blur results.
+  if (!die.at_home()) result.powder = die.powder(std::move(result.powder));
+  for (std::size_t k = 0; k < tooling.tools.size(); ++k) {
+    const engine::BodyMotion& motion = run.simulation().body_motion(k);
+    result.tools.push_back(tool_state(tooling.tools[k], die.at_home() ? motion : die.pose(motion)));
+  }
+  result.cavity = cavity_now(scene, tooling, run);
+  result.probes = run.probes();
   result.solid_fraction =
       measure_solid_fraction(result.powder, result.tools, result.cavity, scene.numerics.period);
   result.summary = summarise(result.powder, result.solid_fraction, result.cavity);
   add_figures(result, tooling, run);
   result.warnings = run.warnings();
+  for (auto& warning : moved_die(die, tooling.tools[tooling.die].spec.name))
+    result.warnings.push_back(std::move(warning));
   measure_fields(result, {scene.measure.averaging_width, wanted_sections(scene)}, scene.measure.azimuth_bins);
   return result;
 }

@@ -7,7 +7,9 @@
 #include <optional>
 
 #include "engine/state.h"
+#include "process/run/probes.h"
 #include "process/run/schedule.h"
+#include "process/run/snapshots.h"
 
 namespace diefill::process {
 
@@ -16,6 +18,8 @@ struct Checkpoint {
   std::uint64_t scene_hash = 0;
   engine::Snapshot simulation;
   ScheduleState schedule;
+  ProbesState probes;
+  std::vector<SnapshotState> snapshots;
   std::uint64_t grains_left = 0;   ///< spilled or discharged, out of the computation
   double wall_seconds = 0;         ///< s of computing so far, over all sittings
   std::uint64_t sphere_steps = 0;  ///< spheres times steps so far

@@ -79,10 +79,10 @@ struct PourSpec {
   double fill_height = 0;  ///< m, wanted depth of the settled powder over the box's floor
   double solid_fraction =
       0;  ///< estimate of the settled solid fraction, sets the number of grains; 0: from the preset
-  double rim_speed = 0.05;        ///< m/s of the initial random spin
+  double rim_speed = 0.05;  ///< m/s of the initial random spin
   /// Over d; 0: 1.2, or wider so that the lattice is at most a tenth solid (Bierwisch 2009, section 3.2.1).
   double lattice_constant = 0;
-  double random_offset = 0.1;     ///< over d, uniform in +- per axis
+  double random_offset = 0.1;  ///< over d, uniform in +- per axis
   int line = 0;
 };
 
@@ -105,6 +105,26 @@ struct NumericsSpec {
   bool energy_ledger = true;
   double max_time = 0;              ///< s of simulated time allowed in all; 0: no limit
   double checkpoint_interval = 60;  ///< s of wall-clock time
+};
+
+/// What a probe records while the scene runs.
+enum class ProbeQuantity { load, flow, filled_mass, fill_level, energy };
+
+/// One probe.
+struct ProbeSpec {
+  std::string name;
+  ProbeQuantity quantity = ProbeQuantity::load;
+  std::string tool;  ///< of a load
+  Eigen::Vector3d origin = Eigen::Vector3d::Zero(),
+                  normal = -Eigen::Vector3d::UnitZ();  ///< m, plane of a flow; counts along the normal
+  double interval = 1e-3;                              ///< s
+};
+
+/// The powder as results at one instant of the scene, or at several.
+struct SnapshotSpec {
+  std::string name;
+  std::optional<Condition> when;  ///< nothing: when the poured powder has come to rest
+  std::optional<double> every;    ///< s, again and again from then on
 };
 
 struct SectionSpec {
@@ -131,6 +151,8 @@ struct Scene {
   std::vector<ToolSpec> tools;
   PourSpec pour;
   std::vector<std::shared_ptr<Step>> steps;
+  std::vector<ProbeSpec> probes;
+  std::vector<SnapshotSpec> snapshots;
   NumericsSpec numerics;
   MeasureSpec measure;
   Eigen::Vector3d gravity = {0, 0, -9.81};  ///< m/s^2
