@@ -109,7 +109,7 @@ TEST(Strategies, GoOnAfterAKillAsIfNothingHadHappened) {
   shake(die);
   shake(other);
   ASSERT_EQ(other.run({"--quiet"}).exit_code, 0);
-  for (const int milliseconds : {1200, 1500, 1200}) {
+  for (const int milliseconds : {1200, 1500}) {
     Program program(die.run_arguments({"--resume", "--quiet"}));
     std::this_thread::sleep_for(std::chrono::milliseconds(milliseconds));
     program.send(SIGKILL);
@@ -158,7 +158,10 @@ interval = "10 ms"
   EXPECT_GT(report.at("filled_mass_kg").get<double>(), 0.3 * 64e-9 * 5397);
   const auto level = rows_of(die, "probe_level.csv"), flow = rows_of(die, "probe_flow.csv");
   EXPECT_NEAR(level.back().at(1), 4e-3, 0.8e-3);
-  EXPECT_NEAR(flow.back().at(1), report.at("filled_mass_kg").get<double>(), 1e-12);
+  // What is spilled over the die's edge goes through the same plane.
+  const double filled = report.at("filled_mass_kg").get<double>();
+  EXPECT_GE(flow.back().at(1), filled - 1e-12);
+  EXPECT_LE(flow.back().at(1), filled + report.at("mass_left_kg").get<double>() + 1e-12);
 }
 
 /// Powder at rest in the pocket, to be worked on.
@@ -175,7 +178,7 @@ TEST(Strategies, APistonReachesItsForce) {
   const SmallDie die;
   pour_into_the_pocket(die);
   die.exchange("[pour]", tool(die, "piston", "punch", cad::prism(cad::rectangle(-4.8, -1.2, -1.8, 1.8), 2, 4),
-                              "[\"0 mm\", \"0 mm\", \"0 mm\"]") +
+                              "[\"0 mm\", \"0 mm\", \"1 mm\"]") +
                              "[pour]");
   die.exchange(kPassage, R"([[step]]
 kind = "piston"
@@ -183,7 +186,7 @@ tool = "piston"
 direction = "-z"
 force = "0.05 N"
 speed_limit = "0.05 m/s"
-travel = "5.5 mm"
+travel = "6.5 mm"
 duration = "0.4 s"
 
 [[probe]]
