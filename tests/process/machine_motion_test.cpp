@@ -215,7 +215,7 @@ TEST_F(TableFile, GoesThroughItsPointsSmoothly) {
     EXPECT_NEAR(motion.motion(table.time[k]).translation.x(), table.position[k][0], 1e-15);
   expect_derivative([&](double t) { return motion.motion(t); }, *motion.duration(), 0.3);
   expect_smooth([&](double t) { return motion.motion(t); }, *motion.duration(), 0.3, 10);
-  EXPECT_EQ(motion.motion(0.4).velocity.norm(), 0);
+  EXPECT_NEAR(motion.motion(0.4).velocity.norm(), 0, 1e-15);
 }
 
 TEST_F(TableFile, SaysWhatIsWrongAndWhere) {

@@ -184,10 +184,10 @@ TEST(ResultFile, OtherSchemaVersionsAreRefused) {
   std::string text = contents(file);
   // An attribute message: name, type and dataspace, 16 + 16 + 8 bytes here, then the number itself.
   const std::size_t number = text.find("schema_version") + 40;
-  ASSERT_EQ(text.substr(number, 4), std::string("\1\0\0\0", 4));
-  text[number] = 2;
+  ASSERT_EQ(text.substr(number, 4), std::string("\2\0\0\0", 4));
+  text[number] = 3;
   put(file, text);
-  EXPECT_NE(message_of_reading(scratch.path()).find("schema version 2"), std::string::npos);
+  EXPECT_NE(message_of_reading(scratch.path()).find("schema version 3"), std::string::npos);
 }
 
 TEST(ResultFile, TruncatedFilesAreRefused) {

@@ -81,6 +81,8 @@ inline FillResult sample_result(int grains = 5) {
       {{"y z", {1, 2, 3}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, sample_field("solid fraction")}};
   result.profiles = {
       {"fill level", "mm", "azimuth", "deg", {45, 135, 225, 315}, {14.5, std::nan(""), 13.25, 14}}};
+  result.probes = {{"on the punch", {"time", "force z"}, {"s", "N"}, {0, 0.5, 1e-3, -0.25}},
+                   {"none yet", {"time", "mass"}, {"s", "kg"}, {}}};
   result.figures = {{"filled_mass_kg", 1.0 / 3000.0},
                     {"grains", 65000},
                     {"spheres", 455000},
