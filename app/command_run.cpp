@@ -6,6 +6,8 @@
 #include "app/drawing.h"
 #include "app/exit_code.h"
 #include "app/output.h"
+#include "process/results/group_names.h"
+#include "process/results/probe_table.h"
 #include "process/results/result_file.h"
 #include "process/run/assemble.h"
 #include "process/run/material.h"
@@ -75,6 +77,16 @@ int run(const RunArguments& arguments) {
   options.resume = arguments.resume;
   options.show_progress = !arguments.quiet;
   options.stop = &stop_asked;
+  const auto folder = [&](const std::string& name) {
+    return options.directory / "snapshots" / results::group_names({name}).front();
+  };
+  options.snapshot = [&](const process::FillRun& under_way, const std::string& name) {
+    write_output([&] {
+      const auto snapshot = process::assemble(scene, tooling, under_way);
+      results::write_results(folder(name), snapshot);
+      results::write_report(folder(name), snapshot);
+    });
+  };
   process::FillRun fill(scene, tooling, options);
   std::signal(SIGINT, ask_to_stop);
   std::signal(SIGTERM, ask_to_stop);
@@ -86,6 +98,7 @@ int run(const RunArguments& arguments) {
   write_output([&] {
     results::write_results(options.directory, result);
     results::write_report(options.directory, result);
+    results::write_probe_tables(options.directory, result);
     pictures = draw(options.directory, result);
   });
   std::filesystem::remove(process::checkpoint_file(options.directory));

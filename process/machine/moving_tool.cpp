@@ -22,4 +22,29 @@ std::string read_moving_tool(TableReader& table, const std::vector<ToolSpec>& to
   return tool.name;
 }
 
+std::vector<std::string> read_moving_tools(TableReader& table, const std::vector<ToolSpec>& tools) {
+  Choices<const ToolSpec*> names;
+  for (const ToolSpec& tool : tools) names.emplace_back(tool.name, &tool);
+  if (!table.has("tools")) return {table.required_choice("tool", names)->name};
+  if (table.has("tool")) table.reject("tool", "tools is given as well; leave one out");
+  const std::vector<std::string> wanted = table.texts("tools", tools.front().name);
+  for (auto name = wanted.begin(); name != wanted.end(); ++name) {
+    const bool known =
+        std::any_of(tools.begin(), tools.end(), [&](const ToolSpec& tool) { return tool.name == *name; });
+    if (known && std::find(wanted.begin(), name, *name) == name) continue;
+    std::string all;
+    for (const ToolSpec& tool : tools) all += (all.empty() ? "\"" : ", \"") + tool.name + '"';
+    table.reject("tools", (known ? "\"" + *name + "\" stands there twice" : "there is no \"" + *name + '"') +
+                              "; the tools of this scene are " + all);
+  }
+  return wanted;
+}
+
+std::string names_in_words(const std::vector<std::string>& names) {
+  std::string words;
+  for (std::size_t k = 0; k < names.size(); ++k)
+    words += (k == 0 ? "" : k + 1 == names.size() ? " and " : ", ") + names[k];
+  return words;
+}
+
 }  // namespace diefill::process

@@ -1,4 +1,4 @@
-// The tool that a step of the scene moves.
+// The tools that a step of the scene moves.
 #pragma once
 
 #include <string>
@@ -13,5 +13,12 @@ namespace diefill::process {
 /// SceneError.
 std::string read_moving_tool(TableReader& table, const std::vector<ToolSpec>& tools,
                              const std::vector<ToolRole>& allowed);
+
+/// The names under `tools` (a list) or `tool` (one), checked: each must be one of `tools`, none twice. Throws
+/// SceneError.
+std::vector<std::string> read_moving_tools(TableReader& table, const std::vector<ToolSpec>& tools);
+
+/// Such as "die, core rod and lower punch".
+std::string names_in_words(const std::vector<std::string>& names);
 
 }  // namespace diefill::process

@@ -37,10 +37,12 @@ class Passage final : public Step {
   /// here; powder inside the tool has then left the cavity by wall thickness plus clearance. Throws
   /// SceneError when the scene has no cavity, or the tool stands beyond it already.
   void prepare(const MachineContext& context) override;
-  std::string tool() const override { return spec_.tool; }
+  bool needs_cavity() const override { return true; }
+  std::vector<std::string> tools() const override { return {spec_.tool}; }
   /// s of all crossings and the pauses between them. Throws std::logic_error when not prepared.
   std::optional<double> duration() const override;
   ToolMotion motion(double time) const override;
+  double stopping_time(double) const override { return 2 * spec_.velocity / spec_.acceleration; }
   std::string in_words() const override;
 
   const PassageSpec& spec() const { return spec_; }

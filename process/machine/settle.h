@@ -17,6 +17,8 @@ class Settle final : public Step {
   /// `duration` in s; without one the step lasts until the powder is at rest.
   explicit Settle(std::optional<double> duration) : duration_(duration) {}
   std::optional<double> duration() const override { return duration_; }
+  /// Without a duration.
+  bool open_ended() const override { return !duration_; }
   std::string in_words() const override;
 
  private:

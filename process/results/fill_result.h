@@ -125,6 +125,13 @@ struct Profile {
   std::vector<double> x, y;    ///< NaN where nothing was found
 };
 
+/// What a probe recorded while the scene ran: a table whose first column is the time.
+struct ProbeSeries {
+  std::string name;
+  std::vector<std::string> columns, units;  ///< one a column
+  std::vector<double> values;               ///< row after row
+};
+
 /// Statistics of the grains' solid fractions in the cavity (closed cells at least 2 d below the powder
 /// surface).
 struct SolidFractionSummary {
@@ -166,6 +173,7 @@ struct FillResult {
   std::vector<SectionField> sections;
   std::vector<Profile> profiles;
   std::vector<Instant> instants;  ///< earlier times in rising order; empty unless the scene asks for them
+  std::vector<ProbeSeries> probes;
   std::map<std::string, double> figures;        ///< grains, spheres, wall_spheres, steps, time_step_s, ...
   std::map<std::string, double> phase_seconds;  ///< the engine's phase timers
   std::vector<std::string> warnings;            ///< for people, such as "d over ring width is beyond 1/3"

@@ -106,10 +106,6 @@ std::vector<std::string> Hdf5Reader::members() const {
   return names;
 }
 
-bool Hdf5Reader::has_group(const std::string& name) const {
-  return H5Lexists(file_.id(), (path_ + "/" + name).c_str(), H5P_DEFAULT) > 0;
-}
-
 std::string Hdf5Reader::file_text(const char* name) const {
   if (H5Aexists(file_.id(), name) <= 0) return {};
   Hdf5Handle attribute(H5Aopen(file_.id(), name, H5P_DEFAULT), H5Aclose);

@@ -185,6 +185,17 @@ void describe_instants(Archive& archive, Instants& instants) {
   });
 }
 
+template <class Archive, class Probes>
+void describe_probes(Archive& archive, Probes& probes) {
+  const auto name_of = [](const ProbeSeries& probe) { return probe.name; };
+  archive.list("probes", "what probes recorded while the scene ran", probes, name_of, [&](auto& probe) {
+    archive.field("name", probe.name, "text", "name of the probe in the scene");
+    archive.field("columns", probe.columns, "text", "names of the columns; the first is the time");
+    archive.field("units", probe.units, "text", "units of the columns");
+    archive.field("values", probe.values, "see units", "row after row, as many values each as columns");
+  });
+}
+
 template <class Archive, class Result>
 void describe_scene(Archive& archive, Result& result) {
   archive.group("scene", "what was run, enough to run it again", [&] {
@@ -213,6 +224,7 @@ void describe(Archive& archive, Result& result) {
   describe_sections(archive, result.sections);
   describe_profiles(archive, result.profiles);
   describe_instants(archive, result.instants);
+  describe_probes(archive, result.probes);
   archive.numbers("figures", "single numbers of the run, as in report.json", result.figures, figure_meaning);
   const auto phase_meaning = [](const std::string&) {
     return std::pair("s", "wall-clock time in this phase");

@@ -4,9 +4,11 @@
 #include <algorithm>
 #include <cstdio>
 #include <limits>
+#include <numbers>
 
 #include "process/measure/figures.h"
 #include "process/measure/measure.h"
+#include "process/run/die_frame.h"
 #include "process/run/topics.h"
 
 #ifndef DIEFILL_VERSION
@@ -49,11 +51,11 @@ results::ToolState tool_state(const Tool& tool, const engine::BodyMotion& motion
   return state;
 }
 
-/// Horizontal direction in which the first moving tool sets out; zero when none moves.
+/// Horizontal direction in which the first tool that goes anywhere sets out; zero when none does.
 Eigen::Vector3d first_motion(const Scene& scene) {
   constexpr int kInstants = 100;
   for (const auto& step : scene.steps) {
-    if (step->tool().empty() || !step->duration()) continue;
+    if (step->tools().empty() || step->stays() || step->open_ended()) continue;
     for (int n = 1; n < kInstants; ++n) {
       Eigen::Vector3d velocity = step->motion(*step->duration() * n / kInstants).velocity;
       velocity[2] = 0;
@@ -63,22 +65,42 @@ Eigen::Vector3d first_motion(const Scene& scene) {
   return Eigen::Vector3d::Zero();
 }
 
-results::CavityState cavity_state(const Scene& scene, const Tooling& tooling) {
-  const geometry::Cavity& found = tooling.cavity;
-  results::CavityState cavity;
-  cavity.is_ring = found.is_ring;
-  cavity.axis_origin = found.axis_origin;
-  cavity.inner_radius = found.inner_radius;
-  cavity.outer_radius = found.outer_radius;
-  if (found.found) {
-    cavity.lower_corner = found.box.lower;
-    cavity.upper_corner = found.box.upper;
+/// The cavity as it is now: foreseen, unless a step ended elsewhere than foreseen.
+results::CavityState cavity_now(const Scene& scene, const Tooling& tooling, const FillRun& run) {
+  constexpr double kAsForeseen = 1e-6;  // m
+  std::vector<ToolPose> poses;
+  const Stages& stages = run.schedule().stages();
+  const auto plan = foreseen(stages, kSettlingGuess);
+  constexpr double kLongAfter = 1e9;  // s
+  double off = 0;
+  for (std::size_t k = 0; k < tooling.tools.size(); ++k) {
+    const engine::BodyMotion& motion = run.simulation().body_motion(k);
+    ToolPose pose;
+    pose.rotation = motion.rotation;
+    pose.translation = motion.translation;
+    poses.push_back(pose);
+    if (tooling.tools[k].spec.role == ToolRole::shoe) continue;
+    const ToolPose planned = pose_of(stages, plan, tooling.tools[k].spec.name, kLongAfter);
+    off = std::max(
+        {off, (pose.translation - planned.translation).norm(),
+         (pose.rotation - planned.rotation).norm() * tooling.tools[k].mesh.bounding_box().size().norm()});
   }
-  cavity.volume = found.volume;
-  cavity.narrowest_width = found.narrowest_width;
+  results::CavityState cavity =
+      cavity_state(off > kAsForeseen ? cavity_between(scene, tooling, poses) : tooling.cavity);
   const Eigen::Vector3d direction = first_motion(scene);
   if (direction.norm() > 0) cavity.azimuth_zero = -direction;
   return cavity;
+}
+
+/// Where the die has been left away from its place, what that means for the results.
+std::vector<std::string> moved_die(const DieFrame& frame, const std::string& name) {
+  if (frame.at_home()) return {};
+  char text[200];
+  std::snprintf(text, sizeof text,
+                "tool \"%s\" ended %.3g mm and %.3g deg from where it began; all places in the results are "
+                "in its frame",
+                name.c_str(), 1e3 * frame.shift(), frame.turn() * 180 / std::numbers::pi);
+  return {text};
 }
 
 /// The run's instants, with tools' poses seen from where the tools are now.
@@ -96,11 +118,21 @@ std::vector<results::Instant> instants_of(const FillRun& run) {
   return instants;
 }
 
-/// s that the machine is at work: all steps that last a given time. Waiting for the powder to rest is not
-/// counted, a press does not wait for it.
-double cycle_time(const Scene& scene) {
-  double time = 0;
-  for (const auto& step : scene.steps) time += step->duration().value_or(0);
+/// s that the machine is at work: while any step is on that moves a tool or lasts a given time. Waiting for
+/// the powder to rest is not counted, a press does not wait for it.
+double cycle_time(const Scene& scene, const Schedule& schedule) {
+  std::vector<std::pair<double, double>> busy;
+  for (std::size_t k = 0; k < scene.steps.size(); ++k) {
+    const StepState& state = schedule.of_step(k);
+    if (state.is_over() && (!scene.steps[k]->tools().empty() || scene.steps[k]->duration()))
+      busy.emplace_back(state.started, state.ended);
+  }
+  std::sort(busy.begin(), busy.end());
+  double time = 0, counted = 0;
+  for (const auto& [start, end] : busy) {
+    time += std::max(0.0, end - std::max(start, counted));
+    counted = std::max(counted, end);
+  }
   return time;
 }
 
@@ -118,7 +150,7 @@ void add_figures(const Scene& scene, results::FillResult& result, const Tooling&
   figures["time_step_s"] = settings.time_step;
   figures["critical_time_step_s"] = run.critical_time_step();
   figures["time_step_fraction"] = settings.time_step / run.critical_time_step();
-  figures["cycle_time_s"] = cycle_time(scene);
+  figures["cycle_time_s"] = cycle_time(scene, run.schedule());
   figures["simulated_s"] = simulation.time();
   figures["wall_seconds"] = run.wall_seconds();
   figures["sphere_steps_per_second"] = static_cast<double>(run.sphere_steps()) / run.wall_seconds();
@@ -151,9 +183,11 @@ double shoe_speed(const Scene& scene) {
   constexpr int kInstants = 1000;
   std::vector<double> speeds;
   for (const auto& step : scene.steps) {
-    const auto moved = std::find_if(scene.tools.begin(), scene.tools.end(),
-                                    [&](const ToolSpec& tool) { return tool.name == step->tool(); });
-    if (moved == scene.tools.end() || moved->role != ToolRole::shoe || !step->duration()) continue;
+    const auto moved = step->tools();
+    const bool shoe = std::any_of(scene.tools.begin(), scene.tools.end(), [&](const ToolSpec& tool) {
+      return tool.role == ToolRole::shoe && std::find(moved.begin(), moved.end(), tool.name) != moved.end();
+    });
+    if (!shoe || !step->duration()) continue;
     for (int n = 1; n < kInstants; ++n) {
       const double speed = step->motion(*step->duration() * n / kInstants).velocity.head<2>().norm();
       if (speed > 0) speeds.push_back(speed);
@@ -283,16 +317,24 @@ results::FillResult assemble(const Scene& scene, const Tooling& tooling, const F
   result.program_version = program_version();
   result.seed = scene.seed;
   result.state_hash = hexadecimal(run.simulation().hash());
+  const DieFrame die(run.simulation().body_motion(tooling.die));
   result.powder = powder_state(scene, run.simulation());
-  for (std::size_t k = 0; k < tooling.tools.size(); ++k)
-    result.tools.push_back(tool_state(tooling.tools[k], run.simulation().body_motion(k)));
+  // A die that stands at its place up to rounding is not to blur results.
+  if (!die.at_home()) result.powder = die.powder(std::move(result.powder));
+  for (std::size_t k = 0; k < tooling.tools.size(); ++k) {
+    const engine::BodyMotion& motion = run.simulation().body_motion(k);
+    result.tools.push_back(tool_state(tooling.tools[k], die.at_home() ? motion : die.pose(motion)));
+  }
+  result.cavity = cavity_now(scene, tooling, run);
   result.instants = instants_of(run);
-  result.cavity = cavity_state(scene, tooling);
+  result.probes = run.probes();
   result.solid_fraction =
       measure_solid_fraction(result.powder, result.tools, result.cavity, scene.numerics.period);
   result.summary = summarise(result.powder, result.solid_fraction, result.cavity);
   add_figures(scene, result, tooling, run);
   result.warnings = run.warnings();
+  for (auto& warning : moved_die(die, tooling.tools[tooling.die].spec.name))
+    result.warnings.push_back(std::move(warning));
   measure_fields(result, {scene.measure.averaging_width, wanted_sections(scene)}, scene.measure.azimuth_bins);
   add_filling_figures(result, scene);
   result.tool_checks = tool_checks(tooling);

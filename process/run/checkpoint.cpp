@@ -13,7 +13,7 @@ namespace diefill::process {
 
 namespace {
 
-constexpr std::array<char, 8> kMagic = {'d', 'f', 'c', 'h', 'k', 'p', 't', '3'};
+constexpr std::array<char, 8> kMagic = {'d', 'f', 'c', 'h', 'k', 'p', 't', '4'};
 
 std::uint64_t hash_of(const std::string& bytes) {
   std::uint64_t hash = 0xcbf29ce484222325ULL;
@@ -90,10 +90,13 @@ void transfer(Io& io, Contents& checkpoint) {
   io(checkpoint.grains_sheared);
   io(checkpoint.wall_seconds);
   io(checkpoint.sphere_steps);
-  io(checkpoint.schedule.stage);
-  io(checkpoint.schedule.stage_start);
-  io(checkpoint.schedule.ends);
-  io(checkpoint.schedule.rest);
+  io(checkpoint.schedule.steps);
+  io(checkpoint.schedule.loads);
+  io(checkpoint.schedule.loads_summed);
+  io(checkpoint.schedule.last_update);
+  io(checkpoint.probes.probes);
+  io(checkpoint.probes.rows);
+  io(checkpoint.snapshots);
   auto& simulation = checkpoint.simulation;
   io(simulation.step);
   io(simulation.time);

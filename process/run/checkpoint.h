@@ -8,7 +8,9 @@
 
 #include "engine/state.h"
 #include "process/results/fill_result.h"
+#include "process/run/probes.h"
 #include "process/run/schedule.h"
+#include "process/run/snapshots.h"
 
 namespace diefill::process {
 
@@ -17,6 +19,8 @@ struct Checkpoint {
   std::uint64_t scene_hash = 0;
   engine::Snapshot simulation;
   ScheduleState schedule;
+  ProbesState probes;
+  std::vector<SnapshotState> snapshots;
   std::uint64_t grains_left = 0;           ///< spilled or discharged, out of the computation
   std::uint64_t grains_sheared = 0;        ///< wedged between tools, out of the computation
   double wall_seconds = 0;                 ///< s of computing so far, over all sittings

@@ -7,7 +7,10 @@
 
 #include "engine/pinched_grains.h"
 #include "geometry/solid_query.h"
+#include "process/machine/clear.h"
+#include "process/measure/cavity_position.h"
 #include "process/results/result_file.h"
+#include "process/run/die_frame.h"
 #include "process/run/material.h"
 #include "process/run/pour.h"
 
@@ -18,15 +21,13 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 // Duties fall on multiples of these steps, so that a restart does them when the unbroken run does.
-constexpr std::uint64_t kScheduleEvery = 20, kSpillEvery = 100, kHealthEvery = 200, kPinchEvery = 10,
-                        kLostEvery = 1000;
+constexpr std::uint64_t kScheduleEvery = 20, kSpillEvery = 100, kFeedEvery = 100, kHealthEvery = 200,
+                        kPinchEvery = 10, kLostEvery = 1000;
 /// Overlap over the sphere radius beyond which a grain between moving tools is sheared off: past all that
 /// free powder reaches, and short of engine::HealthLimits.
 constexpr double kShearingOverlap = 0.45;
 /// Of all grains poured: if more are sheared off, the run says nothing about the real powder.
 constexpr double kMostSheared = 0.005;
-/// s, guess for the time powder needs to come to rest; only for the progress bar.
-constexpr double kSettlingGuess = 0.25;
 
 double seconds_since(Clock::time_point then) {
   return std::chrono::duration<double>(Clock::now() - then).count();
@@ -48,6 +49,25 @@ std::vector<engine::WallBodySpec> wall_bodies(const Tooling& tooling) {
   return bodies;
 }
 
+/// m/s, of any tool's farthest point in any step.
+double fastest_tool(const Scene& scene, const Tooling& tooling) {
+  constexpr int kInstants = 200;
+  constexpr double kOpenEnded = 1;  // s, long enough to see what such a step does
+  double fastest = 0;
+  for (const auto& step : scene.steps) {
+    const double length = step->open_ended() ? kOpenEnded : step->duration().value_or(kOpenEnded);
+    for (const auto& name : step->tools()) {
+      const geometry::Box box = tooling.tools[tooling.index_of(name)].mesh.bounding_box();
+      for (int n = 0; n <= kInstants; ++n) {
+        const ToolMotion motion = step->motion(length * n / kInstants);
+        const double reach = (0.5 * (box.lower + box.upper) - motion.pivot).norm() + 0.5 * box.size().norm();
+        fastest = std::max(fastest, motion.velocity.norm() + motion.angular_velocity.norm() * reach);
+      }
+    }
+  }
+  return fastest;
+}
+
 }  // namespace
 
 double expected_impact_speed(const Scene& scene, double fall_height) {
@@ -62,11 +82,14 @@ FillRun::FillRun(const Scene& scene, const Tooling& tooling, const RunOptions& o
       options_(options),
       grain_diameter_(scene.powder.grain_diameter),
       schedule_(scene, tooling, grain_diameter_),
+      source_(scene, tooling),
+      probes_(scene, tooling),
+      snapshots_(scene),
       progress_(options.show_progress) {
   const auto grains = pour(scene, shape_of(scene), tooling);
   const double cavity_depth = tooling.cavity.found ? tooling.cavity.box.size()[2] : 0;
   const double fall = std::max(pour_height(scene, shape_of(scene)) - scene.pour.fill_height, cavity_depth);
-  const double impact = expected_impact_speed(scene, fall);
+  const double impact = std::max(expected_impact_speed(scene, fall), fastest_tool(scene, tooling));
   auto settings = engine_settings(scene, impact);
   settings.threads = options.threads;
   critical_step_ = process::critical_time_step(settings, impact);
@@ -97,6 +120,7 @@ FillRun::FillRun(const Scene& scene, const Tooling& tooling, const RunOptions& o
   started_ = last_checkpoint_ = Clock::now();
   schedule_.begin(*simulation_);
   simulation_->add_grains(grains);
+  probes_.begin(*simulation_);
 }
 
 void FillRun::start_or_resume() {
@@ -111,6 +135,8 @@ void FillRun::start_or_resume() {
                      ": the checkpoint belongs to another scene or other CAD files than " +
                      scene_.file.string() + "; run without --resume or name another directory");
   schedule_.begin(*simulation_, checkpoint->schedule);
+  probes_.restore(checkpoint->probes);
+  snapshots_.restore(checkpoint->snapshots);
   simulation_->restore(checkpoint->simulation);
   grains_left_ = checkpoint->grains_left;
   grains_sheared_ = checkpoint->grains_sheared;
@@ -125,6 +151,8 @@ void FillRun::run() {
   while (!schedule_.finished()) {
     simulation_->step();
     sphere_steps_ += simulation_->grains().size() * simulation_->settings().shape.spheres();
+    schedule_.observe(*simulation_);
+    probes_.observe(*simulation_);
     duties();
   }
   health_.check(*simulation_);
@@ -141,7 +169,11 @@ void FillRun::duties() {
   if (step % kSpillEvery == 0) let_spilled_grains_go();
   if (scene_.measure.snapshot_interval > 0) keep_instant();
   bool stage_over = false;
+  // Before the schedule forgets the loads it has summed.
+  if (step % kScheduleEvery == 0) take_snapshots();
   if (step % kScheduleEvery == 0) stage_over = schedule_.update(*simulation_);
+  if (stage_over) clear_powder();
+  if (step % kFeedEvery == 0 && source_.any()) let_powder_in();
   if (stage_over) {
     progress_.say("t = " + std::to_string(simulation_->time()) + " s: " + schedule_.in_words());
     look_for_lost_grains();
@@ -160,8 +192,41 @@ void FillRun::duties() {
 }
 
 void FillRun::let_spilled_grains_go() {
-  grains_left_ += simulation_->remove_grains(
-      [this](const Eigen::Vector3d& position) { return !domain_.contains(position); });
+  remove_grains([this](const Eigen::Vector3d& position) { return !domain_.contains(position); });
+}
+
+void FillRun::remove_grains(const std::function<bool(const Eigen::Vector3d&)>& leaves) {
+  grains_left_ += simulation_->remove_grains([&](const Eigen::Vector3d& position) {
+    const bool gone = leaves(position);
+    if (gone) probes_.count_removed(position, simulation_->settings().shape.mass, 1);
+    return gone;
+  });
+}
+
+void FillRun::let_powder_in() {
+  // Ids count all grains that ever were.
+  const std::uint64_t before = simulation_->grains().size() + grains_left_ + grains_sheared_;
+  source_.feed(*simulation_, schedule_);
+  const auto& grains = simulation_->grains();
+  for (std::size_t k = 0; k < grains.size(); ++k)
+    if (grains.id[k] >= before)
+      probes_.count_removed(grains.position[k], simulation_->settings().shape.mass, -1);
+}
+
+void FillRun::clear_powder() {
+  for (std::size_t k = 0; k < scene_.steps.size(); ++k) {
+    const PowderRemoval* removal = scene_.steps[k]->removal();
+    if (removal == nullptr || schedule_.of_step(k).started != simulation_->time()) continue;
+    results::CavityState cavity = cavity_state(tooling_.cavity);
+    cavity.upper_corner[2] += removal->heap;
+    const DieFrame die(simulation_->body_motion(tooling_.die));
+    remove_grains([&](const Eigen::Vector3d& place) { return !lies_in_cavity(cavity, die.point(place)); });
+  }
+}
+
+void FillRun::take_snapshots() {
+  for (const std::string& name : snapshots_.due(schedule_, *simulation_))
+    if (options_.snapshot) options_.snapshot(*this, name);
 }
 
 void FillRun::shear_off_pinched_grains() {
@@ -240,6 +305,8 @@ void FillRun::write_checkpoint() {
   checkpoint.scene_hash = scene_hash();
   checkpoint.simulation = simulation_->snapshot();
   checkpoint.schedule = schedule_.state();
+  checkpoint.probes = probes_.state();
+  checkpoint.snapshots = snapshots_.state();
   checkpoint.grains_left = grains_left_;
   checkpoint.grains_sheared = grains_sheared_;
   checkpoint.wall_seconds = wall_seconds();

@@ -1,5 +1,5 @@
 // One filling from scene to rest: pours, steps the simulation through the schedule, lets spilled grains go,
-// watches the method's limits, keeps checkpoints.
+// watches the method's limits, records probes, keeps checkpoints.
 #pragma once
 
 #include <atomic>
@@ -9,11 +9,16 @@
 
 #include "engine/health.h"
 #include "process/run/checkpoint.h"
+#include "process/run/powder_source.h"
+#include "process/run/probes.h"
 #include "process/run/progress.h"
 #include "process/run/schedule.h"
+#include "process/run/snapshots.h"
 #include "process/run/tooling.h"
 
 namespace diefill::process {
+
+class FillRun;
 
 /// How to run, as opposed to what.
 struct RunOptions {
@@ -23,6 +28,9 @@ struct RunOptions {
   bool show_progress = true;
   const std::atomic<bool>* stop =
       nullptr;  ///< set from a signal handler: stop at the next step with a checkpoint
+  /// Called with the name of every snapshot whose time has come; after a restart possibly once more, in the
+  /// same state.
+  std::function<void(const FillRun&, const std::string&)> snapshot;
 };
 
 /// The user stopped the run; a checkpoint has been written.
@@ -42,11 +50,13 @@ class FillRun {
 
   const engine::Simulation& simulation() const { return *simulation_; }
   const Schedule& schedule() const { return schedule_; }
-  /// Instants kept on the way (measure.snapshot_interval); tools' poses in the laboratory frame.
-  const std::vector<results::Instant>& instants() const { return instants_; }
+  /// Grains spilled, discharged or cleared away.
   std::uint64_t grains_left() const { return grains_left_; }
   /// Grains wedged between tools that were taken out (NumericsSpec::pinched).
   std::uint64_t grains_sheared() const { return grains_sheared_; }
+  /// Instants kept on the way (measure.snapshot_interval); tools' poses in the laboratory frame.
+  const std::vector<results::Instant>& instants() const { return instants_; }
+  std::vector<results::ProbeSeries> probes() const { return probes_.series(); }
   double wall_seconds() const;
   std::uint64_t sphere_steps() const { return sphere_steps_; }
   double critical_time_step() const { return critical_step_; }
@@ -58,6 +68,10 @@ class FillRun {
   void let_spilled_grains_go();
   void shear_off_pinched_grains();
   std::string shear_warning() const;
+  void let_powder_in();
+  void clear_powder();
+  void remove_grains(const std::function<bool(const Eigen::Vector3d&)>& leaves);
+  void take_snapshots();
   void look_for_lost_grains() const;
   void keep_instant();
   void write_checkpoint();
@@ -71,6 +85,9 @@ class FillRun {
   double critical_step_;
   std::unique_ptr<engine::Simulation> simulation_;
   Schedule schedule_;
+  PowderSource source_;
+  Probes probes_;
+  Snapshots snapshots_;
   engine::Health health_;
   Progress progress_;
   geometry::Box domain_;  ///< m, grains beyond it have been spilled or discharged

@@ -58,7 +58,7 @@ double shortest_pinch_step(const Scene& scene, const engine::SimulationSettings&
   constexpr double kDeepest = 1.0;  // over the sphere radius: its centre at the tool's surface
   const double overlap = kDeepest * settings.shape.sphere_radius;
   double shortest = std::numeric_limits<double>::infinity();
-  const auto moves = [](const std::shared_ptr<Step>& step) { return !step->tool().empty(); };
+  const auto moves = [](const std::shared_ptr<Step>& step) { return !step->tools().empty(); };
   if (std::none_of(scene.steps.begin(), scene.steps.end(), moves)) return shortest;
   for (const ToolSpec& tool : scene.tools) {
     const double radius = tool.sphere_radius.value_or(scene.walls.sphere_radius);

@@ -1,34 +1,85 @@
 #include "process/run/reachable_surface.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
+#include <set>
 
+#include "process/run/stages.h"
 #include "process/run/tooling.h"
 
 namespace diefill::process {
 
 namespace {
 
-/// Poses of all tools in turn: at the start, then in even distances through every step.
-std::vector<std::vector<ToolPose>> sampled_poses(const Scene& scene, const Tooling& tooling,
-                                                 double distance) {
-  std::vector<std::vector<ToolPose>> samples(1, std::vector<ToolPose>(tooling.tools.size()));
-  for (const auto& step : scene.steps) {
-    if (step->tool().empty() || !step->duration()) continue;
-    const std::size_t k = tooling.index_of(step->tool());
-    const std::vector<ToolPose> before = samples.back();
-    // Fine in time, then only those kept that have moved on by `distance`: a passage to and fro is sampled
-    // once a way.
-    constexpr int kInstants = 2000;
-    Eigen::Vector3d last = before[k].translation;
-    for (int n = 1; n <= kInstants; ++n) {
-      const ToolPose pose = compose(step->motion(*step->duration() * n / kInstants), before[k]);
-      if (n < kInstants && (pose.translation - last).norm() < distance) continue;
-      last = pose.translation;
-      samples.push_back(before);
-      samples.back()[k] = pose;
+using Poses = std::vector<ToolPose>;
+
+/// m, how far any corner of the box is apart in two poses.
+double distance_between(const geometry::Box& box, const ToolPose& one, const ToolPose& other) {
+  double farthest = 0;
+  for (int corner = 0; corner < 8; ++corner) {
+    const Eigen::Vector3d point((corner & 1) != 0 ? box.upper[0] : box.lower[0],
+                                (corner & 2) != 0 ? box.upper[1] : box.lower[1],
+                                (corner & 4) != 0 ? box.upper[2] : box.lower[2]);
+    farthest = std::max(
+        farthest, ((one.rotation - other.rotation) * point + one.translation - other.translation).norm());
+  }
+  return farthest;
+}
+
+double largest_distance(const Tooling& tooling, const Poses& one, const Poses& other) {
+  double farthest = 0;
+  for (std::size_t k = 0; k < one.size(); ++k)
+    farthest = std::max(farthest, distance_between(tooling.tools[k].mesh.bounding_box(), one[k], other[k]));
+  return farthest;
+}
+
+/// Of a step that moves tools about their place, the two instants when they are farthest apart.
+std::array<double, 2> extremes(const Step& step, const StepState& state, const geometry::Box& box) {
+  constexpr int kInstants = 2000;
+  const double length = state.ended - state.started;
+  const auto farthest_from = [&](const ToolPose& pose) {
+    double best = 0, farthest = -1;
+    for (int n = 0; n <= kInstants; ++n) {
+      const double time = length * n / kInstants;
+      const double distance = distance_between(box, compose(step.motion(time), {}), pose);
+      if (distance > farthest) {
+        farthest = distance;
+        best = time;
+      }
     }
+    return best;
+  };
+  const double one = farthest_from({});
+  return {state.started + one, state.started + farthest_from(compose(step.motion(one), {}))};
+}
+
+/// Poses of all tools as time goes on: at the start, then whenever one has moved on by `distance`, at the end
+/// of every step, and where shaken tools are farthest out. Fine in time first, so that a passage to and fro
+/// is sampled once a way.
+std::vector<Poses> sampled_poses(const Scene& scene, const Tooling& tooling, double distance) {
+  const Stages stages(scene);
+  const auto states = foreseen(stages, kSettlingGuess);
+  constexpr int kInstants = 2000;
+  auto times = instants(stages, states, kInstants);
+  std::set<double> wanted;
+  for (std::size_t s = 0; s < stages.size(); ++s) {
+    const Step& step = *stages.steps[s];
+    if (step.tools().empty()) continue;
+    wanted.insert(states[s].ended);
+    if (!step.stays() || step.control() != nullptr) continue;
+    const auto& tool = tooling.tools[tooling.index_of(step.tools().front())];
+    for (const double time : extremes(step, states[s], tool.mesh.bounding_box())) wanted.insert(time);
+  }
+  times.insert(times.end(), wanted.begin(), wanted.end());
+  std::sort(times.begin(), times.end());
+  std::vector<Poses> samples(1, Poses(tooling.tools.size()));
+  for (const double time : times) {
+    Poses poses;
+    for (const auto& tool : tooling.tools) poses.push_back(pose_of(stages, states, tool.spec.name, time));
+    const double moved = largest_distance(tooling, poses, samples.back());
+    if (moved >= distance || (moved > 0 && wanted.contains(time))) samples.push_back(std::move(poses));
   }
   return samples;
 }

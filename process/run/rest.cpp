@@ -4,8 +4,6 @@ namespace diefill::process {
 
 namespace {
 
-constexpr double kQuietEnergy = 1e-4;    // of m g d
-constexpr double kQuietTime = 0.01;      // s
 constexpr double kStillDistance = 1e-3;  // of d
 constexpr double kStillTime = 0.1;       // s
 
@@ -29,16 +27,19 @@ double kinetic_energy(const engine::Simulation& simulation) {
 
 }  // namespace
 
-bool RestWatch::at_rest(const engine::Simulation& simulation, double grain_diameter) {
+bool RestWatch::at_rest(const engine::Simulation& simulation, double grain_diameter,
+                        const std::optional<RestLimits>& limits) {
   if (simulation.grains().size() == 0) return true;
   const double now = simulation.time();
   const auto& settings = simulation.settings();
-  const double limit = kQuietEnergy * settings.shape.mass * settings.gravity.norm() * grain_diameter;
+  const RestLimits quiet = limits.value_or(RestLimits{});
+  const double limit = quiet.energy * settings.shape.mass * settings.gravity.norm() * grain_diameter;
   if (kinetic_energy(simulation) > limit)
     quiet_since = -1;
   else if (quiet_since < 0)
     quiet_since = now;
-  if (quiet_since >= 0 && now - quiet_since >= kQuietTime) return true;
+  if (quiet_since >= 0 && now - quiet_since >= quiet.time) return true;
+  if (limits) return false;
 
   const Eigen::Vector3d centre = centre_of_mass(simulation.grains());
   if (still_since < 0 || (centre - place).norm() > kStillDistance * grain_diameter) {

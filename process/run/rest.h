@@ -1,7 +1,10 @@
 // When powder is at rest (Bierwisch 2009 gives no criterion; OP-27 recommends this one).
 #pragma once
 
+#include <optional>
+
 #include "engine/simulation.h"
+#include "process/machine/condition.h"
 
 namespace diefill::process {
 
@@ -13,8 +16,10 @@ struct RestWatch {
       -1;  ///< s, when the centre of mass was last where `place` says; negative: not yet asked
   Eigen::Vector3d place = Eigen::Vector3d::Zero();  ///< m
 
-  /// Asks at the simulation's present time; true once the powder is at rest. `grain_diameter` d in m.
-  bool at_rest(const engine::Simulation& simulation, double grain_diameter);
+  /// Asks at the simulation's present time; true once the powder is at rest. `grain_diameter` d in m. With
+  /// `limits` of one's own the kinetic energy alone decides.
+  bool at_rest(const engine::Simulation& simulation, double grain_diameter,
+               const std::optional<RestLimits>& limits = std::nullopt);
 };
 
 }  // namespace diefill::process

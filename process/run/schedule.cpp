@@ -2,109 +2,217 @@
 
 #include <algorithm>
 
-#include "process/machine/settle.h"
+#include "process/machine/powder_inflow.h"
+#include "process/run/die_frame.h"
 
 namespace diefill::process {
 
 namespace {
 
-engine::BodyMotion body_motion(const ToolPose& pose) {
-  return {pose.rotation, pose.translation, pose.velocity, pose.angular_velocity};
+bool asks_for_loads(const Step& step) {
+  const auto by_force = [](const std::optional<Condition>& condition) {
+    return condition && condition->force.has_value();
+  };
+  return step.control() != nullptr || by_force(step.plan.start) || by_force(step.plan.until);
 }
 
-ToolPose standing_still(ToolPose pose) {
-  pose.velocity.setZero();
-  pose.angular_velocity.setZero();
-  return pose;
+engine::BodyMotion body_motion(const ToolPose& pose) {
+  return {pose.rotation, pose.translation, pose.velocity, pose.angular_velocity};
 }
 
 }  // namespace
 
 Schedule::Schedule(const Scene& scene, const Tooling& tooling, double grain_diameter)
-    : tooling_(tooling), grain_diameter_(grain_diameter) {
-  stages_.push_back(std::make_shared<Settle>(std::nullopt));
-  stages_.insert(stages_.end(), scene.steps.begin(), scene.steps.end());
-  if (stages_.back()->duration()) stages_.push_back(std::make_shared<Settle>(std::nullopt));
+    : tooling_(tooling), grain_diameter_(grain_diameter), stages_(scene) {
+  for (const auto& step : stages_.steps) needs_loads_ = needs_loads_ || asks_for_loads(*step);
+  for (const auto& snapshot : scene.snapshots)
+    needs_loads_ = needs_loads_ || (snapshot.when && snapshot.when->force.has_value());
 }
 
 void Schedule::begin(engine::Simulation& simulation, const ScheduleState& state) {
   state_ = state;
+  state_.steps.resize(stages_.size());
+  if (needs_loads_) state_.loads.resize(tooling_.tools.size());
+  if (state_.steps.front().waits()) state_.steps.front().started = simulation.time();
   set_motions(simulation);
+}
+
+void Schedule::observe(const engine::Simulation& simulation) {
+  if (!needs_loads_) return;
+  for (std::size_t k = 0; k < state_.loads.size(); ++k) {
+    state_.loads[k].force += simulation.wall_load(k).force;
+    state_.loads[k].torque += simulation.wall_load(k).torque;
+  }
+  ++state_.loads_summed;
 }
 
 bool Schedule::update(engine::Simulation& simulation) {
   if (finished()) return false;
-  const auto duration = stages_[state_.stage]->duration();
-  const bool over = duration ? simulation.time() - state_.stage_start >= *duration
-                             : state_.rest.at_rest(simulation, grain_diameter_);
-  if (!over) return false;
-  ++state_.stage;
-  state_.ends.push_back(simulation.time());
-  state_.stage_start = simulation.time();
-  state_.rest = {};
-  set_motions(simulation);
-  return true;
-}
-
-void Schedule::set_motions(engine::Simulation& simulation) const {
-  for (std::size_t k = 0; k < tooling_.tools.size(); ++k) {
-    const ToolPose before = pose_before(state_.stage, k);
-    const bool on_the_move = !finished() && stages_[state_.stage]->tool() == tooling_.tools[k].spec.name;
-    if (!on_the_move) {
-      simulation.set_motion(k, [still = body_motion(before)](double) { return still; });
-      continue;
+  const double now = simulation.time();
+  bool changed = false;
+  for (std::size_t k = 0; k < stages_.size(); ++k) {
+    StepState& state = state_.steps[k];
+    if (state.waits() ? !starts(k, simulation) : !state.is_on() || !ends(k, simulation)) continue;
+    (state.waits() ? state.started : state.ended) = now;
+    if (state.is_over()) {
+      state.control.coordinate = state.control.coordinate_at(now);
+      state.control.rate = 0;
     }
-    simulation.set_motion(k, [step = stages_[state_.stage], before, start = state_.stage_start](double time) {
-      const double since = std::clamp(time - start, 0.0, *step->duration());
-      return body_motion(compose(step->motion(since), before));
-    });
+    state.control.since = now;
+    changed = true;
   }
+  const bool controlled = control(simulation);
+  for (auto& load : state_.loads) load = {};
+  state_.loads_summed = 0;
+  state_.last_update = now;
+  if (changed || controlled) set_motions(simulation);
+  return changed;
 }
 
-ToolPose Schedule::pose_before(std::size_t stage, std::size_t k) const {
-  ToolPose pose;
-  for (std::size_t s = 0; s < std::min(stage, stages_.size()); ++s)
-    if (stages_[s]->tool() == tooling_.tools[k].spec.name && stages_[s]->duration())
-      pose = standing_still(compose(stages_[s]->motion(*stages_[s]->duration()), pose));
-  return pose;
+bool Schedule::starts(std::size_t k, const engine::Simulation& simulation) {
+  const auto& start = stages_.steps[k]->plan.start;
+  if (start) return holds(*start, state_.steps[k].start, simulation);
+  if (!(stages_.settle_added && k + 1 == stages_.size())) return state_.steps[k - 1].is_over();
+  return std::all_of(state_.steps.begin(), state_.steps.end() - 1,
+                     [](const StepState& state) { return state.is_over(); });
+}
+
+bool Schedule::ends(std::size_t k, const engine::Simulation& simulation) {
+  const Step& step = *stages_.steps[k];
+  StepState& state = state_.steps[k];
+  const double now = simulation.time();
+  // Motions go on from where they are at this call, so a stop that is asked for now begins now.
+  if (state.stop_asked < 0 && stops(k, simulation)) state.stop_asked = now;
+  const double stop = state.stop_asked < 0 ? -1 : state.stop_asked - state.started;
+  return now - state.started >= step_length(step, stop);
+}
+
+bool Schedule::stops(std::size_t k, const engine::Simulation& simulation) {
+  const Step& step = *stages_.steps[k];
+  StepState& state = state_.steps[k];
+  if (const PowderInflow* inflow = step.inflow(); inflow != nullptr && inflow->mass) {
+    const double come = static_cast<double>(state.grains_come) * simulation.settings().shape.mass;
+    if (come >= *inflow->mass) return true;
+  }
+  if (step.plan.until) return holds(*step.plan.until, state.until, simulation);
+  const bool only_waits = step.open_ended() && step.tools().empty() && step.inflow() == nullptr;
+  return only_waits && state.until.rest.at_rest(simulation, grain_diameter_);
+}
+
+bool Schedule::holds(const Condition& condition, ConditionState& watch,
+                     const engine::Simulation& simulation) const {
+  const double now = simulation.time();
+  const StepState& settling = state_.steps.front();
+  if (!settling.is_over()) return false;
+  double since = settling.ended;
+  if (!condition.after.empty()) {
+    const StepState& other = state_.steps[stages_.index_of(condition.after)];
+    if (!other.is_over()) return false;
+    since = std::max(since, other.ended);
+  }
+  if (!condition.with.empty()) {
+    const StepState& other = state_.steps[stages_.index_of(condition.with)];
+    if (other.waits()) return false;
+    since = std::max(since, other.started);
+  }
+  if (condition.at) since = std::max(since, settling.ended + *condition.at);
+  if (now < since + condition.delay) return false;
+  if (watch.armed < 0) watch.armed = now;
+  return measured(condition, watch, simulation);
+}
+
+bool Schedule::measured(const Condition& condition, ConditionState& watch,
+                        const engine::Simulation& simulation) const {
+  // Asked every time, so that the watch misses nothing while another part does not hold yet.
+  const bool rests = !condition.at_rest || watch.rest.at_rest(simulation, grain_diameter_, condition.limits);
+  if (condition.force && mean_force(condition.on) < *condition.force) return false;
+  if (condition.filled_mass && filled_mass(simulation, tooling_) < *condition.filled_mass) return false;
+  return rests;
+}
+
+double Schedule::mean_force(const std::string& tool) const {
+  if (state_.loads_summed == 0) return 0;
+  const LoadSum& load = state_.loads[tooling_.index_of(tool)];
+  return load.force.norm() / static_cast<double>(state_.loads_summed);
+}
+
+double Schedule::mean_resistance(const Step& step, const engine::Simulation& simulation) const {
+  if (state_.loads_summed == 0) return 0;
+  double sum = 0;
+  for (const auto& name : step.tools()) {
+    const std::size_t k = tooling_.index_of(name);
+    sum += step.control()->resistance(state_.loads[k].force, state_.loads[k].torque,
+                                      simulation.body_motion(k).translation);
+  }
+  return sum / static_cast<double>(state_.loads_summed);
+}
+
+bool Schedule::control(engine::Simulation& simulation) {
+  const double now = simulation.time();
+  const double interval = now - state_.last_update;
+  bool any = false;
+  for (std::size_t k = 0; k < stages_.size(); ++k) {
+    const ForceControl* law = stages_.steps[k]->control();
+    StepState& state = state_.steps[k];
+    if (law == nullptr || !state.is_on() || state.started >= now || !(interval > 0)) continue;
+    law->update(state.control, mean_resistance(*stages_.steps[k], simulation), now, interval);
+    any = true;
+  }
+  return any;
+}
+
+void Schedule::set_motions(engine::Simulation& simulation) {
+  for (std::size_t k = 0; k < tooling_.tools.size(); ++k)
+    simulation.set_motion(k, [this, tool = tooling_.tools[k].spec.name](double time) {
+      return body_motion(pose_of(stages_, state_.steps, tool, time));
+    });
+}
+
+bool Schedule::finished() const {
+  return std::all_of(state_.steps.begin(), state_.steps.end(),
+                     [](const StepState& state) { return state.is_over(); });
 }
 
 std::vector<results::Stage> Schedule::past() const {
-  std::vector<results::Stage> stages;
-  double start = 0;
-  for (std::size_t s = 0; s < std::min(state_.ends.size(), stages_.size()); ++s) {
-    stages.push_back({stages_[s]->tool(), stages_[s]->in_words(), start, state_.ends[s]});
-    start = state_.ends[s];
+  std::vector<results::Stage> past;
+  for (std::size_t k = 0; k < stages_.size(); ++k) {
+    const StepState& state = state_.steps[k];
+    if (!state.is_over()) continue;
+    std::string tools;
+    for (const auto& tool : stages_.steps[k]->tools()) tools += (tools.empty() ? "" : ", ") + tool;
+    past.push_back({tools, stages_.steps[k]->in_words(), state.started, state.ended});
   }
-  return stages;
+  return past;
 }
 
 std::string Schedule::in_words() const {
-  return finished() ? "done" : stages_[state_.stage]->in_words();
+  std::string words;
+  for (std::size_t k = 0; k < stages_.size(); ++k)
+    if (state_.steps[k].is_on()) words += (words.empty() ? "" : " and ") + stages_.steps[k]->in_words();
+  return !words.empty() ? words : finished() ? "done" : "waiting for the next step to begin";
 }
 
 double Schedule::time_left(double now, double settling_time) const {
-  double left = 0;
-  for (std::size_t s = state_.stage; s < stages_.size(); ++s) {
-    const double whole = stages_[s]->duration().value_or(settling_time);
-    left += s == state_.stage ? std::max(0.0, whole - (now - state_.stage_start)) : whole;
+  const auto plan = foreseen(stages_, settling_time);
+  // A step that has begun or ended shifts everything foreseen after it by as much.
+  double shift = 0, end = 0;
+  for (std::size_t k = 0; k < stages_.size(); ++k) {
+    if (!state_.steps[k].waits()) shift = state_.steps[k].started - plan[k].started;
+    if (state_.steps[k].is_over()) shift = state_.steps[k].ended - plan[k].ended;
+    if (!state_.steps[k].is_over()) end = std::max(end, plan[k].ended);
   }
-  return left;
+  return std::max(0.0, end + shift - now);
 }
 
 geometry::Box Schedule::swept() const {
   geometry::Box box = tooling_.all;
-  constexpr int kInstants = 200;
-  for (std::size_t s = 0; s < stages_.size(); ++s) {
-    if (stages_[s]->tool().empty() || !stages_[s]->duration()) continue;
-    const std::size_t k = tooling_.index_of(stages_[s]->tool());
-    const ToolPose before = pose_before(s, k);
-    for (int n = 0; n <= kInstants; ++n) {
-      const ToolPose pose = compose(stages_[s]->motion(*stages_[s]->duration() * n / kInstants), before);
-      box.include(
-          geometry::transformed(tooling_.tools[k].mesh, pose.rotation, pose.translation).bounding_box());
+  const auto states = foreseen(stages_, kSettlingGuess);
+  for (const double time : instants(stages_, states, 200))
+    for (const Tool& tool : tooling_.tools) {
+      if (!stages_.moves(tool.spec.name)) continue;
+      const ToolPose pose = pose_of(stages_, states, tool.spec.name, time);
+      box.include(geometry::transformed(tool.mesh, pose.rotation, pose.translation).bounding_box());
     }
-  }
   return box;
 }
 

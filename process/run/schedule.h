@@ -1,4 +1,4 @@
-// Carries a simulation through the steps of its scene: which step is on, since when, and where it takes the
+// Carries a simulation through the steps of its scene: which are on, since when, and where they take the
 // tools.
 #pragma once
 
@@ -9,50 +9,76 @@
 #include "engine/simulation.h"
 #include "process/machine/step.h"
 #include "process/results/fill_result.h"
-#include "process/run/rest.h"
+#include "process/run/stages.h"
 #include "process/run/tooling.h"
 
 namespace diefill::process {
 
+/// Powder's load on a tool, summed since the schedule was last looked at.
+struct LoadSum {
+  Eigen::Vector3d force = Eigen::Vector3d::Zero(), torque = Eigen::Vector3d::Zero();
+};
+
 /// All that a restart needs of a schedule.
 struct ScheduleState {
-  std::uint64_t stage = 0;   ///< number of the step that is on; the number of steps when all are done
-  double stage_start = 0;    ///< s, when it began
-  std::vector<double> ends;  ///< s, when each of the steps before it ended
-  RestWatch rest;
+  std::vector<StepState> steps;
+  std::vector<LoadSum> loads;      ///< one a tool; empty where nobody asks
+  std::uint64_t loads_summed = 0;  ///< time steps
+  double last_update = 0;          ///< s
 };
 
 /// The scene's steps with a settling before the first and, unless the scene ends with one, after the last.
+/// They begin and end at calls of update().
 class Schedule {
  public:
-  /// Steps must have been prepared.
+  /// Steps must have been prepared. Keeps references to all three.
   Schedule(const Scene& scene, const Tooling& tooling, double grain_diameter);
+  Schedule(const Schedule&) = delete;
+  Schedule& operator=(const Schedule&) = delete;
 
   /// Starts the first step, or goes on with `state`; gives the simulation's bodies (in the order of the
-  /// tools) their motions.
+  /// tools) their motions, which refer to this schedule.
   void begin(engine::Simulation& simulation, const ScheduleState& state = {});
-  /// Ends the step that is on if it is over, and starts the next; true if it did.
+  /// To be called after every time step: sums the loads on tools, where a step or condition asks for them.
+  void observe(const engine::Simulation& simulation);
+  /// Ends steps that are over and starts those whose time has come, each once; true if there were any. Gives
+  /// tools under force control their speed until the next call.
   bool update(engine::Simulation& simulation);
-  bool finished() const { return state_.stage >= stages_.size(); }
-  const ScheduleState& state() const { return state_; }
+  /// Whether `condition` holds now; `watch` keeps what it has seen. For snapshots.
+  bool holds(const Condition& condition, ConditionState& watch, const engine::Simulation& simulation) const;
 
-  /// Steps that are over, each with its tool and its time.
+  /// Steps that are over, each with its tools and its time.
   std::vector<results::Stage> past() const;
-  /// Step that is on, in words; "done" after the last.
+  bool finished() const;
+  const ScheduleState& state() const { return state_; }
+  const Stages& stages() const { return stages_; }
+  /// Of the scene's step k (from 0).
+  const StepState& of_step(std::size_t k) const { return state_.steps[k + 1]; }
+  /// Counts grains that the scene's step k let in.
+  void count_inflow(std::size_t k, std::size_t grains) { state_.steps[k + 1].grains_come += grains; }
+
+  /// Steps that are on, in words; "done" after the last.
   std::string in_words() const;
-  /// s that remain at least, counting for every wait until rest `settling_time` s.
+  /// s that remain at least, counting `settling_time` s for whatever is not known beforehand.
   double time_left(double now, double settling_time) const;
   /// Box (m) round everything the tools reach in all steps.
   geometry::Box swept() const;
 
  private:
-  void set_motions(engine::Simulation& simulation) const;
-  /// Where stage `stage` finds tool k.
-  ToolPose pose_before(std::size_t stage, std::size_t k) const;
+  void set_motions(engine::Simulation& simulation);
+  bool starts(std::size_t k, const engine::Simulation& simulation);
+  bool ends(std::size_t k, const engine::Simulation& simulation);
+  bool stops(std::size_t k, const engine::Simulation& simulation);
+  bool measured(const Condition& condition, ConditionState& watch,
+                const engine::Simulation& simulation) const;
+  double mean_force(const std::string& tool) const;
+  double mean_resistance(const Step& step, const engine::Simulation& simulation) const;
+  bool control(engine::Simulation& simulation);
 
   const Tooling& tooling_;
   double grain_diameter_;
-  std::vector<std::shared_ptr<Step>> stages_;
+  Stages stages_;
+  bool needs_loads_ = false;
   ScheduleState state_;
 };
 

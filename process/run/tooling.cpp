@@ -10,6 +10,7 @@
 #include "geometry/solid_query.h"
 #include "process/run/periodic_tool.h"
 #include "process/run/reachable_surface.h"
+#include "process/run/stages.h"
 #include "process/run/tool_fit.h"
 
 namespace diefill::process {
@@ -40,36 +41,104 @@ Tool read_tool(const Scene& scene, const ToolSpec& spec) {
   return tool;
 }
 
-bool moves(const Scene& scene, const std::string& tool) {
-  return std::any_of(scene.steps.begin(), scene.steps.end(),
-                     [&](const auto& step) { return step->tool() == tool; });
-}
-
 geometry::Box moved_box(const geometry::Mesh& mesh, const ToolPose& pose) {
   return geometry::transformed(mesh, pose.rotation, pose.translation).bounding_box();
 }
 
-/// Tells every step what it may ask, in order: a step starts where the ones before left its tool.
-void prepare_steps(const Scene& scene, const Tooling& tooling) {
-  std::vector<ToolPose> pose(tooling.tools.size());
-  for (const auto& step : scene.steps) {
+/// Box of the step's tools where the steps before it in the scene leave them.
+geometry::Box box_before(const Scene& scene, const Tooling& tooling, std::size_t step) {
+  geometry::Box box;
+  for (const auto& name : scene.steps[step]->tools()) {
+    ToolPose pose;
+    for (std::size_t k = 0; k < step; ++k) {
+      const auto tools = scene.steps[k]->tools();
+      if (std::find(tools.begin(), tools.end(), name) == tools.end() || scene.steps[k]->open_ended())
+        continue;
+      pose = compose(scene.steps[k]->motion(*scene.steps[k]->duration()), pose);
+    }
+    box.include(moved_box(tooling.tools[tooling.index_of(name)].mesh, pose));
+  }
+  return box;
+}
+
+/// Tells steps what they may ask, in order: those that need no cavity first, which may make it, or the
+/// others.
+void prepare_steps(const Scene& scene, const Tooling& tooling, bool need_cavity) {
+  for (std::size_t k = 0; k < scene.steps.size(); ++k) {
+    Step& step = *scene.steps[k];
+    if (step.needs_cavity() != need_cavity) continue;
     MachineContext context;
     context.gravity = scene.gravity;
     if (tooling.cavity.found) {
       context.cavity_lower = tooling.cavity.box.lower;
       context.cavity_upper = tooling.cavity.box.upper;
     }
-    if (step->tool().empty()) {
-      step->prepare(context);
-      continue;
+    if (need_cavity) {
+      const geometry::Box box = box_before(scene, tooling, k);
+      context.tool_lower = box.lower;
+      context.tool_upper = box.upper;
     }
-    const std::size_t k = tooling.index_of(step->tool());
-    const geometry::Box box = moved_box(tooling.tools[k].mesh, pose[k]);
-    context.tool_lower = box.lower;
-    context.tool_upper = box.upper;
-    step->prepare(context);
-    if (step->duration()) pose[k] = compose(step->motion(*step->duration()), pose[k]);
+    step.prepare(context);
   }
+}
+
+/// Steps that can be followed before the cavity is known.
+Scene without_passages(const Scene& scene) {
+  Scene rest = scene;
+  std::erase_if(rest.steps, [](const auto& step) { return step->needs_cavity(); });
+  return rest;
+}
+
+/// The tools as the steps that make the cavity leave them. A scene that waits for a passage is taken to have
+/// waited.
+std::vector<ToolPose> poses_at_end(const Scene& scene, const Tooling& tooling) {
+  std::vector<ToolPose> poses;
+  for (const auto& tool : tooling.tools) {
+    ToolPose pose;
+    for (const auto& step : without_passages(scene).steps) {
+      const auto tools = step->tools();
+      const bool moved = std::find(tools.begin(), tools.end(), tool.spec.name) != tools.end();
+      if (!moved || step->stays()) continue;
+      const double kWithoutResistance = 1e3;  // s, of a tool under force control
+      pose = compose(step->motion(step->duration().value_or(kWithoutResistance)), pose);
+    }
+    poses.push_back(pose);
+  }
+  return poses;
+}
+
+/// The part that powder is collected in: the first die, or the first that is no shoe. Throws SceneError when
+/// there is none.
+std::size_t die_of(const Scene& scene) {
+  std::size_t best = scene.tools.size();
+  for (std::size_t k = scene.tools.size(); k-- > 0;) {
+    const ToolRole role = scene.tools[k].role;
+    const bool better =
+        best == scene.tools.size() || role == ToolRole::die || scene.tools[best].role != ToolRole::die;
+    if (role != ToolRole::shoe && better) best = k;
+  }
+  if (best == scene.tools.size())
+    throw SceneError(scene.file.string() +
+                     ": tool: no die or plate to pour powder on; add one [[tool]] whose role is not shoe");
+  return best;
+}
+
+/// Where tools stand that stay at their place in the long run, with the room they need about it.
+void find_standing(const Scene& scene, Tooling& tooling) {
+  const Stages stages(scene);
+  const auto states = foreseen(stages, kSettlingGuess);
+  const auto times = instants(stages, states, 200);
+  const auto include = [&](const Tool& tool) {
+    tooling.standing.include(tool.mesh.bounding_box());
+    if (!stages.moves(tool.spec.name)) return;
+    for (const double time : times)
+      tooling.standing.include(moved_box(tool.mesh, pose_of(stages, states, tool.spec.name, time)));
+  };
+  for (const auto& tool : tooling.tools)
+    if (tool.spec.role != ToolRole::shoe && stages.stays(tool.spec.name)) include(tool);
+  if (tooling.standing.size().minCoeff() >= 0) return;
+  for (const auto& tool : tooling.tools)
+    if (tool.spec.role != ToolRole::shoe) include(tool);
 }
 
 double sphere_radius(const Scene& scene, const ToolSpec& spec) {
@@ -143,31 +212,42 @@ ToolPose compose(const ToolMotion& motion, const ToolPose& before) {
   pose.rotation = motion.rotation * before.rotation;
   const Eigen::Vector3d pivot = motion.pivot + motion.translation;
   pose.translation = motion.rotation * (before.translation - motion.pivot) + pivot;
-  pose.angular_velocity = motion.angular_velocity;
-  pose.velocity = motion.velocity + motion.angular_velocity.cross(pose.translation - pivot);
+  pose.angular_velocity = motion.angular_velocity + motion.rotation * before.angular_velocity;
+  pose.velocity = motion.velocity + motion.angular_velocity.cross(pose.translation - pivot) +
+                  motion.rotation * before.velocity;
   return pose;
+}
+
+geometry::Cavity cavity_between(const Scene& scene, const Tooling& tooling,
+                                const std::vector<ToolPose>& poses) {
+  const ToolPose& die = poses[tooling.die];
+  std::vector<geometry::Mesh> moved;
+  std::vector<const geometry::Mesh*> solids;
+  moved.reserve(poses.size());
+  for (std::size_t k = 0; k < poses.size(); ++k) {
+    if (tooling.tools[k].spec.role == ToolRole::shoe) continue;
+    const Eigen::Matrix3d rotation = die.rotation.transpose() * poses[k].rotation;
+    const Eigen::Vector3d translation = die.rotation.transpose() * (poses[k].translation - die.translation);
+    if (rotation == Eigen::Matrix3d::Identity() && translation.isZero(0)) {
+      solids.push_back(&tooling.tools[k].mesh);
+      continue;
+    }
+    moved.push_back(geometry::transformed(tooling.tools[k].mesh, rotation, translation));
+    solids.push_back(&moved.back());
+  }
+  return geometry::find_cavity(solids, scene.measure.fill_plane);
 }
 
 Tooling build_tooling(const Scene& scene, double smallest_radius, double grain_diameter) {
   Tooling tooling;
-  std::vector<const geometry::Mesh*> standing;
   for (const auto& spec : scene.tools) tooling.tools.push_back(read_tool(scene, spec));
   refuse_misplaced(scene, tooling);
-  for (const auto& tool : tooling.tools) {
-    const geometry::Box box = tool.mesh.bounding_box();
-    tooling.all.include(box);
-    if (tool.spec.role == ToolRole::shoe) continue;
-    standing.push_back(&tool.mesh);
-    if (!moves(scene, tool.spec.name)) tooling.standing.include(box);
-  }
-  if (standing.empty())
-    throw SceneError(scene.file.string() +
-                     ": tool: no die or plate to pour powder on; add one [[tool]] whose role is not shoe");
-  if (tooling.standing.size().minCoeff() < 0)
-    throw SceneError(scene.file.string() +
-                     ": tool: every one moves in some step; powder needs at least one that stands");
-  tooling.cavity = geometry::find_cavity(standing, scene.measure.fill_plane);
-  prepare_steps(scene, tooling);
+  for (const auto& tool : tooling.tools) tooling.all.include(tool.mesh.bounding_box());
+  tooling.die = die_of(scene);
+  prepare_steps(scene, tooling, false);
+  tooling.cavity = cavity_between(scene, tooling, poses_at_end(scene, tooling));
+  prepare_steps(scene, tooling, true);
+  find_standing(scene, tooling);
 
   const ReachableSurface reachable(scene, tooling, grain_diameter);
   // Tools do not know of each other: they are covered side by side.

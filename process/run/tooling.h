@@ -24,9 +24,10 @@ struct Tool {
 
 struct Tooling {
   std::vector<Tool> tools;
-  geometry::Cavity cavity;
-  geometry::Box standing;  ///< m, box round the tools that never move
-  geometry::Box all;       ///< m, box round all tools at the start
+  std::size_t die = 0;      ///< index of the part whose frame results are in
+  geometry::Cavity cavity;  ///< in the die's frame, as the scene's steps leave the tools
+  geometry::Box standing;   ///< m, box round the tools that stay at their place and the room they need
+  geometry::Box all;        ///< m, box round all tools at the start
 
   std::size_t wall_spheres() const;
   /// Index of the tool of that name. Throws std::out_of_range.
@@ -46,7 +47,15 @@ struct ToolPose {
   Eigen::Vector3d angular_velocity = Eigen::Vector3d::Zero();  ///< rad/s
 };
 
-/// `motion` on top of `before`, where earlier steps left the tool.
+/// `motion` on top of `before`, where other steps take the tool at the same time.
 ToolPose compose(const ToolMotion& motion, const ToolPose& before);
+
+/// The cavity below the fill plane between the tools in the given poses, in the frame of the die: as if that
+/// stood where the scene puts it.
+geometry::Cavity cavity_between(const Scene& scene, const Tooling& tooling,
+                                const std::vector<ToolPose>& poses);
+
+/// s, guess for the time powder needs to come to rest; for planning and progress only.
+inline constexpr double kSettlingGuess = 0.25;
 
 }  // namespace diefill::process

@@ -112,6 +112,26 @@ struct NumericsSpec {
   double checkpoint_interval = 60;  ///< s of wall-clock time
 };
 
+/// What a probe records while the scene runs.
+enum class ProbeQuantity { load, flow, filled_mass, fill_level, energy };
+
+/// One probe.
+struct ProbeSpec {
+  std::string name;
+  ProbeQuantity quantity = ProbeQuantity::load;
+  std::string tool;  ///< of a load
+  Eigen::Vector3d origin = Eigen::Vector3d::Zero(),
+                  normal = -Eigen::Vector3d::UnitZ();  ///< m, plane of a flow; counts along the normal
+  double interval = 1e-3;                              ///< s
+};
+
+/// The powder as results at one instant of the scene, or at several.
+struct SnapshotSpec {
+  std::string name;
+  std::optional<Condition> when;  ///< nothing: when the poured powder has come to rest
+  std::optional<double> every;    ///< s, again and again from then on
+};
+
 struct SectionSpec {
   std::string name;
   Eigen::Vector3d origin = Eigen::Vector3d::Zero(), normal = Eigen::Vector3d::UnitY();
@@ -137,6 +157,8 @@ struct Scene {
   std::vector<ToolSpec> tools;
   PourSpec pour;
   std::vector<std::shared_ptr<Step>> steps;
+  std::vector<ProbeSpec> probes;
+  std::vector<SnapshotSpec> snapshots;
   NumericsSpec numerics;
   MeasureSpec measure;
   Eigen::Vector3d gravity = {0, 0, -9.81};  ///< m/s^2

@@ -34,6 +34,8 @@ Scene scene_of(const toml::table& parsed, const std::string& text, const std::fi
   scene.numerics = read_numerics(table_or_empty(document, "numerics", empty), scene.powder);
   scene.pour = read_pour(document.required_table("pour"), scene.powder, scene.numerics);
   scene.steps = read_steps(document, scene.tools);
+  scene.probes = read_probes(document, scene.tools);
+  scene.snapshots = read_snapshots(document, scene);
   scene.measure = read_measure(table_or_empty(document, "measure", empty));
   document.tables("variant");  // no matter of this scene's own: see variants.h
   document.finish();
@@ -52,8 +54,12 @@ std::string strategy_in_words(const Scene& scene) {
   std::string words;
   for (const auto& step : scene.steps) {
     // Coming to rest goes without saying.
-    if (step->tool().empty() && !step->duration()) continue;
-    words += (words.empty() ? "" : ", then ") + step->in_words();
+    if (step->tools().empty() && step->open_ended() && step->inflow() == nullptr) continue;
+    // A step that starts by a rule of its own need not come after the one before it.
+    words += (words.empty()                                         ? ""
+              : step->plan.start && !step->plan.start->with.empty() ? " with "
+                                                                    : ", then ") +
+             step->in_words();
   }
   return words.empty() ? "no motion" : words;
 }

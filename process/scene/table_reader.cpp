@@ -183,6 +183,33 @@ std::string TableReader::required_name(const std::string& key, const std::string
   return name;
 }
 
+std::vector<std::string> TableReader::texts(const std::string& key, const std::string& example) {
+  const toml::node* node = find(key);
+  if (node == nullptr) return {};
+  if (const auto single = node->value_exact<std::string>()) return {*single};
+  const std::string needed = "a text or a list of texts is needed, such as [\"" + example + "\"]";
+  const toml::array* list = node->as_array();
+  if (list == nullptr || list->empty()) reject_node(*node, key, needed);
+  std::vector<std::string> values;
+  for (const toml::node& element : *list) {
+    const auto text = element.value_exact<std::string>();
+    if (!text) reject_node(element, key, needed);
+    values.push_back(*text);
+  }
+  return values;
+}
+
+std::vector<double> TableReader::quantities(const std::string& key, const QuantityRule& rule) {
+  const toml::node* node = find(key);
+  if (node == nullptr) return {};
+  const toml::array* list = node->as_array();
+  if (list == nullptr || list->empty())
+    reject_node(*node, key, "a list is needed, such as [\"" + std::string(rule.example) + "\"]");
+  std::vector<double> values;
+  for (const toml::node& element : *list) values.push_back(checked_quantity(element, key, rule));
+  return values;
+}
+
 std::optional<Eigen::Vector3d> TableReader::point(const std::string& key, const QuantityRule& rule) {
   const toml::node* node = find(key);
   if (node == nullptr) return std::nullopt;

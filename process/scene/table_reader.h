@@ -61,6 +61,11 @@ class TableReader {
   /// A text fit for a name: not empty, no slash, no control characters.
   std::string required_name(const std::string& key, const std::string& example);
 
+  /// A list of one or more texts, or a single text; empty when the key is absent.
+  std::vector<std::string> texts(const std::string& key, const std::string& example);
+  /// A list of one or more quantities; empty when the key is absent.
+  std::vector<double> quantities(const std::string& key, const QuantityRule& rule);
+
   /// Three quantities along x, y, z.
   std::optional<Eigen::Vector3d> point(const std::string& key, const QuantityRule& rule);
   Eigen::Vector3d required_point(const std::string& key, const QuantityRule& rule);

@@ -19,7 +19,7 @@ struct DimensionEntry {
   const char* example;
 };
 
-constexpr std::array<DimensionEntry, 11> kDimensions = {{
+constexpr std::array<DimensionEntry, 16> kDimensions = {{
     {Dimension::length, "a length", "m", "0.94 mm"},
     {Dimension::time, "a time", "s", "50 ms"},
     {Dimension::velocity, "a velocity", "m/s", "0.2 m/s"},
@@ -31,6 +31,11 @@ constexpr std::array<DimensionEntry, 11> kDimensions = {{
     {Dimension::viscosity, "a viscosity", "Pa s", "2e-5 Pa s"},
     {Dimension::damping_over_radius, "a damping over radius", "Pa s/m", "1e6 Pa s/m"},
     {Dimension::angle, "an angle", "rad", "90 deg"},
+    {Dimension::angular_velocity, "an angular velocity", "rad/s", "60 rpm"},
+    {Dimension::frequency, "a frequency", "Hz", "32 Hz"},
+    {Dimension::force, "a force", "N", "5 N"},
+    {Dimension::torque, "a torque", "N m", "0.02 N m"},
+    {Dimension::mass_rate, "a mass rate", "kg/s", "20 g/s"},
 }};
 
 const DimensionEntry& entry(Dimension dimension) {

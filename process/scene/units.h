@@ -21,6 +21,11 @@ enum class Dimension {
   viscosity,
   damping_over_radius,
   angle,
+  angular_velocity,
+  frequency,
+  force,
+  torque,
+  mass_rate,
 };
 
 /// A quantity that cannot be read. The message continues `found "...", `: what is needed, with an example.

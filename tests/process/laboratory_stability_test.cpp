@@ -58,7 +58,8 @@ TEST(ContactNetwork, TangentialSpringTurnsSpheres) {
 }
 
 TEST(ContactNetwork, NothingTouchesNothingOscillates) {
-  EXPECT_EQ(largest_eigenfrequency(still_spheres(thesis_grain(GrainKind::sphere), -1e-4, false), {1e7, 0}), 0);
+  EXPECT_EQ(largest_eigenfrequency(still_spheres(thesis_grain(GrainKind::sphere), -1e-4, false), {1e7, 0}),
+            0);
 }
 
 TEST(ElasticGas, KeepsItsEnergyInShortStepsAndLosesAllBoundsInLongOnes) {

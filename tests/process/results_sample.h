@@ -87,6 +87,8 @@ inline FillResult sample_result(int grains = 5) {
                                std::vector<Eigen::Vector4d>(result.tools.size(), {0.6, 0, 0, 0.8}),
                                std::vector<Eigen::Vector3d>(result.tools.size(), {time, 0, -1e-3})});
   }
+  result.probes = {{"on the punch", {"time", "force z"}, {"s", "N"}, {0, 0.5, 1e-3, -0.25}},
+                   {"none yet", {"time", "mass"}, {"s", "kg"}, {}}};
   result.figures = {{"filled_mass_kg", 1.0 / 3000.0},
                     {"grains", 65000},
                     {"spheres", 455000},

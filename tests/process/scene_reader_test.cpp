@@ -156,7 +156,7 @@ TEST_F(FullScene, KeepsTheSteps) {
   EXPECT_DOUBLE_EQ(*scene_.steps[2]->duration(), 0.1);
   const auto* passage = dynamic_cast<const Passage*>(scene_.steps[1].get());
   ASSERT_NE(passage, nullptr);
-  EXPECT_EQ(passage->tool(), "shoe");
+  EXPECT_EQ(passage->tools(), std::vector<std::string>{"shoe"});
   EXPECT_DOUBLE_EQ(passage->spec().velocity, 0.09);
   EXPECT_DOUBLE_EQ(passage->spec().acceleration, 5);
   EXPECT_EQ(passage->spec().passages, 6);

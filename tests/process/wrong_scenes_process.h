@@ -49,7 +49,7 @@ inline std::vector<WrongScene> wrong_steps() {
   const std::string header = "[[step]]\n" + kind + "\n";
   return {
       spoil("step_kind_unknown", kind, "kind = @\"pasage\"",
-            {"step.kind", "found \"pasage\"", "allowed is \"passage\", \"settle\" or \"wait\"",
+            {"step.kind", "found \"pasage\"", "allowed is \"passage\", \"settle\", \"wait\"",
              "did you mean \"passage\"?"}),
       spoil("step_kind_missing", header, "@[[step]]\n", {"step.kind", "found nothing", "\"passage\""}),
       spoil("step_tool_unknown", tool, "tool = @\"feeder\"",
@@ -84,10 +84,43 @@ inline std::vector<WrongScene> wrong_steps() {
             {"step.travel", "found \"0 mm\"", "more than 0 mm"}),
       spoil("step_key_misspelt", direction, direction + "\n@passage = 2",
             {"step.passage", "found 2", "did you mean \"passages\"?"}),
+      spoil(
+          "step_vibration_without_end", "[[step]]",
+          "@[[step]]\nkind = \"vibration\"\ntool = \"shoe\"\naxis = \"x\"\namplitude = \"1 mm\"\nfrequency = "
+          "\"32 Hz\"\n[[step]]",
+          {"step.until", "found no end of this step", "duration = \"1 s\""}),
+      spoil(
+          "step_vibration_shorter_than_its_ramps", "[[step]]",
+          "[[step]]\nkind = \"vibration\"\ntool = \"shoe\"\naxis = \"x\"\namplitude = \"1 mm\"\nfrequency = "
+          "\"2 Hz\"\nduration = @\"0.5 s\"\n[[step]]",
+          {"step.duration", "found \"0.5 s\"", "alone take 1 s", "shorter ramp"}),
+      spoil(
+          "step_frequency_as_time", "[[step]]",
+          "[[step]]\nkind = \"vibration\"\ntool = \"shoe\"\naxis = \"x\"\namplitude = \"1 mm\"\nfrequency = "
+          "@\"32 s\"\n[[step]]",
+          {"step.frequency", "found \"32 s\"", "not a unit of frequency", "\"32 Hz\""}),
+      spoil("step_tools_unknown", "[[step]]",
+            "[[step]]\nkind = \"move\"\ntools = @[\"die\", \"core\"]\ndirection = \"z\"\n[[step]]",
+            {"step.tools", "there is no \"core\"", "\"die\", \"shoe\""}),
+      spoil("step_stations_twice_the_same", "[[step]]",
+            "[[step]]\nkind = \"move\"\ntool = \"shoe\"\ndirection = \"z\"\nvelocity = \"1 m/s\"\nstations = "
+            "@[\"1 mm\", \"1 mm\"]\n[[step]]",
+            {"step.stations", "the same"}),
+      spoil("step_starts_after_nobody", direction, direction + "\nstart = @{ after = \"first\" }",
+            {"step.start", "found \"first\"", "no step has a name"}),
+      spoil("step_waits_for_itself", kind,
+            "kind = @\"passage\"\nname = \"pass\"\nstart = { after = \"pass\" }",
+            {"step.kind", "waits, by way of others, for itself"}),
+      spoil("step_condition_key_misspelt", direction, direction + "\nstart = { @aftr = \"first\" }",
+            {"step.start.aftr", "did you mean \"after\"?"}),
+      spoil("step_condition_empty", direction, direction + "\nstart = @{ }",
+            {"step.start", "nothing to wait for", "after, with, at"}),
+      spoil("step_force_on_nobody", direction, direction + "\nuntil = @{ force = \"1 N\" }",
+            {"step.until.on", "found nothing"}),
       spoil("step_wait_without_duration", "[[step]]", "@[[step]]\nkind = \"wait\"\n[[step]]",
             {"step.duration", "found nothing", "\"50 ms\""}),
-      spoil("step_settle_key_unknown", "[[step]]", "[[step]]\nkind = \"settle\"\n@until = \"rest\"\n[[step]]",
-            {"step.until", "not known", "kind, duration"}),
+      spoil("step_settle_key_unknown", "[[step]]", "[[step]]\nkind = \"settle\"\n@speed = \"rest\"\n[[step]]",
+            {"step.speed", "not known", "kind, duration"}),
   };
 }
 

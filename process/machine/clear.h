@@ -1,0 +1,35 @@
+// Takes away the powder that is not in the die: what is left in the shoe and on the plate costs time and
+// changes nothing any more.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "process/machine/step.h"
+#include "process/scene/scene.h"
+#include "process/scene/table_reader.h"
+
+namespace diefill::process {
+
+/// What stays: powder in the cavity and up to `heap` m above its fill plane.
+struct PowderRemoval {
+  double heap = 0;
+};
+
+class Clear final : public Step {
+ public:
+  explicit Clear(const PowderRemoval& removal) : removal_(removal) {}
+  std::optional<double> duration() const override { return 0; }
+  const PowderRemoval* removal() const override { return &removal_; }
+  std::string in_words() const override { return "powder outside the die taken away"; }
+
+ private:
+  PowderRemoval removal_;
+};
+
+/// Reads a step of kind "clear".
+std::shared_ptr<Step> read_clear(TableReader& table, const std::vector<ToolSpec>& tools);
+
+}  // namespace diefill::process

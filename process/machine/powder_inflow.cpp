@@ -1,0 +1,36 @@
+#include "process/machine/powder_inflow.h"
+
+namespace diefill::process {
+namespace {
+
+constexpr QuantityRule kCorner = {Dimension::length, "20 mm", "-10 m", "10 m"};
+constexpr QuantityRule kMass = {Dimension::mass, "5 g", "0 kg", "1000 kg", true};
+constexpr QuantityRule kRate = {Dimension::mass_rate, "20 g/s", "0 kg/s", "1000 kg/s", true};
+constexpr QuantityRule kVelocity = {Dimension::velocity, "-0.3 m/s", "-10 m/s", "10 m/s"};
+
+}  // namespace
+
+std::string Inflow::in_words() const {
+  const std::string amount =
+      inflow_.mass ? number_in_words(1e3 * *inflow_.mass) + " g of powder" : std::string("powder");
+  return amount + (inflow_.rate ? " coming in at " + number_in_words(1e3 * *inflow_.rate) + " g/s"
+                                : " coming in as room comes free");
+}
+
+std::shared_ptr<Step> read_inflow(TableReader& table, const std::vector<ToolSpec>& tools) {
+  PowderInflow inflow;
+  inflow.where = table.where("from");
+  inflow.lower = table.required_point("from", kCorner);
+  inflow.upper = table.required_point("to", kCorner);
+  if (((inflow.upper - inflow.lower).array() < 0).any())
+    table.reject("to", "it must not lie below from along any axis");
+  inflow.velocity = table.point("velocity", kVelocity).value_or(inflow.velocity);
+  inflow.mass = table.quantity("mass", kMass);
+  inflow.rate = table.quantity("rate", kRate);
+  Choices<std::string> names;
+  for (const ToolSpec& tool : tools) names.emplace_back(tool.name, tool.name);
+  inflow.with = table.choice("with", names).value_or("");
+  return std::make_shared<Inflow>(std::move(inflow));
+}
+
+}  // namespace diefill::process

@@ -1,0 +1,145 @@
+#include "process/machine/table_motion.h"
+
+#include <algorithm>
+#include <fstream>
+#include <sstream>
+
+#include "process/machine/moving_tool.h"
+#include "process/scene/scene_error.h"
+
+namespace diefill::process {
+namespace {
+
+std::string trimmed(const std::string& text) {
+  const std::size_t first = text.find_first_not_of(" \t\r\"");
+  if (first == std::string::npos) return {};
+  return text.substr(first, text.find_last_not_of(" \t\r\"") - first + 1);
+}
+
+std::vector<std::string> cells_of(const std::string& line) {
+  std::vector<std::string> cells;
+  std::istringstream stream(line);
+  for (std::string cell; std::getline(stream, cell, ',');) cells.push_back(trimmed(cell));
+  return cells;
+}
+
+/// A column: -1 for time, else which of x, y, z, angle.
+struct Column {
+  int quantity;
+  std::string unit;
+};
+
+Dimension dimension_of(const Column& column) {
+  if (column.quantity < 0) return Dimension::time;
+  return column.quantity < 3 ? Dimension::length : Dimension::angle;
+}
+
+Column column_of(const std::string& heading, const std::string& place) {
+  const std::size_t end = heading.find_first_of(" \t[(");
+  const std::string name = heading.substr(0, end);
+  std::string unit = end == std::string::npos ? "" : heading.substr(end);
+  std::erase_if(unit,
+                [](char letter) { return letter == '[' || letter == ']' || letter == '(' || letter == ')'; });
+  const std::vector<std::string> names = {"time", "x", "y", "z", "angle"};
+  const auto found = std::find(names.begin(), names.end(), name);
+  if (found == names.end() || trimmed(unit).empty())
+    throw SceneError(place + ": found column \"" + heading +
+                     "\"; allowed are time, x, y, z and angle, each with its unit, such as \"x mm\"");
+  return {static_cast<int>(found - names.begin()) - 1, trimmed(unit)};
+}
+
+void add_point(MotionTable& table, const std::vector<Column>& columns, const std::string& line,
+               const std::string& place) {
+  const auto cells = cells_of(line);
+  if (cells.size() != columns.size())
+    throw SceneError(place + ": found " + std::to_string(cells.size()) + " values, " +
+                     std::to_string(columns.size()) + " are needed, as many as columns");
+  double time = 0;
+  Eigen::Vector4d position = Eigen::Vector4d::Zero();
+  for (std::size_t k = 0; k < cells.size(); ++k) {
+    double value = 0;
+    try {
+      value = parse_quantity(cells[k] + ' ' + columns[k].unit, dimension_of(columns[k]));
+    } catch (const UnitError& error) {
+      throw SceneError(place + ": found \"" + cells[k] + "\", " + error.what());
+    }
+    (columns[k].quantity < 0 ? time : position[columns[k].quantity]) = value;
+  }
+  const bool first = table.time.empty();
+  if (first ? time != 0 || position.norm() != 0 : time <= table.time.back())
+    throw SceneError(place + (first
+                                  ? ": the first point must be all 0: a motion begins where it finds the tool"
+                                  : ": times must rise from line to line"));
+  table.time.push_back(time);
+  table.position.push_back(position);
+}
+
+}  // namespace
+
+MotionTable read_motion_table(const std::filesystem::path& file, const std::string& where) {
+  std::ifstream stream(file);
+  if (!stream)
+    throw SceneError(where + ": found \"" + file.string() + "\", which cannot be read; name a CSV file");
+  MotionTable table;
+  std::vector<Column> columns;
+  int number = 0;
+  for (std::string line; std::getline(stream, line);) {
+    const std::string place = where + ": " + file.string() + ":" + std::to_string(++number);
+    if (trimmed(line).empty()) continue;
+    if (!columns.empty()) {
+      add_point(table, columns, line, place);
+      continue;
+    }
+    for (const auto& heading : cells_of(line)) columns.push_back(column_of(heading, place));
+    if (std::none_of(columns.begin(), columns.end(), [](const Column& c) { return c.quantity < 0; }))
+      throw SceneError(place + ": found no column time; begin the heading with \"time s\"");
+  }
+  if (table.time.size() < 2)
+    throw SceneError(where + ": found " + std::to_string(table.time.size()) + " points in " + file.string() +
+                     "; a motion needs two or more below the line of headings");
+  return table;
+}
+
+TableMotion::TableMotion(std::vector<std::string> tools, const RotationAxis& axis, MotionTable table)
+    : tools_(std::move(tools)), axis_(axis), table_(std::move(table)) {
+  // Slope of the parabola through a point and its neighbours; at rest at both ends.
+  slope_.assign(table_.time.size(), Eigen::Vector4d::Zero());
+  for (std::size_t k = 1; k + 1 < slope_.size(); ++k) {
+    const double before = table_.time[k] - table_.time[k - 1], after = table_.time[k + 1] - table_.time[k];
+    const Eigen::Vector4d rise = (table_.position[k] - table_.position[k - 1]) / before,
+                          next = (table_.position[k + 1] - table_.position[k]) / after;
+    slope_[k] = (after * rise + before * next) / (before + after);
+  }
+}
+
+ToolMotion TableMotion::motion(double time) const {
+  const auto beyond = std::upper_bound(table_.time.begin(), table_.time.end(), time);
+  const auto last = static_cast<std::ptrdiff_t>(table_.time.size()) - 1;
+  const auto k = static_cast<std::size_t>(std::clamp<std::ptrdiff_t>(beyond - table_.time.begin(), 1, last));
+  const double span = table_.time[k] - table_.time[k - 1];
+  const double s = std::clamp((time - table_.time[k - 1]) / span, 0.0, 1.0);
+  const Eigen::Vector4d &from = table_.position[k - 1], &to = table_.position[k];
+  const Eigen::Vector4d out = span * slope_[k - 1], in = span * slope_[k];
+  const Eigen::Vector4d place =
+      from + s * (out + s * ((3 * (to - from) - 2 * out - in) + s * (2 * (from - to) + out + in)));
+  const Eigen::Vector4d rate =
+      (out + s * (2 * (3 * (to - from) - 2 * out - in) + 3 * s * (2 * (from - to) + out + in))) / span;
+  ToolMotion motion = axis_.turned(place[3], rate[3]);
+  motion.translation = place.head<3>();
+  motion.velocity = rate.head<3>();
+  return motion;
+}
+
+std::string TableMotion::in_words() const {
+  return names_in_words(tools_) + " after a table of " + std::to_string(table_.time.size()) + " points";
+}
+
+std::shared_ptr<Step> read_table_motion(TableReader& table, const std::vector<ToolSpec>& tools) {
+  const auto moving = read_moving_tools(table, tools);
+  const RotationAxis axis = read_rotation_axis(table);
+  const std::string name = table.required_text("file", "shoe_motion.csv");
+  return std::make_shared<TableMotion>(
+      moving, axis, read_motion_table(table.file().parent_path() / name, table.where("file")));
+}
+
+}  // namespace diefill::process

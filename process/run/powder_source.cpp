@@ -1,0 +1,97 @@
+#include "process/run/powder_source.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "process/run/dice.h"
+
+namespace diefill::process {
+
+namespace {
+
+/// m/s, the body that a box goes along with carries its grains.
+Eigen::Vector3d velocity_of(const engine::BodyMotion* body, const Eigen::Vector3d& place) {
+  return body != nullptr ? body->velocity_at(place) : Eigen::Vector3d(Eigen::Vector3d::Zero());
+}
+
+}  // namespace
+
+PowderSource::PowderSource(const Scene& scene, const Tooling& tooling) : scene_(scene), tooling_(tooling) {
+  for (std::size_t k = 0; k < scene.steps.size(); ++k)
+    if (scene.steps[k]->inflow() != nullptr) sources_.push_back(k);
+  if (!any()) return;
+  for (const Tool& tool : tooling.tools) solids_.push_back(std::make_unique<geometry::SolidQuery>(tool.mesh));
+}
+
+std::size_t PowderSource::feed(engine::Simulation& simulation, Schedule& schedule) const {
+  std::size_t all = 0;
+  for (const std::size_t k : sources_) {
+    const StepState& state = schedule.of_step(k);
+    if (!state.is_on() || state.stop_asked >= 0) continue;
+    const PowderInflow& inflow = *scene_.steps[k]->inflow();
+    const std::size_t wanted = owed(inflow, state, simulation);
+    if (wanted == 0) continue;
+    // Any mixing of the three numbers will do that gives every call its own random numbers.
+    const std::uint64_t seed = (scene_.seed * 1000003 + k) * 0x9e3779b97f4a7c15ULL + simulation.steps();
+    const auto grains = placed(inflow, wanted, seed, simulation);
+    if (grains.empty()) continue;
+    simulation.add_grains(grains);
+    schedule.count_inflow(k, grains.size());
+    all += grains.size();
+  }
+  return all;
+}
+
+std::size_t PowderSource::owed(const PowderInflow& inflow, const StepState& state,
+                               const engine::Simulation& simulation) const {
+  const engine::GrainShape& shape = simulation.settings().shape;
+  const double room = (inflow.upper - inflow.lower).cwiseMax(2 * shape.bounding_radius()).prod();
+  double wanted = room / std::pow(2 * shape.bounding_radius(), 3);
+  const auto come = static_cast<double>(state.grains_come);
+  if (inflow.rate)
+    wanted = std::min(wanted, *inflow.rate * (simulation.time() - state.started) / shape.mass - come);
+  if (inflow.mass) wanted = std::min(wanted, std::ceil(*inflow.mass / shape.mass) - come);
+  return static_cast<std::size_t>(std::max(0.0, std::floor(wanted)));
+}
+
+std::vector<engine::NewGrain> PowderSource::placed(const PowderInflow& inflow, std::size_t wanted,
+                                                   std::uint64_t seed,
+                                                   const engine::Simulation& simulation) const {
+  const double radius = simulation.settings().shape.bounding_radius(), apart = 2 * radius;
+  const engine::BodyMotion* body =
+      inflow.with.empty() ? nullptr : &simulation.body_motion(tooling_.index_of(inflow.with));
+  const Eigen::Vector3d half = 0.5 * (inflow.upper - inflow.lower), own = inflow.lower + half;
+  const Eigen::Vector3d middle = body != nullptr ? body->point(own) : own;
+  std::vector<Eigen::Vector3d> near;
+  for (const auto& position : simulation.grains().position)
+    if ((position - middle).norm() < half.norm() + apart) near.push_back(position);
+  Dice dice(seed);
+  std::vector<engine::NewGrain> grains;
+  const std::size_t tries = 10 * wanted + 20;
+  for (std::size_t n = 0; n < tries && grains.size() < wanted; ++n) {
+    const Eigen::Vector3d offset(dice.symmetric(), dice.symmetric(), dice.symmetric());
+    const Eigen::Vector3d in_body = own + offset.cwiseProduct(half);
+    const Eigen::Vector3d place = body != nullptr ? body->point(in_body) : in_body;
+    const auto touches = [&](const Eigen::Vector3d& other) { return (other - place).norm() < apart; };
+    if (std::any_of(near.begin(), near.end(), touches) || !free_of_tools(place, radius, simulation)) continue;
+    engine::NewGrain grain;
+    grain.position = place;
+    grain.velocity = inflow.velocity + velocity_of(body, place);
+    grain.orientation = dice.direction<4>();
+    near.push_back(place);
+    grains.push_back(grain);
+  }
+  return grains;
+}
+
+bool PowderSource::free_of_tools(const Eigen::Vector3d& place, double radius,
+                                 const engine::Simulation& simulation) const {
+  for (std::size_t k = 0; k < solids_.size(); ++k) {
+    const engine::BodyMotion& pose = simulation.body_motion(k);
+    const Eigen::Vector3d in_body = pose.rotation.transpose() * (place - pose.translation);
+    if (solids_[k]->signed_distance(in_body) < radius) return false;
+  }
+  return true;
+}
+
+}  // namespace diefill::process

@@ -1,0 +1,40 @@
+// Lets powder into a running simulation: grains at random free places of a box, at a mass rate or as room
+// comes free.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "engine/simulation.h"
+#include "geometry/solid_query.h"
+#include "process/machine/powder_inflow.h"
+#include "process/run/schedule.h"
+#include "process/run/tooling.h"
+
+namespace diefill::process {
+
+/// All the steps of a scene that let powder in. What is random depends on the scene's seed and the number of
+/// the time step alone, so that a restart needs no history.
+class PowderSource {
+ public:
+  /// Keeps references to both.
+  PowderSource(const Scene& scene, const Tooling& tooling);
+
+  bool any() const { return !sources_.empty(); }
+  /// Adds what the steps that are on let in now, and counts it in the schedule; returns how many grains.
+  std::size_t feed(engine::Simulation& simulation, Schedule& schedule) const;
+
+ private:
+  std::size_t owed(const PowderInflow& inflow, const StepState& state,
+                   const engine::Simulation& simulation) const;
+  std::vector<engine::NewGrain> placed(const PowderInflow& inflow, std::size_t wanted, std::uint64_t seed,
+                                       const engine::Simulation& simulation) const;
+  bool free_of_tools(const Eigen::Vector3d& place, double radius, const engine::Simulation& simulation) const;
+
+  const Scene& scene_;
+  const Tooling& tooling_;
+  std::vector<std::size_t> sources_;  ///< numbers of the steps
+  std::vector<std::unique_ptr<geometry::SolidQuery>> solids_;
+};
+
+}  // namespace diefill::process

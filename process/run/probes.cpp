@@ -1,0 +1,184 @@
+#include "process/run/probes.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "process/measure/cavity_position.h"
+#include "process/run/die_frame.h"
+
+namespace diefill::process {
+
+namespace {
+
+struct Heading {
+  std::vector<std::string> columns, units;
+};
+
+/// Columns after the time.
+Heading heading(ProbeQuantity quantity) {
+  switch (quantity) {
+    case ProbeQuantity::load:
+      return {{"force x", "force y", "force z", "torque x", "torque y", "torque z"},
+              {"N", "N", "N", "N m", "N m", "N m"}};
+    case ProbeQuantity::flow:
+      return {{"mass", "mass rate"}, {"kg", "kg/s"}};
+    case ProbeQuantity::filled_mass:
+      return {{"filled mass"}, {"kg"}};
+    case ProbeQuantity::fill_level:
+      return {{"mean level", "lowest level"}, {"m", "m"}};
+    case ProbeQuantity::energy:
+      return {{"kinetic", "height", "contacts", "balance error"}, {"J", "J", "J", "1"}};
+  }
+  throw std::logic_error("a quantity of a probe without a heading");
+}
+
+double mass_beyond(const ProbeSpec& probe, const engine::Simulation& simulation) {
+  std::size_t grains = 0;
+  for (const auto& position : simulation.grains().position)
+    grains += (position - probe.origin).dot(probe.normal) > 0 ? 1U : 0U;
+  return static_cast<double>(grains) * simulation.settings().shape.mass;
+}
+
+/// Whole time steps between two rows.
+std::uint64_t steps_between(const ProbeSpec& probe, double time_step) {
+  return static_cast<std::uint64_t>(std::max(1LL, std::llround(probe.interval / time_step)));
+}
+
+}  // namespace
+
+Probes::Probes(const Scene& scene, const Tooling& tooling)
+    : scene_(scene),
+      tooling_(tooling),
+      specs_(scene.probes),
+      states_(scene.probes.size()),
+      rows_(scene.probes.size()) {}
+
+void Probes::begin(const engine::Simulation& simulation) {
+  for (std::size_t k = 0; k < specs_.size(); ++k)
+    if (specs_[k].quantity == ProbeQuantity::flow) states_[k].beyond = mass_beyond(specs_[k], simulation);
+}
+
+void Probes::observe(const engine::Simulation& simulation) {
+  for (std::size_t k = 0; k < specs_.size(); ++k) {
+    ProbeState& state = states_[k];
+    ++state.steps;
+    if (specs_[k].quantity == ProbeQuantity::load) {
+      const std::size_t body = tooling_.index_of(specs_[k].tool);
+      const engine::WallLoad& load = simulation.wall_load(body);
+      state.force += load.force;
+      // About the laboratory's origin, which stays where it is.
+      state.torque += load.torque + simulation.body_motion(body).translation.cross(load.force);
+    }
+    if (simulation.steps() % steps_between(specs_[k], simulation.settings().time_step) != 0) continue;
+    add_row(k, simulation);
+    state.force.setZero();
+    state.torque.setZero();
+    state.steps = 0;
+  }
+}
+
+void Probes::add_row(std::size_t k, const engine::Simulation& simulation) {
+  const ProbeSpec& spec = specs_[k];
+  const ProbeState& state = states_[k];
+  std::vector<double>& rows = rows_[k];
+  const auto append = [&rows](std::initializer_list<double> values) { rows.insert(rows.end(), values); };
+  append({simulation.time()});
+  const double steps = static_cast<double>(state.steps);
+  switch (spec.quantity) {
+    case ProbeQuantity::load: {
+      const Eigen::Vector3d force = state.force / steps, torque = state.torque / steps;
+      append({force[0], force[1], force[2], torque[0], torque[1], torque[2]});
+      return;
+    }
+    case ProbeQuantity::flow: {
+      const double mass = mass_beyond(spec, simulation) + state.gone - state.beyond;
+      const double before = rows.size() > 3 ? rows[rows.size() - 3] : 0;
+      append({mass, (mass - before) / (steps * simulation.settings().time_step)});
+      return;
+    }
+    case ProbeQuantity::filled_mass:
+      return append({filled_mass(simulation, tooling_)});
+    case ProbeQuantity::fill_level: {
+      const auto level = fill_level(simulation);
+      return append({level[0], level[1]});
+    }
+    case ProbeQuantity::energy: {
+      const engine::Energy energy = simulation.energy();
+      return append({energy.kinetic(), energy.height, energy.contacts, simulation.energy_balance_error()});
+    }
+  }
+}
+
+std::vector<double> Probes::fill_level(const engine::Simulation& simulation) const {
+  const results::CavityState cavity = cavity_state(tooling_.cavity);
+  const DieFrame frame(simulation.body_motion(tooling_.die));
+  const double width = 2 * scene_.powder.grain_diameter;
+  const Eigen::Vector3d size = cavity.upper_corner - cavity.lower_corner;
+  const auto across = static_cast<std::size_t>(std::max(1.0, std::ceil(size[0] / width))),
+             deep = static_cast<std::size_t>(std::max(1.0, std::ceil(size[1] / width)));
+  std::vector<double> highest(across * deep, 0.0);
+  for (const auto& position : simulation.grains().position) {
+    const Eigen::Vector3d place = frame.point(position);
+    if (!lies_in_cavity(cavity, place)) continue;
+    const Eigen::Vector3d from_corner = place - cavity.lower_corner;
+    const auto column = std::min(static_cast<std::size_t>(from_corner[0] / width), across - 1),
+               row = std::min(static_cast<std::size_t>(from_corner[1] / width), deep - 1);
+    double& level = highest[row * across + column];
+    level = std::max(level, std::min(from_corner[2] + 0.5 * scene_.powder.grain_diameter, size[2]));
+  }
+  double sum = 0, lowest = size[2], count = 0;
+  for (std::size_t n = 0; n < highest.size(); ++n) {
+    const Eigen::Vector3d middle =
+        cavity.lower_corner + Eigen::Vector3d((static_cast<double>(n % across) + 0.5) * width,
+                                              (static_cast<double>(n / across) + 0.5) * width, 0.5 * size[2]);
+    if (!lies_in_cavity(cavity, middle)) continue;
+    sum += highest[n];
+    lowest = std::min(lowest, highest[n]);
+    ++count;
+  }
+  return count > 0 ? std::vector<double>{sum / count, lowest} : std::vector<double>{0, 0};
+}
+
+void Probes::count_removed(const Eigen::Vector3d& position, double mass, double sign) {
+  for (std::size_t k = 0; k < specs_.size(); ++k)
+    if (specs_[k].quantity == ProbeQuantity::flow && (position - specs_[k].origin).dot(specs_[k].normal) > 0)
+      states_[k].gone += sign * mass;
+}
+
+ProbesState Probes::state() const {
+  ProbesState kept{states_, {}};
+  for (std::size_t k = 0; k < rows_.size(); ++k) {
+    kept.probes[k].numbers = rows_[k].size();
+    kept.rows.insert(kept.rows.end(), rows_[k].begin(), rows_[k].end());
+  }
+  return kept;
+}
+
+void Probes::restore(const ProbesState& state) {
+  if (state.probes.size() != specs_.size()) throw std::invalid_argument("a checkpoint with other probes");
+  states_ = state.probes;
+  auto from = state.rows.begin();
+  for (std::size_t k = 0; k < rows_.size(); ++k) {
+    const auto to = from + static_cast<std::ptrdiff_t>(states_[k].numbers);
+    rows_[k].assign(from, to);
+    from = to;
+  }
+}
+
+std::vector<results::ProbeSeries> Probes::series() const {
+  std::vector<results::ProbeSeries> all;
+  for (std::size_t k = 0; k < specs_.size(); ++k) {
+    const Heading names = heading(specs_[k].quantity);
+    results::ProbeSeries series;
+    series.name = specs_[k].name;
+    series.columns = {"time"};
+    series.units = {"s"};
+    series.columns.insert(series.columns.end(), names.columns.begin(), names.columns.end());
+    series.units.insert(series.units.end(), names.units.begin(), names.units.end());
+    series.values = rows_[k];
+    all.push_back(std::move(series));
+  }
+  return all;
+}
+
+}  // namespace diefill::process

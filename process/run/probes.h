@@ -1,0 +1,56 @@
+// Records what probes of the scene ask for while it runs: loads on tools, mass through planes, filled mass,
+// fill level, energy. A scene without probes pays nothing.
+#pragma once
+
+#include <vector>
+
+#include "engine/simulation.h"
+#include "process/results/fill_result.h"
+#include "process/run/tooling.h"
+
+namespace diefill::process {
+
+/// What a probe has gathered; all that a restart needs besides its rows.
+struct ProbeState {
+  Eigen::Vector3d force = Eigen::Vector3d::Zero(), torque = Eigen::Vector3d::Zero();  ///< summed over steps
+  std::uint64_t steps = 0;                                                            ///< since the last row
+  std::uint64_t numbers = 0;                                                          ///< in all rows
+  double beyond = 0;  ///< kg that lay beyond the plane at first, and came in beyond it
+  double gone = 0;    ///< kg taken out of the computation beyond the plane
+};
+
+/// All probes' states, and their rows one probe after the other.
+struct ProbesState {
+  std::vector<ProbeState> probes;
+  std::vector<double> rows;
+};
+
+class Probes {
+ public:
+  /// Keeps references to both.
+  Probes(const Scene& scene, const Tooling& tooling);
+
+  bool any() const { return !specs_.empty(); }
+  /// Notes what there is before the first step.
+  void begin(const engine::Simulation& simulation);
+  /// To be called after every time step; adds a row where an interval is over.
+  void observe(const engine::Simulation& simulation);
+  /// kg of grains that are taken out at `position`, or come in (`sign` -1).
+  void count_removed(const Eigen::Vector3d& position, double mass, double sign);
+
+  ProbesState state() const;
+  void restore(const ProbesState& state);
+  std::vector<results::ProbeSeries> series() const;
+
+ private:
+  void add_row(std::size_t k, const engine::Simulation& simulation);
+  std::vector<double> fill_level(const engine::Simulation& simulation) const;
+
+  const Scene& scene_;
+  const Tooling& tooling_;
+  const std::vector<ProbeSpec>& specs_;
+  std::vector<ProbeState> states_;
+  std::vector<std::vector<double>> rows_;  ///< row after row
+};
+
+}  // namespace diefill::process

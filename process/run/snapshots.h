@@ -1,0 +1,34 @@
+// When a run is to leave results of the powder as it is under way.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "process/run/schedule.h"
+
+namespace diefill::process {
+
+/// How far a snapshot of the scene has come; a plain value, so that a checkpoint can keep it.
+struct SnapshotState {
+  ConditionState watch;
+  std::uint64_t taken = 0;
+  double first = 0;  ///< s, when it was taken the first time
+};
+
+class Snapshots {
+ public:
+  /// Keeps a reference to the scene.
+  explicit Snapshots(const Scene& scene) : specs_(scene.snapshots), states_(scene.snapshots.size()) {}
+
+  /// Names of those to be taken now, each given once: those that repeat with a number from 0001 behind.
+  std::vector<std::string> due(const Schedule& schedule, const engine::Simulation& simulation);
+
+  const std::vector<SnapshotState>& state() const { return states_; }
+  void restore(const std::vector<SnapshotState>& state) { states_ = state; }
+
+ private:
+  const std::vector<SnapshotSpec>& specs_;
+  std::vector<SnapshotState> states_;
+};
+
+}  // namespace diefill::process

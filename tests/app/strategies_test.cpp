@@ -1,0 +1,238 @@
+// Filling strategies from scene to report: shaking, volumetric filling, tools under force control, powder
+// that comes and goes, probes and snapshots.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <csignal>
+#include <sstream>
+#include <thread>
+
+#include "process/results/result_file.h"
+#include "tests/app/small_die.h"
+
+namespace diefill::app {
+namespace {
+
+const std::string kVelocity = "velocity = \"0.1 m/s\"\n";
+const std::string kPassage =
+    "[[step]]\nkind = \"passage\"\ntool = \"shoe\"\ndirection = \"-x\"\nvelocity = \"0.1 m/s\"\n";
+
+/// A tool of the scene, written to a file of its name.
+std::string tool(const SmallDie& die, const std::string& name, const std::string& role, const cad::Part& part,
+                 const std::string& position) {
+  die.write(name + ".stl", cad::binary_stl(part));
+  return "[[tool]]\nname = \"" + name + "\"\nrole = \"" + role + "\"\nfile = \"" + name +
+         ".stl\"\nlength_unit = \"mm\"\nposition = " + position + "\n\n";
+}
+
+/// Values of a probe, row after row, from its CSV file.
+std::vector<std::vector<double>> rows_of(const SmallDie& die, const std::string& file) {
+  std::istringstream text(contents(die.out() / file));
+  std::vector<std::vector<double>> rows;
+  std::string line;
+  std::getline(text, line);  // headings
+  while (std::getline(text, line)) {
+    rows.emplace_back();
+    std::istringstream cells(line);
+    for (std::string cell; std::getline(cells, cell, ',');) rows.back().push_back(std::stod(cell));
+  }
+  return rows;
+}
+
+/// The passage with the whole tooling shaken meanwhile, and all that is recorded.
+void shake(const SmallDie& die) {
+  die.exchange("kind = \"passage\"", "kind = \"passage\"\nname = \"passage\"");
+  die.exchange(kVelocity, kVelocity + R"(
+[[step]]
+kind = "vibration"
+tools = ["die", "shoe"]
+axis = "y"
+amplitude = "0.3 mm"
+frequency = "30 Hz"
+start = { with = "passage" }
+until = { after = "passage" }
+
+[[step]]
+kind = "rotational oscillation"
+tool = "die"
+through = ["-3 mm", "0 mm", "0 mm"]
+amplitude = "2 deg"
+frequency = "20 Hz"
+duration = "0.15 s"
+
+[[probe]]
+name = "filled mass"
+quantity = "filled mass"
+interval = "5 ms"
+
+[[probe]]
+name = "on the die"
+quantity = "load"
+tool = "die"
+interval = "5 ms"
+
+[[snapshot]]
+name = "passed"
+when = { after = "passage" }
+)");
+}
+
+TEST(Strategies, ShakenToolingComesBackAndIsMeasuredWhereItIs) {
+  const SmallDie die;
+  shake(die);
+  const Outcome outcome = die.run();
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_NE(outcome.err.find("1 passage at 0.1 m/s and vibration of die and shoe at 30 Hz"),
+            std::string::npos)
+      << outcome.err;
+  const auto report = die.report();
+  EXPECT_LT(std::abs(report.at("energy_balance_error").get<double>()), 0.005);
+  const auto rows = rows_of(die, "probe_filled_mass.csv");
+  ASSERT_GT(rows.size(), 20U);
+  EXPECT_EQ(rows.front().at(1), 0);
+  EXPECT_NEAR(rows.back().at(1), report.at("filled_mass_kg").get<double>(), 1e-12);
+  // The die carries what lies in it and on it at the end.
+  const auto loads = rows_of(die, "probe_on_the_die.csv");
+  const double weight = 9.81 * (report.at("grains").get<double>() * 7.63e-8 * std::pow(1 / 0.3, 3));
+  EXPECT_NEAR(-loads.back().at(3) / weight, 1, 0.1);
+  const auto result = results::read_results(die.out());
+  ASSERT_EQ(result.probes.size(), 2U);
+  EXPECT_EQ(result.probes[1].columns.size(), 7U);
+  EXPECT_EQ(result.probes[1].values.size(), 7 * loads.size());
+  const auto snapshot = results::read_results(die.out() / "snapshots" / "passed");
+  EXPECT_LT(snapshot.powder.time, result.powder.time);
+  EXPECT_GT(snapshot.powder.time, 0.1);
+}
+
+TEST(Strategies, GoOnAfterAKillAsIfNothingHadHappened) {
+  const SmallDie die, other;
+  shake(die);
+  shake(other);
+  ASSERT_EQ(other.run({"--quiet"}).exit_code, 0);
+  for (const int milliseconds : {1200, 1500}) {
+    Program program(die.run_arguments({"--resume", "--quiet"}));
+    std::this_thread::sleep_for(std::chrono::milliseconds(milliseconds));
+    program.send(SIGKILL);
+    program.wait();
+  }
+  const Outcome last = die.run({"--resume", "--quiet"});
+  ASSERT_EQ(last.exit_code, 0) << last.err;
+  EXPECT_EQ(die.report().at("state_hash"), other.report().at("state_hash"));
+  for (const char* file : {"probe_filled_mass.csv", "probe_on_the_die.csv"})
+    EXPECT_EQ(contents(die.out() / file), contents(other.out() / file)) << file;
+}
+
+TEST(Strategies, AnOpenPunchSucksThePowderIn) {
+  const SmallDie die;
+  die.write("die.stl", cad::binary_stl(cad::tube(cad::rectangle(-15, 6, -3.5, 3.5),
+                                                 cad::rectangle(-5, -1, -2, 2), -5, 0)));
+  die.exchange("[\"3 mm\", \"0 mm\", \"0 mm\"]", "[\"-3 mm\", \"0 mm\", \"0 mm\"]");
+  die.exchange(
+      "[pour]\nfrom = [\"0.5 mm\", \"-2.5 mm\", \"0 mm\"]\nto = [\"5.5 mm\", \"2.5 mm\", \"9 mm\"]",
+      tool(die, "punch", "punch", cad::prism(cad::rectangle(-4.98, -1.02, -1.98, 1.98), -5, -4),
+           "[\"0 mm\", \"0 mm\", \"4 mm\"]") +
+          "[pour]\nfrom = [\"-5.5 mm\", \"-2.5 mm\", \"0 mm\"]\nto = [\"-0.5 mm\", \"2.5 mm\", \"9 mm\"]");
+  die.exchange(kPassage, R"([[step]]
+kind = "move"
+tool = "punch"
+direction = "-z"
+distance = "4 mm"
+velocity = "0.05 m/s"
+
+[[probe]]
+name = "level"
+quantity = "fill level"
+interval = "10 ms"
+
+[[probe]]
+name = "flow"
+quantity = "flow"
+origin = ["0 mm", "0 mm", "0 mm"]
+interval = "10 ms"
+)");
+  const Outcome outcome = die.run({"--quiet"});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  const auto report = die.report();
+  // 4 x 4 x 4 mm, though there was no room at the start.
+  EXPECT_NEAR(report.at("cavity_volume_m3").get<double>(), 64e-9, 2e-9);
+  EXPECT_GT(report.at("filled_mass_kg").get<double>(), 0.3 * 64e-9 * 5397);
+  const auto level = rows_of(die, "probe_level.csv"), flow = rows_of(die, "probe_flow.csv");
+  EXPECT_NEAR(level.back().at(1), 4e-3, 0.8e-3);
+  // What is spilled over the die's edge goes through the same plane.
+  const double filled = report.at("filled_mass_kg").get<double>();
+  EXPECT_GE(flow.back().at(1), filled - 1e-12);
+  EXPECT_LE(flow.back().at(1), filled + report.at("mass_left_kg").get<double>() + 1e-12);
+}
+
+/// Powder at rest in the pocket, to be worked on.
+void pour_into_the_pocket(const SmallDie& die) {
+  die.exchange(
+      "from = [\"0.5 mm\", \"-2.5 mm\", \"0 mm\"]\nto = [\"5.5 mm\", \"2.5 mm\", \"9 mm\"]\nfill_height = "
+      "\"5 mm\"",
+      "from = [\"-4.95 mm\", \"-1.95 mm\", \"-4 mm\"]\nto = [\"-1.05 mm\", \"1.95 mm\", \"2 "
+      "mm\"]\nfill_height "
+      "= \"2.5 mm\"\nlattice_constant = 1.25");
+}
+
+TEST(Strategies, APistonReachesItsForce) {
+  const SmallDie die;
+  pour_into_the_pocket(die);
+  die.exchange("[pour]", tool(die, "piston", "punch", cad::prism(cad::rectangle(-4.8, -1.2, -1.8, 1.8), 2, 4),
+                              "[\"0 mm\", \"0 mm\", \"1 mm\"]") +
+                             "[pour]");
+  die.exchange(kPassage, R"([[step]]
+kind = "piston"
+tool = "piston"
+direction = "-z"
+force = "0.05 N"
+speed_limit = "0.05 m/s"
+travel = "6.5 mm"
+duration = "0.4 s"
+
+[[probe]]
+name = "piston"
+quantity = "load"
+tool = "piston"
+interval = "10 ms"
+)");
+  const Outcome outcome = die.run({"--quiet"});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  const auto rows = rows_of(die, "probe_piston.csv");
+  // The step is over 0.4 s after the powder has come to rest; the last rows before that.
+  double sum = 0;
+  int count = 0;
+  for (const auto& row : rows)
+    if (row.at(0) > 0.4 && row.at(3) > 1e-3) {
+      sum += row.at(3);
+      ++count;
+    }
+  ASSERT_GT(count, 5);
+  EXPECT_NEAR(sum / count, 0.05, 0.005);
+}
+
+TEST(Strategies, PowderComesInAndIsClearedAway) {
+  const SmallDie die;
+  die.exchange("kind = \"passage\"", R"(kind = "inflow"
+name = "top up"
+from = ["1.5 mm", "-1.5 mm", "8 mm"]
+to = ["4.5 mm", "1.5 mm", "9 mm"]
+velocity = ["0 m/s", "0 m/s", "-0.3 m/s"]
+mass = "80 mg"
+rate = "1 g/s"
+with = "shoe"
+
+[[step]]
+kind = "passage")");
+  die.exchange(kVelocity, kVelocity + "\n[[step]]\nkind = \"clear\"\n");
+  const Outcome outcome = die.run({"--quiet"});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  const auto report = die.report();
+  const double grain = 7.63e-8 * std::pow(1 / 0.3, 3);
+  const double come = std::ceil(80e-6 / grain);
+  EXPECT_EQ(report.at("grains").get<double>() + report.at("grains_left").get<double>(), 138 + come);
+  EXPECT_NEAR(report.at("grains").get<double>() * grain, report.at("filled_mass_kg").get<double>(),
+              3 * grain);  // some roll out after
+}
+
+}  // namespace
+}  // namespace diefill::app
