@@ -8,6 +8,9 @@
 
 namespace diefill::app {
 
+/// Sets up drawing without a screen; may be called again.
+void start_drawing();
+
 /// Writes the standard pictures of `result` into `directory`; returns their paths.
 std::vector<std::filesystem::path> draw(const std::filesystem::path& directory,
                                         const results::FillResult& result);

@@ -46,10 +46,11 @@ done
 # STEP files with curved faces, made with OpenCASCADE; their dates are taken out so that they come out the same.
 if [ -d /usr/include/opencascade ]; then
   program=$(mktemp)
-  c++ -std=c++20 -O1 -isystem /usr/include/opencascade make_step.cpp -o "$program" -lTKXDESTEP -lTKXCAF -lTKSTEP \
-    -lTKXSBase -lTKLCAF -lTKCDF -lTKOffset -lTKBool -lTKBO -lTKPrim -lTKGeomAlgo -lTKTopAlgo -lTKGeomBase -lTKBRep \
+  c++ -std=c++20 -O1 -isystem /usr/include/opencascade make_step.cpp -o "$program" -lTKXDESTEP -lTKXDEIGES -lTKXCAF \
+    -lTKSTEP -lTKIGES -lTKXSBase -lTKLCAF -lTKCDF -lTKOffset -lTKBool -lTKBO -lTKPrim -lTKGeomAlgo -lTKTopAlgo -lTKGeomBase -lTKBRep \
     -lTKG3d -lTKMath -lTKernel
   "$program" >/dev/null
   rm "$program"
   sed -i "s/'[0-9-]*T[0-9:]*'/'2000-01-01T00:00:00'/" ./*/*.step
+  sed -i "s/15H[0-9]*\.[0-9]*/15H20000101.000000/g" ./*/*.igs
 fi

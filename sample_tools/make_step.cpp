@@ -1,4 +1,4 @@
-// Writes the sample tools as STEP files with curved surfaces where the STL files have facets: one file a press, its
+// Writes the sample tools as STEP files (and one as IGES) with curved surfaces where the STL files have facets: one file a press, its
 // parts named as in the scenes. Needs OpenCASCADE; make.sh compiles and runs it. Millimetres, z up, fill plane z = 0.
 #include <BRepAlgoAPI_Cut.hxx>
 #include <BRepBuilderAPI_MakeEdge.hxx>
@@ -12,6 +12,8 @@
 #include <BRep_Builder.hxx>
 #include <GC_MakeArcOfCircle.hxx>
 #include <GeomAPI_Interpolate.hxx>
+#include <IGESCAFControl_Writer.hxx>
+#include <IGESControl_Controller.hxx>
 #include <Interface_Static.hxx>
 #include <STEPCAFControl_Writer.hxx>
 #include <TColgp_HArray1OfPnt.hxx>
@@ -191,6 +193,13 @@ Handle(TDocStd_Document) document_of(const Parts& parts) {
   return document;
 }
 
+bool write_iges(const std::string& file, const Parts& parts) {
+  IGESControl_Controller::Init();
+  Interface_Static::SetIVal("write.iges.brep.mode", 1);
+  IGESCAFControl_Writer writer;
+  return writer.Transfer(document_of(parts)) && writer.Write(file.c_str());
+}
+
 bool write(const std::string& file, const Parts& parts) {
   STEPCAFControl_Writer writer;
   Interface_Static::SetCVal("write.step.product.name", "diefill sample");
@@ -211,4 +220,5 @@ int main() {
       std::cerr << file << " was not written\n";
       return 1;
     }
+  return write_iges("shoe/shoe.igs", {{"shoe", shoe(32, 50, 37)}}) ? 0 : 1;
 }

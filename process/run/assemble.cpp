@@ -198,7 +198,8 @@ results::FillResult assemble(const Scene& scene, const Tooling& tooling, const F
       measure_solid_fraction(result.powder, result.tools, result.cavity, scene.numerics.period);
   result.summary = summarise(result.powder, result.solid_fraction, result.cavity);
   add_figures(result, tooling, run);
-  result.warnings = run.warnings();
+  result.warnings = tooling.remarks();
+  for (const auto& warning : run.warnings()) result.warnings.push_back(warning);
   measure_fields(result, {scene.measure.averaging_width, wanted_sections(scene)}, scene.measure.azimuth_bins);
   return result;
 }

@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "geometry/mesh_repair.h"
 #include "process/machine/step.h"
 #include "process/scene/scene_error.h"
 
@@ -65,11 +66,15 @@ struct ToolSpec {
   std::string name;
   ToolRole role = ToolRole::die;
   std::filesystem::path file;  ///< absolute or relative to the scene file, already resolved
-  double metres_per_unit = 0;  ///< from `length_unit`, which must be stated
-  Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();  ///< applied to the CAD first
+  std::string part;            ///< of the file; empty: all parts as one tool
+  double metres_per_unit = 0;  ///< from `length_unit`; 0: the file states it
+  Eigen::Vector3d mirror = Eigen::Vector3d::Zero();  ///< normal of the mirror; zero: none. Applied first
+  Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();  ///< applied to the CAD then
   Eigen::Vector3d position = Eigen::Vector3d::Zero();      ///< m, then shifted
-  std::optional<double> sphere_radius, spacing;            ///< overrides of WallSpec
-  int line = 0;                                            ///< in the scene file, for messages
+  std::optional<double> chord_tolerance;  ///< m, for curved surfaces; a hundredth of the wall spheres' radius
+  geometry::RepairLevel repair = geometry::RepairLevel::kSafe;
+  std::optional<double> sphere_radius, spacing;  ///< overrides of WallSpec
+  int line = 0;                                  ///< in the scene file, for messages
 };
 
 /// Powder poured at the start: lattice in `box`, up to `height` above its floor once settled when mass is not
@@ -79,10 +84,10 @@ struct PourSpec {
   double fill_height = 0;  ///< m, wanted depth of the settled powder over the box's floor
   double solid_fraction =
       0;  ///< estimate of the settled solid fraction, sets the number of grains; 0: from the preset
-  double rim_speed = 0.05;        ///< m/s of the initial random spin
+  double rim_speed = 0.05;  ///< m/s of the initial random spin
   /// Over d; 0: 1.2, or wider so that the lattice is at most a tenth solid (Bierwisch 2009, section 3.2.1).
   double lattice_constant = 0;
-  double random_offset = 0.1;     ///< over d, uniform in +- per axis
+  double random_offset = 0.1;  ///< over d, uniform in +- per axis
   int line = 0;
 };
 
