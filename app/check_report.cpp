@@ -100,9 +100,12 @@ void print_tool(const process::Tool& tool, const geometry::Symmetry* symmetry) {
   const geometry::Box box = tool.mesh.bounding_box();
   const Eigen::Vector3d size = 1e3 * box.size();
   const Eigen::Vector3d lower = 1e3 * box.lower;
-  std::printf("%s (%s): %zu triangles, %.2f x %.2f x %.2f mm from (%.2f, %.2f, %.2f) mm, volume %.4g cm3\n",
-              tool.spec.name.c_str(), process::in_words(tool.spec.role).c_str(), tool.mesh.triangles.size(),
-              size[0], size[1], size[2], lower[0], lower[1], lower[2], 1e6 * tool.mesh.volume());
+  const Eigen::Vector3d upper = 1e3 * box.upper;
+  std::printf("%s (%s): %zu triangles, %.2f x %.2f x %.2f mm, volume %.4g cm3\n", tool.spec.name.c_str(),
+              process::in_words(tool.spec.role).c_str(), tool.mesh.triangles.size(), size[0], size[1],
+              size[2], 1e6 * tool.mesh.volume());
+  std::printf("  place: from (%.2f, %.2f, %.2f) to (%.2f, %.2f, %.2f) mm\n", lower[0], lower[1], lower[2],
+              upper[0], upper[1], upper[2]);
   if (tool.chord_tolerance)
     std::printf("  curved surfaces as triangles within %.3g mm, unit %.4g mm as the file states\n",
                 1e3 * *tool.chord_tolerance, 1e3 * tool.metres_per_unit);

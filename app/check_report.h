@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "process/run/diagnosis.h"
-#include "render/findings_view.h"
+#include "render/findings.h"
 
 namespace diefill::app {
 

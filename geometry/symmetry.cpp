@@ -17,6 +17,7 @@ namespace {
 constexpr std::size_t kMostProbes = 2000;
 constexpr int kLargestOrder = 60;
 constexpr double kSameDirection = 1e-6;
+constexpr double kShown = 5e-6;  // m, what two decimals of a millimetre show
 
 /// Middle and spread of a surface, by area.
 struct Spread {
@@ -54,8 +55,13 @@ class Images {
   Images(std::vector<Corners> triangles, double tolerance)
       : tree_(std::move(triangles)), tolerance_(tolerance), spread_(spread_of(tree_.triangles())) {
     const std::size_t stride = std::max<std::size_t>(1, tree_.triangles().size() / kMostProbes);
-    for (std::size_t t = 0; t < tree_.triangles().size(); t += stride)
-      for (const auto& corner : tree_.corners(t)) probes_.push_back(corner - spread_.centre);
+    for (std::size_t t = 0; t < tree_.triangles().size(); t += stride) {
+      // Corners of holes lie in the faces that the holes pierce; only middles of walls tell a hole is
+      // missing.
+      const Corners& corners = tree_.corners(t);
+      for (const auto& corner : corners) probes_.push_back(corner - spread_.centre);
+      probes_.emplace_back((corners[0] + corners[1] + corners[2]) / 3 - spread_.centre);
+    }
   }
 
   const Spread& spread() const { return spread_; }
@@ -127,8 +133,8 @@ std::string Symmetry::in_words() const {
   }
   if (text.empty()) return "none found";
   char place[90];
-  std::snprintf(place, sizeof place, ", through (%.2f, %.2f, %.2f) mm", 1e3 * centre[0], 1e3 * centre[1],
-                1e3 * centre[2]);
+  const auto shown = [&](int axis) { return std::abs(centre[axis]) < kShown ? 0.0 : 1e3 * centre[axis]; };
+  std::snprintf(place, sizeof place, ", through (%.2f, %.2f, %.2f) mm", shown(0), shown(1), shown(2));
   return text + place;
 }
 

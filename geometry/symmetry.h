@@ -24,8 +24,8 @@ struct Symmetry {
 };
 
 /// Looks along x, y, z and the principal axes of the surface. A mirror image counts as the same when no point
-/// of the surface is farther than `tolerance` (m) from it; rotations up to 60-fold are told apart. Axes that
-/// a body symmetric at every angle has besides are not listed. Deterministic.
+/// of the surface is farther than `tolerance` (m) from it; rotations up to 60-fold are told apart.
+/// Deterministic.
 Symmetry find_symmetry(const Mesh& mesh, double tolerance);
 
 }  // namespace diefill::geometry

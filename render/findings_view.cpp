@@ -13,6 +13,7 @@
 #include <vtkSmartPointer.h>
 #include <vtkUnsignedCharArray.h>
 
+#include <Eigen/Geometry>
 #include <QPainter>
 #include <algorithm>
 #include <array>

@@ -75,13 +75,14 @@ std::vector<BrokenFile> broken_bytes() {
       {"iges_of_noise", "a.igs", std::string(800, 'S'), "cannot be read as igs"},
       {"archive_cut_short", "a.3mf", archive.substr(0, archive.size() / 2), "cannot be read as 3mf"},
       {"archive_of_nothing", "a.3mf", sample::zip({{"readme.txt", "nothing"}}), "cannot be read as 3mf"},
-      {"unit_that_is_none", "a.amf", sample::amf(tube(), "furlong"), "unit 'furlong' is none that AMF has"},
+      {"unit_that_is_none", "a.amf", sample::amf(tube(), "furlong"), "\"furlong\" in node <unit>"},
       {"huge_ply", "a.ply", replaced(sample::ply(tube()), "vertex 360", "vertex 4000000000"),
        "header promises 4000000000 vertex elements"},
       {"huge_off", "a.off", replaced(sample::off(tube()), "360 720", "360 4000000000"),
        "header promises 4000000000 faces"},
       {"points_only", "a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\n", "a.obj"},
-      {"corner_that_is_not_there", "a.off", replaced(sample::off(block()), "3 0 2 3", "3 0 2 99"), "a.off"},
+      {"corner_that_is_not_there", "a.off", replaced(sample::off(block()), "3 0 2 3", "3 0 2 99"),
+       "3 open edges"},
       {"gltf_without_its_buffer", "a.gltf",
        replaced(sample::gltf(tube(), "t"), "data:application/octet-stream;base64,", "missing.bin?"),
        "cannot be read as gltf"},
@@ -133,8 +134,9 @@ std::vector<BrokenFile> broken_meshes() {
       {"sliver", "a.stl",
        stl(with(block(),
                 [](Mesh& m) {
-                  m.vertices.emplace_back(10, 0,
-                                          0);  // on an edge: one triangle split, the sliver closes the gap
+                  m.vertices.emplace_back(10, 0, 0);  // in the middle of an edge
+                  m.triangles[4] = {0, 8, 5};         // split on one side only
+                  m.triangles.emplace_back(8, 1, 5);
                   m.triangles.emplace_back(0, 1, 8);
                 })),
        "1 triangle without area"},

@@ -30,8 +30,8 @@ TEST(CadChild, HandsOnWhatWasRead) {
   EXPECT_EQ(read.metres_per_unit, contents.metres_per_unit);
   for (std::size_t k = 0; k < 2; ++k) {
     EXPECT_EQ(read.parts[k].name, contents.parts[k].name);
-    EXPECT_EQ(read.parts[k].mesh.vertices, contents.parts[k].mesh.vertices);
-    EXPECT_EQ(read.parts[k].mesh.triangles, contents.parts[k].mesh.triangles);
+    EXPECT_TRUE(read.parts[k].mesh.vertices == contents.parts[k].mesh.vertices);
+    EXPECT_TRUE(read.parts[k].mesh.triangles == contents.parts[k].mesh.triangles);
   }
 }
 

@@ -2,6 +2,7 @@
 // pass where the gap statistic says so.
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
