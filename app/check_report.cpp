@@ -88,7 +88,7 @@ void add_mesh_marks(const process::Tool& tool, std::vector<render::FindingMark>&
   }
   const auto words = tool.found.in_words();
   for (std::size_t k = 0; k < kinds.size() && k < words.size(); ++k) {
-    const bool harmless = tool.findings.usable();
+    const bool harmless = tool.findings.usable() || kinds[k] == "without area" || kinds[k] == "twice";
     findings.push_back({harmless ? render::MarkKind::kCare : render::MarkKind::kFault,
                         tool.spec.name + ": " + words[k], places.at(kinds[k])});
   }

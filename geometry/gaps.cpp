@@ -53,7 +53,7 @@ Gap measure_gap(const Mesh& one, const Mesh& other, double reach, double spacing
     if (height > 0 && height < kFacing * across.norm()) return;  // past an edge of the other
     const Eigen::Vector3d place = sample.point + across / 2;
     if (elsewhere && elsewhere(place)) return;
-    const double width = height > 0 ? across.norm() : 0;
+    const double width = std::max(0.0, height);
     narrowest = std::min(narrowest, width);
     if (gap.found && width <= gap.widest) return;
     gap.found = true;

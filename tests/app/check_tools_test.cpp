@@ -47,18 +47,18 @@ TEST(CheckTools, SaysHowToolsFitAndHowTheyAreSymmetric) {
 TEST(CheckTools, PartsOfOneFileArePickedByName) {
   const SmallDie die;
   const std::string both =
-      named(cad::text_stl(small_die()), "lower die") + named(cad::text_stl(small_shoe()), "feed shoe");
+      named(cad::text_stl(small_die()), "lower_die") + named(cad::text_stl(small_shoe()), "feed_shoe");
   die.write("press.stl", both);
-  die.exchange("file = \"die.stl\"", "file = \"press.stl\"\npart = \"lower die\"");
-  die.exchange("file = \"shoe.stl\"", "file = \"press.stl\"\npart = \"feed shoe\"");
+  die.exchange("file = \"die.stl\"", "file = \"press.stl\"\npart = \"lower_die\"");
+  die.exchange("file = \"shoe.stl\"", "file = \"press.stl\"\npart = \"feed_shoe\"");
   const Outcome checked = die.check();
   EXPECT_EQ(checked.exit_code, 0) << checked.err;
-  die.exchange("part = \"feed shoe\"", "part = \"feed shoo\"");
+  die.exchange("part = \"feed_shoe\"", "part = \"feed_shoo\"");
   const Outcome wrong = die.check();
   EXPECT_EQ(wrong.exit_code, 2);
   expect_says(
       wrong.err,
-      "has no part \"feed shoo\": it holds \"lower die\", \"feed shoe\"; did you mean \"feed shoe\"?");
+      "has no part \"feed_shoo\": it holds \"lower_die\", \"feed_shoe\"; did you mean \"feed_shoe\"?");
 }
 
 TEST(CheckTools, AMirroredPartStandsOnTheOtherSide) {
