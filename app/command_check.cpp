@@ -1,7 +1,12 @@
+#include <algorithm>
 #include <cstdio>
+#include <nlohmann/json.hpp>
 
+#include "app/check_report.h"
 #include "app/commands.h"
+#include "app/drawing.h"
 #include "app/exit_code.h"
+#include "app/output.h"
 #include "process/run/fill_run.h"
 #include "process/run/material.h"
 #include "process/run/pour.h"
@@ -10,45 +15,39 @@ namespace diefill::app {
 
 namespace {
 
-void print_tool(const process::Tool& tool) {
-  const Eigen::Vector3d size = 1e3 * tool.mesh.bounding_box().size();
-  std::printf("%s (%s): %zu triangles, %.2f x %.2f x %.2f mm, volume %.4g cm3\n", tool.spec.name.c_str(),
-              process::in_words(tool.spec.role).c_str(), tool.mesh.triangles.size(), size[0], size[1],
-              size[2], 1e6 * tool.mesh.volume());
-  for (const auto& finding : tool.findings.in_words()) std::printf("  mesh: %s\n", finding.c_str());
-  if (tool.findings.in_words().empty()) std::printf("  mesh: closed, oriented, free of self-intersections\n");
-  const auto& spheres = tool.spheres;
-  std::printf(
-      "  wall spheres: %zu of radius %.4g mm; envelope to CAD surface: mean %.3g mm, largest %.3g mm; "
-      "largest gap "
-      "%.3g mm\n",
-      spheres.centres.size(), 1e3 * spheres.radius, 1e3 * spheres.mean_deviation,
-      1e3 * spheres.largest_deviation, 1e3 * spheres.largest_gap);
+struct CheckArguments {
+  std::string scene, picture;
+  bool json = false;
+};
+
+void draw_picture(const std::string& file, const process::Scene& scene, const process::Tooling& tooling,
+                  const process::Diagnosis& diagnosis) {
+  if (file.empty()) return;
+  set_up_drawing();
+  write_output(
+      [&] { render::draw_findings(file, parts_of(tooling), marks_of(tooling, diagnosis), scene.title); });
 }
 
-void print_cavity(const geometry::Cavity& cavity) {
-  if (!cavity.found) {
-    std::printf("cavity: none below the fill plane\n");
-    return;
-  }
-  std::printf("cavity: volume %.4g cm3, depth %.2f mm, narrowest width %.3f mm", 1e6 * cavity.volume,
-              1e3 * cavity.box.size()[2], 1e3 * cavity.narrowest_width);
-  if (cavity.is_ring)
-    std::printf(", ring of %.2f to %.2f mm diameter", 2e3 * cavity.inner_radius, 2e3 * cavity.outer_radius);
-  std::printf("\n");
+void print_json(const process::Tooling& tooling, const process::Diagnosis& diagnosis) {
+  std::printf("%s\n", tools_as_json(tooling, diagnosis)
+                          .dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace)
+                          .c_str());
 }
 
-int check(const std::string& file) {
-  const process::Scene scene = process::read_scene(file);
-  const auto shape = process::engine_settings(scene, 1.0).shape;
-  const auto tooling = process::build_tooling(scene, shape.sphere_radius, scene.powder.grain_diameter);
-  process::RunOptions options;
-  options.threads = 1;
-  options.show_progress = false;
-  const process::FillRun run(scene, tooling, options);
+/// Meshes that enclose no solid: the picture and the JSON say where before the one line of refusal does.
+void refuse_unusable(const CheckArguments& arguments, const process::Scene& scene) {
+  process::Tooling tooling;
+  for (const auto& spec : scene.tools) tooling.tools.push_back(process::read_tool(scene, spec));
+  const bool usable = std::all_of(tooling.tools.begin(), tooling.tools.end(),
+                                  [](const auto& tool) { return tool.findings.usable(); });
+  if (usable) return;
+  draw_picture(arguments.picture, scene, tooling, {});
+  if (arguments.json) print_json(tooling, {});
+  for (const auto& tool : tooling.tools) process::refuse_unusable(scene, tool);
+}
 
-  for (const auto& tool : tooling.tools) print_tool(tool);
-  print_cavity(tooling.cavity);
+void print_simulation(const process::Scene& scene, const process::Tooling& tooling,
+                      const process::FillRun& run) {
   const auto& simulation = run.simulation();
   std::printf("powder: %s, %zu grains of d = %.4g mm, %zu spheres; %zu wall spheres\n",
               scene.powder.name.c_str(), simulation.grains().size(), 1e3 * scene.powder.grain_diameter,
@@ -57,7 +56,31 @@ int check(const std::string& file) {
               simulation.settings().time_step / run.critical_time_step(), run.critical_time_step());
   std::printf("strategy: %s, %.3g s and the time to come to rest\n",
               process::strategy_in_words(scene).c_str(), run.schedule().time_left(0, 0));
+  for (const auto& remark : tooling.remarks()) std::printf("note: %s\n", remark.c_str());
   for (const auto& warning : run.warnings()) std::printf("note: %s\n", warning.c_str());
+}
+
+int check(const CheckArguments& arguments) {
+  const process::Scene scene = process::read_scene(arguments.scene);
+  if (arguments.json || !arguments.picture.empty()) refuse_unusable(arguments, scene);
+  const auto shape = process::engine_settings(scene, 1.0).shape;
+  const auto tooling = process::build_tooling(scene, shape.sphere_radius, scene.powder.grain_diameter);
+  process::RunOptions options;
+  options.threads = 1;
+  options.show_progress = false;
+  const process::FillRun run(scene, tooling, options);
+  const auto diagnosis = process::diagnose(scene, tooling, shape.sphere_radius);
+
+  draw_picture(arguments.picture, scene, tooling, diagnosis);
+  if (arguments.json) {
+    print_json(tooling, diagnosis);
+    return kDone;
+  }
+  for (std::size_t k = 0; k < tooling.tools.size(); ++k) print_tool(tooling.tools[k], &diagnosis.symmetry[k]);
+  print_pairs(diagnosis);
+  print_cavity(tooling.cavity);
+  print_simulation(scene, tooling, run);
+  if (!arguments.picture.empty()) std::printf("picture: %s\n", arguments.picture.c_str());
   return kDone;
 }
 
@@ -65,14 +88,19 @@ int check(const std::string& file) {
 
 void add_check(CLI::App& program, Action& chosen) {
   auto* command = program.add_subcommand("check", "Examine the tools and the scene without simulating");
-  auto file = std::make_shared<std::string>();
-  command->add_option("SCENE", *file, "scene file (TOML)")->required();
+  auto arguments = std::make_shared<CheckArguments>();
+  command->add_option("SCENE", arguments->scene, "scene file (TOML)")->required();
+  command->add_flag("--json", arguments->json, "what was found about the tools as JSON, lengths in m");
+  command->add_option("--picture", arguments->picture, "PNG of the tools with a mark at each finding");
   command->footer(
-      "Prints for each tool what its mesh is like, how many wall spheres stand for it, how far their "
-      "envelope is from the\n"
-      "CAD surface and the largest gap between them; then cavity, powder and time step.\n"
-      "Example:\n  diefill check sample_tools/narrow_ring/fill.toml");
-  command->callback([file, &chosen] { chosen = [file] { return check(*file); }; });
+      "Prints for each tool what its mesh is like, what was repaired, how many wall spheres stand for it, "
+      "how "
+      "far their\nenvelope is from the CAD surface and the largest gap between them; how tools fit; then "
+      "cavity, "
+      "powder and time step.\n"
+      "Examples:\n  diefill check sample_tools/narrow_ring/fill.toml\n"
+      "  diefill check my_die.toml --picture findings.png");
+  command->callback([arguments, &chosen] { chosen = [arguments] { return check(*arguments); }; });
 }
 
 }  // namespace diefill::app

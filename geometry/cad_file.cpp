@@ -6,6 +6,9 @@
 #include <cstring>
 #include <fstream>
 #include <iterator>
+#include <limits>
+#include <sstream>
+#include <vector>
 
 #include "geometry/mesh.h"
 
@@ -33,31 +36,88 @@ bool is_text_stl(const std::string& bytes) {
          bytes.size() < kStlHeader;
 }
 
-}  // namespace
-
-std::string read_cad_file(const std::filesystem::path& file) {
-  const std::string name = std::string("'").append(file.string()).append("'");
-  std::error_code error;
-  if (!std::filesystem::exists(file, error))
-    throw MeshError("CAD file " + name +
-                    " does not exist: check the path, it is taken relative to the scene file");
-  if (std::filesystem::is_directory(file, error))
-    throw MeshError("CAD file " + name + " is a directory: name the STL, OBJ, PLY or 3MF file inside it");
-  std::ifstream stream(file, std::ios::binary);
-  if (!stream) throw MeshError("CAD file " + name + " cannot be read: check its permissions");
-  std::string bytes{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
-  if (bytes.empty()) throw MeshError("CAD file " + name + " is empty: export it again");
-  return bytes;
+/// Bytes that are letters and line ends alone, as no binary file's are.
+bool is_plain_text(const std::string& bytes) {
+  const std::size_t looked_at = std::min(bytes.size(), kLookForText);
+  return std::all_of(bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(looked_at),
+                     [](unsigned char c) { return c >= 0x20 || c == '\t' || c == '\r' || c == '\n'; });
 }
 
-void check_stl_is_whole(const std::filesystem::path& file, const std::string& bytes) {
-  const std::string name = "STL file '" + file.string() + "'";
+/// What files of other kinds begin with.
+struct Beginning {
+  std::string bytes, kind;
+  std::vector<std::string> endings;  ///< that may begin so
+};
+
+const std::vector<Beginning>& beginnings() {
+  static const std::vector<Beginning> all = {
+      {"\x89PNG", "a PNG picture", {}},
+      {"\xff\xd8\xff", "a JPEG picture", {}},
+      {"%PDF", "a PDF document", {}},
+      {"PK\x03\x04", "a ZIP archive", {"3mf", "amf"}},
+      {"\x1f\x8b", "a gzip archive", {}},
+      {"<!DOCTYPE html", "a web page", {}},
+      {"<html", "a web page", {}},
+      {"ISO-10303-21", "a STEP file", {"step", "stp"}},
+      {"glTF", "a binary glTF file", {"glb", "gltf"}},
+      {"ply\n", "a PLY file", {"ply"}},
+      {"AC10", "an AutoCAD drawing", {}},
+  };
+  return all;
+}
+
+void check_beginning(const std::string& name, const std::string& ending, const std::string& bytes) {
+  for (const Beginning& other : beginnings()) {
+    if (!bytes.starts_with(other.bytes)) continue;
+    if (std::find(other.endings.begin(), other.endings.end(), ending) != other.endings.end()) continue;
+    throw MeshError(name + " is in truth " + other.kind + ", whatever its name ends in: " +
+                    (other.endings.empty() ? "export the part from the CAD program"
+                                           : "rename it to ." + other.endings.front()));
+  }
+}
+
+void refuse_count(const std::string& name, std::uint64_t count, const std::string& what, std::size_t bytes) {
+  throw MeshError(name + " is cut short: its header promises " + std::to_string(count) + " " + what +
+                  ", more than its " + std::to_string(bytes) + " bytes can hold; export or copy it again");
+}
+
+/// Every vertex and face takes two bytes at least.
+void check_ply(const std::string& name, const std::string& bytes) {
+  const std::string header = bytes.substr(0, bytes.find("end_header"));
+  std::istringstream lines(header);
+  for (std::string line; std::getline(lines, line);) {
+    std::istringstream words(line);
+    std::string word, what;
+    std::uint64_t count = 0;
+    if (!(words >> word >> what) || word != "element") continue;
+    if (!(words >> count) || count > bytes.size() / 2)
+      refuse_count(name, words.fail() ? std::numeric_limits<std::uint64_t>::max() : count, what + " elements",
+                   bytes.size());
+  }
+}
+
+void check_off(const std::string& name, const std::string& bytes) {
+  std::istringstream words(bytes.substr(0, kLookForText));
+  std::string head;
+  std::uint64_t vertices = 0;
+  std::uint64_t faces = 0;
+  if (!(words >> head >> vertices >> faces)) return;
+  if (vertices > bytes.size() / 2) refuse_count(name, vertices, "corners", bytes.size());
+  if (faces > bytes.size() / 2) refuse_count(name, faces, "faces", bytes.size());
+}
+
+/// The bytes a binary STL file announces, or the closing word of a text, must be there.
+void check_stl(const std::string& name, const std::string& bytes) {
   if (is_text_stl(bytes)) {
     if (lower_case(bytes).find("endsolid") == std::string::npos)
       throw MeshError(name +
                       " is cut short: it is text without a closing 'endsolid'; export or copy it again");
     return;
   }
+  if (is_plain_text(bytes))
+    throw MeshError(name +
+                    " is text, but no STL: it does not begin with 'solid' and has no facets; name the "
+                    "file that the CAD program wrote");
   if (bytes.size() < kStlHeader)
     throw MeshError(name + " is cut short: " + std::to_string(bytes.size()) +
                     " bytes, while a binary STL has a header of 84 bytes; export or copy it again");
@@ -68,6 +128,32 @@ void check_stl_is_whole(const std::filesystem::path& file, const std::string& by
     throw MeshError(name + " is cut short: its header promises " + std::to_string(triangles) +
                     " triangles (" + std::to_string(expected) + " bytes), the file has " +
                     std::to_string(bytes.size()) + " bytes; export or copy it again");
+}
+
+}  // namespace
+
+std::string read_cad_file(const std::filesystem::path& file) {
+  const std::string name = std::string("'").append(file.string()).append("'");
+  std::error_code error;
+  if (!std::filesystem::exists(file, error))
+    throw MeshError("CAD file " + name +
+                    " does not exist: check the path, it is taken relative to the scene file");
+  if (std::filesystem::is_directory(file, error))
+    throw MeshError("CAD file " + name + " is a directory: name the CAD file inside it");
+  std::ifstream stream(file, std::ios::binary);
+  if (!stream) throw MeshError("CAD file " + name + " cannot be read: check its permissions");
+  std::string bytes{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
+  if (bytes.empty()) throw MeshError("CAD file " + name + " is empty: export it again");
+  return bytes;
+}
+
+void check_is_what_it_says(const std::filesystem::path& file, const std::string& ending,
+                           const std::string& bytes) {
+  const std::string name = "CAD file '" + file.string() + "'";
+  check_beginning(name, ending, bytes);
+  if (ending == "stl") check_stl(name, bytes);
+  if (ending == "ply") check_ply(name, bytes);
+  if (ending == "off") check_off(name, bytes);
 }
 
 }  // namespace diefill::geometry

@@ -9,8 +9,10 @@ namespace diefill::geometry {
 /// All bytes of `file`. Throws MeshError when it is missing, a directory, not readable or empty.
 std::string read_cad_file(const std::filesystem::path& file);
 
-/// Throws MeshError when `bytes` of an STL file are fewer than its header promises (binary) or end before
-/// `endsolid` (text): importers take such files without a word.
-void check_stl_is_whole(const std::filesystem::path& file, const std::string& bytes);
+/// Throws MeshError when `bytes` of a file that ends in `ending` (lower case) are those of another kind of
+/// file, fewer than a header promises (binary STL, PLY, OFF) or end before `endsolid` (text STL): importers
+/// take some such files without a word and ask for memory without end on others.
+void check_is_what_it_says(const std::filesystem::path& file, const std::string& ending,
+                           const std::string& bytes);
 
 }  // namespace diefill::geometry

@@ -18,6 +18,7 @@ namespace {
 
 /// How far, in square roots of a triangle's area, the two sides of it are probed for inside and outside.
 constexpr double kProbeDepth = 1e-4;
+constexpr std::size_t kMostMarks = 100;  // of one kind; more would cover the part on a picture
 
 /// One side of a triangle, ordered by the edge it lies on.
 struct HalfEdge {
@@ -57,9 +58,9 @@ class Examination {
   MeshFindings run();
 
  private:
-  /// Counts one finding and keeps the place of the first of its kind.
+  /// Counts one finding and keeps the places of the first of its kind.
   void count(std::size_t& counter, const Eigen::Vector3d& place) {
-    if (counter++ == 0) places_[&counter] = place;
+    if (counter++ < kMostMarks) places_[&counter].push_back(place);
   }
   Eigen::Vector3d middle(std::size_t triangle) const {
     const Corners c = corners_of(mesh_, triangle);
@@ -75,7 +76,7 @@ class Examination {
 
   const Mesh& mesh_;
   MeshFindings findings_;
-  std::map<const std::size_t*, Eigen::Vector3d> places_;  ///< by counter; only ever looked up
+  std::map<const std::size_t*, std::vector<Eigen::Vector3d>> places_;  ///< by counter; only ever looked up
   Topology topology_;
   std::vector<std::uint8_t> duplicate_;
   std::vector<std::size_t> piece_;  ///< of a triangle: the first triangle of its shell
@@ -185,11 +186,21 @@ void Examination::find_inward_shells() {
 }
 
 void Examination::list_places() {
-  for (const std::size_t* counter :
-       {&findings_.not_finite, &findings_.open_edges, &findings_.non_manifold_edges,
-        &findings_.self_intersections, &findings_.badly_oriented_edges, &findings_.inward_shells,
-        &findings_.degenerate_triangles, &findings_.duplicate_triangles})
-    if (*counter > 0) findings_.places.push_back(places_.at(counter));
+  const std::pair<const std::size_t*, const char*> kinds[] = {
+      {&findings_.not_finite, "impossible corner"},
+      {&findings_.open_edges, "open edge"},
+      {&findings_.non_manifold_edges, "edge of more than two triangles"},
+      {&findings_.self_intersections, "crossing"},
+      {&findings_.badly_oriented_edges, "turned over"},
+      {&findings_.inward_shells, "inside out"},
+      {&findings_.degenerate_triangles, "without area"},
+      {&findings_.duplicate_triangles, "twice"}};
+  for (const auto& [counter, kind] : kinds) {
+    if (*counter == 0) continue;
+    const auto& places = places_.at(counter);
+    findings_.places.push_back(places.front());
+    for (const auto& place : places) findings_.marks.push_back({kind, place});
+  }
 }
 
 MeshFindings Examination::run() {

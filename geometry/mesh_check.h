@@ -9,6 +9,12 @@
 
 namespace diefill::geometry {
 
+/// One place where a mesh is not as it should be.
+struct MeshMark {
+  std::string kind;       ///< such as "open edge"
+  Eigen::Vector3d place;  ///< m
+};
+
 /// Findings about one mesh. Counts are of triangles unless said otherwise.
 struct MeshFindings {
   std::size_t triangles = 0;   ///< all of them
@@ -33,7 +39,8 @@ struct MeshFindings {
   /// One finding a line in words, such as "12 open edges: the surface has a hole near (1.0, 2.0, 0.0) mm".
   std::vector<std::string> in_words() const;
   std::vector<Eigen::Vector3d>
-      places;  ///< m, first place of each kind of finding, in the order of in_words()
+      places;                   ///< m, first place of each kind of finding, in the order of in_words()
+  std::vector<MeshMark> marks;  ///< up to 100 places of each kind, for pictures
 };
 
 /// Examines `mesh`. Never throws for a bad mesh: badness is what it reports.

@@ -16,6 +16,9 @@ using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using TriangleBox = CGAL::Box_intersection_d::Box_with_info_d<double, 3, std::size_t>;
 
 constexpr double kShrink = 1e-5;
+constexpr std::size_t kMostCrossings = 100000;  // piles of the same sheet have millions
+
+struct Enough {};
 
 Kernel::Triangle_3 shrunk_triangle(const Corners& corners) {
   const Eigen::Vector3d middle = (corners[0] + corners[1] + corners[2]) / 3;
@@ -38,11 +41,16 @@ std::vector<std::pair<std::size_t, std::size_t>> find_crossings(const Mesh& mesh
     boxes.emplace_back(triangles[t].bbox(), t);
   }
   std::vector<std::pair<std::size_t, std::size_t>> crossings;
-  CGAL::box_self_intersection_d(boxes.begin(), boxes.end(), [&](const TriangleBox& a, const TriangleBox& b) {
+  const auto look = [&](const TriangleBox& a, const TriangleBox& b) {
     const std::size_t low = std::min(a.info(), b.info());
     const std::size_t high = std::max(a.info(), b.info());
     if (CGAL::do_intersect(triangles[low], triangles[high])) crossings.emplace_back(low, high);
-  });
+    if (crossings.size() == kMostCrossings) throw Enough();
+  };
+  try {
+    CGAL::box_self_intersection_d(boxes.begin(), boxes.end(), look);
+  } catch (const Enough&) {
+  }
   std::sort(crossings.begin(), crossings.end());
   return crossings;
 }

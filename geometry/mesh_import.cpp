@@ -1,17 +1,15 @@
 #include "geometry/mesh_import.h"
 
-#include <assimp/postprocess.h>
-#include <assimp/scene.h>
-
 #include <algorithm>
-#include <assimp/Importer.hpp>
-#include <cctype>
 #include <cmath>
 #include <cstdint>
+#include <cstdio>
 #include <iomanip>
 #include <sstream>
 
+#include "geometry/cad_child.h"
 #include "geometry/cad_file.h"
+#include "geometry/cad_parts.h"
 #include "geometry/point_grid.h"
 
 namespace diefill::geometry {
@@ -21,36 +19,7 @@ namespace {
 /// Vertices closer than this part of the bounding box's diagonal are one: CAD files carry single precision,
 /// whose steps are 6e-8 of a coordinate, so that copies of one corner can differ by about as much.
 constexpr double kJoinTolerance = 1e-7;
-
-std::string extension_of(const std::filesystem::path& file) {
-  std::string extension = file.extension().string();
-  if (!extension.empty()) extension.erase(0, 1);
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return extension;
-}
-
-void add_mesh(const aiMesh& part, const aiMatrix4x4& pose, Mesh& mesh) {
-  const int offset = static_cast<int>(mesh.vertices.size());
-  for (unsigned i = 0; i < part.mNumVertices; ++i) {
-    const aiVector3D placed = pose * part.mVertices[i];
-    mesh.vertices.emplace_back(placed.x, placed.y, placed.z);
-  }
-  // A mirroring pose turns the triangles' sense round; swapping two corners turns it back.
-  const bool mirrored = pose.Determinant() < 0;
-  for (unsigned i = 0; i < part.mNumFaces; ++i) {
-    const aiFace& face = part.mFaces[i];
-    if (face.mNumIndices != 3) continue;
-    const auto corner = [&](unsigned k) { return offset + static_cast<int>(face.mIndices[k]); };
-    mesh.triangles.emplace_back(corner(0), corner(mirrored ? 2 : 1), corner(mirrored ? 1 : 2));
-  }
-}
-
-void add_node(const aiScene& scene, const aiNode& node, const aiMatrix4x4& parent, Mesh& mesh) {
-  const aiMatrix4x4 pose = parent * node.mTransformation;
-  for (unsigned i = 0; i < node.mNumMeshes; ++i) add_mesh(*scene.mMeshes[node.mMeshes[i]], pose, mesh);
-  for (unsigned i = 0; i < node.mNumChildren; ++i) add_node(scene, *node.mChildren[i], pose, mesh);
-}
+constexpr double kSameUnit = 1e-3;  // units of length differ by more
 
 /// Vertices within tolerance of an earlier one become that one; vertices without triangles go.
 Mesh with_joined_vertices(const Mesh& mesh) {
@@ -75,49 +44,109 @@ Mesh with_joined_vertices(const Mesh& mesh) {
   return result;
 }
 
-void check_finite(const Mesh& mesh, const std::filesystem::path& file) {
+void check_corners(const Mesh& mesh, const std::filesystem::path& file) {
   const auto bad = std::find_if(mesh.vertices.begin(), mesh.vertices.end(),
                                 [](const Eigen::Vector3d& v) { return !v.allFinite(); });
   if (bad != mesh.vertices.end())
     throw MeshError("CAD file '" + file.string() + "' holds a corner that is no finite number (corner " +
                     std::to_string(bad - mesh.vertices.begin() + 1) + "): export it again");
+  const auto count = static_cast<int>(mesh.vertices.size());
+  for (const Eigen::Vector3i& triangle : mesh.triangles)
+    if (triangle.minCoeff() < 0 || triangle.maxCoeff() >= count)
+      throw MeshError("CAD file '" + file.string() + "' has a triangle whose corner " +
+                      std::to_string(triangle.maxCoeff() + 1) + " does not exist: export it again");
 }
 
-/// The importer's own words, its first line; it says nothing about 3MF archives whose layout it does not
-/// know.
-std::string reason(const std::string& importer_error) {
-  if (importer_error.empty()) return "its inner layout is not known to the importer";
-  return importer_error.substr(0, importer_error.find('\n'));
+std::string in_quotes(const std::filesystem::path& file) {
+  return "CAD file '" + file.string() + "'";
+}
+
+std::string unit_in_words(double metres) {
+  for (const auto& [name, size] :
+       {std::pair{"mm", 1e-3}, {"um", 1e-6}, {"cm", 1e-2}, {"m", 1.0}, {"inch", 0.0254}, {"foot", 0.3048}})
+    if (std::abs(metres / size - 1) < kSameUnit) return name;
+  char text[40];
+  std::snprintf(text, sizeof text, "%g mm", 1e3 * metres);
+  return text;
+}
+
+/// The file's own unit and the one given have to agree where there are both.
+double unit_of(const std::filesystem::path& file, const CadParts& contents, const ImportOptions& options) {
+  const auto& given = options.metres_per_unit;
+  const auto& stated = contents.metres_per_unit;
+  if (!stated && !given)
+    throw MeshError(in_quotes(file) + " does not say what unit its coordinates are in: state it");
+  if (stated && given && std::abs(*given / *stated - 1) > kSameUnit)
+    throw MeshError(in_quotes(file) + " states its unit, " + unit_in_words(*stated) + ", but " +
+                    unit_in_words(*given) + " is asked for: leave the unit out, or export the file again");
+  return stated ? *stated : *given;
+}
+
+/// The wanted part, or all of them as one mesh.
+Mesh wanted(const std::filesystem::path& file, const CadParts& contents, const ImportOptions& options,
+            const std::vector<std::string>& names) {
+  Mesh mesh;
+  for (const CadPart& part : contents.parts) {
+    if (!options.part.empty() && part.name != options.part) continue;
+    const int offset = static_cast<int>(mesh.vertices.size());
+    mesh.vertices.insert(mesh.vertices.end(), part.mesh.vertices.begin(), part.mesh.vertices.end());
+    for (const auto& triangle : part.mesh.triangles) mesh.triangles.emplace_back(triangle.array() + offset);
+  }
+  if (!mesh.triangles.empty()) return mesh;
+  std::string list;
+  for (const auto& name : names) list += (list.empty() ? "\"" : ", \"") + name + "\"";
+  throw UnknownPart(in_quotes(file) + " has no part \"" + options.part + "\": it holds " + list, names);
+}
+
+CadParts read(const std::filesystem::path& file, const CadFormat& format, double chord_tolerance,
+              std::size_t bytes) {
+  try {
+    return read_in_child([&] { return read_cad_parts(file, format, chord_tolerance); }, bytes);
+  } catch (const std::runtime_error& reason) {
+    throw MeshError(in_quotes(file) + " cannot be read as " + format.ending + ": " + reason.what() +
+                    "; export it again, best as STEP or STL");
+  }
+}
+
+void check_options(const std::filesystem::path& file, const ImportOptions& options) {
+  const double unit = options.metres_per_unit.value_or(1);
+  if (!(std::isfinite(unit) && unit > 0))
+    throw MeshError(in_quotes(file) + ": the unit of length must be a positive number of metres, not " +
+                    std::to_string(unit));
+  if (!(std::isfinite(options.chord_tolerance) && options.chord_tolerance > 0))
+    throw MeshError(in_quotes(file) + ": the chord tolerance must be a positive number of metres, not " +
+                    std::to_string(options.chord_tolerance));
 }
 
 }  // namespace
 
-Mesh import_mesh(const std::filesystem::path& file, double metres_per_unit) {
-  if (!(std::isfinite(metres_per_unit) && metres_per_unit > 0))
-    throw MeshError("CAD file '" + file.string() +
-                    "': the unit of length must be a positive number of metres, not " +
-                    std::to_string(metres_per_unit));
-  const std::string extension = extension_of(file);
+ImportedPart import_part(const std::filesystem::path& file, const ImportOptions& options) {
+  check_options(file, options);
   const std::string bytes = read_cad_file(file);
-  if (extension != "stl" && extension != "obj" && extension != "ply" && extension != "3mf")
-    throw MeshError("CAD file '" + file.string() + "' is of an unknown format '" + extension +
-                    "': export it as STL, OBJ, PLY or 3MF");
-  if (extension == "stl") check_stl_is_whole(file, bytes);
+  const CadFormat* format = cad_format(file);
+  if (format == nullptr)
+    throw MeshError(in_quotes(file) + " is of an unknown format '" +
+                    file.extension().string().substr(file.has_extension() ? 1 : 0) + "': export it as " +
+                    cad_formats_in_words());
+  check_is_what_it_says(file, format->ending, bytes);
+  const CadParts contents = read(file, *format, options.chord_tolerance, bytes.size());
 
-  Assimp::Importer importer;
-  const aiScene* scene = importer.ReadFile(file.string(), aiProcess_Triangulate);
-  if (scene == nullptr || scene->mRootNode == nullptr)
-    throw MeshError("CAD file '" + file.string() + "' cannot be read as " + extension + ": " +
-                    reason(importer.GetErrorString()) + "; export it again, best as STL");
-  Mesh mesh;
-  add_node(*scene, *scene->mRootNode, aiMatrix4x4(), mesh);
-  if (mesh.triangles.empty())
-    throw MeshError("CAD file '" + file.string() +
-                    "' holds no triangles: export the solid as a surface mesh");
-  check_finite(mesh, file);
-  mesh = with_joined_vertices(mesh);
-  for (Eigen::Vector3d& vertex : mesh.vertices) vertex *= metres_per_unit;
-  return mesh;
+  ImportedPart result;
+  result.unit_from_file = contents.metres_per_unit.has_value();
+  result.metres_per_unit = unit_of(file, contents, options);
+  result.curved = format->surface == SurfaceKind::kCurved;
+  for (const CadPart& part : contents.parts) result.parts.push_back(part.name);
+  Mesh mesh = wanted(file, contents, options, result.parts);
+  check_corners(mesh, file);
+  result.mesh = with_joined_vertices(mesh);
+  for (Eigen::Vector3d& vertex : result.mesh.vertices) vertex *= result.metres_per_unit;
+  return result;
+}
+
+Mesh import_mesh(const std::filesystem::path& file, double metres_per_unit) {
+  ImportOptions options;
+  options.metres_per_unit = metres_per_unit;
+  return import_part(file, options).mesh;
 }
 
 std::string file_hash(const std::filesystem::path& file) {

@@ -1,17 +1,45 @@
-// Reads CAD files (STL ASCII and binary, OBJ, PLY, 3MF where assimp reads it) into a Mesh in metres.
+// Reads one part of a CAD file as a Mesh in metres. Which kinds of file: cad_parts.h.
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
+#include <vector>
 
 #include "geometry/mesh.h"
 
 namespace diefill::geometry {
 
-/// Reads `file`, whose coordinates are in units of `metres_per_unit` (0.001 for mm). Vertices closer than
-/// 1e-7 of the bounding box's diagonal are joined; all meshes of a file become one, placed by their
-/// transformations. Throws MeshError when the file is missing, a directory, empty, cut short, of unknown
-/// format, or holds no triangles or coordinates that are not finite.
+/// What to take from a CAD file, and how.
+struct ImportOptions {
+  std::optional<double> metres_per_unit;  ///< as somebody states it, 0.001 for mm
+  std::string part;                       ///< its name in the file; empty: everything in the file as one
+  double chord_tolerance = 1.5e-6;        ///< m, between curved surfaces and the triangles made of them
+};
+
+/// What came of it.
+struct ImportedPart {
+  Mesh mesh;                       ///< m
+  double metres_per_unit = 0;      ///< of the file
+  bool unit_from_file = false;     ///< whether the file itself states its unit
+  bool curved = false;             ///< whether the triangles are an approximation within the chord tolerance
+  std::vector<std::string> parts;  ///< names of all parts of the file, in its order
+};
+
+/// The wanted part is not in the file.
+struct UnknownPart : MeshError {
+  UnknownPart(const std::string& message, std::vector<std::string> names)
+      : MeshError(message), known(std::move(names)) {}
+  std::vector<std::string> known;  ///< names of the parts that are
+};
+
+/// Reads `file`. Vertices closer than 1e-7 of the bounding box's diagonal are joined; parts are placed by the
+/// file's transformations. Throws MeshError when the file is missing, a directory, empty, cut short, of
+/// unknown format, has no unit and none is given, states another unit than the one given, or holds no
+/// triangles or coordinates that are not finite; UnknownPart when there is no part of that name.
+ImportedPart import_part(const std::filesystem::path& file, const ImportOptions& options);
+
+/// Everything in `file`, whose coordinates are in units of `metres_per_unit` (0.001 for mm), as one mesh.
 Mesh import_mesh(const std::filesystem::path& file, double metres_per_unit);
 
 /// Hash of the bytes of a file, as 16 hexadecimal digits, so that results can name the CAD they were made

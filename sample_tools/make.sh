@@ -1,5 +1,6 @@
 #!/bin/sh
-# Makes every STL file of this folder from its OpenSCAD source (binary STL, mm). Needs openscad 2021 or newer.
+# Makes every STL file of this folder from its OpenSCAD source (binary STL, mm; openscad 2021 or newer) and every STEP
+# file from make_step.cpp (OpenCASCADE 7.6).
 set -eu
 cd "$(dirname "$0")"
 
@@ -37,3 +38,19 @@ for slit in 6 10; do
   make_part slit_plate/slit_plate.scad slit_plate/slit_${slit}mm.stl -D slit=$slit
 done
 make_part slit_plate/slit_plate.scad slit_plate/shoe_walls.stl -D 'part="shoe"'
+
+for part in die core_rods punch shoe; do
+  make_part gear/gear.scad gear/$part.stl -D "part=\"$part\""
+done
+
+# STEP files with curved faces, made with OpenCASCADE; their dates are taken out so that they come out the same.
+if [ -d /usr/include/opencascade ]; then
+  program=$(mktemp)
+  c++ -std=c++20 -O1 -isystem /usr/include/opencascade make_step.cpp -o "$program" -lTKXDESTEP -lTKXDEIGES -lTKXCAF \
+    -lTKSTEP -lTKIGES -lTKXSBase -lTKLCAF -lTKCDF -lTKOffset -lTKBool -lTKBO -lTKPrim -lTKGeomAlgo -lTKTopAlgo -lTKGeomBase -lTKBRep \
+    -lTKG3d -lTKMath -lTKernel
+  "$program" >/dev/null
+  rm "$program"
+  sed -i "s/'[0-9-]*T[0-9:]*'/'2000-01-01T00:00:00'/" ./*/*.step
+  sed -i "s/15H[0-9]*\.[0-9]*/15H20000101.000000/g" ./*/*.igs
+fi

@@ -332,7 +332,8 @@ results::FillResult assemble(const Scene& scene, const Tooling& tooling, const F
       measure_solid_fraction(result.powder, result.tools, result.cavity, scene.numerics.period);
   result.summary = summarise(result.powder, result.solid_fraction, result.cavity);
   add_figures(scene, result, tooling, run);
-  result.warnings = run.warnings();
+  result.warnings = tooling.remarks();
+  for (const auto& warning : run.warnings()) result.warnings.push_back(warning);
   for (auto& warning : moved_die(die, tooling.tools[tooling.die].spec.name))
     result.warnings.push_back(std::move(warning));
   measure_fields(result, {scene.measure.averaging_width, wanted_sections(scene)}, scene.measure.azimuth_bins);

@@ -1,6 +1,7 @@
 #include "process/run/tool_fit.h"
 
 #include <cstdio>
+#include <utility>
 
 #include "geometry/solid_query.h"
 
@@ -8,15 +9,10 @@ namespace diefill::process {
 
 namespace {
 
-constexpr double kLargestTool = 2;  // m
+constexpr double kLargestTool = 2;                            // m
+constexpr double kSmallestUsual = 0.01, kLargestUsual = 0.8;  // m, extents of tools that presses have
 
-/// Deepest corner of a part inside another.
-struct Depth {
-  double depth = 0;  ///< m
-  Eigen::Vector3d place = Eigen::Vector3d::Zero();
-};
-
-void deepen(Depth& deepest, const geometry::Mesh& part, const geometry::Mesh& solid) {
+void deepen(Overlap& deepest, const geometry::Mesh& part, const geometry::Mesh& solid) {
   const geometry::Box box = solid.bounding_box();
   const geometry::SolidQuery query(solid);
   for (const auto& corner : part.vertices) {
@@ -26,9 +22,24 @@ void deepen(Depth& deepest, const geometry::Mesh& part, const geometry::Mesh& so
   }
 }
 
+/// Units in which the part would be as large as tools are, where `extent` is in the file's unit.
+std::string likely_unit(double extent) {
+  std::string units;
+  for (const auto& [name, metres] :
+       {std::pair{"mm", 1e-3}, {"um", 1e-6}, {"cm", 1e-2}, {"m", 1.0}, {"inch", 0.0254}}) {
+    char text[60];
+    const double size = extent * metres;
+    if (size < kSmallestUsual || size > kLargestUsual) continue;
+    std::snprintf(text, sizeof text, "%s%.4g mm in \"%s\"", units.empty() ? " (" : ", ", 1e3 * size, name);
+    units += text;
+  }
+  return units.empty() ? "" : units + ")";
+}
+
 }  // namespace
 
-void check_size(const geometry::Mesh& mesh, double sphere_radius, const std::string& where) {
+void check_size(const geometry::Mesh& mesh, double sphere_radius, double metres_per_unit,
+                const std::string& where) {
   const Eigen::Vector3d size = mesh.bounding_box().size();
   const bool too_large = size.maxCoeff() > kLargestTool, too_small = size.maxCoeff() < 4 * sphere_radius;
   if (!too_large && !too_small) return;
@@ -37,13 +48,18 @@ void check_size(const geometry::Mesh& mesh, double sphere_radius, const std::str
                 ": measures %.4g x %.4g x %.4g mm, %s; see whether length_unit is that of the CAD file",
                 1e3 * size[0], 1e3 * size[1], 1e3 * size[2],
                 too_large ? "and 2000 mm is the most" : "too small to be covered with wall spheres");
-  throw SceneError(where + text);
+  throw SceneError(where + text + likely_unit(size.maxCoeff() / metres_per_unit));
+}
+
+Overlap deepest_overlap(const geometry::Mesh& one, const geometry::Mesh& other) {
+  Overlap deepest;
+  deepen(deepest, one, other);
+  deepen(deepest, other, one);
+  return deepest;
 }
 
 void check_fit(const Tool& tool, const Tool& other, double sphere_radius, const std::string& where) {
-  Depth deepest;
-  deepen(deepest, tool.mesh, other.mesh);
-  deepen(deepest, other.mesh, tool.mesh);
+  const Overlap deepest = deepest_overlap(tool.mesh, other.mesh);
   if (deepest.depth <= sphere_radius) return;
   char text[120];
   std::snprintf(text, sizeof text,

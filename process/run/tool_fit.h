@@ -7,9 +7,21 @@
 
 namespace diefill::process {
 
+/// "file:line: tool "name"", where messages about a tool begin.
+std::string tool_in_words(const Scene& scene, const ToolSpec& spec);
+
 /// Throws SceneError (beginning with `where`) when the part is larger than any press or too small to be
-/// covered with wall spheres of that radius (m): its CAD file is in another unit of length.
-void check_size(const geometry::Mesh& mesh, double sphere_radius, const std::string& where);
+/// covered with wall spheres of that radius (m): its CAD file, read in units of `metres_per_unit`, is in
+/// another one.
+void check_size(const geometry::Mesh& mesh, double sphere_radius, double metres_per_unit,
+                const std::string& where);
+
+/// How deep one part reaches into another, judged by the corners of both.
+struct Overlap {
+  double depth = 0;  ///< m
+  Eigen::Vector3d place = Eigen::Vector3d::Zero();
+};
+Overlap deepest_overlap(const geometry::Mesh& one, const geometry::Mesh& other);
 
 /// Throws SceneError (beginning with `where`, which is of `tool`) when a corner of one of the two parts lies
 /// deeper inside the other than a wall sphere's radius, as they stand at the start. Fits and facets overlap

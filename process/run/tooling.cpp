@@ -6,7 +6,6 @@
 #include <future>
 #include <stdexcept>
 
-#include "geometry/mesh_import.h"
 #include "geometry/solid_query.h"
 #include "process/run/periodic_tool.h"
 #include "process/run/reachable_surface.h"
@@ -16,30 +15,6 @@
 namespace diefill::process {
 
 namespace {
-
-std::string place_of(const Scene& scene, const ToolSpec& spec) {
-  return scene.file.string() + ":" + std::to_string(spec.line) + ": tool \"" + spec.name + "\"";
-}
-
-/// Findings of an unusable mesh in one line.
-std::string in_one_line(const geometry::MeshFindings& findings) {
-  std::string text;
-  for (const auto& finding : findings.in_words()) text += (text.empty() ? "" : "; ") + finding;
-  return text;
-}
-
-Tool read_tool(const Scene& scene, const ToolSpec& spec) {
-  Tool tool;
-  tool.spec = spec;
-  tool.mesh = geometry::transformed(geometry::import_mesh(spec.file, spec.metres_per_unit), spec.rotation,
-                                    spec.position);
-  tool.findings = geometry::check_mesh(tool.mesh);
-  tool.file_hash = geometry::file_hash(spec.file);
-  if (!tool.findings.usable())
-    throw SceneError(place_of(scene, spec) + ": " + spec.file.string() + " does not enclose a solid: " +
-                     in_one_line(tool.findings) + "; repair the CAD and export it again");
-  return tool;
-}
 
 geometry::Box moved_box(const geometry::Mesh& mesh, const ToolPose& pose) {
   return geometry::transformed(mesh, pose.rotation, pose.translation).bounding_box();
@@ -146,12 +121,10 @@ double sphere_radius(const Scene& scene, const ToolSpec& spec) {
 }
 
 void refuse_misplaced(const Scene& scene, const Tooling& tooling) {
-  for (const Tool& tool : tooling.tools)
-    check_size(tool.mesh, sphere_radius(scene, tool.spec), place_of(scene, tool.spec));
   for (std::size_t k = 0; k < tooling.tools.size(); ++k)
     for (std::size_t other = 0; other < k; ++other)
       check_fit(tooling.tools[k], tooling.tools[other], sphere_radius(scene, tooling.tools[k].spec),
-                place_of(scene, tooling.tools[k].spec));
+                tool_in_words(scene, tooling.tools[k].spec));
 }
 
 /// Openings measured between centres (OP-12): the spheres' centres, not their surfaces, lie on the CAD
@@ -166,7 +139,7 @@ void move_to_surface(geometry::WallSpheres& spheres, const geometry::Mesh& mesh)
 /// The tool's wall spheres; complaints about its geometry name the tool.
 geometry::WallSpheres cover(const Scene& scene, const Tool& tool, double grain_diameter,
                             decltype(geometry::WallSphereOptions::reachable) reachable) {
-  const std::string where = place_of(scene, tool.spec);
+  const std::string where = tool_in_words(scene, tool.spec);
   geometry::WallSphereOptions options;
   options.radius = sphere_radius(scene, tool.spec);
   options.spacing = tool.spec.spacing.value_or(scene.walls.spacing);
@@ -190,7 +163,7 @@ void refuse_leaks(const Scene& scene, const Tool& tool, double smallest_radius) 
       ": a grain's sphere of %.4g mm diameter could pass the wall through a gap of %.4g mm near (%.2f, %.2f, "
       "%.2f) mm; lower the spacing of the wall spheres or their radius",
       2e3 * smallest_radius, 1e3 * tool.spheres.largest_gap, place[0], place[1], place[2]);
-  throw SceneError(place_of(scene, tool.spec) + text);
+  throw SceneError(tool_in_words(scene, tool.spec) + text);
 }
 
 }  // namespace
@@ -199,6 +172,18 @@ std::size_t Tooling::wall_spheres() const {
   std::size_t count = 0;
   for (const auto& tool : tools) count += tool.spheres.centres.size();
   return count;
+}
+
+std::vector<std::string> Tooling::remarks() const {
+  std::vector<std::string> lines;
+  for (const Tool& tool : tools) {
+    const std::string name = "tool \"" + tool.spec.name + "\"";
+    for (const auto& repair : tool.repairs) lines.push_back(name + " repaired: " + repair);
+    if (tool.spec.part.empty() && tool.file_parts.size() > 1)
+      lines.push_back(name + ": all " + std::to_string(tool.file_parts.size()) + " parts of " +
+                      tool.spec.file.filename().string() + " taken together; `part` picks one");
+  }
+  return lines;
 }
 
 std::size_t Tooling::index_of(const std::string& name) const {
@@ -241,6 +226,7 @@ geometry::Cavity cavity_between(const Scene& scene, const Tooling& tooling,
 Tooling build_tooling(const Scene& scene, double smallest_radius, double grain_diameter) {
   Tooling tooling;
   for (const auto& spec : scene.tools) tooling.tools.push_back(read_tool(scene, spec));
+  for (const auto& tool : tooling.tools) refuse_unusable(scene, tool);
   refuse_misplaced(scene, tooling);
   for (const auto& tool : tooling.tools) tooling.all.include(tool.mesh.bounding_box());
   tooling.die = die_of(scene);

@@ -2,6 +2,7 @@
 // with wall spheres.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,7 +18,14 @@ namespace diefill::process {
 struct Tool {
   ToolSpec spec;
   geometry::Mesh mesh;
-  geometry::MeshFindings findings;
+  geometry::MeshFindings found;           ///< as the file has it
+  geometry::MeshFindings findings;        ///< after repair
+  std::vector<std::string> repairs;       ///< in words, one a line; empty when nothing was done
+  std::vector<std::string> not_repaired;  ///< what would have been a guess
+  std::vector<std::string> file_parts;    ///< names of the parts in the file
+  double metres_per_unit = 0;             ///< of the file
+  bool unit_from_file = false;
+  std::optional<double> chord_tolerance;  ///< m, where the triangles stand for curved surfaces
   std::string file_hash;
   geometry::WallSpheres spheres;
 };
@@ -30,9 +38,18 @@ struct Tooling {
   geometry::Box all;        ///< m, box round all tools at the start
 
   std::size_t wall_spheres() const;
+  /// What was done to the tools' CAD, a line for each repair, and which files were taken as a whole.
+  std::vector<std::string> remarks() const;
   /// Index of the tool of that name. Throws std::out_of_range.
   std::size_t index_of(const std::string& name) const;
 };
+
+/// Reads one tool, repairs it as far as its scene allows, and places it. Throws SceneError or
+/// geometry::MeshError when its file cannot be read; whether the mesh is usable is in `findings`.
+Tool read_tool(const Scene& scene, const ToolSpec& spec);
+
+/// Throws SceneError when the tool's mesh encloses no solid.
+void refuse_unusable(const Scene& scene, const Tool& tool);
 
 /// Reads and examines the tools, settles what the scene's steps leave to the geometry (Step::prepare), and
 /// covers what powder can reach with wall spheres. `smallest_radius` (m) is that of the powder's spheres: a

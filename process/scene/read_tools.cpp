@@ -1,9 +1,9 @@
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <cctype>
 #include <numbers>
 #include <system_error>
 
+#include "geometry/cad_parts.h"
 #include "process/scene/plausibility.h"
 #include "process/scene/sections.h"
 #include "process/scene/wall_rules.h"
@@ -12,6 +12,7 @@ namespace diefill::process {
 namespace {
 
 constexpr QuantityRule kPosition = {Dimension::length, "34 mm", "-10 m", "10 m"};
+constexpr QuantityRule kChordTolerance = {Dimension::length, "0.002 mm", "1e-5 mm", "1 mm"};
 constexpr QuantityRule kAngle = {Dimension::angle, "90 deg", "-360 deg", "360 deg"};
 
 const Choices<ToolRole>& roles() {
@@ -29,13 +30,11 @@ const Choices<double>& length_units() {
   return choices;
 }
 
-/// Formats of curved faces; only triangles can be covered with wall spheres.
-bool has_curved_faces(const std::filesystem::path& file) {
-  static const std::vector<std::string> endings = {".step",   ".stp", ".iges", ".igs",    ".x_t",
-                                                   ".sldprt", ".ipt", ".prt",  ".catpart"};
-  std::string ending = file.extension().string();
-  for (char& letter : ending) letter = static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
-  return std::find(endings.begin(), endings.end(), ending) != endings.end();
+const Choices<geometry::RepairLevel>& repair_levels() {
+  static const Choices<geometry::RepairLevel> choices = {{"safe", geometry::RepairLevel::kSafe},
+                                                         {"off", geometry::RepairLevel::kOff},
+                                                         {"wrap", geometry::RepairLevel::kWrap}};
+  return choices;
 }
 
 std::filesystem::path read_file(TableReader& table) {
@@ -51,19 +50,28 @@ std::filesystem::path read_file(TableReader& table) {
   }
   if (std::filesystem::is_directory(status))
     table.reject("file", "this is a folder; name a CAD file in it, such as \"die.stl\"");
-  if (has_curved_faces(file)) {
-    table.reject("file",
-                 "a triangle mesh is needed (STL, OBJ, PLY); export the part as STL from the CAD program");
-  }
+  if (geometry::cad_format(file) == nullptr)
+    table.reject("file", "no kind of CAD file that can be read ends so; export the part as " +
+                             geometry::cad_formats_in_words());
   return file;
 }
 
-double read_length_unit(TableReader& table) {
+/// Where the file states its unit the scene need not, and import_part() sees whether the two agree.
+double read_length_unit(TableReader& table, const geometry::CadFormat& format) {
+  if (format.states_unit) return table.choice("length_unit", length_units()).value_or(0);
   if (!table.has("length_unit")) {
     table.require("length_unit",
-                  "\"mm\", because CAD files of triangles do not say what unit their coordinates are in");
+                  "\"mm\", because CAD files of this kind do not say what unit their coordinates are in");
   }
   return table.required_choice("length_unit", length_units());
+}
+
+std::optional<double> read_chord_tolerance(TableReader& table, const geometry::CadFormat& format) {
+  const auto tolerance = table.quantity("chord_tolerance", kChordTolerance);
+  if (tolerance && format.surface == geometry::SurfaceKind::kTriangles)
+    table.reject("chord_tolerance",
+                 "this file holds triangles already; only STEP and IGES have curved surfaces to follow");
+  return tolerance;
 }
 
 Eigen::Matrix3d read_rotation(TableReader& tool) {
@@ -82,7 +90,12 @@ ToolSpec read_tool(TableReader& table, const WallSpec& walls, const PowderSpec& 
   tool.name = table.required_name("name", "die");
   tool.role = table.required_choice("role", roles());
   tool.file = read_file(table);
-  tool.metres_per_unit = read_length_unit(table);
+  const geometry::CadFormat& format = *geometry::cad_format(tool.file);
+  if (table.has("part")) tool.part = table.required_text("part", "lower punch");
+  tool.metres_per_unit = read_length_unit(table, format);
+  tool.chord_tolerance = read_chord_tolerance(table, format);
+  tool.repair = table.choice("repair", repair_levels()).value_or(geometry::RepairLevel::kSafe);
+  tool.mirror = table.direction("mirror").value_or(Eigen::Vector3d::Zero());
   tool.rotation = read_rotation(table);
   tool.position = table.point("position", kPosition).value_or(Eigen::Vector3d::Zero());
   tool.sphere_radius = table.quantity("sphere_radius", kWallSphereRadius);

@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "geometry/mesh_repair.h"
 #include "process/machine/step.h"
 #include "process/scene/scene_error.h"
 
@@ -66,11 +67,15 @@ struct ToolSpec {
   std::string name;
   ToolRole role = ToolRole::die;
   std::filesystem::path file;  ///< absolute or relative to the scene file, already resolved
-  double metres_per_unit = 0;  ///< from `length_unit`, which must be stated
-  Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();  ///< applied to the CAD first
+  std::string part;            ///< of the file; empty: all parts as one tool
+  double metres_per_unit = 0;  ///< from `length_unit`; 0: the file states it
+  Eigen::Vector3d mirror = Eigen::Vector3d::Zero();  ///< normal of the mirror; zero: none. Applied first
+  Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();  ///< applied to the CAD then
   Eigen::Vector3d position = Eigen::Vector3d::Zero();      ///< m, then shifted
-  std::optional<double> sphere_radius, spacing;            ///< overrides of WallSpec
-  int line = 0;                                            ///< in the scene file, for messages
+  std::optional<double> chord_tolerance;  ///< m, for curved surfaces; a hundredth of the wall spheres' radius
+  geometry::RepairLevel repair = geometry::RepairLevel::kSafe;
+  std::optional<double> sphere_radius, spacing;  ///< overrides of WallSpec
+  int line = 0;                                  ///< in the scene file, for messages
 };
 
 /// Powder poured at the start: lattice in `box`, up to `height` above its floor once settled when mass is not

@@ -79,13 +79,27 @@ std::vector<WrongTool> wrong_files() {
   };
 }
 
+/// The die with that mesh, and nothing may be done about it.
+std::function<void(const SmallDie&)> with_unrepaired_die(const cad::Part& part) {
+  return [=](const SmallDie& die) {
+    die.write("die.stl", cad::binary_stl(part));
+    die.exchange(kDieFile, kDieFile + "\nrepair = \"off\"");
+  };
+}
+
 std::vector<WrongTool> wrong_meshes() {
   return {
       {"open",
-       with_die(with_a_hole()),
+       with_unrepaired_die(with_a_hole()),
        {"scene.toml:13: tool \"die\"", "die.stl does not enclose a solid", "open edges"}},
-      {"inside_out", with_die(cad::inside_out(small_die())), {"tool \"die\"", "inside out"}},
-      {"crosses_itself", with_die(crossing_itself()), {"tool \"die\"", "cross"}},
+      {"inside_out", with_unrepaired_die(cad::inside_out(small_die())), {"tool \"die\"", "inside out"}},
+      {"crosses_itself", with_unrepaired_die(crossing_itself()), {"tool \"die\"", "cross"}},
+      {"hole_that_may_be_an_opening",
+       with_die(with_a_hole()),
+       {"tool \"die\"", "open edges", "not repaired: a hole of", "may be an opening"}},
+      {"part_that_is_not_there",
+       with_scene(kDieFile, kDieFile + "\npart = \"dye\""),
+       {"tool \"die\"", "has no part \"dye\": it holds \"", "write one of these names"}},
       {"thinner_than_wall_spheres",
        with_file("shoe.stl", cad::binary_stl(thin_shoe())),
        {"scene.toml:19: tool \"shoe\"", "0.3 mm thick", "wall sphere of 0.5 mm"}},

@@ -8,11 +8,11 @@
 
 namespace diefill::process {
 
-/// A folder with empty `die.stl`, `shoe.stl`, `part.step` and a folder `parts`.
+/// A folder with empty `die.stl`, `shoe.stl`, `part.step`, `part.sldprt` and a folder `parts`.
 class SceneFolder {
  public:
   SceneFolder() {
-    for (const char* name : {"die.stl", "shoe.stl", "part.step"}) folder_.write(name, "");
+    for (const char* name : {"die.stl", "shoe.stl", "part.step", "part.sldprt"}) folder_.write(name, "");
     std::filesystem::create_directory(path() / "parts");
   }
 

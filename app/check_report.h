@@ -1,0 +1,26 @@
+// What `check` says about the tools: in words, as JSON, and as marks on a picture.
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <vector>
+
+#include "process/run/diagnosis.h"
+#include "render/findings.h"
+
+namespace diefill::app {
+
+/// A tool's mesh: size, state, repairs, symmetry (none: not looked for), wall spheres where there are any.
+void print_tool(const process::Tool& tool, const geometry::Symmetry* symmetry);
+/// How neighbouring tools fit.
+void print_pairs(const process::Diagnosis& diagnosis);
+void print_cavity(const geometry::Cavity& cavity);
+
+/// All that the above print, lengths in m. `diagnosis` may be empty when tools were refused.
+nlohmann::ordered_json tools_as_json(const process::Tooling& tooling, const process::Diagnosis& diagnosis);
+
+/// Faults of the meshes as their files have them, gaps that powder enters, overlaps, the narrowest place.
+std::vector<render::FindingMark> marks_of(const process::Tooling& tooling,
+                                          const process::Diagnosis& diagnosis);
+std::vector<render::MarkedPart> parts_of(const process::Tooling& tooling);
+
+}  // namespace diefill::app

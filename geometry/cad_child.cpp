@@ -1,0 +1,211 @@
+#include "geometry/cad_child.h"
+
+#include <fcntl.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <csignal>
+#include <cstdint>
+#include <cstring>
+#include <fstream>
+#include <new>
+#include <stdexcept>
+
+namespace diefill::geometry {
+
+namespace {
+
+constexpr std::size_t kMemory = std::size_t{2} << 30;  // bytes beyond those of this process
+constexpr std::size_t kMemoryOfByte = 24;
+constexpr rlim_t kSeconds = 60;
+constexpr std::size_t kBytesOfSecond = 100000;
+constexpr char kWhole = 'W';  // first byte of an answer: parts follow
+constexpr char kReason = 'R';
+
+/// Writes plain values and arrays of them into a pipe.
+class Sender {
+ public:
+  explicit Sender(int pipe) : pipe_(pipe) {}
+  void bytes(const void* data, std::size_t size) {
+    const char* next = static_cast<const char*>(data);
+    while (size > 0) {
+      const ssize_t written = ::write(pipe_, next, size);
+      if (written < 0 && errno == EINTR) continue;
+      if (written <= 0) return;
+      next += written;
+      size -= static_cast<std::size_t>(written);
+    }
+  }
+  template <class Value>
+  void value(const Value& plain) {
+    bytes(&plain, sizeof plain);
+  }
+  void text(const std::string& words) {
+    value(words.size());
+    bytes(words.data(), words.size());
+  }
+  template <class Value>
+  void list(const std::vector<Value>& values) {
+    value(values.size());
+    bytes(values.data(), values.size() * sizeof(Value));
+  }
+
+ private:
+  int pipe_;
+};
+
+/// The other end; `whole()` turns false when the child sends no more.
+class Receiver {
+ public:
+  explicit Receiver(int pipe) : pipe_(pipe) {}
+  bool whole() const { return whole_; }
+  void bytes(void* data, std::size_t size) {
+    char* next = static_cast<char*>(data);
+    while (whole_ && size > 0) {
+      const ssize_t got = ::read(pipe_, next, size);
+      if (got < 0 && errno == EINTR) continue;
+      whole_ = got > 0;
+      if (!whole_) return;
+      next += got;
+      size -= static_cast<std::size_t>(got);
+    }
+  }
+  template <class Value>
+  Value value() {
+    Value plain{};
+    bytes(&plain, sizeof plain);
+    return plain;
+  }
+  std::string text() {
+    std::string words(whole_ ? value<std::size_t>() : 0, '\0');
+    bytes(words.data(), words.size());
+    return words;
+  }
+  template <class Value>
+  std::vector<Value> list() {
+    std::vector<Value> values(whole_ ? value<std::size_t>() : 0);
+    bytes(values.data(), values.size() * sizeof(Value));
+    return values;
+  }
+
+ private:
+  int pipe_;
+  bool whole_ = true;
+};
+
+std::size_t memory_in_use() {
+  std::size_t pages = 0;
+  std::ifstream("/proc/self/statm") >> pages;
+  return pages * static_cast<std::size_t>(::sysconf(_SC_PAGESIZE));
+}
+
+void limit(int what, rlim_t most) {
+  const rlimit both{most, most};
+  ::setrlimit(static_cast<__rlimit_resource>(what), &both);
+}
+
+void set_limits(std::size_t file_bytes) {
+#ifndef __SANITIZE_ADDRESS__  // the sanitizer's shadow memory takes terabytes of address space
+#ifndef __SANITIZE_THREAD__
+  limit(RLIMIT_AS, memory_in_use() + kMemory + kMemoryOfByte * file_bytes);
+#endif
+#endif
+  limit(RLIMIT_CPU, kSeconds + file_bytes / kBytesOfSecond);
+  limit(RLIMIT_CORE, 0);
+}
+
+/// Libraries that talk to the user would tear up the one line that this program says.
+void silence() {
+  const int nowhere = ::open("/dev/null", O_WRONLY | O_CLOEXEC);
+  if (nowhere < 0) return;
+  ::dup2(nowhere, STDOUT_FILENO);
+  ::dup2(nowhere, STDERR_FILENO);
+}
+
+void send(const CadParts& contents, Sender& sender) {
+  sender.value(kWhole);
+  sender.value(contents.metres_per_unit.value_or(0));
+  sender.value(contents.parts.size());
+  for (const CadPart& part : contents.parts) {
+    sender.text(part.name);
+    sender.list(part.mesh.vertices);
+    sender.list(part.mesh.triangles);
+  }
+}
+
+[[noreturn]] void be_the_child(const std::function<CadParts()>& read, std::size_t file_bytes, int pipe) {
+  for (const int fatal : {SIGSEGV, SIGABRT, SIGFPE, SIGILL, SIGBUS, SIGINT, SIGTERM})
+    ::signal(fatal, SIG_DFL);
+  silence();
+  set_limits(file_bytes);
+  Sender sender(pipe);
+  std::string reason;
+  try {
+    send(read(), sender);
+    ::_exit(0);
+  } catch (const std::bad_alloc&) {
+    reason = "it asks for more memory than a file of its size needs, so its counts must be wrong";
+  } catch (const std::exception& error) {
+    reason = error.what();
+  } catch (...) {
+    reason = "the importer gave up without a word";
+  }
+  sender.value(kReason);
+  sender.text(reason);
+  ::_exit(0);
+}
+
+CadParts receive(Receiver& receiver) {
+  CadParts contents;
+  const auto unit = receiver.value<double>();
+  if (unit > 0) contents.metres_per_unit = unit;
+  const auto count = receiver.value<std::size_t>();
+  for (std::size_t k = 0; receiver.whole() && k < count; ++k) {
+    CadPart part{receiver.text(), {}};
+    part.mesh.vertices = receiver.list<Eigen::Vector3d>();
+    part.mesh.triangles = receiver.list<Eigen::Vector3i>();
+    contents.parts.push_back(std::move(part));
+  }
+  return contents;
+}
+
+std::string in_words(int status) {
+  if (WIFSIGNALED(status) && (WTERMSIG(status) == SIGXCPU || WTERMSIG(status) == SIGKILL))
+    return "reading it does not come to an end";
+  return "the importer crashed on it, so its bytes must be damaged";
+}
+
+}  // namespace
+
+CadParts read_in_child(const std::function<CadParts()>& read, std::size_t file_bytes) {
+  int ends[2];
+  if (::pipe2(ends, O_CLOEXEC) != 0) throw std::runtime_error("no pipe for reading it could be opened");
+  const pid_t child = ::fork();
+  if (child < 0) {
+    ::close(ends[0]);
+    ::close(ends[1]);
+    throw std::runtime_error("no process for reading it could be started");
+  }
+  if (child == 0) {
+    ::close(ends[0]);
+    be_the_child(read, file_bytes, ends[1]);
+  }
+  ::close(ends[1]);
+  Receiver receiver(ends[0]);
+  const char kind = receiver.value<char>();
+  CadParts contents;
+  std::string reason;
+  if (kind == kWhole) contents = receive(receiver);
+  if (kind == kReason) reason = receiver.text();
+  ::close(ends[0]);
+  int status = 0;
+  while (::waitpid(child, &status, 0) < 0 && errno == EINTR) {
+  }
+  if (!reason.empty()) throw std::runtime_error(reason);
+  if (!receiver.whole()) throw std::runtime_error(in_words(status));
+  return contents;
+}
+
+}  // namespace diefill::geometry

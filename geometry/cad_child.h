@@ -1,0 +1,16 @@
+// Reads CAD files in a child process: whatever a broken file makes the libraries do, this process goes on.
+#pragma once
+
+#include <functional>
+
+#include "geometry/cad_parts.h"
+
+namespace diefill::geometry {
+
+/// Calls `read` in a child process and hands on what it returns. The child may take 2 GiB of memory and 60 s
+/// of processor time, and more for large files: 24 bytes and 10 microseconds for each of `file_bytes`. Throws
+/// std::runtime_error with the reason, also when the child crashed or had to be ended. Call from a thread
+/// while no other one is in the middle of a file.
+CadParts read_in_child(const std::function<CadParts()>& read, std::size_t file_bytes);
+
+}  // namespace diefill::geometry

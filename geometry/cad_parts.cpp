@@ -1,0 +1,83 @@
+#include "geometry/cad_parts.h"
+
+#include <algorithm>
+#include <cctype>
+#include <set>
+#include <stdexcept>
+
+#include "geometry/cad_readers.h"
+
+namespace diefill::geometry {
+
+namespace {
+
+std::string ending_of(const std::filesystem::path& file) {
+  std::string ending = file.extension().string();
+  if (!ending.empty()) ending.erase(0, 1);
+  std::transform(ending.begin(), ending.end(), ending.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return ending;
+}
+
+std::string upper_case(std::string text) {
+  std::transform(text.begin(), text.end(), text.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
+  return text;
+}
+
+/// Names for parts that have none or share one; what is no printable text becomes a question mark.
+void make_names_unique(std::vector<CadPart>& parts) {
+  std::set<std::string> taken;
+  for (std::size_t k = 0; k < parts.size(); ++k) {
+    std::string& name = parts[k].name;
+    std::replace_if(
+        name.begin(), name.end(), [](unsigned char c) { return c < 0x20 || c == 0x7f; }, '?');
+    if (name.empty()) name = "part " + std::to_string(k + 1);
+    const std::string plain = name;
+    for (int copy = 2; !taken.insert(name).second; ++copy) name = plain + " (" + std::to_string(copy) + ")";
+  }
+}
+
+}  // namespace
+
+const std::vector<CadFormat>& cad_formats() {
+  static const std::vector<CadFormat> formats = {
+      {"stl", SurfaceKind::kTriangles, false}, {"step", SurfaceKind::kCurved, true},
+      {"stp", SurfaceKind::kCurved, true},     {"iges", SurfaceKind::kCurved, true},
+      {"igs", SurfaceKind::kCurved, true},     {"obj", SurfaceKind::kTriangles, false},
+      {"ply", SurfaceKind::kTriangles, false}, {"off", SurfaceKind::kTriangles, false},
+      {"3mf", SurfaceKind::kTriangles, true},  {"amf", SurfaceKind::kTriangles, true},
+      {"dae", SurfaceKind::kTriangles, true},  {"gltf", SurfaceKind::kTriangles, true},
+      {"glb", SurfaceKind::kTriangles, true},
+  };
+  return formats;
+}
+
+const CadFormat* cad_format(const std::filesystem::path& file) {
+  const std::string ending = ending_of(file);
+  const auto& formats = cad_formats();
+  const auto found = std::find_if(formats.begin(), formats.end(),
+                                  [&](const CadFormat& format) { return format.ending == ending; });
+  return found == formats.end() ? nullptr : &*found;
+}
+
+std::string cad_formats_in_words() {
+  std::string words;
+  const auto& formats = cad_formats();
+  for (std::size_t k = 0; k < formats.size(); ++k)
+    words += (k == 0 ? "" : k + 1 < formats.size() ? ", " : " or ") + upper_case(formats[k].ending);
+  return words;
+}
+
+CadParts read_cad_parts(const std::filesystem::path& file, const CadFormat& format, double chord_tolerance) {
+  CadParts contents = format.surface == SurfaceKind::kCurved
+                          ? read_curved_faces(file, format, chord_tolerance)
+                      : format.ending == "3mf" ? read_3mf(file)
+                                               : read_triangles(file, format);
+  std::erase_if(contents.parts, [](const CadPart& part) { return part.mesh.triangles.empty(); });
+  if (contents.parts.empty()) throw std::runtime_error("it holds no surface");
+  make_names_unique(contents.parts);
+  return contents;
+}
+
+}  // namespace diefill::geometry

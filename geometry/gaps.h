@@ -1,0 +1,25 @@
+// The space between two neighbouring solids: how wide it is where their surfaces face each other.
+#pragma once
+
+#include <functional>
+
+#include "geometry/mesh.h"
+
+namespace diefill::geometry {
+
+/// Width of the space between two solids, m, and where.
+struct Gap {
+  bool found = false;  ///< false: nowhere do they face each other within reach
+  double narrowest = 0;
+  double widest = 0;                                       ///< within reach
+  Eigen::Vector3d widest_place = Eigen::Vector3d::Zero();  ///< halfway between the surfaces
+};
+
+/// Samples the surface of `one` on points at most `spacing` (m) apart and measures, along their normals, how
+/// far `other` is where it faces them within 30 degrees and at most `reach` (m) away. Points for which
+/// `elsewhere` holds are passed over, such as those inside a cavity; empty: none are. Solids may overlap;
+/// there the width counts as 0.
+Gap measure_gap(const Mesh& one, const Mesh& other, double reach, double spacing,
+                const std::function<bool(const Eigen::Vector3d&)>& elsewhere);
+
+}  // namespace diefill::geometry

@@ -1,0 +1,256 @@
+#include "geometry/mesh_repair.h"
+
+#include <CGAL/Polygon_mesh_processing/connected_components.h>
+#include <CGAL/Polygon_mesh_processing/corefinement.h>
+#include <CGAL/Polygon_mesh_processing/measure.h>
+#include <CGAL/Polygon_mesh_processing/orient_polygon_soup.h>
+#include <CGAL/Polygon_mesh_processing/orientation.h>
+#include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
+#include <CGAL/Polygon_mesh_processing/repair_degeneracies.h>
+#include <CGAL/Polygon_mesh_processing/repair_polygon_soup.h>
+#include <CGAL/Polygon_mesh_processing/triangulate_hole.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <set>
+
+#include "geometry/cgal_mesh.h"
+#include "geometry/mesh_wrap.h"
+#include "geometry/point_grid.h"
+#include "geometry/topology.h"
+
+namespace diefill::geometry {
+
+namespace {
+
+namespace processing = CGAL::Polygon_mesh_processing;
+using cgal::Point;
+using cgal::Surface;
+
+constexpr double kFinestWrap = 1.0 / 400;  // of the diagonal; finer wraps take minutes and gigabytes
+
+std::string counted(std::size_t count, const std::string& one, const std::string& many) {
+  return std::to_string(count) + " " + (count == 1 ? one : many);
+}
+
+template <class... Values>
+std::string formatted(const char* format, Values... values) {
+  char text[240];
+  std::snprintf(text, sizeof text, format, values...);
+  return text;
+}
+
+/// One repair, step after step.
+class Repair {
+ public:
+  Repair(const Mesh& mesh, const MeshFindings& findings, const RepairOptions& options)
+      : mesh_(mesh), findings_(findings), options_(options) {
+    diagonal_ = mesh.bounding_box().size().norm();
+  }
+  RepairedMesh run();
+
+ private:
+  bool stitch();
+  void weld(cgal::Soup& soup);
+  void drop_copies(cgal::Soup& soup);
+  void fill_holes();
+  void fill(Surface::Halfedge_index border);
+  void turn_outward();
+  void unite_shells();
+  void drop_slivers();
+  void wrap(RepairedMesh& result);
+  void say(const std::string& repair) { said_.push_back(repair); }
+
+  const Mesh& mesh_;
+  const MeshFindings& findings_;
+  const RepairOptions& options_;
+  double diagonal_ = 0;
+  Surface surface_;
+  std::vector<std::string> said_, refused_;
+};
+
+/// Only corners at open edges are loose; others may be close together on purpose.
+void Repair::weld(cgal::Soup& soup) {
+  if (findings_.open_edges == 0) return;
+  const Topology topology = find_topology(mesh_);
+  std::set<std::size_t> loose;
+  for (std::size_t t = 0; t < mesh_.triangles.size(); ++t) {
+    if (topology.left_out[t]) continue;
+    for (int k = 0; k < 3; ++k) {
+      if (topology.neighbour[t][static_cast<std::size_t>(k)] != Topology::kNone) continue;
+      loose.insert(static_cast<std::size_t>(mesh_.triangles[t][k]));
+      loose.insert(static_cast<std::size_t>(mesh_.triangles[t][(k + 1) % 3]));
+    }
+  }
+  const double tolerance = options_.weld * diagonal_;
+  PointGrid kept(2 * tolerance);
+  std::size_t welded = 0;
+  double farthest = 0;
+  for (const std::size_t vertex : loose) {
+    const Eigen::Vector3d& place = mesh_.vertices[vertex];
+    const std::size_t same = kept.nearest_within(place, tolerance);
+    if (same == PointGrid::kNone) {
+      kept.insert(place);
+      continue;
+    }
+    const Eigen::Vector3d& partner = kept.points()[same];
+    if (partner == place) continue;
+    farthest = std::max(farthest, (partner - place).norm());
+    soup.points[vertex] = Point(partner.x(), partner.y(), partner.z());
+    ++welded;
+  }
+  if (welded > 0)
+    say(counted(welded, "corner", "corners") +
+        formatted(" welded to a neighbour at most %.2g mm away", 1e3 * farthest));
+}
+
+void Repair::drop_copies(cgal::Soup& soup) {
+  processing::repair_polygon_soup(soup.points, soup.triangles);
+  if (findings_.duplicate_triangles > 0)
+    say(counted(findings_.duplicate_triangles, "triangle", "triangles") + " removed that were there twice");
+}
+
+/// The triangles as one surface whose neighbours agree about outside. False where sheets meet so that no
+/// surface can be made of them.
+bool Repair::stitch() {
+  cgal::Soup soup = cgal::soup_of(mesh_);
+  weld(soup);
+  drop_copies(soup);
+  if (soup.triangles.empty()) return false;
+  if (!processing::orient_polygon_soup(soup.points, soup.triangles) && findings_.non_manifold_edges > 0) {
+    refused_.push_back(
+        "edges with more than two triangles: which of them bound the solid is for the CAD program to say");
+    return false;
+  }
+  if (findings_.badly_oriented_edges > 0) say("triangles turned so that neighbours agree about outside");
+  if (!processing::is_polygon_soup_a_polygon_mesh(soup.triangles)) return false;
+  processing::polygon_soup_to_polygon_mesh(soup.points, soup.triangles, surface_);
+  return true;
+}
+
+void Repair::fill(Surface::Halfedge_index border) {
+  std::vector<Point> rim;
+  for (const auto edge : CGAL::halfedges_around_face(border, surface_))
+    rim.push_back(surface_.point(surface_.target(edge)));
+  std::vector<CGAL::Triple<int, int, int>> patch;
+  processing::triangulate_hole_polyline(rim, std::back_inserter(patch));
+  double area = 0;
+  const auto corner = [&](int k) { return rim[static_cast<std::size_t>(k)]; };
+  for (const auto& triangle : patch)
+    area += std::sqrt(
+        CGAL::squared_area(corner(triangle.first), corner(triangle.second), corner(triangle.third)));
+  const double most = options_.largest_hole * processing::area(surface_);
+  const std::string where =
+      formatted("near (%.3f, %.3f, %.3f) mm", 1e3 * rim[0].x(), 1e3 * rim[0].y(), 1e3 * rim[0].z());
+  if (patch.empty() || area > most) {
+    refused_.push_back(
+        formatted("a hole of %.4g mm2, more than %.2g of the surface, ", 1e6 * area, options_.largest_hole) +
+        where + " may be an opening");
+    return;
+  }
+  std::vector<Surface::Face_index> faces;
+  processing::triangulate_hole(surface_, border, std::back_inserter(faces));
+  say(formatted("a hole of %.3g mm2 filled ", 1e6 * area) + where);
+}
+
+void Repair::fill_holes() {
+  std::vector<Surface::Halfedge_index> borders;
+  processing::extract_boundary_cycles(surface_, std::back_inserter(borders));
+  for (const auto border : borders) fill(border);
+}
+
+/// A shell that is inside out is turned round; one that lies inside another becomes the wall of a hollow,
+/// where no powder gets.
+void Repair::turn_outward() {
+  const Mesh before = cgal::mesh_of(surface_);
+  const MeshFindings findings = check_mesh(before);
+  if (findings.inward_shells == 0 || findings.self_intersections > 0) return;
+  if (findings.inward_shells == findings.shells && findings.volume < 0) {
+    processing::reverse_face_orientations(surface_);
+    say("the surface turned right side out");
+    return;
+  }
+  processing::orient_to_bound_a_volume(surface_);
+  say(counted(findings.inward_shells, "shell", "shells") +
+      " turned round, so that outer shells face out and shells inside others bound hollows");
+}
+
+void Repair::unite_shells() {
+  const MeshFindings findings = check_mesh(cgal::mesh_of(surface_));
+  if (findings.self_intersections == 0) return;
+  std::vector<Surface> shells;
+  processing::split_connected_components(surface_, shells);
+  for (Surface& shell : shells) {
+    if (processing::does_self_intersect(shell)) {
+      refused_.push_back(
+          "a surface that passes through itself: which side is solid is for the CAD program to say");
+      return;
+    }
+    if (processing::volume(shell) < 0) processing::reverse_face_orientations(shell);
+  }
+  Surface united = shells.front();
+  for (std::size_t k = 1; k < shells.size(); ++k) {
+    Surface next;
+    if (!processing::corefine_and_compute_union(united, shells[k], next)) {
+      refused_.push_back("shells that touch along an edge cannot be united");
+      return;
+    }
+    united = next;
+  }
+  surface_ = united;
+  say(std::to_string(shells.size()) + " shells that overlap united");
+}
+
+void Repair::drop_slivers() {
+  const std::size_t before = surface_.number_of_faces();
+  processing::remove_degenerate_faces(surface_);
+  const std::size_t after = surface_.number_of_faces();
+  if (after < before) say(counted(before - after, "sliver", "slivers") + " removed");
+}
+
+void Repair::wrap(RepairedMesh& result) {
+  const double detail =
+      std::max(options_.wrap_detail > 0 ? options_.wrap_detail : diagonal_ / 100, kFinestWrap * diagonal_);
+  Mesh mesh = wrapped(mesh_, detail);
+  const MeshFindings findings = check_mesh(mesh);
+  if (!findings.usable()) return;
+  result.largest_deviation = largest_distance(mesh_, mesh);
+  result.repairs = {
+      formatted("a new surface wrapped round the old one, following features of %.3g mm; largest "
+                "deviation %.3g mm; narrower openings are closed and edges rounded",
+                1e3 * detail, 1e3 * result.largest_deviation)};
+  result.refused.clear();
+  result.findings = findings;
+  result.mesh = std::move(mesh);
+}
+
+RepairedMesh Repair::run() {
+  RepairedMesh result{mesh_, findings_, {}, {}, 0};
+  try {
+    if (stitch()) {
+      fill_holes();
+      turn_outward();
+      unite_shells();
+      if (findings_.degenerate_triangles > 0) drop_slivers();
+      Mesh repaired = cgal::mesh_of(surface_);
+      const MeshFindings findings = check_mesh(repaired);
+      if (findings.usable()) return {std::move(repaired), findings, said_, refused_, 0};
+    }
+    result.refused = refused_;
+    if (options_.level == RepairLevel::kWrap) wrap(result);
+  } catch (const std::exception&) {
+    result.refused.push_back("CGAL gave up on it");
+  }
+  return result;
+}
+
+}  // namespace
+
+RepairedMesh repair_mesh(const Mesh& mesh, const MeshFindings& findings, const RepairOptions& options) {
+  const bool hopeless = findings.not_finite > 0 || findings.triangles == 0;
+  if (options.level == RepairLevel::kOff || hopeless || findings.usable()) return {mesh, findings, {}, {}, 0};
+  return Repair(mesh, findings, options).run();
+}
+
+}  // namespace diefill::geometry

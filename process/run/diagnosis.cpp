@@ -1,0 +1,116 @@
+#include "process/run/diagnosis.h"
+
+#include <algorithm>
+#include <cstdio>
+
+#include "geometry/solid_query.h"
+#include "process/run/tool_fit.h"
+
+namespace diefill::process {
+
+namespace {
+
+constexpr double kReachOverDiameter = 3;  // wider than this, two tools are no neighbours but an opening
+constexpr double kLeastReach = 1e-3;      // m
+constexpr double kSampleSpacing = 5e-4;   // m
+constexpr double kSymmetryOverRadius = 0.2;
+constexpr double kNothing = 1e-6;  // m, what rounding in CAD files makes of zero
+
+std::string near(const Eigen::Vector3d& place) {
+  char text[90];
+  std::snprintf(text, sizeof text, " near (%.2f, %.2f, %.2f) mm", 1e3 * place[0], 1e3 * place[1],
+                1e3 * place[2]);
+  return text;
+}
+
+std::string millimetres(double length) {
+  char text[40];
+  std::snprintf(text, sizeof text, "%.3g mm", 1e3 * length);
+  return text;
+}
+
+/// Inside the cavity, or where a third tool fills the space between two.
+bool elsewhere(const Scene& scene, const Tooling& tooling, const std::vector<geometry::SolidQuery>& solids,
+               const Tool& one, const Tool& other, const Eigen::Vector3d& place) {
+  for (std::size_t k = 0; k < solids.size(); ++k) {
+    const Tool& third = tooling.tools[k];
+    if (&third != &one && &third != &other && third.mesh.bounding_box().contains(place) &&
+        solids[k].inside(place))
+      return true;
+  }
+  return tooling.cavity.found && tooling.cavity.box.contains(place) &&
+         place.z() > tooling.cavity.box.lower.z() + kNothing &&
+         place.z() < scene.measure.fill_plane - kNothing;
+}
+
+geometry::Gap gap_between(const Scene& scene, const Tooling& tooling,
+                          const std::vector<geometry::SolidQuery>& solids, const Tool& one,
+                          const Tool& other) {
+  const double reach = std::max(kLeastReach, kReachOverDiameter * scene.powder.grain_diameter);
+  const auto passed_over = [&](const Eigen::Vector3d& place) {
+    return elsewhere(scene, tooling, solids, one, other, place);
+  };
+  geometry::Gap gap = geometry::measure_gap(one.mesh, other.mesh, reach, kSampleSpacing, passed_over);
+  const geometry::Gap back = geometry::measure_gap(other.mesh, one.mesh, reach, kSampleSpacing, passed_over);
+  if (!gap.found) return back;
+  if (!back.found) return gap;
+  const double narrowest = std::min(gap.narrowest, back.narrowest);
+  if (back.widest > gap.widest) gap = back;
+  gap.narrowest = narrowest;
+  return gap;
+}
+
+std::string in_words(const PairDiagnosis& pair, const Scene& scene, double sphere_radius) {
+  std::string text;
+  if (pair.overlap > kNothing)
+    text = "overlap by " + millimetres(pair.overlap) + near(pair.overlap_place) + ", as fits that rub do";
+  if (!pair.gap.found) return text;
+  if (!text.empty()) text += "; ";
+  if (pair.gap.widest <= kNothing) return text + "touch without a gap";
+  text += "gap of " + millimetres(pair.gap.narrowest) + " to " + millimetres(pair.gap.widest);
+  if (pair.powder_enters)
+    return text + near(pair.gap.widest_place) + ": powder enters, its spheres measure " +
+           millimetres(2 * sphere_radius);
+  if (pair.real_powder_enters)
+    return text + near(pair.gap.widest_place) +
+           ": closed to the model's grains, but the real powder, whose spheres "
+           "measure " +
+           millimetres(2 * scene.powder.sphere_radius) + ", may enter";
+  return text + ": closed to the powder";
+}
+
+PairDiagnosis pair_of(const Scene& scene, const Tooling& tooling,
+                      const std::vector<geometry::SolidQuery>& solids, const Tool& one, const Tool& other,
+                      double sphere_radius) {
+  PairDiagnosis pair;
+  pair.one = one.spec.name;
+  pair.other = other.spec.name;
+  const Overlap overlap = deepest_overlap(one.mesh, other.mesh);
+  pair.overlap = overlap.depth;
+  pair.overlap_place = overlap.place;
+  pair.gap = gap_between(scene, tooling, solids, one, other);
+  pair.powder_enters = pair.gap.found && pair.gap.widest > 2 * sphere_radius;
+  pair.real_powder_enters = pair.gap.found && pair.gap.widest > 2 * scene.powder.sphere_radius;
+  pair.in_words = in_words(pair, scene, sphere_radius);
+  return pair;
+}
+
+}  // namespace
+
+Diagnosis diagnose(const Scene& scene, const Tooling& tooling, double sphere_radius) {
+  Diagnosis diagnosis;
+  std::vector<geometry::SolidQuery> solids;
+  for (const Tool& tool : tooling.tools) solids.emplace_back(tool.mesh);
+  for (std::size_t k = 0; k < tooling.tools.size(); ++k) {
+    const Tool& tool = tooling.tools[k];
+    const double radius = tool.spec.sphere_radius.value_or(scene.walls.sphere_radius);
+    diagnosis.symmetry.push_back(geometry::find_symmetry(tool.mesh, kSymmetryOverRadius * radius));
+    for (std::size_t other = 0; other < k; ++other) {
+      PairDiagnosis pair = pair_of(scene, tooling, solids, tooling.tools[other], tool, sphere_radius);
+      if (!pair.in_words.empty()) diagnosis.pairs.push_back(std::move(pair));
+    }
+  }
+  return diagnosis;
+}
+
+}  // namespace diefill::process
