@@ -19,7 +19,7 @@ struct SurfaceSample {
   Eigen::Vector3d at_depth(double depth) const { return point - depth * normal; }
 };
 
-/// Calls `visit(sample)` for points in rows along the triangle's longest edge, at most `step` (m) apart;
+/// Calls `visit(sample)` for points in columns on the triangle's longest edge, at most `step` (m) apart;
 /// their areas add up to the triangle's.
 template <typename Visit>
 void sample_triangle(const Corners& corners, double step, Visit visit) {
@@ -36,17 +36,24 @@ void sample_triangle(const Corners& corners, double step, Visit visit) {
   const Eigen::Vector3d& tip = corners[(base + 2) % 3];
   const Eigen::Vector3d area = area_vector(corners);
   const Eigen::Vector3d normal = area.normalized();
-  const double height = area.norm() / longest;
-  const int rows = std::max(1, static_cast<int>(std::ceil(height / step)));
-  for (int row = 0; row < rows; ++row) {
-    const double up = (row + 0.5) / rows;
-    const Eigen::Vector3d left = a + up * (tip - a);
-    const Eigen::Vector3d right = b + up * (tip - b);
-    const double width = (1 - up) * longest;
-    const int count = std::max(1, static_cast<int>(std::ceil(width / step)));
+  const Eigen::Vector3d along = (b - a) / longest, up = normal.cross(along);
+  const double height = (tip - a).dot(up), foot = std::clamp((tip - a).dot(along), 0.0, longest);
+  const auto height_at = [&](double x) {
+    return height * (x < foot ? x / foot : x < longest ? (longest - x) / (longest - foot) : 0.0);
+  };
+  // Area of the triangle before x along its longest side.
+  const auto area_before = [&](double x) {
+    return x < foot ? 0.5 * x * height_at(x) : 0.5 * (longest * height - (longest - x) * height_at(x));
+  };
+  // Columns on the longest side, so that needles are sampled to their points: many may meet in one corner.
+  const int columns = std::max(1, static_cast<int>(std::ceil(longest / step)));
+  for (int column = 0; column < columns; ++column) {
+    const double begin = longest * column / columns, end = longest * (column + 1) / columns;
+    const double middle = 0.5 * (begin + end), top = height_at(middle);
+    const int count = std::max(1, static_cast<int>(std::ceil(top / step)));
+    const double share = (area_before(end) - area_before(begin)) / count;
     for (int i = 0; i < count; ++i)
-      visit(
-          SurfaceSample{left + ((i + 0.5) / count) * (right - left), normal, width * height / rows / count});
+      visit(SurfaceSample{a + middle * along + ((i + 0.5) / count * top) * up, normal, share});
   }
 }
 

@@ -124,8 +124,11 @@ double cycle_time(const Scene& scene, const Schedule& schedule) {
   std::vector<std::pair<double, double>> busy;
   for (std::size_t k = 0; k < scene.steps.size(); ++k) {
     const StepState& state = schedule.of_step(k);
-    if (state.is_over() && (!scene.steps[k]->tools().empty() || scene.steps[k]->duration()))
-      busy.emplace_back(state.started, state.ended);
+    const auto duration = scene.steps[k]->duration();
+    if (!state.is_over() || (scene.steps[k]->tools().empty() && !duration)) continue;
+    // The schedule notices ends a few time steps late.
+    const double end = duration ? std::min(state.ended, state.started + *duration) : state.ended;
+    busy.emplace_back(state.started, end);
   }
   std::sort(busy.begin(), busy.end());
   double time = 0, counted = 0;

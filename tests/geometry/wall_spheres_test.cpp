@@ -236,6 +236,25 @@ TEST(WallSpheres, CoverOnlyWhatPowderReachesAndItsEdge) {
   EXPECT_LE(widest_along(spheres, {0.007, 0.007, depth}, {0.013, 0.007, depth}), 1.1315 * kRadius);
 }
 
+TEST(WallSpheres, CoverNeedlesThatMeetInAPoint) {
+  // As CAD programs like to cut a plate with a round hole: a fan of needles from the plate's far corner.
+  std::vector<Eigen::Vector2d> outline = {{45e-3, -2e-3}, {45e-3, 2e-3}};
+  constexpr int kNeedles = 80;
+  for (int k = 0; k <= kNeedles; ++k) {
+    const double angle = (0.5 + static_cast<double>(k) / kNeedles) * std::numbers::pi;
+    outline.emplace_back(5e-3 * std::cos(angle), 5e-3 * std::sin(angle));
+  }
+  constexpr double kHeight = 3e-3;
+  const Mesh mesh = sample::prism(outline, {44e-3, 0}, kHeight);
+  auto wanted = options();
+  wanted.reachable = [](const Eigen::Vector3d&, const Eigen::Vector3d& normal) { return normal.z() > 0.5; };
+  const auto spheres = make_wall_spheres(mesh, wanted);
+  const double depth = kHeight - kRadius;
+  for (const double x : {43e-3, 40e-3, 36e-3, 25e-3})
+    EXPECT_LE(widest_along(spheres, {x, -1.5e-3, depth}, {x, 1.5e-3, depth}), kSpacing / std::sqrt(2) * 1.001)
+        << x;
+}
+
 TEST(WallSpheres, OfAnUnreachableToolAreNone) {
   WallSphereOptions nothing = options();
   nothing.reachable = [](const Eigen::Vector3d&, const Eigen::Vector3d&) { return false; };
