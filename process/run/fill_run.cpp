@@ -6,7 +6,6 @@
 #include <cstdio>
 
 #include "engine/pinched_grains.h"
-#include "geometry/solid_query.h"
 #include "process/machine/clear.h"
 #include "process/measure/cavity_position.h"
 #include "process/results/result_file.h"
@@ -22,12 +21,13 @@ using Clock = std::chrono::steady_clock;
 
 // Duties fall on multiples of these steps, so that a restart does them when the unbroken run does.
 constexpr std::uint64_t kScheduleEvery = 20, kSpillEvery = 100, kFeedEvery = 100, kHealthEvery = 200,
-                        kPinchEvery = 10, kLostEvery = 1000;
+                        kPinchEvery = 10, kLostEvery = 200;
 /// Overlap over the sphere radius beyond which a grain between moving tools is sheared off: past all that
 /// free powder reaches, and short of engine::HealthLimits.
 constexpr double kShearingOverlap = 0.45;
-/// Of all grains poured: if more are sheared off, the run says nothing about the real powder.
-constexpr double kMostSheared = 0.005;
+/// Of all grains poured, but a few always: if more are sheared off, the run says nothing about the real
+/// powder.
+constexpr double kMostSheared = 0.005, kFewSheared = 3;
 
 double seconds_since(Clock::time_point then) {
   return std::chrono::duration<double>(Clock::now() - then).count();
@@ -85,6 +85,7 @@ FillRun::FillRun(const Scene& scene, const Tooling& tooling, const RunOptions& o
       source_(scene, tooling),
       probes_(scene, tooling),
       snapshots_(scene),
+      lost_grains_(tooling, grain_diameter_),
       progress_(options.show_progress) {
   const auto grains = pour(scene, shape_of(scene), tooling);
   const double cavity_depth = tooling.cavity.found ? tooling.cavity.box.size()[2] : 0;
@@ -237,7 +238,7 @@ void FillRun::shear_off_pinched_grains() {
   if (ids.empty()) return;
   const auto poured = static_cast<double>(simulation_->grains().size() + grains_left_ + grains_sheared_);
   grains_sheared_ += simulation_->remove_grains(ids);
-  if (static_cast<double>(grains_sheared_) > kMostSheared * poured)
+  if (static_cast<double>(grains_sheared_) > std::max(kFewSheared, kMostSheared * poured))
     throw engine::OutOfRange(shear_warning() + " by t = " + std::to_string(simulation_->time()) +
                              " s: too many to ignore; take smaller model grains, or chamfer the "
                              "edges that move past each other");
@@ -275,28 +276,16 @@ void FillRun::keep_instant() {
   instants_.push_back(std::move(instant));
 }
 
-void FillRun::look_for_lost_grains() const {
-  const auto& grains = simulation_->grains();
-  for (std::size_t b = 0; b < tooling_.tools.size(); ++b) {
-    const auto& motion = simulation_->body_motion(b);
-    const geometry::SolidQuery solid(tooling_.tools[b].mesh);
-    const geometry::Box box = tooling_.tools[b].mesh.bounding_box();
-    for (std::size_t k = 0; k < grains.size(); ++k) {
-      const Eigen::Vector3d place = motion.rotation.transpose() * (grains.position[k] - motion.translation);
-      if (!box.contains(place)) continue;
-      const double depth = -solid.signed_distance(place);
-      if (depth <= 0.5 * grain_diameter_) continue;
-      char text[300];
-      std::snprintf(text, sizeof text,
-                    "grain %llu is %.3g mm inside tool \"%s\" at (%.2f, %.2f, %.2f) mm, t = %.6g s: it went "
-                    "through the wall; "
-                    "lower the spacing of the wall spheres or the tool's speed",
-                    static_cast<unsigned long long>(grains.id[k]), 1e3 * depth,
-                    tooling_.tools[b].spec.name.c_str(), 1e3 * grains.position[k][0],
-                    1e3 * grains.position[k][1], 1e3 * grains.position[k][2], simulation_->time());
-      throw engine::OutOfRange(text);
-    }
+void FillRun::look_for_lost_grains() {
+  const auto strayed =
+      lost_grains_.strayed(*simulation_, static_cast<double>(kLostEvery) * simulation_->settings().time_step);
+  if (strayed.empty()) return;
+  for (const std::uint64_t id : strayed) {
+    const auto& ids = simulation_->grains().id;
+    const auto k = static_cast<std::size_t>(std::find(ids.begin(), ids.end(), id) - ids.begin());
+    probes_.count_removed(simulation_->grains().position[k], simulation_->settings().shape.mass, 1);
   }
+  grains_left_ += simulation_->remove_grains(strayed);
 }
 
 void FillRun::write_checkpoint() {

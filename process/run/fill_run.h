@@ -9,6 +9,7 @@
 
 #include "engine/health.h"
 #include "process/run/checkpoint.h"
+#include "process/run/lost_grains.h"
 #include "process/run/powder_source.h"
 #include "process/run/probes.h"
 #include "process/run/progress.h"
@@ -72,7 +73,7 @@ class FillRun {
   void clear_powder();
   void remove_grains(const std::function<bool(const Eigen::Vector3d&)>& leaves);
   void take_snapshots();
-  void look_for_lost_grains() const;
+  void look_for_lost_grains();
   void keep_instant();
   void write_checkpoint();
   void show_progress();
@@ -89,6 +90,7 @@ class FillRun {
   Probes probes_;
   Snapshots snapshots_;
   engine::Health health_;
+  LostGrains lost_grains_;
   Progress progress_;
   geometry::Box domain_;  ///< m, grains beyond it have been spilled or discharged
   std::vector<std::string> warnings_;

@@ -1,0 +1,77 @@
+#include "process/run/lost_grains.h"
+
+#include <array>
+#include <cstdio>
+
+#include "engine/out_of_range.h"
+
+namespace diefill::process {
+
+namespace {
+
+engine::OutOfRange through_the_wall(const engine::Simulation& simulation, std::size_t k, double depth,
+                                    const std::string& tool) {
+  const Eigen::Vector3d place = 1e3 * simulation.grains().position[k];
+  char text[300];
+  std::snprintf(
+      text, sizeof text,
+      "grain %llu is %.3g mm inside tool \"%s\" at (%.2f, %.2f, %.2f) mm, t = %.6g s: it went through "
+      "the wall; lower the spacing of the wall spheres or the tool's speed",
+      static_cast<unsigned long long>(simulation.grains().id[k]), 1e3 * depth, tool.c_str(), place[0],
+      place[1], place[2], simulation.time());
+  return engine::OutOfRange(text);
+}
+
+}  // namespace
+
+LostGrains::LostGrains(const Tooling& tooling, double grain_diameter)
+    : tooling_(tooling), grain_diameter_(grain_diameter) {
+  for (const Tool& tool : tooling.tools) {
+    const auto grid = geometry::VoxelGrid::over(tool.mesh.bounding_box(), 0.5 * grain_diameter);
+    const std::array<const geometry::Mesh*, 1> meshes = {&tool.mesh};
+    geometry::PointGrid spheres(2 * grain_diameter);
+    for (const auto& centre : tool.spheres.centres) spheres.insert(centre);
+    // A covered point is no farther from a centre than this: half a gap between spheres, and their depth.
+    const double cover_reach = 2 * tool.spheres.radius + tool.spheres.largest_gap;
+    tools_.push_back({geometry::SolidQuery(tool.mesh), grid, geometry::blocked_voxels(grid, meshes, 0),
+                      std::move(spheres), cover_reach});
+  }
+}
+
+/// Where on the surface (m, body frame) a grain at `place`, moving with `velocity` (m/s) against the tool,
+/// came in: back along its way, at most twice as far as it went in `interval` (s), for it may have been
+/// faster.
+Eigen::Vector3d LostGrains::entry(const Inside& tool, const Eigen::Vector3d& place,
+                                  const Eigen::Vector3d& velocity, double interval) const {
+  const double step = 0.25 * grain_diameter_, farthest = grain_diameter_ + 2 * velocity.norm() * interval;
+  if (velocity.norm() > 0)
+    for (double way = step; way < farthest; way += step) {
+      const auto before = tool.solid.signed_nearest(place - way * velocity.normalized());
+      if (!before.inside) return before.point;
+    }
+  return tool.solid.nearest(place).point;
+}
+
+std::vector<std::uint64_t> LostGrains::strayed(const engine::Simulation& simulation, double interval) const {
+  std::vector<std::uint64_t> ids;
+  const auto& grains = simulation.grains();
+  for (std::size_t b = 0; b < tools_.size(); ++b) {
+    const engine::BodyMotion& pose = simulation.body_motion(b);
+    const Inside& tool = tools_[b];
+    for (std::size_t k = 0; k < grains.size(); ++k) {
+      const Eigen::Vector3d place = pose.rotation.transpose() * (grains.position[k] - pose.translation);
+      const Eigen::Vector3i voxel = tool.grid.voxel_at(place);
+      if (!tool.grid.has(voxel) || !tool.blocked[tool.grid.index(voxel.x(), voxel.y(), voxel.z())]) continue;
+      const double depth = -tool.solid.signed_distance(place);
+      if (depth <= 0.5 * grain_diameter_) continue;
+      const Eigen::Vector3d velocity =
+          pose.rotation.transpose() * (grains.velocity[k] - pose.velocity_at(grains.position[k]));
+      if (tool.wall_spheres.any_within(entry(tool, place, velocity, interval), tool.cover_reach))
+        throw through_the_wall(simulation, k, depth, tooling_.tools[b].spec.name);
+      ids.push_back(grains.id[k]);
+    }
+  }
+  return ids;
+}
+
+}  // namespace diefill::process

@@ -1,0 +1,42 @@
+// Grains inside tools: those that went through a wall, which ends a run, and those that fell where no powder
+// was expected and no wall stands, which are spilled.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "engine/simulation.h"
+#include "geometry/point_grid.h"
+#include "geometry/solid_query.h"
+#include "geometry/voxel_grid.h"
+#include "process/run/tooling.h"
+
+namespace diefill::process {
+
+/// Looks for grains whose centre is more than half a grain deep in a tool.
+class LostGrains {
+ public:
+  /// `grain_diameter`: m. Builds what makes looking cheap; `tooling` must outlive it.
+  LostGrains(const Tooling& tooling, double grain_diameter);
+
+  /// Ids of grains that came into a tool, in the last `interval` (s), where it carries no wall spheres.
+  /// Throws engine::OutOfRange for one that came in through a wall.
+  std::vector<std::uint64_t> strayed(const engine::Simulation& simulation, double interval) const;
+
+ private:
+  struct Inside {
+    geometry::SolidQuery solid;
+    geometry::VoxelGrid grid;           ///< body frame
+    std::vector<std::uint8_t> blocked;  ///< 1 where a voxel's centre is inside: asked before the solid is
+    geometry::PointGrid wall_spheres;   ///< m, centres
+    double cover_reach;                 ///< m, covered surface has a centre so near
+  };
+  Eigen::Vector3d entry(const Inside& tool, const Eigen::Vector3d& place, const Eigen::Vector3d& velocity,
+                        double interval) const;
+
+  const Tooling& tooling_;
+  double grain_diameter_;
+  std::vector<Inside> tools_;
+};
+
+}  // namespace diefill::process
