@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstdio>
 #include <iterator>
+#include <limits>
 #include <numbers>
 #include <stdexcept>
 
@@ -70,22 +71,25 @@ results::Field2D over_whole_depth(results::Field2D map, const results::CavitySta
   return map;
 }
 
-/// A scale for what is full of powder: cells that the surface cuts through lie below it.
-render::ColourRange range_of_full_cells(const PictureRequest& request,
-                                        const std::vector<results::Field2D>& fields) {
+/// Leaves out, from the top of each column, the cells that the powder's surface cuts through: they hold less
+/// than three quarters of what half of all cells hold.
+void leave_out_cut_cells(std::vector<results::Field2D>& fields) {
   constexpr double kFull = 0.75;  // of the median
   std::vector<double> values;
   for (const auto& field : fields)
     std::copy_if(field.value.begin(), field.value.end(), std::back_inserter(values),
                  [](double value) { return std::isfinite(value); });
-  if (values.empty()) return {request.lower, request.upper};
+  if (values.empty()) return;
   const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
   std::nth_element(values.begin(), middle, values.end());
   const double least = kFull * *middle;
-  std::erase_if(values, [least](double value) { return value < least; });
-  const render::Interval range = render::robust_range(values);
-  return {std::isnan(request.lower) ? range.lower : request.lower,
-          std::isnan(request.upper) ? range.upper : request.upper};
+  for (auto& field : fields)
+    for (std::size_t i = 0; i < field.first.size(); ++i)
+      for (std::size_t j = field.second.size(); j-- > 0;) {
+        double& value = field.value[j * field.first.size() + i];
+        if (value >= least) break;
+        value = std::numeric_limits<double>::quiet_NaN();
+      }
 }
 
 /// Slow powder in mm/s, so that the numbers stay readable.
@@ -155,14 +159,15 @@ Pictures make_partial_volume_map(const PictureRequest& request) {
   std::vector<results::Field2D> fields;
   for (const auto& source : request.sources)
     fields.push_back(over_whole_depth(partial_volume_map_of(request, source.result), source.result.cavity));
-  const auto range = range_of_full_cells(request, fields);
+  leave_out_cut_cells(fields);
+  const auto range = shared_range(request, fields);
   Pictures written;
   for (std::size_t n = 0; n < fields.size(); ++n) {
     const auto& source = request.sources[n];
     render::FieldStyle style;
     style.pixels = pixels_of(request);
     style.note =
-        "exact partial volumes of cells over the whole ring width; cells at the surface partly filled";
+        "exact partial volumes of cells over the whole ring width; cells that the surface cuts are left out";
     const auto picture =
         render::compose_field(fields[n], title_of(request, source), subtitle_of(source), range, style);
     written.push_back(write_picture(request, file_of(request, "partial_volumes", source), picture.image));
