@@ -4,6 +4,7 @@
 
 #include "process/results/atomic_file.h"
 #include "process/results/experiment_result.h"
+#include "process/results/json_numbers.h"
 #include "process/results/result_file.h"
 
 namespace diefill::results {
@@ -12,25 +13,14 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// JSON knows no NaN and no infinity: such numbers are null.
-Json number(double value) {
-  return std::isfinite(value) ? Json(value) : Json(nullptr);
-}
-
-Json numbers(const std::vector<double>& values) {
-  Json list = Json::array();
-  for (const double value : values) list.push_back(number(value));
-  return list;
-}
-
 std::string role_of(const ExperimentSeries& series) {
   return series.role == ExperimentSeries::Role::measured ? "measured" : "predicted";
 }
 
 Json json_of(const ExperimentLimit& limit) {
   return {{"limit", limit.name},
-          {"measured", number(limit.measured)},
-          {"predicted", number(limit.predicted)},
+          {"measured", json_number(limit.measured)},
+          {"predicted", json_number(limit.predicted)},
           {"unit", limit.unit},
           {"source", limit.source}};
 }
@@ -41,8 +31,8 @@ Json json_of(const ExperimentChart& chart) {
   for (const auto& series : chart.series)
     json["series"].push_back({{"name", series.name},
                               {"role", role_of(series)},
-                              {"x", numbers(series.x)},
-                              {"y", numbers(series.y)}});
+                              {"x", json_numbers(series.x)},
+                              {"y", json_numbers(series.y)}});
   return json;
 }
 
@@ -50,7 +40,7 @@ Json json_of(const ExperimentResult& result) {
   Json json = {{"experiment", result.name},
                {"question", result.question},
                {"quick", result.quick},
-               {"cpu_seconds", number(result.cpu_seconds)}};
+               {"cpu_seconds", json_number(result.cpu_seconds)}};
   json["limits"] = Json::array();
   for (const auto& limit : result.limits) json["limits"].push_back(json_of(limit));
   json["charts"] = Json::array();

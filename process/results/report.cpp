@@ -3,6 +3,7 @@
 
 #include "process/results/atomic_file.h"
 #include "process/results/figure_meaning.h"
+#include "process/results/json_numbers.h"
 #include "process/results/result_file.h"
 
 namespace diefill::results {
@@ -10,26 +11,18 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// JSON knows no NaN and no infinity: such numbers are null.
-Json number(double value) {
-  return std::isfinite(value) ? Json(value) : Json(nullptr);
-}
-
-Json numbers(const std::vector<double>& values) {
-  Json list = Json::array();
-  for (const double value : values) list.push_back(number(value));
-  return list;
-}
-
 Json figure(const std::string& name, double value) {
   const bool whole = counts(name) && std::isfinite(value) && std::abs(value) < 9e15;
-  return whole ? Json(std::llround(value)) : number(value);
+  return whole ? Json(std::llround(value)) : json_number(value);
 }
 
 Json summary(const SolidFractionSummary& solid_fraction) {
-  return {{"mean", number(solid_fraction.mean)}, {"arithmetic_mean", number(solid_fraction.arithmetic_mean)},
-          {"std", number(solid_fraction.std)},   {"min", number(solid_fraction.min)},
-          {"max", number(solid_fraction.max)},   {"cv", number(solid_fraction.cv)},
+  return {{"mean", json_number(solid_fraction.mean)},
+          {"arithmetic_mean", json_number(solid_fraction.arithmetic_mean)},
+          {"std", json_number(solid_fraction.std)},
+          {"min", json_number(solid_fraction.min)},
+          {"max", json_number(solid_fraction.max)},
+          {"cv", json_number(solid_fraction.cv)},
           {"grains", solid_fraction.grains}};
 }
 
@@ -51,8 +44,8 @@ std::map<std::string, double> all_figures(const FillResult& result) {
 }
 
 Json profile(const Profile& curve) {
-  return {{"quantity", curve.quantity}, {"unit", curve.unit},    {"x_name", curve.x_name},
-          {"x_unit", curve.x_unit},     {"x", numbers(curve.x)}, {"y", numbers(curve.y)}};
+  return {{"quantity", curve.quantity}, {"unit", curve.unit},         {"x_name", curve.x_name},
+          {"x_unit", curve.x_unit},     {"x", json_numbers(curve.x)}, {"y", json_numbers(curve.y)}};
 }
 
 Json report(const FillResult& result) {
@@ -75,7 +68,8 @@ Json report(const FillResult& result) {
   json["program_version"] = result.program_version;
   json["warnings"] = result.warnings;
   json["phase_seconds"] = Json::object();
-  for (const auto& [phase, seconds] : result.phase_seconds) json["phase_seconds"][phase] = number(seconds);
+  for (const auto& [phase, seconds] : result.phase_seconds)
+    json["phase_seconds"][phase] = json_number(seconds);
   for (const auto& [name, value] : figures) json.emplace(name, figure(name, value));
   for (const Profile& curve : result.profiles)
     if (curve.quantity == "fill level") json["fill_level"] = profile(curve);

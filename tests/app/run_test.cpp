@@ -92,7 +92,7 @@ TEST(Run, WritesResultsReportAndPicturesAndSaysSo) {
 TEST(Run, GivesTheSameStateWithOneThreadAndTwo) {
   const SmallDie die;
   die.exchange("grain_diameter = \"1 mm\"",
-               "grain_diameter = \"0.8 mm\"");  // more grains than one thread takes at a time
+               "grain_diameter = \"0.5 mm\"");  // more grains than one thread takes at a time
   die.exchange("velocity = \"0.1 m/s\"", "velocity = \"0.2 m/s\"");
   ASSERT_EQ(die.run({"--quiet"}).exit_code, 0);
   const auto one = die.report();
@@ -101,7 +101,7 @@ TEST(Run, GivesTheSameStateWithOneThreadAndTwo) {
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
   EXPECT_EQ(outcome.err, "");
   const auto two = die.report();
-  EXPECT_GT(one.at("grains").get<int>(), 256);
+  EXPECT_GT(one.at("grains").get<int>(), 1024);
   EXPECT_EQ(two.at("threads").get<int>(), 2);
   for (const char* key : {"state_hash", "filled_mass_kg", "steps", "energy_balance_error", "solid_fraction"})
     EXPECT_EQ(one.at(key), two.at(key)) << key;
