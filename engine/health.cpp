@@ -85,13 +85,11 @@ void Health::warn_of_overlap(double grains, double walls, double time) {
               line("overlap among grains reached %.2f of the sphere radius by t = %.6g s; up to %.2f is "
                    "comfortable",
                    grains, time, limits_.comfortable_overlap));
-  if (walls > limits_.forbidden_overlap && !warned_of_pinch_) {
-    warned_of_pinch_ = true;
-    warnings_.push_back(
-        line("a tool pinched a grain by t = %.6g s: overlap with a wall reached %.2f of the sphere "
-             "radius",
-             time, walls));
-  }
+  if (walls > limits_.forbidden_overlap)
+    warn_once(warned_of_pinch_,
+              line("a tool pinched a grain by t = %.6g s: overlap with a wall reached %.2f of the sphere "
+                   "radius",
+                   time, walls));
 }
 
 void Health::check_time_step(const Simulation& simulation) const {

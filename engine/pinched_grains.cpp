@@ -2,7 +2,8 @@
 
 #include <algorithm>
 #include <map>
-#include <numeric>
+
+#include "engine/grain_contacts.h"
 
 namespace diefill::engine {
 
@@ -28,29 +29,22 @@ double wall_overlap(const Simulation& simulation, std::size_t body, std::uint32_
   return radius - plane.normal.dot(place - plane.point);
 }
 
-/// All contacts deeper than `threshold` (m), in the order of the blocks.
+/// All contacts deeper than `threshold` (m), those among grains first, each in the order of the blocks.
 std::vector<DeepContact> deep_contacts(const Simulation& simulation, double threshold) {
-  const SphereField& spheres = simulation.spheres();
-  const double reach = 2 * simulation.settings().shape.sphere_radius;
-  const std::size_t per_grain = spheres.spheres_per_grain;
   std::vector<DeepContact> deep;
-  for (const Block& block : simulation.neighbours().blocks()) {
-    for (std::size_t p = 0; p < block.grain_pairs.size(); ++p) {
-      if (!block.grain_pairs.touching[p]) continue;
-      const GrainPair& pair = block.grain_pairs.pair[p];
-      const std::uint32_t i = block.sphere(pair.own), j = block.sphere(pair.other);
-      const double overlap = reach - length(spheres.position[i] - spheres.position[j]);
-      if (overlap > threshold) deep.push_back({i / per_grain, spheres.owner(j), false, overlap});
-    }
+  visit_grain_contacts(simulation, [&](std::size_t grain, std::size_t other, double overlap) {
+    if (overlap > threshold) deep.push_back({grain, other, false, overlap});
+  });
+  const SphereField& spheres = simulation.spheres();
+  for (const Block& block : simulation.neighbours().blocks())
     for (std::size_t body = 0; body + 1 < block.wall_first.size(); ++body)
       for (std::uint32_t p = block.wall_first[body]; p < block.wall_first[body + 1]; ++p) {
         if (!block.wall_pairs.touching[p]) continue;
         const WallPair& pair = block.wall_pairs.pair[p];
         const std::uint32_t i = block.sphere(pair.own);
         const double overlap = wall_overlap(simulation, body, i, pair.wall);
-        if (overlap > threshold) deep.push_back({i / per_grain, body, true, overlap});
+        if (overlap > threshold) deep.push_back({spheres.owner(i), body, true, overlap});
       }
-  }
   return deep;
 }
 

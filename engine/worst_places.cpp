@@ -1,36 +1,11 @@
 #include "engine/worst_places.h"
 
-#include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdio>
-#include <map>
-#include <vector>
+
+#include "engine/grain_contacts.h"
 
 namespace diefill::engine {
-
-namespace {
-
-using Cell = std::array<long, 3>;
-
-Cell cell_of(Vector3 place, double size) {
-  return {std::lround(place.x / size), std::lround(place.y / size), std::lround(place.z / size)};
-}
-
-/// Calls visit(other) for the spheres in the cell and around it.
-template <class Visit>
-void visit_around(const std::map<Cell, std::vector<std::size_t>>& cells, const Cell& cell,
-                  const Visit& visit) {
-  for (long x = -1; x <= 1; ++x)
-    for (long y = -1; y <= 1; ++y)
-      for (long z = -1; z <= 1; ++z) {
-        const auto found = cells.find({cell[0] + x, cell[1] + y, cell[2] + z});
-        if (found == cells.end()) continue;
-        for (const std::size_t other : found->second) visit(other);
-      }
-}
-
-}  // namespace
 
 FastestGrain fastest_grain(const Grains& grains) {
   FastestGrain fastest;
@@ -45,20 +20,10 @@ FastestGrain fastest_grain(const Grains& grains) {
 }
 
 DeepestPair deepest_pair(const Simulation& simulation) {
-  const SphereField& spheres = simulation.spheres();
-  const double reach = 2 * simulation.settings().shape.sphere_radius;
-  const std::size_t count = spheres.grains * spheres.spheres_per_grain;
-  std::map<Cell, std::vector<std::size_t>> cells;
   DeepestPair deepest;
-  for (std::size_t k = 0; k < count; ++k) {
-    const Cell cell = cell_of(spheres.position[k], reach);
-    visit_around(cells, cell, [&](std::size_t other) {
-      if (spheres.owner(k) == spheres.owner(other)) return;
-      const double overlap = reach - length(spheres.position[k] - spheres.position[other]);
-      if (overlap > deepest.overlap) deepest = {spheres.owner(other), spheres.owner(k), overlap};
-    });
-    cells[cell].push_back(k);
-  }
+  visit_grain_contacts(simulation, [&](std::size_t first, std::size_t second, double overlap) {
+    if (overlap > deepest.overlap) deepest = {first, second, overlap};
+  });
   return deepest;
 }
 

@@ -1,5 +1,5 @@
 // Where in the powder things are worst, for messages of a run that has left the method's range. Only asked
-// for then: looks at every grain, knows no lists.
+// for then: looks at every grain or contact.
 #pragma once
 
 #include <string>
@@ -15,12 +15,11 @@ struct FastestGrain {
 };
 FastestGrain fastest_grain(const Grains& grains);
 
-/// Two grains whose spheres overlap most at this moment.
+/// Two grains whose spheres overlapped most in the last step.
 struct DeepestPair {
   std::size_t first = 0, second = 0;  ///< places in Grains
   double overlap = 0;                 ///< m; 0: nothing touches
 };
-/// Pairs across a periodic border are left out.
 DeepestPair deepest_pair(const Simulation& simulation);
 
 /// "grain 12 at (1.00, 2.00, 3.00) mm".

@@ -1,17 +1,17 @@
 #include "render/cut_tools.h"
 
-#include <vtkCellArray.h>
 #include <vtkCellData.h>
 #include <vtkClipClosedSurface.h>
 #include <vtkPlane.h>
 #include <vtkPlaneCollection.h>
-#include <vtkPoints.h>
 #include <vtkPolyData.h>
 #include <vtkPolyDataMapper.h>
 #include <vtkPolyDataNormals.h>
 #include <vtkProperty.h>
 
 #include <array>
+
+#include "render/mesh_polydata.h"
 
 namespace diefill::render {
 namespace {
@@ -28,22 +28,6 @@ Tone tone_of(const std::string& role) {
   return {{0.84, 0.86, 0.89}, {0.69, 0.72, 0.77}};
 }
 
-vtkSmartPointer<vtkPolyData> to_polydata(const results::ToolState& tool) {
-  const auto points = vtkSmartPointer<vtkPoints>::New();
-  points->SetDataTypeToDouble();
-  for (const auto& vertex : tool.vertices)
-    points->InsertNextPoint(kMillimetres * vertex.x(), kMillimetres * vertex.y(), kMillimetres * vertex.z());
-  const auto faces = vtkSmartPointer<vtkCellArray>::New();
-  for (const auto& triangle : tool.triangles) {
-    const std::array<vtkIdType, 3> corners{triangle[0], triangle[1], triangle[2]};
-    faces->InsertNextCell(3, corners.data());
-  }
-  auto mesh = vtkSmartPointer<vtkPolyData>::New();
-  mesh->SetPoints(points);
-  mesh->SetPolys(faces);
-  return mesh;
-}
-
 }  // namespace
 
 vtkSmartPointer<vtkActor> make_cut_tool(const results::ToolState& tool, double cut_y) {
@@ -55,7 +39,7 @@ vtkSmartPointer<vtkActor> make_cut_tool(const results::ToolState& tool, double c
   const auto planes = vtkSmartPointer<vtkPlaneCollection>::New();
   planes->AddItem(plane);
   const auto clip = vtkSmartPointer<vtkClipClosedSurface>::New();
-  clip->SetInputData(to_polydata(tool));
+  clip->SetInputData(mesh_polydata(tool.vertices, tool.triangles));
   clip->SetClippingPlanes(planes);
   clip->SetScalarModeToColors();
   clip->SetBaseColor(tone.surface[0], tone.surface[1], tone.surface[2]);

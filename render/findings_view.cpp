@@ -2,10 +2,8 @@
 
 #include <vtkActor.h>
 #include <vtkCamera.h>
-#include <vtkCellArray.h>
 #include <vtkFeatureEdges.h>
 #include <vtkLightKit.h>
-#include <vtkPoints.h>
 #include <vtkPolyData.h>
 #include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
@@ -16,9 +14,9 @@
 #include <Eigen/Geometry>
 #include <QPainter>
 #include <algorithm>
-#include <array>
 #include <cmath>
 
+#include "render/mesh_polydata.h"
 #include "render/offscreen.h"
 #include "render/picture_file.h"
 #include "render/text.h"
@@ -55,23 +53,6 @@ View view_of(const std::vector<MarkedPart>& parts, double aspect) {
   view.centre = middle[0] * view.right + middle[1] * view.up + middle[2] * view.eye;
   view.height = 1.1 * std::max(size[1], size[0] / aspect);
   return view;
-}
-
-vtkSmartPointer<vtkPolyData> to_polydata(const MarkedPart& part) {
-  const auto points = vtkSmartPointer<vtkPoints>::New();
-  for (const auto& vertex : part.vertices) {
-    const Eigen::Vector3d millimetres = kMetresToMillimetres * vertex;
-    points->InsertNextPoint(millimetres.data());
-  }
-  const auto faces = vtkSmartPointer<vtkCellArray>::New();
-  for (const auto& triangle : part.triangles) {
-    const std::array<vtkIdType, 3> corners{triangle[0], triangle[1], triangle[2]};
-    faces->InsertNextCell(3, corners.data());
-  }
-  auto mesh = vtkSmartPointer<vtkPolyData>::New();
-  mesh->SetPoints(points);
-  mesh->SetPolys(faces);
-  return mesh;
 }
 
 void add_glass(vtkRenderer* renderer, vtkPolyData* mesh) {
@@ -112,7 +93,7 @@ QImage draw_parts(const std::vector<MarkedPart>& parts, const View& view, const 
   window->AddRenderer(renderer);
   for (const auto& part : parts) {
     if (part.triangles.empty()) continue;
-    const auto mesh = to_polydata(part);
+    const auto mesh = mesh_polydata(part.vertices, part.triangles);
     add_glass(renderer, mesh);
     add_edges(renderer, mesh);
   }

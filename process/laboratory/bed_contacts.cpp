@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <set>
 
+#include "engine/grain_contacts.h"
+
 namespace diefill::process::laboratory {
 
 namespace {
@@ -10,30 +12,13 @@ namespace {
 constexpr double kBinWidth = 5e-5;  // of h / d
 constexpr std::size_t kBins = 200;
 
-/// Calls visit(owner grain i, owner grain j, overlap) for every touching pair of spheres.
-template <class Visit>
-void visit_contacts(const engine::Simulation& simulation, const Visit& visit) {
-  const auto& spheres = simulation.spheres();
-  const double reach = 2 * simulation.settings().shape.sphere_radius;
-  const std::size_t per_grain = spheres.spheres_per_grain;
-  for (const auto& block : simulation.neighbours().blocks()) {
-    const auto& table = block.grain_pairs;
-    for (std::size_t p = 0; p < table.size(); ++p) {
-      if (!table.touching[p]) continue;
-      const std::size_t i = block.sphere(table.pair[p].own), j = block.sphere(table.pair[p].other);
-      const double overlap = reach - engine::length(spheres.position[i] - spheres.position[j]);
-      if (overlap > 0) visit(i / per_grain, spheres.owner(j), overlap);
-    }
-  }
-}
-
 }  // namespace
 
 void contact_figures(const engine::Simulation& simulation, double grain_diameter, BedFigures& figures) {
   std::vector<double> histogram(kBins, 0.0);
   std::set<std::pair<std::size_t, std::size_t>> touching;
   double sum = 0;
-  visit_contacts(simulation, [&](std::size_t i, std::size_t j, double overlap) {
+  engine::visit_grain_contacts(simulation, [&](std::size_t i, std::size_t j, double overlap) {
     const double ratio = overlap / grain_diameter;
     ++figures.contacts;
     sum += ratio;

@@ -53,7 +53,7 @@ class FillRun {
   const Schedule& schedule() const { return schedule_; }
   /// Grains spilled, discharged or cleared away.
   std::uint64_t grains_left() const { return grains_left_; }
-  /// Grains wedged between tools that were taken out (NumericsSpec::pinched).
+  /// Grains wedged between tools that were taken out (NumericsSpec::pinched_grains).
   std::uint64_t grains_sheared() const { return grains_sheared_; }
   /// Instants kept on the way (measure.snapshot_interval); tools' poses in the laboratory frame.
   const std::vector<results::Instant>& instants() const { return instants_; }

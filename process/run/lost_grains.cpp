@@ -9,6 +9,8 @@ namespace diefill::process {
 
 namespace {
 
+constexpr std::size_t kMostVoxels = 50000000;  // of a tool, one byte each
+
 engine::OutOfRange through_the_wall(const engine::Simulation& simulation, std::size_t k, double depth,
                                     const std::string& tool) {
   const Eigen::Vector3d place = 1e3 * simulation.grains().position[k];
@@ -29,12 +31,15 @@ LostGrains::LostGrains(const Tooling& tooling, double grain_diameter)
   for (const Tool& tool : tooling.tools) {
     const auto grid = geometry::VoxelGrid::over(tool.mesh.bounding_box(), 0.5 * grain_diameter);
     const std::array<const geometry::Mesh*, 1> meshes = {&tool.mesh};
+    // Fine grains in a large tool: rather ask the solid about every grain than fill the memory with voxels.
+    std::vector<std::uint8_t> blocked;
+    if (grid.size() <= kMostVoxels) blocked = geometry::blocked_voxels(grid, meshes, 0);
     geometry::PointGrid spheres(2 * grain_diameter);
     for (const auto& centre : tool.spheres.centres) spheres.insert(centre);
     // A covered point is no farther from a centre than this: half a gap between spheres, and their depth.
     const double cover_reach = 2 * tool.spheres.radius + tool.spheres.largest_gap;
-    tools_.push_back({geometry::SolidQuery(tool.mesh), grid, geometry::blocked_voxels(grid, meshes, 0),
-                      std::move(spheres), cover_reach});
+    tools_.push_back(
+        {geometry::SolidQuery(tool.mesh), grid, std::move(blocked), std::move(spheres), cover_reach});
   }
 }
 
@@ -61,7 +66,8 @@ std::vector<std::uint64_t> LostGrains::strayed(const engine::Simulation& simulat
     for (std::size_t k = 0; k < grains.size(); ++k) {
       const Eigen::Vector3d place = pose.rotation.transpose() * (grains.position[k] - pose.translation);
       const Eigen::Vector3i voxel = tool.grid.voxel_at(place);
-      if (!tool.grid.has(voxel) || !tool.blocked[tool.grid.index(voxel.x(), voxel.y(), voxel.z())]) continue;
+      if (!tool.grid.has(voxel)) continue;
+      if (!tool.blocked.empty() && !tool.blocked[tool.grid.index(voxel.x(), voxel.y(), voxel.z())]) continue;
       const double depth = -tool.solid.signed_distance(place);
       if (depth <= 0.5 * grain_diameter_) continue;
       const Eigen::Vector3d velocity =

@@ -1,0 +1,26 @@
+// What touches what, read from the pair tables of the last step: for figures, messages and whatever else
+// asks now and then. The pair loop itself streams the tables in its own way.
+#pragma once
+
+#include "engine/simulation.h"
+
+namespace diefill::engine {
+
+/// Calls visit(i, j, overlap) for every pair of spheres that overlapped in the last step, of which i and j
+/// are the grains (places in Grains, never images); overlap in m. In the order of the blocks.
+template <class Visit>
+void visit_grain_contacts(const Simulation& simulation, const Visit& visit) {
+  const SphereField& spheres = simulation.spheres();
+  const double reach = 2 * simulation.settings().shape.sphere_radius;
+  for (const Block& block : simulation.neighbours().blocks()) {
+    const auto& table = block.grain_pairs;
+    for (std::size_t p = 0; p < table.size(); ++p) {
+      if (!table.touching[p]) continue;
+      const std::size_t i = block.sphere(table.pair[p].own), j = block.sphere(table.pair[p].other);
+      const double overlap = reach - length(spheres.position[i] - spheres.position[j]);
+      if (overlap > 0) visit(spheres.owner(i), spheres.owner(j), overlap);
+    }
+  }
+}
+
+}  // namespace diefill::engine
