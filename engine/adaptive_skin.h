@@ -1,5 +1,7 @@
 // How much wider than touching the list of near pairs is: a wide list lasts longer, a narrow one holds fewer
-// pairs to be tested in every step. The skin follows the powder: narrow while it rests, wide while it moves.
+// pairs to be tested in every step. The skin follows the powder: narrow while it rests, wide while it moves;
+// and within it, a grain that is faster than most may go farther than they before the list is renewed, so
+// that a few falling grains do not use up the list of all.
 #pragma once
 
 #include <algorithm>
@@ -12,11 +14,16 @@ namespace diefill::engine {
 /// a run can be repeated bit for bit.
 class AdaptiveSkin {
  public:
-  /// `fixed`: m, or 0 to adapt; `sphere_radius` in m.
-  AdaptiveSkin(double fixed, double sphere_radius) : fixed_(fixed), radius_(sphere_radius) {}
+  /// `fixed`: m, or 0 to adapt; `sphere_radius` in m. `room`: m, how far a swift grain may go at most.
+  AdaptiveSkin(double fixed, double sphere_radius, double room = 1e300)
+      : fixed_(fixed), radius_(sphere_radius), room_(room) {}
 
   double first() const { return fixed_ > 0 ? fixed_ : kFirst * radius_; }
   double largest() const { return fixed_ > 0 ? fixed_ : kLargest * radius_; }
+  /// m, farthest that any grain or tool may move before the list must be renewed.
+  double largest_allowance() const {
+    return std::max(0.5 * largest(), fixed_ > 0 ? 0 : std::min(kFarthest * radius_, room_));
+  }
 
   /// Whether a list of `skin` (m) has lasted for so many `steps` that a narrower one would be cheaper by now.
   bool is_too_wide(double skin, std::uint64_t steps) const {
@@ -35,9 +42,22 @@ class AdaptiveSkin {
     return std::clamp(skin * std::clamp(change, 0.5, 2.0), kSmallest * radius_, kLargest * radius_);
   }
 
+  /// How often half the `skin` (m) is to be doubled for something that moves by `step_length` (m) in a step:
+  /// enough for the steps that a list of this skin should last.
+  std::uint8_t doublings(double skin, double step_length) const {
+    if (fixed_ > 0) return 0;
+    const double expected = kSpare * step_length * kBalance * radius_ / skin;
+    std::uint8_t count = 0;
+    for (double allowance = 0.5 * skin; allowance < expected && 2 * allowance <= largest_allowance();
+         allowance *= 2)
+      ++count;
+    return count;
+  }
+
  private:
   static constexpr double kFirst = 0.3, kSmallest = 0.06, kLargest = 0.6, kBalance = 40;
-  double fixed_, radius_;
+  static constexpr double kFarthest = 2, kSpare = 1.25;
+  double fixed_, radius_, room_;
 };
 
 }  // namespace diefill::engine

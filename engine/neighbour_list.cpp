@@ -23,13 +23,12 @@ NeighbourList::NeighbourList(const NeighbourSettings& settings, std::vector<std:
 void NeighbourList::build(const SphereField& spheres, const std::vector<WallBody>& bodies,
                           const ListReference& reference, const ContactHistory& history,
                           const ContactHistory& wall_history, Workers& workers) {
-  const double reach = 2 * settings_.sphere_radius + settings_.law_range + reference.skin;
-  cells_.build(spheres.position, reach);
+  cells_.build(spheres.position, 2 * settings_.sphere_radius + settings_.law_range + reference.skin);
   cut_into_blocks(spheres.grains, static_cast<std::uint32_t>(spheres.spheres_per_grain));
   workers.for_each(blocks_.size(), [&](std::size_t b) {
     Block& block = blocks_[b];
     block.reference = reference.position[(block.begin + block.end) / 2];
-    find_grain_pairs(block, spheres, reach, history);
+    find_grain_pairs(block, spheres, reference, history);
     find_wall_pairs(block, spheres, bodies, reference, wall_history);
     block.sums.resize(block.grains() + block.foreign.size());
   });
@@ -79,7 +78,7 @@ void NeighbourList::number_spheres(Block& block, const SphereField& spheres) con
   }
 }
 
-void NeighbourList::find_grain_pairs(Block& block, const SphereField& spheres, double reach,
+void NeighbourList::find_grain_pairs(Block& block, const SphereField& spheres, const ListReference& reference,
                                      const ContactHistory& history) const {
   struct Found {
     std::uint32_t own, other;
@@ -94,15 +93,25 @@ void NeighbourList::find_grain_pairs(Block& block, const SphereField& spheres, d
   thread_local std::vector<Found> found;
   found.clear();
   block.partners.clear();
+  const double touching = 2 * settings_.sphere_radius + settings_.law_range;
   for (std::uint32_t i = first; i < end; ++i) {
     const Vector3 here = spheres.position[i];
-    cells_.visit_neighbourhood(here, [&](std::uint32_t j, Vector3 there) {
+    const std::uint32_t grain = i / per_grain;
+    const std::uint8_t swift = reference.doublings[grain];
+    const double farthest = touching + 2 * reference.allowance(grain);
+    cells_.visit_within(here, farthest, [&](std::uint32_t j, Vector3 there) {
       const Vector3 between = there - here;
-      if (dot(between, between) >= reach * reach) return;
-      // Every pair once, by the grain that comes first; an image stands for its owner.
-      if (real_sphere(j) / per_grain <= i / per_grain) return;
+      const double square = dot(between, between);
+      if (square >= farthest * farthest) return;
+      // Every pair once: by the swifter grain, which looks farther, else by the first; an image stands for
+      // its owner.
+      const std::uint32_t other = real_sphere(j) / per_grain;
+      const std::uint8_t other_swift = reference.doublings[other];
+      if (other_swift > swift || (other_swift == swift && other <= grain) || other == grain) return;
+      const double reach = touching + reference.allowance(grain) + reference.allowance(other);
+      if (square >= reach * reach) return;
       found.push_back({i, j});
-      if (j >= end) block.partners.push_back(j);
+      if (j < first || j >= end) block.partners.push_back(j);
     });
   }
   std::sort(block.partners.begin(), block.partners.end());
@@ -111,14 +120,20 @@ void NeighbourList::find_grain_pairs(Block& block, const SphereField& spheres, d
   number_spheres(block, spheres);
 
   const auto local = [&](std::uint32_t j) {
-    if (j < end) return static_cast<LocalSphere>(j - first);
+    if (j >= first && j < end) return static_cast<LocalSphere>(j - first);
     const auto place = std::lower_bound(block.partners.begin(), block.partners.end(), j);
     return static_cast<LocalSphere>(block.own_spheres() + (place - block.partners.begin()));
   };
-  block.grain_pairs.start(found.size(), settings_.grain_memory);
-  for (const Found& pair : found)
-    block.grain_pairs.add({local(pair.own), local(pair.other)},
-                          history.find(pair.own, real_sphere(pair.other)));
+  const double* opposite = settings_.grain_memory_sign.data();
+  block.grain_pairs.start(found.size(), settings_.grain_memory_sign.size());
+  for (const Found& pair : found) {
+    const std::uint32_t other = real_sphere(pair.other);
+    const GrainPair named = {local(pair.own), local(pair.other)};
+    if (pair.own < other)
+      block.grain_pairs.add(named, history.find(pair.own, other), nullptr);
+    else
+      block.grain_pairs.add(named, history.find(other, pair.own), opposite);
+  }
 }
 
 void NeighbourList::find_wall_pairs(Block& block, const SphereField& spheres,
@@ -134,11 +149,11 @@ void NeighbourList::find_wall_pairs(Block& block, const SphereField& spheres,
   block.wall_first.assign(1, 0);
   for (std::uint32_t b = 0; b < bodies.size(); ++b) {
     const BodyMotion& pose = reference.bodies[b];
-    const double reach = settings_.sphere_radius + bodies[b].sphere_radius() + reference.skin;
+    const double reach = settings_.sphere_radius + bodies[b].sphere_radius() + reference.body_allowance[b];
     for (std::uint32_t i = block.begin * per_grain; i < block.end * per_grain; ++i) {
       found.clear();
-      bodies[b].find(pose.rotation.transpose() * (eigen(spheres.position[i]) - pose.translation), reach,
-                     found);
+      bodies[b].find(pose.rotation.transpose() * (eigen(spheres.position[i]) - pose.translation),
+                     reach + reference.allowance(i / per_grain), found);
       for (const std::uint32_t part : found) pairs.push_back({i, part});
     }
     block.wall_first.push_back(static_cast<std::uint32_t>(pairs.size()));
@@ -147,7 +162,8 @@ void NeighbourList::find_wall_pairs(Block& block, const SphereField& spheres,
   for (std::uint32_t b = 0; b < bodies.size(); ++b)
     for (std::uint32_t k = block.wall_first[b]; k < block.wall_first[b + 1]; ++k) {
       const auto own = static_cast<LocalSphere>(pairs[k].own - block.begin * per_grain);
-      block.wall_pairs.add({pairs[k].part, own}, history.find(pairs[k].own, body_first_[b] + pairs[k].part));
+      block.wall_pairs.add({pairs[k].part, own}, history.find(pairs[k].own, body_first_[b] + pairs[k].part),
+                           nullptr);
     }
 }
 

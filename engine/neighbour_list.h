@@ -14,10 +14,11 @@ namespace diefill::engine {
 
 /// What the search needs to know.
 struct NeighbourSettings {
-  double sphere_radius = 0;                       ///< m
-  double farthest_sphere = 0;                     ///< m, of a sphere's centre from its grain's centre
-  double law_range = 0;                           ///< m, gap up to which the law acts between grains
-  std::size_t grain_memory = 0, wall_memory = 0;  ///< numbers that touching pairs remember
+  double sphere_radius = 0;               ///< m
+  double farthest_sphere = 0;             ///< m, of a sphere's centre from its grain's centre
+  double law_range = 0;                   ///< m, gap up to which the law acts between grains
+  std::vector<double> grain_memory_sign;  ///< PairLoop::memory_signs() of pairs of grains
+  std::size_t wall_memory = 0;            ///< numbers that touching pairs with walls remember
 };
 
 /// The powder and the bodies as they stood when the list was made: all that is needed to tell when it is too
@@ -26,10 +27,15 @@ struct ListReference {
   std::vector<Eigen::Vector3d> position;  ///< m, of grains
   std::vector<Quaternion> orientation;    ///< of grains of several spheres
   std::vector<BodyMotion> bodies;
-  double skin = 0;  ///< m, how much nearer two spheres may come before the list must be renewed
+  double skin = 0;  ///< m, how much nearer two slow spheres may come before the list must be renewed
+  std::vector<std::uint8_t> doublings;  ///< of grains: how often half the skin is doubled for swift ones
+  std::vector<double> body_allowance;   ///< m, how far each body may move
   Eigen::Vector3d drift = Eigen::Vector3d::Zero();  ///< m/s, mean velocity of the powder
   double time = 0;                                  ///< s
   std::uint64_t step = 0;
+
+  /// m, how far grain k may move against the drift before the list must be renewed.
+  double allowance(std::size_t k) const { return 0.5 * skin * static_cast<double>(1U << doublings[k]); }
 };
 
 /// Near pairs in blocks.
@@ -60,7 +66,7 @@ class NeighbourList {
 
  private:
   void cut_into_blocks(std::size_t grains, std::uint32_t spheres_per_grain);
-  void find_grain_pairs(Block& block, const SphereField& spheres, double reach,
+  void find_grain_pairs(Block& block, const SphereField& spheres, const ListReference& reference,
                         const ContactHistory& history) const;
   void find_wall_pairs(Block& block, const SphereField& spheres, const std::vector<WallBody>& bodies,
                        const ListReference& reference, const ContactHistory& history) const;

@@ -17,14 +17,14 @@ namespace diefill::engine {
 
 /// What one block did in one step.
 struct BlockTally {
-  double viscous_work = 0;                  ///< J, done by damping (negative)
-  double tangential_work = 0;               ///< J, done by tangential forces
-  double drag_work = 0;                     ///< J, done by air (negative)
-  double rolling_work = 0;                  ///< J, done by rolling friction (negative)
-  DeepestOverlap overlap;                   ///< m
-  double displacement = 0;                  ///< m, largest of the block's grains since contacts were searched
-  std::uint64_t touching = 0;               ///< pairs
-  std::vector<Eigen::Vector3d> body_force;  ///< N on each wall body
+  double viscous_work = 0;                   ///< J, done by damping (negative)
+  double tangential_work = 0;                ///< J, done by tangential forces
+  double drag_work = 0;                      ///< J, done by air (negative)
+  double rolling_work = 0;                   ///< J, done by rolling friction (negative)
+  DeepestOverlap overlap;                    ///< m
+  bool list_is_old = false;                  ///< a grain has moved farther than the list of near pairs allows
+  std::uint64_t touching = 0;                ///< pairs
+  std::vector<Eigen::Vector3d> body_force;   ///< N on each wall body
   std::vector<Eigen::Vector3d> body_torque;  ///< N m about the origin of each body's frame
 
   void start(std::size_t bodies);

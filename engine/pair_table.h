@@ -43,13 +43,13 @@ struct PairTable {
     make_room(touching, count);
     make_room(memory, count * width);
   }
-  /// `remembered`: `width` numbers of a touching pair, or nullptr.
-  void add(const Pair& added, const double* remembered) {
+  /// `remembered`: `width` numbers of a touching pair, or nullptr; `sign`: what each is multiplied by, or
+  /// nullptr.
+  void add(const Pair& added, const double* remembered, const double* sign) {
     pair.push_back(added);
     touching.push_back(remembered != nullptr);
-    memory.resize(memory.size() + width, 0.0);
-    if (remembered)
-      std::copy(remembered, remembered + width, memory.end() - static_cast<std::ptrdiff_t>(width));
+    for (std::size_t k = 0; k < width; ++k)
+      memory.push_back(!remembered ? 0.0 : sign ? sign[k] * remembered[k] : remembered[k]);
   }
   template <class Value>
   static void make_room(std::vector<Value>& values, std::size_t count) {

@@ -12,18 +12,18 @@ namespace diefill::engine {
 
 namespace {
 
-double largest_skin(const SimulationSettings& settings) {
-  return AdaptiveSkin(settings.skin, settings.shape.sphere_radius).largest();
-}
-
-/// Throws where a grain would meet another, or itself, from two sides at once. `range`: m, gap at which
-/// grains act on each other.
-void check_periods(const SimulationSettings& settings, double range) {
-  const double smallest = 4 * settings.shape.bounding_radius() + 2 * (range + largest_skin(settings));
+/// The skin for these settings: no grain may come to meet another, or itself, from two sides of a period at
+/// once. `range`: m, gap at which grains act on each other. Throws where even a still grain would.
+AdaptiveSkin skin_for(const SimulationSettings& settings, double range) {
+  const double radius = settings.shape.sphere_radius;
+  double room = 1e300;  // m, for two grains that approach, on both sides of each
   for (const auto& period : settings.period)
-    if (period && *period < smallest)
-      throw std::invalid_argument(
-          "a periodic length is below two grain sizes, the reach of the law and the skin");
+    if (period) room = std::min(room, *period - 4 * settings.shape.bounding_radius() - 2 * range);
+  const AdaptiveSkin skin(settings.skin, radius, 0.25 * room);
+  if (room < 2 * skin.largest())
+    throw std::invalid_argument(
+        "a periodic length is below two grain sizes, the reach of the law and the skin");
+  return skin;
 }
 
 double farthest_sphere(const GrainShape& shape) {
@@ -78,7 +78,7 @@ NeighbourSettings neighbour_settings(const GrainShape& shape, const PairLoop& gr
   return {.sphere_radius = shape.sphere_radius,
           .farthest_sphere = farthest_sphere(shape),
           .law_range = grain_loop.range(),
-          .grain_memory = grain_loop.memory_signs().size(),
+          .grain_memory_sign = grain_loop.memory_signs(),
           .wall_memory = wall_loop.memory_signs().size()};
 }
 
@@ -91,12 +91,11 @@ Simulation::Simulation(const SimulationSettings& settings, std::vector<WallBodyS
       grain_loop_(grain_loop_for(settings_)),
       wall_loop_(wall_loop_for(settings_, radii_of(walls))),
       list_(neighbour_settings(settings_.shape, *grain_loop_, *wall_loop_), first_sphere_of_bodies(walls)),
-      skin_(settings_.skin, settings_.shape.sphere_radius),
+      skin_(skin_for(settings_, grain_loop_->range())),
       integrator_(settings_.shape, settings_.gravity, settings_.air_viscosity, settings_.time_step,
                   settings_.instructions) {
-  check_periods(settings_, grain_loop_->range());
   for (auto& wall : walls) {
-    const double reach = settings_.shape.sphere_radius + wall.sphere_radius + largest_skin(settings_);
+    const double reach = settings_.shape.sphere_radius + wall.sphere_radius + 2 * skin_.largest_allowance();
     bodies_.emplace_back(std::move(wall), reach);
     body_motion_.push_back(bodies_.back().motion_at(0));
   }
@@ -191,25 +190,27 @@ void Simulation::advance_grains() {
   auto& blocks = list_.blocks();
   workers_.for_each(blocks.size(), [&](std::size_t b) {
     integrator_.advance(grains_, blocks[b].begin, blocks[b].end, spheres_);
-    tallies_[b].displacement = displacement_since_search(blocks[b]);
+    tallies_[b].list_is_old = has_moved_too_far(blocks[b]);
   });
 }
 
-/// m, at least as far as any sphere of the block's grains has moved against the powder as a whole.
-double Simulation::displacement_since_search(const Block& block) const {
+/// Whether a sphere of the block may have moved farther against the powder as a whole than its grain may.
+bool Simulation::has_moved_too_far(const Block& block) const {
   const bool composed = settings_.shape.spheres() > 1;
-  const Eigen::Vector3d drift = reference_.drift * (time_ - reference_.time);
-  const Vector3 drifted = plain(drift);
-  double moved = 0, turned = 0;
+  const Vector3 drifted = plain(Eigen::Vector3d(reference_.drift * (time_ - reference_.time)));
+  // A sphere at distance r turns by at most 2 r |q - q_0|.
+  const double per_turn = 2 * list_.settings().farthest_sphere;
+  double excess = -1;  // m, beyond what is allowed
   for (std::size_t k = block.begin; k < block.end; ++k) {
     const Vector3 way = plain(grains_.position[k]) - plain(reference_.position[k]) - drifted;
-    moved = std::max(moved, dot(way, way));
-    if (!composed) continue;
-    const PlainQuaternion turn = plain(grains_.orientation[k]) - plain(reference_.orientation[k]);
-    turned = std::max(turned, dot(turn, turn));
+    double moved = std::sqrt(dot(way, way));
+    if (composed) {
+      const PlainQuaternion turn = plain(grains_.orientation[k]) - plain(reference_.orientation[k]);
+      moved += per_turn * std::sqrt(dot(turn, turn));
+    }
+    excess = std::max(excess, moved - reference_.allowance(k));
   }
-  // A sphere at distance r turns by at most 2 r |q - q_0|.
-  return std::sqrt(moved) + 2 * list_.settings().farthest_sphere * std::sqrt(turned);
+  return excess > 0;
 }
 
 /// Contact forces on the grains of block b, moments about their centres: from the block's own pairs, then
@@ -299,8 +300,8 @@ double Simulation::bytes_moved_per_step() const {
     contacts += static_cast<double>(block.grain_pairs.size() * (sizeof(GrainPair) + 1) +
                                     block.wall_pairs.size() * (sizeof(WallPair) + 1) +
                                     2 * block.sums.size() * sizeof(ContactSum));
-  contacts += static_cast<double>(touching_) * 2 * static_cast<double>(list_.settings().grain_memory) *
-              sizeof(double);
+  contacts += static_cast<double>(touching_) * 2 *
+              static_cast<double>(list_.settings().grain_memory_sign.size()) * sizeof(double);
   return advance + finish + contacts;
 }
 

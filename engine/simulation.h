@@ -113,7 +113,7 @@ class Simulation {
  private:
   void advance_grains();
   void move_bodies();
-  double displacement_since_search(const Block& block) const;
+  bool has_moved_too_far(const Block& block) const;
   bool list_is_old() const;
   void wrap_grains();
   std::size_t keep_grains(const std::vector<std::uint32_t>& staying);
@@ -122,6 +122,8 @@ class Simulation {
   void search_in_order(const std::vector<std::uint32_t>& order);
   void search(const ContactHistory& history, const ContactHistory& wall_history);
   void remember_reference();
+  void allow_motion();
+  double farthest_allowance() const;
   void find_images();
   void place_spheres(const std::vector<Eigen::Vector3d>& position,
                      const std::vector<Quaternion>& orientation);

@@ -27,16 +27,15 @@ double clearance_of(const WallBody& body, const BodyMotion& pose, const Eigen::V
 }  // namespace
 
 bool Simulation::list_is_old() const {
-  double moved = 0;
-  for (const auto& tally : tallies_) moved = std::max(moved, tally.displacement);
-  if (2 * moved > reference_.skin) return true;
+  for (const auto& tally : tallies_)
+    if (tally.list_is_old) return true;
   if (skin_.is_too_wide(reference_.skin, step_ - reference_.step)) return true;
   const Eigen::Vector3d drifted = reference_.drift * (time_ - reference_.time);
   for (std::size_t b = 0; b < bodies_.size(); ++b) {
     const BodyMotion &now = body_motion_[b], &then = reference_.bodies[b];
     const double body_moved = (now.translation - then.translation - drifted).norm() +
                               bodies_[b].extent() * (now.rotation - then.rotation).norm();
-    if (moved + body_moved > reference_.skin + clearance_[b]) return true;
+    if (body_moved > reference_.body_allowance[b] + clearance_[b]) return true;
   }
   return false;
 }
@@ -94,6 +93,25 @@ void Simulation::remember_reference() {
   reference_.drift.setZero();
   for (const auto& velocity : grains_.velocity) reference_.drift += velocity;
   if (grains_.size() > 0) reference_.drift /= static_cast<double>(grains_.size());
+  allow_motion();
+}
+
+/// How far grains and bodies may move before the next search, by how fast they are now.
+void Simulation::allow_motion() {
+  const auto doublings = [&](double speed) {
+    return skin_.doublings(reference_.skin, speed * settings_.time_step);
+  };
+  const double rim = list_.settings().farthest_sphere;
+  reference_.doublings.resize(grains_.size());
+  for (std::size_t k = 0; k < grains_.size(); ++k)
+    reference_.doublings[k] =
+        doublings((grains_.velocity[k] - reference_.drift).norm() + rim * grains_.spin[k].norm());
+  reference_.body_allowance.resize(bodies_.size());
+  for (std::size_t b = 0; b < bodies_.size(); ++b) {
+    const double speed = (body_motion_[b].velocity - reference_.drift).norm() +
+                         bodies_[b].extent() * body_motion_[b].angular_velocity.norm();
+    reference_.body_allowance[b] = 0.5 * reference_.skin * static_cast<double>(1U << doublings(speed));
+  }
 }
 
 void Simulation::search(const ContactHistory& history, const ContactHistory& wall_history) {
@@ -112,17 +130,27 @@ void Simulation::search(const ContactHistory& history, const ContactHistory& wal
     upper = upper.cwiseMax(eigen(centre));
   }
   for (std::size_t b = 0; b < bodies_.size(); ++b) {
-    const double reach = settings_.shape.sphere_radius + bodies_[b].sphere_radius() + reference_.skin;
+    const double reach = settings_.shape.sphere_radius + bodies_[b].sphere_radius() + farthest_allowance();
     clearance_[b] =
         spheres_.grains == 0 ? 0 : clearance_of(bodies_[b], reference_.bodies[b], lower, upper, reach);
   }
 }
 
+/// m, of any grain of the present list.
+double Simulation::farthest_allowance() const {
+  double farthest = 0;
+  for (std::size_t k = 0; k < reference_.doublings.size(); ++k)
+    farthest = std::max(farthest, reference_.allowance(k));
+  return farthest;
+}
+
 void Simulation::find_images() {
   spheres_.images.clear();
   if (!box_.any()) return;
-  // A grain on the border meets others whose centre is up to two grain radii and the skin beyond it.
-  const double margin = 2 * settings_.shape.bounding_radius() + grain_loop_->range() + reference_.skin;
+  // A grain on the border meets others whose centre is up to two grain radii and what both may move beyond
+  // it.
+  const double margin =
+      2 * settings_.shape.bounding_radius() + grain_loop_->range() + 2 * farthest_allowance();
   std::vector<Eigen::Vector3d> shifts;
   for (std::uint32_t k = 0; k < reference_.position.size(); ++k) {
     shifts.clear();

@@ -16,12 +16,13 @@ class SphereCells {
   /// Sorts `points` into cells of edge at least `cell` (m).
   void build(const std::vector<Vector3>& points, double cell);
 
-  /// Calls visit(index, position) for every point in the cell of `point` and its 26 neighbours, in a fixed
-  /// order.
+  /// Calls visit(index, position) for every point in the cells that the cube of half edge `reach` (m) about
+  /// `point` meets, in a fixed order.
   template <class Visit>
-  void visit_neighbourhood(Vector3 point, const Visit& visit) const {
-    const Eigen::Vector3i cell = cell_of(point);
-    const Eigen::Vector3i low = (cell.array() - 1).max(0), high = (cell.array() + 1).min(cells_.array() - 1);
+  void visit_within(Vector3 point, double reach, const Visit& visit) const {
+    const Eigen::Array3d from = (eigen(point) - lower_).array() - reach, to = from + 2 * reach;
+    const Eigen::Array3i low = (from / edge_).floor().cast<int>().max(0);
+    const Eigen::Array3i high = (to / edge_).floor().cast<int>().min(cells_.array() - 1);
     for (int z = low[2]; z <= high[2]; ++z)
       for (int y = low[1]; y <= high[1]; ++y) {
         const std::uint32_t end = first_[index_of(high[0], y, z) + 1];

@@ -93,7 +93,10 @@ void WallBody::find(const Eigen::Vector3d& body_point, double reach,
   const Eigen::Vector3i cell = cell_of(body_point);
   if ((cell.array() < 0).any() || (cell.array() >= cells_.array()).any()) return;
   if (!neighbourhood_[index_of(cell)]) return;
-  const Eigen::Vector3i low = (cell.array() - 1).max(0), high = (cell.array() + 1).min(cells_.array() - 1);
+  // A short reach meets fewer cells than the neighbours that the longest needs.
+  const Eigen::Vector3d to = Eigen::Vector3d::Constant(reach);
+  const Eigen::Vector3i low = cell_of(body_point - to).array().max(0);
+  const Eigen::Vector3i high = cell_of(body_point + to).array().min(cells_.array() - 1);
   for (int z = low[2]; z <= high[2]; ++z)
     for (int y = low[1]; y <= high[1]; ++y) {
       // Cells along x lie together: one run of wall spheres for all three.

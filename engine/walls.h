@@ -81,7 +81,7 @@ class WallBody {
   Eigen::Vector3i cells_ = Eigen::Vector3i::Zero();
   std::vector<std::uint32_t> first_;  ///< first wall sphere of a cell; centres are sorted by cell
   std::vector<std::uint8_t>
-      neighbourhood_;  ///< 1 where a cell or one of its 26 neighbours holds a wall sphere
+      neighbourhood_;  ///< 1 where a wall sphere is in a cell or within the constructor's reach of it
 };
 
 }  // namespace diefill::engine

@@ -13,7 +13,7 @@ namespace diefill::process {
 
 namespace {
 
-constexpr std::array<char, 8> kMagic = {'d', 'f', 'c', 'h', 'k', 'p', 't', '4'};
+constexpr std::array<char, 8> kMagic = {'d', 'f', 'c', 'h', 'k', 'p', 't', '5'};
 
 std::uint64_t hash_of(const std::string& bytes) {
   std::uint64_t hash = 0xcbf29ce484222325ULL;
@@ -115,6 +115,8 @@ void transfer(Io& io, Contents& checkpoint) {
   io(simulation.reference.time);
   io(simulation.reference.step);
   io(simulation.reference.skin);
+  io(simulation.reference.doublings);
+  io(simulation.reference.body_allowance);
   io(simulation.grain_memory.pair);
   io(simulation.grain_memory.value);
   io(simulation.wall_memory.pair);

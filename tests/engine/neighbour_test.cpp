@@ -183,5 +183,34 @@ TEST(ContactMemory, ShorterSkinMeansMoreSearchesAndTheSameMotion) {
   EXPECT_LT((place - same_place).norm(), 1e-15);
 }
 
+TEST(AdaptiveSkin, GivesSwiftGrainsMoreWayAndNeverMoreThanThereIsRoom) {
+  const double radius = 1e-4, skin = 0.1 * radius;
+  const AdaptiveSkin free(0, radius), narrow(0, radius, 0.5 * radius), fixed(1e-5, radius);
+  EXPECT_EQ(free.doublings(skin, 0), 0);
+  // A list of this skin should last 400 steps: 0.4 radii and a quarter to spare ask for 0.05 x 2^4 radii.
+  EXPECT_EQ(free.doublings(skin, 1e-3 * radius), 4);
+  EXPECT_EQ(free.doublings(skin, 1), 5);
+  EXPECT_EQ(narrow.doublings(skin, 1), 3);
+  EXPECT_EQ(fixed.doublings(1e-5, 1), 0);
+}
+
+TEST(AdaptiveSkin, AFewSwiftGrainsDoNotWearOutTheListOfAll) {
+  const auto searches = [](double fixed_skin) {
+    auto settings = weightless(Model::d, {}, 1e-6);
+    settings.skin = fixed_skin;
+    Simulation simulation(settings, {});
+    std::vector<NewGrain> grains;
+    const double size = 2 * half_size(settings.shape);
+    for (int k = 0; k < 500; ++k)
+      grains.push_back({.position = 1.2 * size * Eigen::Vector3d(k % 10, (k / 10) % 10, k / 100)});
+    grains[250].velocity = {0, 0, 2};
+    simulation.add_grains(grains);
+    run_steps(simulation, 2000);
+    return simulation.searches();
+  };
+  const double radius = weightless(Model::d, {}, 1e-6).shape.sphere_radius;
+  EXPECT_LT(4 * searches(0), searches(0.1 * radius));
+}
+
 }  // namespace
 }  // namespace diefill::engine
