@@ -90,7 +90,8 @@ results::SectionField sample_plane(const results::PowderState& powder,
   if (extent.empty()) return section;  // no powder near the plane: a field without nodes
   extent.lower -= 2 * powder.grain_diameter;
   extent.upper += 2 * powder.grain_diameter;
-  const double step = std::max(0.5 * averaging_width, (extent.upper - extent.lower).maxCoeff() / kMostNodes);
+  // Finer than the field itself asks for: walls are drawn half-way between nodes.
+  const double step = std::max(0.2 * averaging_width, (extent.upper - extent.lower).maxCoeff() / kMostNodes);
   results::Field2D& grid = section.field;
   grid.first = nodes(extent.lower.x(), extent.upper.x(), step);
   grid.second = nodes(extent.lower.y(), extent.upper.y(), step);

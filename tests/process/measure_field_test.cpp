@@ -176,7 +176,7 @@ TEST(PlaneSection, CutsOutTheToolsAndEndsWithThePowder) {
   EXPECT_EQ(section.field.first_name, "x");
   EXPECT_EQ(section.field.second_name, "z");
   EXPECT_NEAR(section.field.first.front(), -4, 1e-9);
-  EXPECT_NEAR(section.field.first[1] - section.field.first[0], 0.25, 1e-9);
+  EXPECT_NEAR(section.field.first[1] - section.field.first[0], 0.1, 1e-9);
   int inside = 0, in_tool = 0, outside = 0;
   for (std::size_t j = 0; j < section.field.second.size(); ++j)
     for (std::size_t i = 0; i < section.field.first.size(); ++i) {
