@@ -38,7 +38,7 @@ results::Field2D cylindrical_map(const results::PowderState& powder,
 
 /// Solid fraction in a plane (Eq. 2.27) over the extent of the powder in the cavity (of all powder if none is
 /// there) and 2 d more; NaN as above and inside the tools' solids. No nodes where no powder is near. Nodes
-/// are sigma / 2 apart, or more for at most 400 along the longer side.
+/// are sigma / 5 apart, or more for at most 400 along the longer side.
 results::SectionField plane_section(const results::PowderState& powder,
                                     const results::GrainSolidFraction& fraction,
                                     const std::vector<results::ToolState>& tools,
