@@ -34,6 +34,15 @@ void note_touching(PairTable<Pair>& table, std::size_t p, bool touches) {
   table.touching[p] = touches;
 }
 
+/// The pairs from `begin` to `end` that touched when distances were last tested.
+template <class Pair>
+std::vector<std::uint32_t> touching_pairs(const PairTable<Pair>& table, std::size_t begin, std::size_t end) {
+  std::vector<std::uint32_t> touching;
+  for (std::size_t p = begin; p < end; ++p)
+    if (table.touching[p]) touching.push_back(static_cast<std::uint32_t>(p));
+  return touching;
+}
+
 /// Sums over the lanes of all batches of a block.
 template <class Law>
 class BatchTally {

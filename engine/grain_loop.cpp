@@ -40,6 +40,25 @@ class GrainLoop final : public PairLoop {
     batches.book(scene.time_step, tally, tally.overlap.grains);
   }
 
+  void visit_forces(const Block& block, const ContactScene& scene,
+                    const PairForceVisitor& visit) const override {
+    const auto touching = touching_pairs(block.grain_pairs, 0, block.grain_pairs.size());
+    thread_local Batch batch;
+    for (std::size_t done = 0; done < touching.size(); done += batch.count) {
+      batch.count = std::min(touching.size() - done, Batch::kLanes);
+      const std::uint32_t* pairs = touching.data() + done;
+      pack(block, pairs, scene.spheres, batch);
+      react<kArm, kComposed>(batch, law_, reach_, 0);
+      for (std::size_t lane = 0; lane < batch.count; ++lane) {
+        const GrainPair pair = block.grain_pairs.pair[pairs[lane]];
+        const Vector3 separation = batch.separation[lane];
+        const double share = (reach_.radius - 0.5 * batch.overlap[lane]) / length(separation);
+        visit(
+            {pair.own, pair.other, batch.force[lane], scene.spheres.position(pair.own) - share * separation});
+      }
+    }
+  }
+
   double stored_energy(const Block& block, const ContactScene& scene) const override {
     double energy = 0;
     const auto& table = block.grain_pairs;

@@ -2,6 +2,7 @@
 // scene does not use are not in it. A scene picks its instantiation once.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -40,12 +41,24 @@ struct ContactScene {
   InstructionSet instructions;
 };
 
+/// The force of one touching pair: on the block's sphere `own` from its partner, or from the wall.
+struct PairForce {
+  LocalSphere own, other;  ///< `other` means nothing at walls
+  Vector3 force;           ///< N, on own
+  Vector3 contact;         ///< m, middle of the overlap, where `own` is seen
+};
+using PairForceVisitor = std::function<void(const PairForce&)>;
+
 /// Contact forces of a block's pairs.
 class PairLoop {
  public:
   virtual ~PairLoop() = default;
   /// Adds the forces of the block's touching pairs to its sums and advances what they remember.
   virtual void add_forces(Block& block, const ContactScene& scene, BlockTally& tally) const = 0;
+  /// Visits the forces of the pairs that touched in the last step, in the order of the table, as they stand:
+  /// nothing is advanced.
+  virtual void visit_forces(const Block& block, const ContactScene& scene,
+                            const PairForceVisitor& visit) const = 0;
   /// Energy (J) that the normal springs of the block's pairs hold.
   virtual double stored_energy(const Block& block, const ContactScene& scene) const = 0;
   /// For each number that a pair remembers: what it is multiplied by when the pair is seen from its other

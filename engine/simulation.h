@@ -48,6 +48,16 @@ struct WallLoad {
   Eigen::Vector3d torque = Eigen::Vector3d::Zero();  ///< N m
 };
 
+/// The force of one contact in the last step on a grain, from another or from a wall.
+struct ContactForce {
+  std::size_t grain;          ///< place in Grains
+  std::size_t other;          ///< the same; kNoGrain: a wall
+  Eigen::Vector3d force;      ///< N, on grain
+  Eigen::Vector3d arm;        ///< m, from the grain's centre to the contact
+  Eigen::Vector3d other_arm;  ///< m, the same from the other's
+};
+inline constexpr std::size_t kNoGrain = static_cast<std::size_t>(-1);
+
 /// Powder, tools and time. Same settings, grains and steps give bitwise the same state on any number of
 /// threads.
 class Simulation {
@@ -93,6 +103,10 @@ class Simulation {
   Eigen::Vector3d angular_velocity(std::size_t k) const;
   /// Sphere centres (m) of the last contact computation, grain after grain, images last.
   const SphereField& spheres() const { return spheres_; }
+
+  /// Visits the forces of all contacts of the last step, in a fixed order; none before the first. For figures
+  /// asked for now and then.
+  void visit_contact_forces(const std::function<void(const ContactForce&)>& visit) const;
 
   /// Bytes that one step reads and writes at least: state of grains and spheres, near pairs and what touching
   /// ones remember, each counted once a pass.

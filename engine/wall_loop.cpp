@@ -22,6 +22,26 @@ class WallLoop final : public PairLoop {
       if (block.wall_first[body] < block.wall_first[body + 1]) add_body(block, body, scene, tally);
   }
 
+  void visit_forces(const Block& block, const ContactScene& scene,
+                    const PairForceVisitor& visit) const override {
+    thread_local Batch batch;
+    batch.count = 1;
+    for (std::size_t body = 0; body + 1 < block.wall_first.size(); ++body) {
+      const PairReach distances{reach(scene, body), radius_};
+      for (const std::uint32_t p :
+           touching_pairs(block.wall_pairs, block.wall_first[body], block.wall_first[body + 1])) {
+        const WallPair pair = block.wall_pairs.pair[p];
+        const Touch touch{p, separation_in_body(pair, body, scene)};
+        pack(block, body, touch, scene, 0, batch);
+        batch.fill_last_group();
+        react<kArm, kComposed>(batch, laws_[body], distances, 0);
+        const Vector3 separation = batch.separation[0];
+        visit({pair.own, pair.own, batch.force[0],
+               scene.spheres.position(pair.own) - contact_share(touch, body, scene) * separation});
+      }
+    }
+  }
+
   double stored_energy(const Block& block, const ContactScene& scene) const override {
     double energy = 0;
     for (std::size_t body = 0; body + 1 < block.wall_first.size(); ++body)

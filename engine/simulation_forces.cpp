@@ -1,0 +1,32 @@
+// The forces of single contacts, for those who ask.
+#include "engine/simulation.h"
+
+namespace diefill::engine {
+
+void Simulation::visit_contact_forces(const std::function<void(const ContactForce&)>& visit) const {
+  const std::size_t per_grain = spheres_.spheres_per_grain;
+  LocalSpheres local;
+  for (const Block& block : list_.blocks()) {
+    local.take(block, spheres_);
+    const ContactScene scene = contact_scene(local);
+    // Where the grain of a local sphere stands as the pair sees it: shifted where the pair meets an image.
+    const auto centre_of = [&](LocalSphere sphere) -> Eigen::Vector3d {
+      const std::uint32_t number = block.sphere(sphere);
+      const std::size_t owner = spheres_.owner(number);
+      const Vector3 shift =
+          spheres_.position[number] - spheres_.position[owner * per_grain + number % per_grain];
+      return grains_.position[owner] + eigen(shift);
+    };
+    grain_loop_->visit_forces(block, scene, [&](const PairForce& pair) {
+      const Eigen::Vector3d contact = eigen(pair.contact);
+      visit({spheres_.owner(block.sphere(pair.own)), spheres_.owner(block.sphere(pair.other)),
+             eigen(pair.force), contact - centre_of(pair.own), contact - centre_of(pair.other)});
+    });
+    wall_loop_->visit_forces(block, scene, [&](const PairForce& pair) {
+      visit({spheres_.owner(block.sphere(pair.own)), kNoGrain, eigen(pair.force),
+             eigen(pair.contact) - centre_of(pair.own), Eigen::Vector3d::Zero()});
+    });
+  }
+}
+
+}  // namespace diefill::engine
