@@ -8,6 +8,7 @@ void add_commands(CLI::App& program, Action& chosen) {
   add_compare(program, chosen);
   add_map(program, chosen);
   add_report(program, chosen);
+  add_export(program, chosen);
   add_info(program, chosen);
   add_bench(program, chosen);
   add_lab(program, chosen);

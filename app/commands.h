@@ -15,6 +15,7 @@ void add_run(CLI::App& program, Action& chosen);
 void add_check(CLI::App& program, Action& chosen);
 void add_map(CLI::App& program, Action& chosen);
 void add_report(CLI::App& program, Action& chosen);
+void add_export(CLI::App& program, Action& chosen);
 void add_info(CLI::App& program, Action& chosen);
 void add_bench(CLI::App& program, Action& chosen);
 void add_compare(CLI::App& program, Action& chosen);

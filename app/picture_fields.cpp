@@ -31,15 +31,6 @@ results::Field2D map_of(const PictureRequest& request, const results::FillResult
                                   request.averaging_width);
 }
 
-/// One scale for the fields of all sources.
-render::ColourRange shared_range(const PictureRequest& request, const std::vector<results::Field2D>& fields) {
-  std::vector<double> values;
-  for (const auto& field : fields) values.insert(values.end(), field.value.begin(), field.value.end());
-  const render::Interval range = render::robust_range(values);
-  return {std::isnan(request.lower) ? range.lower : request.lower,
-          std::isnan(request.upper) ? range.upper : request.upper};
-}
-
 render::FieldStyle style_of(const PictureRequest& request) {
   render::FieldStyle style;
   style.mark_mean = true;

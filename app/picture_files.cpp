@@ -31,6 +31,14 @@ std::filesystem::path file_of(const PictureRequest& request, const std::string& 
   return request.out / (request.sources.size() > 1 ? kind + "_" + source.name + ".png" : kind + ".png");
 }
 
+render::ColourRange shared_range(const PictureRequest& request, const std::vector<results::Field2D>& fields) {
+  std::vector<double> values;
+  for (const auto& field : fields) values.insert(values.end(), field.value.begin(), field.value.end());
+  const render::Interval range = render::robust_range(values);
+  return {std::isnan(request.lower) ? range.lower : request.lower,
+          std::isnan(request.upper) ? range.upper : request.upper};
+}
+
 double pixels_of(const PictureRequest& request) {
   return request.width / kLayoutWidth;
 }

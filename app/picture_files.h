@@ -3,6 +3,7 @@
 
 #include "app/picture_kinds.h"
 #include "render/chart.h"
+#include "render/density_map.h"
 
 class QImage;
 
@@ -17,6 +18,9 @@ std::string subtitle_of(const PictureSource& source);
 /// DIR's file for a kind: kind.png, or kind_<name>.png where there are several sources.
 std::filesystem::path file_of(const PictureRequest& request, const std::string& kind,
                               const PictureSource& source);
+
+/// One scale for the fields of all sources, unless the user has given one.
+render::ColourRange shared_range(const PictureRequest& request, const std::vector<results::Field2D>& fields);
 
 /// Layout points to pixels for the width that was asked for.
 double pixels_of(const PictureRequest& request);

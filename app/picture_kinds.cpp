@@ -17,6 +17,8 @@ const std::vector<PictureKind>& picture_kinds() {
       {"displacement", "where grains went between --from and --to, round the ring", make_displacement},
       {"velocity", "velocities round the ring", make_velocity_map},
       {"velocity-section", "velocities in a plane (--origin, --normal)", make_velocity_section},
+      {"pressure", "pressure in the powder round the ring", make_pressure_map},
+      {"pressure-section", "pressure in a plane (--origin, --normal)", make_pressure_section},
       {"height-profile", "solid fraction over height with its scatter round the ring", make_height_profile},
       {"azimuth-profile", "solid fraction over azimuth with its scatter over height", make_azimuth_profile},
       {"histogram", "how many grains have which solid fraction", make_histogram},

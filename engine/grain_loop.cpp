@@ -25,7 +25,7 @@ class GrainLoop final : public PairLoop {
     std::size_t count = 0;
     with_instructions(scene.instructions,
                       [&] { count = find_touching(block.grain_pairs, scene.spheres, touching.data()); });
-    thread_local Batch batch;
+    Batch& batch = batch_of_thread<Batch>();
     BatchTally<Law> batches;
     for (std::size_t done = 0; done < count; done += batch.count) {
       batch.count = std::min(count - done, Batch::kLanes);
@@ -43,7 +43,7 @@ class GrainLoop final : public PairLoop {
   void visit_forces(const Block& block, const ContactScene& scene,
                     const PairForceVisitor& visit) const override {
     const auto touching = touching_pairs(block.grain_pairs, 0, block.grain_pairs.size());
-    thread_local Batch batch;
+    Batch& batch = batch_of_thread<Batch>();
     for (std::size_t done = 0; done < touching.size(); done += batch.count) {
       batch.count = std::min(touching.size() - done, Batch::kLanes);
       const std::uint32_t* pairs = touching.data() + done;

@@ -24,7 +24,7 @@ class WallLoop final : public PairLoop {
 
   void visit_forces(const Block& block, const ContactScene& scene,
                     const PairForceVisitor& visit) const override {
-    thread_local Batch batch;
+    Batch& batch = batch_of_thread<Batch>();
     batch.count = 1;
     for (std::size_t body = 0; body + 1 < block.wall_first.size(); ++body) {
       const PairReach distances{reach(scene, body), radius_};
@@ -98,7 +98,7 @@ class WallLoop final : public PairLoop {
   void add_body(Block& block, std::size_t body, const ContactScene& scene, BlockTally& tally) const {
     thread_local std::vector<Touch> touching;
     find_touching(block, body, scene, touching);
-    thread_local Batch batch;
+    Batch& batch = batch_of_thread<Batch>();
     BatchTally<Law> batches;
     const PairReach distances{reach(scene, body), radius_};
     for (std::size_t done = 0; done < touching.size(); done += batch.count) {

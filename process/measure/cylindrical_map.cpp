@@ -7,6 +7,7 @@
 #include "process/measure/cavity_position.h"
 #include "process/measure/gaussian_field.h"
 #include "process/measure/measure.h"
+#include "process/measure/ring_sample.h"
 
 namespace diefill::process {
 namespace {
@@ -59,11 +60,11 @@ std::vector<double> radii(const results::CavityState& cavity, double averaging_w
 }
 
 /// Mean over the radii that find powder, weighted by radius as areas are.
-double radial_mean(const GaussianField& field, const results::CavityState& cavity,
+double radial_mean(const PlaneValue& value_at, const results::CavityState& cavity,
                    const std::vector<double>& radius, double azimuth, double height) {
   double weights = 0, sum = 0;
   for (const double r : radius) {
-    const double value = field.at(ring_point(cavity, {azimuth, r, height}));
+    const double value = value_at(ring_point(cavity, {azimuth, r, height}));
     if (std::isnan(value)) continue;
     weights += r;
     sum += r * value;
@@ -73,13 +74,11 @@ double radial_mean(const GaussianField& field, const results::CavityState& cavit
 
 }  // namespace
 
-results::Field2D cylindrical_map(const results::PowderState& powder,
-                                 const results::GrainSolidFraction& fraction,
-                                 const results::CavityState& cavity, double averaging_width) {
+results::Field2D sample_ring(const results::PowderState& powder, const results::CavityState& cavity,
+                             double averaging_width, const PlaneValue& value_at) {
   const double depth = cavity.upper_corner.z() - cavity.lower_corner.z();
   if (!cavity.is_ring || !(depth > 0) || !(cavity.outer_radius > cavity.inner_radius))
     throw std::invalid_argument("a cylindrical map needs a ring with a depth and two radii");
-  const GaussianField field(powder, fraction, averaging_width);
   const std::vector<double> radius = radii(cavity, averaging_width);
   results::Field2D map{"solid fraction", "azimuth", "deg", "height", "mm", {}, {}, {}, averaging_width};
   map.first = azimuth_nodes(cavity.outer_radius, averaging_width);
@@ -88,10 +87,18 @@ results::Field2D cylindrical_map(const results::PowderState& powder,
   for (const double height : map.second) {
     const std::size_t row = map.value.size();
     for (std::size_t i = 0; i + 1 < map.first.size(); ++i)
-      map.value.push_back(radial_mean(field, cavity, radius, map.first[i], height * kMillimetre));
+      map.value.push_back(radial_mean(value_at, cavity, radius, map.first[i], height * kMillimetre));
     map.value.push_back(map.value[row]);  // 360 degrees is 0 degrees
   }
   return map;
+}
+
+results::Field2D cylindrical_map(const results::PowderState& powder,
+                                 const results::GrainSolidFraction& fraction,
+                                 const results::CavityState& cavity, double averaging_width) {
+  const GaussianField field(powder, fraction, averaging_width);
+  return sample_ring(powder, cavity, averaging_width,
+                     [&field](const Eigen::Vector3d& point) { return field.at(point); });
 }
 
 }  // namespace diefill::process

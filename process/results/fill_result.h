@@ -38,6 +38,14 @@ struct GrainSolidFraction {
   std::vector<std::uint8_t> in_cavity;  ///< 1 where the grain centre lies in the cavity
 };
 
+/// What contacts carried through every grain at the time of the powder state, in the order of PowderState: J,
+/// stress times the volume that a grain stands for, compression negative (Bierwisch 2009, Eq. 3.8, without
+/// the part of the grains' own motion). Empty in older files.
+struct ContactStress {
+  std::vector<Eigen::Vector3d> normal;  ///< xx, yy, zz
+  std::vector<Eigen::Vector3d> shear;   ///< yz, xz, xy: mean with their mirror images
+};
+
 /// A tool as it stood at the time of the powder state. Mesh in the laboratory frame (m).
 struct ToolState {
   std::string name;
@@ -166,6 +174,7 @@ struct FillResult {
   std::string state_hash;  ///< of the engine's final state
   PowderState powder;
   GrainSolidFraction solid_fraction;
+  ContactStress contact_stress;
   std::vector<ToolState> tools;
   CavityState cavity;
   SolidFractionSummary summary;

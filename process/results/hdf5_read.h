@@ -47,6 +47,12 @@ class Hdf5Reader {
     path_ = outer;
   }
 
+  /// A group that may be missing.
+  template <class Body>
+  void optional_group(const std::string& name, const char* description, bool, Body&& body) {
+    if (has_group(name)) group(name, description, body);
+  }
+
   template <class Item, class NameOf, class Body>
   void list(const std::string& name, const char* description, std::vector<Item>& items, NameOf, Body body) {
     items.clear();

@@ -54,6 +54,12 @@ class Hdf5Writer {
     path_ = outer;
   }
 
+  /// The same, where there is something to write.
+  template <class Body>
+  void optional_group(const std::string& name, const char* description, bool there, Body&& body) {
+    if (there) group(name, description, body);
+  }
+
   /// One group an item, named after `name_of(item)`, in the order of the items.
   template <class Item, class NameOf, class Body>
   void list(const std::string& name, const char* description, const std::vector<Item>& items, NameOf name_of,

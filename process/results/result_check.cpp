@@ -38,6 +38,8 @@ void check_lengths(const FillResult& result) {
   same_or_none("solid fraction", result.solid_fraction.solid_fraction.size(), grains);
   same_or_none("open cells", result.solid_fraction.open.size(), grains);
   same_or_none("grains in the cavity", result.solid_fraction.in_cavity.size(), grains);
+  same_or_none("contact stress", result.contact_stress.normal.size(), grains);
+  same_or_none("contact shear stress", result.contact_stress.shear.size(), grains);
   for (const ToolState& tool : result.tools) check_tool(tool);
   for (const Topic& topic : result.topics)
     if (topic.name.size() != topic.text.size())

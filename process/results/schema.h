@@ -1,6 +1,6 @@
 // The HDF5 schema, said once: writer and reader walk through the same description, so that what is written is
 // what can be read. README.md lists the same for people. Raise kSchemaVersion with every change here; what
-// is added as a list keeps older files readable.
+// is added as a list or an optional group keeps older files readable.
 #pragma once
 
 #include <string>
@@ -12,7 +12,7 @@
 namespace diefill::results {
 
 inline constexpr const char* kFormat = "diefill results";
-inline constexpr int kSchemaVersion = 2, kOldestSchemaVersion = 1;
+inline constexpr int kSchemaVersion = 3, kOldestSchemaVersion = 1;
 
 template <class Archive, class Powder>
 void describe_powder(Archive& archive, Powder& powder) {
@@ -57,6 +57,16 @@ void describe_solid_fraction(Archive& archive, Result& result) {
                   "1 where the cell reaches a free surface: its volume means nothing");
     archive.field("in_cavity", fraction.in_cavity, "1", "1 where the grain centre lies in the cavity");
     describe_summary(archive, result.summary);
+  });
+}
+
+template <class Archive, class Stress>
+void describe_contact_stress(Archive& archive, Stress& stress) {
+  const char* scope =
+      "stress times volume from contacts, compression negative, of every grain in the order of /powder";
+  archive.optional_group("contact_stress", scope, !stress.normal.empty(), [&] {
+    archive.field("normal", stress.normal, "J", "components xx, yy, zz");
+    archive.field("shear", stress.shear, "J", "components yz, xz, xy");
   });
 }
 
@@ -216,6 +226,7 @@ void describe(Archive& archive, Result& result) {
   describe_scene(archive, result);
   describe_powder(archive, result.powder);
   describe_solid_fraction(archive, result);
+  describe_contact_stress(archive, result.contact_stress);
   describe_tools(archive, result.tools);
   describe_cavity(archive, result.cavity);
   const auto quantity_of = [](const Field2D& field) { return field.quantity; };

@@ -6,6 +6,7 @@
 #include <limits>
 #include <numbers>
 
+#include "engine/contact_stress.h"
 #include "process/measure/figures.h"
 #include "process/measure/measure.h"
 #include "process/run/die_frame.h"
@@ -36,6 +37,17 @@ results::PowderState powder_state(const Scene& scene, const engine::Simulation& 
   for (std::size_t k = 0; k < grains.size(); ++k)
     powder.angular_velocity.push_back(simulation.angular_velocity(k));
   return powder;
+}
+
+results::ContactStress contact_stress(const engine::Simulation& simulation, const DieFrame& die) {
+  results::ContactStress stress;
+  for (const Eigen::Matrix3d& laboratory : engine::contact_stress_times_volume(simulation)) {
+    const Eigen::Matrix3d tensor = die.at_home() ? laboratory : die.tensor(laboratory);
+    const Eigen::Matrix3d even = 0.5 * (tensor + tensor.transpose());
+    stress.normal.emplace_back(even.diagonal());
+    stress.shear.emplace_back(even(1, 2), even(0, 2), even(0, 1));
+  }
+  return stress;
 }
 
 results::ToolState tool_state(const Tool& tool, const engine::BodyMotion& motion) {
@@ -324,6 +336,7 @@ results::FillResult assemble(const Scene& scene, const Tooling& tooling, const F
   result.powder = powder_state(scene, run.simulation());
   // A die that stands at its place up to rounding is not to blur results.
   if (!die.at_home()) result.powder = die.powder(std::move(result.powder));
+  result.contact_stress = contact_stress(run.simulation(), die);
   for (std::size_t k = 0; k < tooling.tools.size(); ++k) {
     const engine::BodyMotion& motion = run.simulation().body_motion(k);
     result.tools.push_back(tool_state(tooling.tools[k], die.at_home() ? motion : die.pose(motion)));

@@ -27,6 +27,10 @@ class DieFrame {
   Eigen::Vector3d direction(const Eigen::Vector3d& laboratory) const {
     return die_.rotation.transpose() * laboratory;
   }
+  /// A tensor of second order, such as a stress.
+  Eigen::Matrix3d tensor(const Eigen::Matrix3d& laboratory) const {
+    return die_.rotation.transpose() * laboratory * die_.rotation;
+  }
   /// A body as it stands in the die's frame; at rest.
   engine::BodyMotion pose(const engine::BodyMotion& body) const;
   /// Powder with places, orientations and velocities (those of the laboratory, turned) in the die's frame.

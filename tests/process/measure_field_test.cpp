@@ -10,15 +10,6 @@ namespace {
 
 constexpr double kDegree = std::numbers::pi / 180;
 
-std::vector<Eigen::Vector3d> block(int n, double constant) {
-  std::vector<Eigen::Vector3d> places;
-  for (int k = 0; k < n; ++k)
-    for (int j = 0; j < n; ++j)
-      for (int i = 0; i < n; ++i)
-        places.push_back(constant * (Eigen::Vector3d(i, j, k) - Eigen::Vector3d::Constant(0.5 * (n - 1))));
-  return places;
-}
-
 double at(const results::Field2D& field, std::size_t i, std::size_t j) {
   return field.value.at(j * field.first.size() + i);
 }

@@ -33,6 +33,16 @@ inline results::PowderState powder_of(const std::vector<Eigen::Vector3d>& places
   return powder;
 }
 
+/// n x n x n places on a cubic lattice of this constant (m), about the origin.
+inline std::vector<Eigen::Vector3d> block(int n, double constant) {
+  std::vector<Eigen::Vector3d> places;
+  for (int k = 0; k < n; ++k)
+    for (int j = 0; j < n; ++j)
+      for (int i = 0; i < n; ++i)
+        places.push_back(constant * (Eigen::Vector3d(i, j, k) - Eigen::Vector3d::Constant(0.5 * (n - 1))));
+  return places;
+}
+
 /// Closed cells in the cavity with the solid fraction that `value` gives at the grain's place.
 inline results::GrainSolidFraction fraction_of(const results::PowderState& powder,
                                                const std::function<double(const Eigen::Vector3d&)>& value) {

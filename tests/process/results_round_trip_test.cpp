@@ -34,6 +34,10 @@ class ByteArchive {
     bytes += name;
     body();
   }
+  template <class Body>
+  void optional_group(const std::string& name, const char* description, bool, Body body) {
+    group(name, description, body);
+  }
   template <class Item, class NameOf, class Body>
   void list(const std::string&, const char*, const std::vector<Item>& items, NameOf, Body body) {
     add(items.size());

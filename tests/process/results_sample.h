@@ -63,6 +63,10 @@ inline FillResult sample_result(int grains = 5) {
     result.solid_fraction.open.push_back(k % 2);
     result.solid_fraction.in_cavity.push_back(k % 3 == 0);
   }
+  for (int k = 0; k < grains; ++k) {
+    result.contact_stress.normal.emplace_back(-1e-9 * k, -2e-9, -1e-8 / (k + 1));
+    result.contact_stress.shear.emplace_back(1e-10 * k, 0, -3e-11);
+  }
   result.tools = {sample_tool("die", "die"), sample_tool("a/b c", "plate"), sample_tool("a_b c", "shoe")};
   result.tools[2].triangles.clear();
   result.cavity = {true,

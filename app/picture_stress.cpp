@@ -1,0 +1,68 @@
+// Pictures of the stress in the powder.
+#include <stdexcept>
+
+#include "app/picture_files.h"
+#include "process/measure/plane_sample.h"
+#include "process/measure/ring_sample.h"
+#include "process/measure/stress_field.h"
+#include "render/tool_outline.h"
+
+namespace diefill::app {
+namespace {
+
+constexpr double kKilopascal = 1e3;
+
+/// One field of pressure for each source, in kPa, and the pictures of all on one scale.
+Pictures draw_pressures(const PictureRequest& request, const std::string& kind,
+                        std::vector<results::Field2D> fields,
+                        const std::vector<std::vector<render::Outline>>& outlines) {
+  for (auto& field : fields) field.quantity = std::string("pressure");
+  const auto range = shared_range(request, fields);
+  Pictures written;
+  for (std::size_t n = 0; n < fields.size(); ++n) {
+    const auto& source = request.sources[n];
+    render::FieldStyle style;
+    style.pixels = pixels_of(request);
+    style.unit = "kPa";
+    style.outlines = outlines[n];
+    style.note = "a third of the trace of the stress, contacts and motion; compression positive";
+    const auto picture =
+        render::compose_field(fields[n], title_of(request, source), subtitle_of(source), range, style);
+    written.push_back(write_picture(request, file_of(request, kind, source), picture.image));
+  }
+  return written;
+}
+
+}  // namespace
+
+Pictures make_pressure_map(const PictureRequest& request) {
+  std::vector<results::Field2D> fields;
+  for (const auto& source : request.sources) {
+    const process::StressField stress(source.result, request.averaging_width);
+    fields.push_back(process::sample_ring(
+        source.result.powder, source.result.cavity, request.averaging_width,
+        [&](const Eigen::Vector3d& point) { return stress.pressure(point) / kKilopascal; }));
+  }
+  return draw_pressures(request, "pressure", std::move(fields),
+                        std::vector<std::vector<render::Outline>>(request.sources.size()));
+}
+
+Pictures make_pressure_section(const PictureRequest& request) {
+  std::vector<results::Field2D> fields;
+  std::vector<std::vector<render::Outline>> outlines;
+  for (const auto& source : request.sources) {
+    const auto& result = source.result;
+    const auto plane = request.plane_given ? request.plane : result.sections.front().plane;
+    const process::StressField stress(result, request.averaging_width);
+    fields.push_back(process::sample_plane(
+                         result.powder, result.solid_fraction, result.tools, plane, request.averaging_width,
+                         [&](const Eigen::Vector3d& point) { return stress.pressure(point) / kKilopascal; })
+                         .field);
+    if (fields.back().first.empty())
+      throw std::invalid_argument("pressure-section: no powder is near the plane");
+    outlines.push_back(render::tool_outlines(result.tools, plane));
+  }
+  return draw_pressures(request, "pressure_section", std::move(fields), outlines);
+}
+
+}  // namespace diefill::app

@@ -1,0 +1,72 @@
+// Smooth stress against powders whose stress is known.
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "measure_sample.h"
+#include "process/measure/stress_field.h"
+
+namespace diefill::process {
+namespace {
+
+constexpr double kWidth = 1e-3;  // m, sigma
+
+/// A block of grains in which contacts carry `stress` (Pa, diagonal) at each place.
+results::FillResult stressed_block(const std::function<Eigen::Vector3d(const Eigen::Vector3d&)>& stress) {
+  results::FillResult result;
+  result.powder = powder_of(block(13, kDiameter));
+  result.solid_fraction = fraction_of(result.powder, [](const auto&) { return 0.5; });
+  for (std::size_t k = 0; k < result.powder.position.size(); ++k) {
+    result.contact_stress.normal.push_back(result.solid_fraction.cell_volume[k] *
+                                           stress(result.powder.position[k]));
+    result.contact_stress.shear.emplace_back(0, 0, 0);
+  }
+  return result;
+}
+
+TEST(StressField, GivesBackAnEvenStress) {
+  const auto result = stressed_block([](const auto&) { return Eigen::Vector3d(-100, -200, -600); });
+  const StressField field(result, kWidth);
+  for (const auto& place : {Eigen::Vector3d(0, 0, 0), Eigen::Vector3d(1e-3, -5e-4, 2e-3)}) {
+    EXPECT_NEAR(field.pressure(place), 300, 1e-9);
+    EXPECT_NEAR(field.vertical(place), 600, 1e-9);
+  }
+  EXPECT_TRUE(std::isnan(field.pressure({0.1, 0, 0})));
+}
+
+TEST(StressField, LeavesOutOpenCells) {
+  auto result = stressed_block([](const auto&) { return Eigen::Vector3d(-100, -100, -100); });
+  for (std::size_t k = 0; k < result.powder.position.size(); k += 3) {
+    result.solid_fraction.open[k] = 1;
+    result.solid_fraction.cell_volume[k] = 1;
+    result.contact_stress.normal[k].setConstant(-1e6);
+  }
+  EXPECT_NEAR(StressField(result, kWidth).pressure(Eigen::Vector3d::Zero()), 100, 1e-9);
+}
+
+TEST(StressField, GrainsThatFlyTogetherPressOnNothing) {
+  auto result = stressed_block([](const auto&) { return Eigen::Vector3d::Zero().eval(); });
+  for (auto& velocity : result.powder.velocity) velocity = {3, -1, 2};
+  EXPECT_NEAR(StressField(result, kWidth).pressure(Eigen::Vector3d::Zero()), 0, 1e-9);
+}
+
+TEST(StressField, AgitatedGrainsPressAsAGasDoes) {
+  auto result = stressed_block([](const auto&) { return Eigen::Vector3d::Zero().eval(); });
+  constexpr double kSpeed = 0.3;  // m/s, along each axis, to and fro
+  std::mt19937_64 random(3);
+  for (auto& velocity : result.powder.velocity)
+    for (int axis = 0; axis < 3; ++axis) velocity[axis] = random() % 2 == 0 ? kSpeed : -kSpeed;
+  const double mass = result.powder.grain_mass, volume = result.solid_fraction.cell_volume[0];
+  const double gas = mass * kSpeed * kSpeed / volume;
+  // Some forty grains make up the mean velocity, so that it takes part in the agitation a little.
+  EXPECT_NEAR(StressField(result, kWidth).pressure(Eigen::Vector3d::Zero()), gas, 0.05 * gas);
+}
+
+TEST(StressField, SaysThatOlderResultsHoldNone) {
+  auto result = stressed_block([](const auto&) { return Eigen::Vector3d::Zero().eval(); });
+  result.contact_stress = {};
+  EXPECT_THROW(StressField(result, kWidth), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace diefill::process
