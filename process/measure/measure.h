@@ -37,8 +37,8 @@ results::Field2D cylindrical_map(const results::PowderState& powder,
                                  const results::CavityState& cavity, double averaging_width);
 
 /// Solid fraction in a plane (Eq. 2.27) over the extent of the powder in the cavity (of all powder if none is
-/// there) and 2 d more; NaN as above and inside the tools' solids. No nodes where no powder is near. Nodes
-/// are sigma / 5 apart, or more for at most 400 along the longer side.
+/// there) and 2 d more; NaN as above, inside the tools' solids and in clearances between them below R / 2. No
+/// nodes where no powder is near. Nodes are sigma / 5 apart, or more for at most 400 along the longer side.
 results::SectionField plane_section(const results::PowderState& powder,
                                     const results::GrainSolidFraction& fraction,
                                     const std::vector<results::ToolState>& tools,

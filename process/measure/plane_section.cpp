@@ -62,8 +62,16 @@ std::vector<geometry::SolidQuery> solids_of(const std::vector<results::ToolState
   return solids;
 }
 
-bool in_a_tool(const std::vector<geometry::SolidQuery>& solids, const Eigen::Vector3d& point) {
-  return std::any_of(solids.begin(), solids.end(), [&](const auto& solid) { return solid.inside(point); });
+/// Whether `point` is inside a tool, or in a clearance between two that is narrower than `room` (m).
+bool no_room_at(const std::vector<geometry::SolidQuery>& solids, const Eigen::Vector3d& point, double room) {
+  double nearest = std::numeric_limits<double>::max(), next = nearest;
+  for (const auto& solid : solids) {
+    const double distance = solid.signed_distance(point);
+    if (distance < 0) return true;
+    next = std::min(next, std::max(nearest, distance));
+    nearest = std::min(nearest, distance);
+  }
+  return nearest + next < room;
 }
 
 }  // namespace
@@ -100,7 +108,8 @@ results::SectionField sample_plane(const results::PowderState& powder,
       const Eigen::Vector3d point =
           plane.origin + kMillimetre * (first * plane.first_axis + second * plane.second_axis);
       double value = value_at(point);
-      if (!std::isnan(value) && in_a_tool(solids, point)) value = std::numeric_limits<double>::quiet_NaN();
+      if (!std::isnan(value) && no_room_at(solids, point, 0.5 * powder.sphere_radius))
+        value = std::numeric_limits<double>::quiet_NaN();
       grid.value.push_back(value);
     }
   }

@@ -28,6 +28,8 @@ void add_grain(results::FillResult& result, const Eigen::Vector3d& place) {
   result.solid_fraction.cell_volume.push_back(1e-9);
   result.solid_fraction.open.push_back(place.z() > -1e-3);
   result.solid_fraction.in_cavity.push_back(1);
+  result.contact_stress.normal.emplace_back(1e-7 * place.z(), 1e-7 * place.z(), 3e-7 * place.z());
+  result.contact_stress.shear.emplace_back(0, 0, 0);
 }
 
 /// A tetrahedron, so that there is a tool to cut and to move.
@@ -133,6 +135,34 @@ TEST_F(EveryPicture, OfTwoRunsSharesTheirScale) {
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
   for (const char* name : {"map_one.png", "map_two.png", "difference_two.png", "histogram.png"})
     EXPECT_TRUE(fs::exists(out() / name)) << name;
+}
+
+TEST_F(EveryPicture, OfThePressureSaysWhatOlderResultsLack) {
+  auto older = small_ring();
+  older.contact_stress = {};
+  results::write_results(one(), older);
+  const Outcome outcome = map({"--picture", "pressure"});
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_NE(outcome.err.find("hold no contact stress"), std::string::npos) << outcome.err;
+}
+
+TEST_F(EveryPicture, AndItsNumbersCanBeHadForParaView) {
+  const Outcome outcome = run_program({"export", one().string(), "--out", out().string()});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  for (const char* name : {"powder_0000.vtp", "powder_0001.vtp", "powder.vtp", "tools.vtp", "fields.vti"}) {
+    const std::string text = support::contents(out() / name);
+    EXPECT_NE(text.find("<VTKFile type="), std::string::npos) << name;
+    EXPECT_NE(text.find("</VTKFile>"), std::string::npos) << name;
+  }
+  const std::string powder = support::contents(out() / "powder.vtp");
+  EXPECT_NE(powder.find("NumberOfPoints=\"600\""), std::string::npos);
+  for (const char* array : {"\"solid fraction\"", "\"velocity [m/s]\"", "\"pressure [Pa]\""})
+    EXPECT_NE(powder.find(std::string("Name=") + array), std::string::npos) << array;
+  const std::string series = support::contents(out() / "powder.pvd");
+  EXPECT_LT(series.find("powder_0000.vtp"), series.find("powder.vtp"));
+  const Outcome wrong = run_program({"export", one().string(), "--averaging-width", "1"});
+  EXPECT_EQ(wrong.exit_code, 2);
+  EXPECT_NE(wrong.err.find("--averaging-width"), std::string::npos) << wrong.err;
 }
 
 TEST_F(EveryPicture, WrongWordsAreExplainedInOneLine) {
