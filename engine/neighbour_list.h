@@ -30,6 +30,7 @@ struct ListReference {
   Eigen::Vector3d drift = Eigen::Vector3d::Zero();  ///< m/s, mean velocity of the powder
   double time = 0;                                  ///< s
   std::uint64_t step = 0;
+  std::uint64_t awake_grains = 0;  ///< those from here on slept: they get blocks of their own
 };
 
 /// Near pairs in blocks.
@@ -59,7 +60,7 @@ class NeighbourList {
   const std::vector<ForeignSum>& foreign_sums() const { return foreign_sums_; }
 
  private:
-  void cut_into_blocks(std::size_t grains, std::uint32_t spheres_per_grain);
+  void cut_into_blocks(std::size_t begin, std::size_t end, std::size_t grains_per_block);
   void find_grain_pairs(Block& block, const SphereField& spheres, double reach,
                         const ContactHistory& history) const;
   void find_wall_pairs(Block& block, const SphereField& spheres, const std::vector<WallBody>& bodies,
@@ -70,6 +71,7 @@ class NeighbourList {
   NeighbourSettings settings_;
   std::vector<std::uint32_t> body_first_;
   std::vector<Block> blocks_;
+  std::size_t count_ = 0;  ///< blocks that have been cut so far
   SphereCells cells_;
   std::vector<std::uint32_t> foreign_first_;
   std::vector<ForeignSum> foreign_sums_;

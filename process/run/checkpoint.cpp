@@ -13,7 +13,7 @@ namespace diefill::process {
 
 namespace {
 
-constexpr std::array<char, 8> kMagic = {'d', 'f', 'c', 'h', 'k', 'p', 't', '4'};
+constexpr std::array<char, 8> kMagic = {'d', 'f', 'c', 'h', 'k', 'p', 't', '5'};
 
 std::uint64_t hash_of(const std::string& bytes) {
   std::uint64_t hash = 0xcbf29ce484222325ULL;
@@ -115,6 +115,7 @@ void transfer(Io& io, Contents& checkpoint) {
   io(simulation.reference.time);
   io(simulation.reference.step);
   io(simulation.reference.skin);
+  io(simulation.reference.awake_grains);
   io(simulation.grain_memory.pair);
   io(simulation.grain_memory.value);
   io(simulation.wall_memory.pair);
@@ -122,6 +123,10 @@ void transfer(Io& io, Contents& checkpoint) {
   io(simulation.ledger);
   io(simulation.next_id);
   io(simulation.overlap);
+  io(simulation.sleep.asleep);
+  io(simulation.sleep.looks);
+  io(simulation.sleep.force);
+  io(simulation.sleep.sphere_steps_left_out);
   transfer_instants(io, checkpoint.instants);
 }
 
