@@ -227,7 +227,14 @@ void Simulation::restore(const Snapshot& snapshot) {
   overlap_ever_ = snapshot.overlap;
   grains_ = snapshot.grains;
   reference_ = snapshot.reference;
-  if (sleeping_) sleeping_->restore(snapshot.sleep);
+  if (sleeping_) {
+    // A run in which nobody could sleep is gone on with by one in which all are awake.
+    SleepState sleep = snapshot.sleep;
+    sleep.asleep.resize(grains_.size(), 0);
+    sleep.looks.resize(grains_.size(), 0);
+    sleep.force.resize(grains_.size(), Eigen::Vector3d::Zero());
+    sleeping_->restore(sleep);
+  }
   search({}, {});
   recall(list_.blocks(), &Block::grain_pairs, snapshot.grain_memory);
   recall(list_.blocks(), &Block::wall_pairs, snapshot.wall_memory);
