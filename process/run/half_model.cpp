@@ -5,6 +5,7 @@
 #include <cstdio>
 
 #include "geometry/symmetry.h"
+#include "process/machine/force_control.h"
 
 namespace diefill::process {
 
