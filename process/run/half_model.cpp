@@ -66,8 +66,9 @@ bool lies_in_plane(const ToolMotion& motion, int axis) {
 bool step_lies_in_plane(const Step& step, int axis) {
   constexpr int kInstants = 2000;
   constexpr double kGoldenRatio = 0.6180339887498949, kOpenEnded = 1;  // s, long enough to see what it does
+  constexpr double kFarEnough = 0.1;                                   // m or rad, to see where it goes
   if (const ForceControl* control = step.control())
-    return lies_in_plane(control->motion(control->travel, control->speed_limit), axis);
+    return lies_in_plane(control->motion(std::min(control->travel, kFarEnough), control->speed_limit), axis);
   const double length = step.open_ended() ? kOpenEnded : step.duration().value_or(kOpenEnded);
   for (int n = 1; n < kInstants; ++n)
     if (!lies_in_plane(step.motion(length * std::fmod(n * kGoldenRatio, 1.0)), axis)) return false;
