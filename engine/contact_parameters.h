@@ -16,6 +16,17 @@ struct ContactParameters {
   double rolling_friction = 0;   ///< m, mu_r, model B only; 0: none
 };
 
+/// A plane of this material acts on spheres of `grain` as their mirror images behind the plane would: an
+/// image overlaps twice as far as the plane, comes twice as fast, and slides along. No friction.
+inline ContactParameters mirror_plane(const ContactParameters& grain) {
+  ContactParameters plane = grain;
+  plane.reduced_modulus *= 2;
+  plane.damping *= 2;
+  plane.work_of_adhesion /= 2;
+  plane.tangential = plane.friction = 0;
+  return plane;
+}
+
 /// Which point of a grain a contact force acts on, and whose velocity is compared there.
 enum class LeverArm {
   none,     ///< grains do not rotate (model A)

@@ -216,7 +216,7 @@ void GrainIntegrator::advance(Grains& grains, std::size_t begin, std::size_t end
 }
 
 GrainIntegrator::Work GrainIntegrator::finish(Grains& grains, std::size_t begin, std::size_t end,
-                                              const std::vector<ContactSum>& contacts) const {
+                                              std::span<const ContactSum> contacts) const {
   const bool composed = shape_.spheres() > 1;
   const double drag = sphere_drag_ * static_cast<double>(shape_.spheres());
   const Vector3 turning_drag = sphere_drag_ * drag_inertia_;

@@ -2,6 +2,8 @@
 // the forces found there (Bierwisch 2009, section 2.2).
 #pragma once
 
+#include <span>
+
 #include "engine/grain_shape.h"
 #include "engine/grains.h"
 #include "engine/sphere_field.h"
@@ -26,8 +28,7 @@ class GrainIntegrator {
   };
   /// Ends the step of grains [begin, end), given the contacts' forces (N) on each and their moments (N m,
   /// laboratory frame) about its centre.
-  Work finish(Grains& grains, std::size_t begin, std::size_t end,
-              const std::vector<ContactSum>& contacts) const;
+  Work finish(Grains& grains, std::size_t begin, std::size_t end, std::span<const ContactSum> contacts) const;
 
  private:
   GrainShape shape_;

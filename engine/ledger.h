@@ -11,13 +11,14 @@ struct Ledger {
   double drag_work = 0;        ///< air
   double rolling_work = 0;     ///< rolling friction
   double wall_work = 0;        ///< moving tools
+  double sleep_work = 0;       ///< what grains still moved with that fell asleep
   /// Energy of grains when they were added, less that of grains when they left; a grain that comes round a
   /// periodic border against gravity counts as lifted.
   double added_energy = 0;
 
   /// Energy (J) that the powder should hold now.
   double expected() const {
-    return added_energy + viscous_work + tangential_work + drag_work + rolling_work + wall_work;
+    return added_energy + viscous_work + tangential_work + drag_work + rolling_work + wall_work + sleep_work;
   }
 };
 

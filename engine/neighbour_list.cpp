@@ -14,6 +14,8 @@ namespace {
 /// and that the block's spheres and sums stay in the second-level cache. Block borders depend on the number
 /// of grains only.
 constexpr std::size_t kSpheresPerBlock = 1024;
+/// The same for sleeping grains: one that wakes spoils the rest of its whole block.
+constexpr std::size_t kSpheresPerSleepingBlock = 128;
 
 }  // namespace
 
@@ -24,7 +26,12 @@ void NeighbourList::build(const SphereField& spheres, const std::vector<WallBody
                           const ListReference& reference, const ContactHistory& history,
                           const ContactHistory& wall_history, Workers& workers) {
   cells_.build(spheres.position, 2 * settings_.sphere_radius + settings_.law_range + reference.skin);
-  cut_into_blocks(spheres.grains, static_cast<std::uint32_t>(spheres.spheres_per_grain));
+  const auto per_grain = static_cast<std::uint32_t>(spheres.spheres_per_grain);
+  count_ = 0;
+  cut_into_blocks(0, reference.awake_grains, kSpheresPerBlock / per_grain + 1);
+  cut_into_blocks(reference.awake_grains, spheres.grains, kSpheresPerSleepingBlock / per_grain + 1);
+  blocks_.resize(count_);
+  for (auto& block : blocks_) block.spheres_per_grain = per_grain;
   workers.for_each(blocks_.size(), [&](std::size_t b) {
     Block& block = blocks_[b];
     block.reference = reference.position[(block.begin + block.end) / 2];
@@ -41,15 +48,17 @@ std::size_t NeighbourList::near_pairs() const {
   return pairs;
 }
 
-void NeighbourList::cut_into_blocks(std::size_t grains, std::uint32_t spheres_per_grain) {
-  const std::size_t grains_per_block = kSpheresPerBlock / spheres_per_grain + 1;
-  const std::size_t count = (grains + grains_per_block - 1) / grains_per_block;
-  blocks_.resize(count);
-  for (std::size_t b = 0; b < count; ++b) {
-    blocks_[b].begin = static_cast<std::uint32_t>(grains * b / count);
-    blocks_[b].end = static_cast<std::uint32_t>(grains * (b + 1) / count);
-    blocks_[b].spheres_per_grain = spheres_per_grain;
+/// Adds blocks of the grains [begin, end). Blocks of the list before are used again, with their memory.
+void NeighbourList::cut_into_blocks(std::size_t begin, std::size_t end, std::size_t grains_per_block) {
+  const std::size_t grains = end - begin;
+  const std::size_t added = (grains + grains_per_block - 1) / grains_per_block;
+  if (blocks_.size() < count_ + added) blocks_.resize(count_ + added);
+  for (std::size_t b = 0; b < added; ++b) {
+    Block& block = blocks_[count_ + b];
+    block.begin = static_cast<std::uint32_t>(begin + grains * b / added);
+    block.end = static_cast<std::uint32_t>(begin + grains * (b + 1) / added);
   }
+  count_ += added;
 }
 
 /// Local numbers and sums of the block's spheres and of `partners`, which must be known.

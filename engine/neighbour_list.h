@@ -33,6 +33,7 @@ struct ListReference {
   Eigen::Vector3d drift = Eigen::Vector3d::Zero();  ///< m/s, mean velocity of the powder
   double time = 0;                                  ///< s
   std::uint64_t step = 0;
+  std::uint64_t awake_grains = 0;  ///< those from here on slept: they get blocks of their own
 
   /// m, how far grain k may move against the drift before the list must be renewed.
   double allowance(std::size_t k) const { return 0.5 * skin * static_cast<double>(1U << doublings[k]); }
@@ -65,7 +66,7 @@ class NeighbourList {
   const std::vector<ForeignSum>& foreign_sums() const { return foreign_sums_; }
 
  private:
-  void cut_into_blocks(std::size_t grains, std::uint32_t spheres_per_grain);
+  void cut_into_blocks(std::size_t begin, std::size_t end, std::size_t grains_per_block);
   void find_grain_pairs(Block& block, const SphereField& spheres, const ListReference& reference,
                         const ContactHistory& history) const;
   void find_wall_pairs(Block& block, const SphereField& spheres, const std::vector<WallBody>& bodies,
@@ -76,6 +77,7 @@ class NeighbourList {
   NeighbourSettings settings_;
   std::vector<std::uint32_t> body_first_;
   std::vector<Block> blocks_;
+  std::size_t count_ = 0;  ///< blocks that have been cut so far
   SphereCells cells_;
   std::vector<std::uint32_t> foreign_first_;
   std::vector<ForeignSum> foreign_sums_;

@@ -66,11 +66,18 @@ std::unique_ptr<PairLoop> grain_loop_for(const SimulationSettings& settings) {
 }
 
 std::unique_ptr<PairLoop> wall_loop_for(const SimulationSettings& settings,
-                                        const std::vector<double>& radii) {
+                                        const std::vector<WallBodySpec>& walls) {
+  const auto radii = radii_of(walls);
+  std::vector<ContactParameters> contacts;
+  for (const auto& wall : walls) {
+    if (wall.contact && settings.general_contact)
+      throw std::invalid_argument("a wall has a contact of its own beside a general contact law");
+    contacts.push_back(wall.contact.value_or(settings.wall_contact));
+  }
   if (settings.general_contact)
     return make_general_wall_loop(*settings.general_contact, settings.lever_arm, settings.shape, radii);
-  return make_wall_loop(settings.wall_contact, settings.lever_arm, settings.spring_limit,
-                        settings.shape.sphere_radius, settings.shape.spheres() > 1, radii);
+  return make_wall_loop(contacts, settings.lever_arm, settings.spring_limit, settings.shape.sphere_radius,
+                        settings.shape.spheres() > 1, radii);
 }
 
 NeighbourSettings neighbour_settings(const GrainShape& shape, const PairLoop& grain_loop,
@@ -89,7 +96,7 @@ Simulation::Simulation(const SimulationSettings& settings, std::vector<WallBodyS
       workers_(settings_.threads),
       box_(settings_.period),
       grain_loop_(grain_loop_for(settings_)),
-      wall_loop_(wall_loop_for(settings_, radii_of(walls))),
+      wall_loop_(wall_loop_for(settings_, walls)),
       list_(neighbour_settings(settings_.shape, *grain_loop_, *wall_loop_), first_sphere_of_bodies(walls)),
       skin_(skin_for(settings_, grain_loop_->range())),
       integrator_(settings_.shape, settings_.gravity, settings_.air_viscosity, settings_.time_step,
@@ -101,6 +108,8 @@ Simulation::Simulation(const SimulationSettings& settings, std::vector<WallBodyS
   }
   wall_loads_.resize(bodies_.size());
   clearance_.resize(bodies_.size());
+  if (settings_.sleep)
+    sleeping_.emplace(*settings_.sleep, settings_.shape, settings_.gravity, settings_.time_step);
   spheres_.spheres_per_grain = settings_.shape.spheres();
   reference_.skin = skin_.first();
   sort_and_search();
@@ -166,6 +175,7 @@ void Simulation::step() {
   ++step_;
   time_ = static_cast<double>(step_) * settings_.time_step;
   move_bodies();
+  if (sleeping_) wake_near_tools();
   advance_grains();
   timers_.lap(Phase::advance);
   if (list_is_old()) {
@@ -178,6 +188,7 @@ void Simulation::step() {
   timers_.lap(Phase::contacts);
   finish_grains();
   book_step();
+  if (sleeping_) look_after_sleepers();
   timers_.lap(Phase::gather);
 }
 
@@ -189,7 +200,10 @@ void Simulation::move_bodies() {
 void Simulation::advance_grains() {
   auto& blocks = list_.blocks();
   workers_.for_each(blocks.size(), [&](std::size_t b) {
-    integrator_.advance(grains_, blocks[b].begin, blocks[b].end, spheres_);
+    if (sleeping_)
+      advance_awake(b);
+    else
+      integrator_.advance(grains_, blocks[b].begin, blocks[b].end, spheres_);
     tallies_[b].list_is_old = has_moved_too_far(blocks[b]);
   });
 }
@@ -239,23 +253,32 @@ void Simulation::gather(std::size_t b, std::vector<ContactSum>& contacts) const 
 }
 
 void Simulation::compute_contacts() {
-  auto& blocks = list_.blocks();
-  workers_.for_each(blocks.size(), [&](std::size_t b) {
-    thread_local LocalSpheres local;
-    local.take(blocks[b], spheres_);
-    const ContactScene scene = contact_scene(local);
-    tallies_[b].start(bodies_.size());
-    std::fill(blocks[b].sums.begin(), blocks[b].sums.end(), ContactSum{});
-    grain_loop_->add_forces(blocks[b], scene, tallies_[b]);
-    wall_loop_->add_forces(blocks[b], scene, tallies_[b]);
+  workers_.for_each(list_.blocks().size(), [&](std::size_t b) {
+    if (rests(b))
+      compute_resting(b);
+    else
+      compute_block(b);
   });
+}
+
+void Simulation::compute_block(std::size_t b) {
+  Block& block = list_.blocks()[b];
+  thread_local LocalSpheres local;
+  local.take(block, spheres_);
+  const ContactScene scene = contact_scene(local);
+  tallies_[b].start(bodies_.size());
+  std::fill(block.sums.begin(), block.sums.end(), ContactSum{});
+  grain_loop_->add_forces(block, scene, tallies_[b]);
+  wall_loop_->add_forces(block, scene, tallies_[b]);
 }
 
 void Simulation::finish_grains() {
   const auto& blocks = list_.blocks();
   workers_.for_each(blocks.size(), [&](std::size_t b) {
+    if (rests(b)) return;
     thread_local std::vector<ContactSum> contacts;
     gather(b, contacts);
+    if (sleeping_) return finish_awake(b, contacts);
     const auto work = integrator_.finish(grains_, blocks[b].begin, blocks[b].end, contacts);
     tallies_[b].drag_work += work.drag;
     tallies_[b].rolling_work += work.rolling;

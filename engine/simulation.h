@@ -11,6 +11,7 @@
 #include "engine/neighbour_list.h"
 #include "engine/pair_loop.h"
 #include "engine/phase_timers.h"
+#include "engine/sleeping.h"
 #include "engine/state.h"
 
 namespace diefill::engine {
@@ -30,6 +31,9 @@ struct SimulationSettings {
   double time_step = 0;                     ///< s
   std::array<std::optional<double>, 2> period;  ///< m along x and y, box centred on the origin
   double skin = 0;                              ///< m; 0: follows the motion of the powder
+  /// Tools far from all powder do not age the list of near pairs by moving.
+  bool skip_far_walls = true;
+  std::optional<SleepSettings> sleep;  ///< settled grains are put to sleep
   int threads = 1;
   InstructionSet instructions = best_instruction_set();  ///< all give the same bits
 };
@@ -108,6 +112,13 @@ class Simulation {
   /// asked for now and then.
   void visit_contact_forces(const std::function<void(const ContactForce&)>& visit) const;
 
+  /// Sleeping grains, and the sphere-steps that resting blocks have saved so far; 0 where no grains sleep.
+  bool asleep(std::size_t k) const { return sleeping_ && sleeping_->asleep(k); }
+  std::size_t sleepers() const { return sleeping_ ? sleeping_->sleepers() : 0; }
+  std::uint64_t sphere_steps_left_out() const {
+    return sleeping_ ? sleeping_->state().sphere_steps_left_out : 0;
+  }
+
   /// Bytes that one step reads and writes at least: state of grains and spheres, near pairs and what touching
   /// ones remember, each counted once a pass.
   double bytes_moved_per_step() const;
@@ -133,9 +144,9 @@ class Simulation {
   std::size_t keep_grains(const std::vector<std::uint32_t>& staying);
   void check_places() const;
   void sort_and_search();
-  void search_in_order(const std::vector<std::uint32_t>& order);
+  void search_in_order(std::vector<std::uint32_t> order);
   void search(const ContactHistory& history, const ContactHistory& wall_history);
-  void remember_reference();
+  void remember_reference(std::size_t awake);
   void allow_motion();
   double farthest_allowance() const;
   void find_images();
@@ -143,10 +154,22 @@ class Simulation {
                      const std::vector<Quaternion>& orientation);
   void place_images();
   void compute_contacts();
+  void compute_block(std::size_t b);
   void finish_grains();
   void gather(std::size_t b, std::vector<ContactSum>& contacts) const;
   void book_step();
   ContactScene contact_scene(const LocalSpheres& local) const;
+
+  // Where settled grains are put to sleep.
+  std::vector<Eigen::AlignedBox3d> moving_tools() const;
+  void wake_near_tools();
+  void advance_awake(std::size_t b);
+  void compute_resting(std::size_t b);
+  void finish_awake(std::size_t b, const std::vector<ContactSum>& contacts);
+  void weigh_sleepers();
+  void look_after_sleepers();
+  void still_sleepers();
+  bool rests(std::size_t b) const { return sleeping_ && sleeping_->rests(b); }
 
   SimulationSettings settings_;
   Workers workers_;
@@ -159,6 +182,7 @@ class Simulation {
   ListReference reference_;
   AdaptiveSkin skin_;
   GrainIntegrator integrator_;
+  std::optional<Sleeping> sleeping_;
 
   Grains grains_;
   SphereField spheres_;

@@ -66,7 +66,8 @@ void Simulation::sort_and_search() {
   search_in_order(spatial_order(grains_.position, 2 * settings_.shape.bounding_radius()));
 }
 
-void Simulation::search_in_order(const std::vector<std::uint32_t>& order) {
+void Simulation::search_in_order(std::vector<std::uint32_t> order) {
+  const std::size_t awake = sleeping_ ? sleeping_->reorder(order, grains_.size()) : order.size();
   std::vector<std::uint32_t> owners;
   for (const auto& image : spheres_.images) owners.push_back(image.owner);
   const PairNaming naming{spheres_.spheres_per_grain, spheres_.grains, &owners, &list_.body_first()};
@@ -80,19 +81,24 @@ void Simulation::search_in_order(const std::vector<std::uint32_t>& order) {
 
   grains_.reorder(order);
   spheres_.reorder_motion(order);
-  remember_reference();
+  remember_reference(awake);
   search(history, wall_history);
 }
 
-void Simulation::remember_reference() {
+void Simulation::remember_reference(std::size_t awake) {
   reference_.position = grains_.position;
   if (settings_.shape.spheres() > 1) reference_.orientation = grains_.orientation;
   reference_.bodies = body_motion_;
   reference_.time = time_;
   reference_.step = step_;
+  reference_.awake_grains = awake;
   reference_.drift.setZero();
-  for (const auto& velocity : grains_.velocity) reference_.drift += velocity;
-  if (grains_.size() > 0) reference_.drift /= static_cast<double>(grains_.size());
+  // Where grains sleep, motion is measured against them: they are never the swifter ones, so that every pair
+  // of both kinds is an awake grain's.
+  if (awake == grains_.size() && awake > 0) {
+    for (const auto& velocity : grains_.velocity) reference_.drift += velocity;
+    reference_.drift /= static_cast<double>(grains_.size());
+  }
   allow_motion();
 }
 
@@ -123,6 +129,10 @@ void Simulation::search(const ContactHistory& history, const ContactHistory& wal
   place_spheres(reference_.position, reference_.orientation);
   list_.build(spheres_, bodies_, reference_, history, wall_history, workers_);
   tallies_.resize(list_.blocks().size());
+  if (sleeping_) {
+    sleeping_->sort_blocks(list_, true);
+    still_sleepers();
+  }
 
   Eigen::Vector3d lower = Eigen::Vector3d::Constant(1e300), upper = -lower;
   for (const auto& centre : spheres_.position) {
@@ -131,8 +141,9 @@ void Simulation::search(const ContactHistory& history, const ContactHistory& wal
   }
   for (std::size_t b = 0; b < bodies_.size(); ++b) {
     const double reach = settings_.shape.sphere_radius + bodies_[b].sphere_radius() + farthest_allowance();
-    clearance_[b] =
-        spheres_.grains == 0 ? 0 : clearance_of(bodies_[b], reference_.bodies[b], lower, upper, reach);
+    clearance_[b] = spheres_.grains == 0 || !settings_.skip_far_walls
+                        ? 0
+                        : clearance_of(bodies_[b], reference_.bodies[b], lower, upper, reach);
   }
 }
 
@@ -236,6 +247,7 @@ Snapshot Simulation::snapshot() const {
   copy.ledger = ledger_;
   copy.next_id = next_id_;
   copy.overlap = overlap_ever_;
+  if (sleeping_) copy.sleep = sleeping_->state();
   return copy;
 }
 
@@ -247,6 +259,14 @@ void Simulation::restore(const Snapshot& snapshot) {
   overlap_ever_ = snapshot.overlap;
   grains_ = snapshot.grains;
   reference_ = snapshot.reference;
+  if (sleeping_) {
+    // A run in which nobody could sleep is gone on with by one in which all are awake.
+    SleepState sleep = snapshot.sleep;
+    sleep.asleep.resize(grains_.size(), 0);
+    sleep.looks.resize(grains_.size(), 0);
+    sleep.force.resize(grains_.size(), Eigen::Vector3d::Zero());
+    sleeping_->restore(sleep);
+  }
   search({}, {});
   recall(list_.blocks(), &Block::grain_pairs, snapshot.grain_memory);
   recall(list_.blocks(), &Block::wall_pairs, snapshot.wall_memory);

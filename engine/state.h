@@ -8,6 +8,7 @@
 #include "engine/grains.h"
 #include "engine/ledger.h"
 #include "engine/neighbour_list.h"
+#include "engine/sleeping.h"
 
 namespace diefill::engine {
 
@@ -27,6 +28,7 @@ struct Snapshot {
   Ledger ledger;
   std::uint64_t next_id = 0;
   DeepestOverlap overlap;  ///< m, over the whole run
+  SleepState sleep;        ///< empty where no grains are put to sleep
 };
 
 /// 64-bit FNV-1a hash of the powder's state, grain by grain in the order of their ids: equal exactly if step

@@ -163,14 +163,20 @@ class WallLoop final : public PairLoop {
 
 }  // namespace
 
-std::unique_ptr<PairLoop> make_wall_loop(const ContactParameters& parameters, LeverArm arm, SpringLimit limit,
-                                         double sphere_radius, bool composed,
+std::unique_ptr<PairLoop> make_wall_loop(const std::vector<ContactParameters>& parameters, LeverArm arm,
+                                         SpringLimit limit, double sphere_radius, bool composed,
                                          const std::vector<double>& wall_radii) {
-  return with_law(parameters, arm, limit,
+  // One loop for all bodies: it has the terms that any of them needs.
+  ContactParameters any;
+  for (const auto& body : parameters) {
+    any.friction = std::max(any.friction, body.friction);
+    any.work_of_adhesion = std::max(any.work_of_adhesion, body.work_of_adhesion);
+  }
+  return with_law(any, arm, limit,
                   [&]<class Law, class Arm>(std::type_identity<Law>, Arm) -> std::unique_ptr<PairLoop> {
                     std::vector<Law> laws;
-                    for (const double radius : wall_radii)
-                      laws.emplace_back(parameters, effective_radius(sphere_radius, radius));
+                    for (std::size_t body = 0; body < wall_radii.size(); ++body)
+                      laws.emplace_back(parameters[body], effective_radius(sphere_radius, wall_radii[body]));
                     if (composed)
                       return std::make_unique<WallLoop<Law, Arm::value, true>>(laws, sphere_radius);
                     return std::make_unique<WallLoop<Law, Arm::value, false>>(laws, sphere_radius);

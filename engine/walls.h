@@ -5,8 +5,11 @@
 #include <Eigen/Geometry>
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
+
+#include "engine/contact_parameters.h"
 
 namespace diefill::engine {
 
@@ -35,9 +38,10 @@ struct WallPlane {
 /// A tool to be built into a simulation: of spheres, or of planes.
 struct WallBodySpec {
   std::string name;
-  std::vector<Eigen::Vector3d> centres;  ///< m, wall sphere centres in the body frame
-  double sphere_radius = 1.5e-4;         ///< m, R_w
-  std::vector<WallPlane> planes;         ///< in place of spheres: R_eff is the grain sphere's radius
+  std::vector<Eigen::Vector3d> centres;      ///< m, wall sphere centres in the body frame
+  double sphere_radius = 1.5e-4;             ///< m, R_w
+  std::vector<WallPlane> planes;             ///< in place of spheres: R_eff is the grain sphere's radius
+  std::optional<ContactParameters> contact;  ///< with powder; nothing: SimulationSettings::wall_contact
   /// Motion at time t (s); empty: the body stands still where its frame is the laboratory's.
   std::function<BodyMotion(double)> motion;
 };

@@ -21,6 +21,8 @@ constexpr std::array kKnown = {
     Meaning{"time_step_s", "s", "time step"},
     Meaning{"simulated_s", "s", "simulated time"},
     Meaning{"wall_seconds", "s", "wall-clock time of the run"},
+    Meaning{"sphere_steps", "1", "powder spheres times steps, those left out included"},
+    Meaning{"sphere_steps_left_out", "1", "sphere-steps saved where grains slept"},
     Meaning{"sphere_steps_per_second", "1/s", "powder spheres times steps over wall-clock time"},
     Meaning{"shoe_speed_m_s", "m/s", "speed of the shoe while it moves, median"},
     Meaning{"fill_density_kg_m3", "kg/m^3", "mass of model powder in the cavity over the cavity's volume"},

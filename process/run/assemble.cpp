@@ -10,6 +10,7 @@
 #include "process/measure/figures.h"
 #include "process/measure/measure.h"
 #include "process/run/die_frame.h"
+#include "process/run/half_model.h"
 #include "process/run/topics.h"
 
 #ifndef DIEFILL_VERSION
@@ -155,7 +156,7 @@ void add_figures(const Scene& scene, results::FillResult& result, const Tooling&
                  const FillRun& run) {
   const engine::Simulation& simulation = run.simulation();
   const auto& settings = simulation.settings();
-  const auto grains = static_cast<double>(simulation.grains().size());
+  const auto grains = static_cast<double>(result.powder.id.size());
   auto& figures = result.figures;
   figures["filled_mass_kg"] = filled_mass(result.powder, result.solid_fraction);
   figures["grains"] = grains;
@@ -168,14 +169,17 @@ void add_figures(const Scene& scene, results::FillResult& result, const Tooling&
   figures["cycle_time_s"] = cycle_time(scene, run.schedule());
   figures["simulated_s"] = simulation.time();
   figures["wall_seconds"] = run.wall_seconds();
+  figures["sphere_steps"] = static_cast<double>(run.sphere_steps());
+  figures["sphere_steps_left_out"] = static_cast<double>(simulation.sphere_steps_left_out());
   figures["sphere_steps_per_second"] = static_cast<double>(run.sphere_steps()) / run.wall_seconds();
   figures["threads"] = settings.threads;
   figures["energy_balance_error"] = simulation.energy_balance_error();
   figures["deepest_overlap_ratio"] = simulation.overlaps_of_run().grains / settings.shape.sphere_radius;
   figures["deepest_wall_overlap_ratio"] = simulation.overlaps_of_run().walls / settings.shape.sphere_radius;
-  figures["grains_left"] = static_cast<double>(run.grains_left());
-  figures["grains_sheared"] = static_cast<double>(run.grains_sheared());
-  figures["mass_left_kg"] = static_cast<double>(run.grains_left()) * settings.shape.mass;
+  const double left = copies(tooling) * static_cast<double>(run.grains_left());
+  figures["grains_left"] = left;
+  figures["grains_sheared"] = copies(tooling) * static_cast<double>(run.grains_sheared());
+  figures["mass_left_kg"] = left * settings.shape.mass;
   figures["overlap_limit_ratio"] = engine::HealthLimits{}.forbidden_overlap;
   figures["wall_overlap_limit_ratio"] = engine::HealthLimits{}.forbidden_wall_overlap;
   figures["energy_error_limit"] = engine::HealthLimits{}.energy_error;
@@ -334,15 +338,18 @@ results::FillResult assemble(const Scene& scene, const Tooling& tooling, const F
   result.state_hash = hexadecimal(run.simulation().hash());
   const DieFrame die(run.simulation().body_motion(tooling.die));
   result.powder = powder_state(scene, run.simulation());
+  add_images(tooling, result.powder);
   // A die that stands at its place up to rounding is not to blur results.
   if (!die.at_home()) result.powder = die.powder(std::move(result.powder));
   result.contact_stress = contact_stress(run.simulation(), die);
   for (std::size_t k = 0; k < tooling.tools.size(); ++k) {
     const engine::BodyMotion& motion = run.simulation().body_motion(k);
     result.tools.push_back(tool_state(tooling.tools[k], die.at_home() ? motion : die.pose(motion)));
+    add_images(tooling, result.tools.back().wall_sphere_centres);
   }
   result.cavity = cavity_now(scene, tooling, run);
   result.instants = instants_of(run);
+  for (auto& instant : result.instants) add_images(tooling, instant);
   result.probes = run.probes();
   result.solid_fraction =
       measure_solid_fraction(result.powder, result.tools, result.cavity, scene.numerics.period);

@@ -13,7 +13,7 @@ namespace diefill::process {
 
 namespace {
 
-constexpr std::array<char, 8> kMagic = {'d', 'f', 'c', 'h', 'k', 'p', 't', '5'};
+constexpr std::array<char, 8> kMagic = {'d', 'f', 'c', 'h', 'k', 'p', 't', '6'};
 
 std::uint64_t hash_of(const std::string& bytes) {
   std::uint64_t hash = 0xcbf29ce484222325ULL;
@@ -117,6 +117,7 @@ void transfer(Io& io, Contents& checkpoint) {
   io(simulation.reference.skin);
   io(simulation.reference.doublings);
   io(simulation.reference.body_allowance);
+  io(simulation.reference.awake_grains);
   io(simulation.grain_memory.pair);
   io(simulation.grain_memory.value);
   io(simulation.wall_memory.pair);
@@ -124,6 +125,10 @@ void transfer(Io& io, Contents& checkpoint) {
   io(simulation.ledger);
   io(simulation.next_id);
   io(simulation.overlap);
+  io(simulation.sleep.asleep);
+  io(simulation.sleep.looks);
+  io(simulation.sleep.force);
+  io(simulation.sleep.sphere_steps_left_out);
   transfer_instants(io, checkpoint.instants);
 }
 

@@ -1,6 +1,7 @@
 #include "process/run/die_frame.h"
 
 #include "process/measure/cavity_position.h"
+#include "process/run/half_model.h"
 
 namespace diefill::process {
 
@@ -55,7 +56,7 @@ double filled_mass(const engine::Simulation& simulation, const Tooling& tooling)
   std::size_t grains = 0;
   for (const auto& position : simulation.grains().position)
     grains += lies_in_cavity(cavity, frame.point(position)) ? 1U : 0U;
-  return static_cast<double>(grains) * simulation.settings().shape.mass;
+  return copies(tooling) * static_cast<double>(grains) * simulation.settings().shape.mass;
 }
 
 }  // namespace diefill::process

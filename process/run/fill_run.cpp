@@ -10,6 +10,8 @@
 #include "process/measure/cavity_position.h"
 #include "process/results/result_file.h"
 #include "process/run/die_frame.h"
+#include "process/run/economies.h"
+#include "process/run/half_model.h"
 #include "process/run/material.h"
 #include "process/run/pour.h"
 
@@ -22,6 +24,9 @@ using Clock = std::chrono::steady_clock;
 // Duties fall on multiples of these steps, so that a restart does them when the unbroken run does.
 constexpr std::uint64_t kScheduleEvery = 20, kSpillEvery = 100, kFeedEvery = 100, kHealthEvery = 200,
                         kPinchEvery = 10, kLostEvery = 200;
+constexpr double kFarAway = 1e3;  // m
+constexpr double kLongFall =
+    0.5;  // m below the tools, where spilled grains are computed no longer in any case
 /// Overlap over the sphere radius beyond which a grain between moving tools is sheared off: past all that
 /// free powder reaches, and short of engine::HealthLimits.
 constexpr double kShearingOverlap = 0.45;
@@ -37,7 +42,8 @@ engine::GrainShape shape_of(const Scene& scene) {
   return engine_settings(scene, 1.0).shape;
 }
 
-std::vector<engine::WallBodySpec> wall_bodies(const Tooling& tooling) {
+std::vector<engine::WallBodySpec> wall_bodies(const Tooling& tooling,
+                                              const engine::ContactParameters& grain_contact) {
   std::vector<engine::WallBodySpec> bodies;
   for (const Tool& tool : tooling.tools) {
     engine::WallBodySpec body;
@@ -46,6 +52,7 @@ std::vector<engine::WallBodySpec> wall_bodies(const Tooling& tooling) {
     body.sphere_radius = tool.spheres.radius;
     bodies.push_back(std::move(body));
   }
+  if (tooling.mirror) bodies.push_back(mirror_wall(*tooling.mirror, grain_contact));
   return bodies;
 }
 
@@ -94,7 +101,7 @@ FillRun::FillRun(const Scene& scene, const Tooling& tooling, const RunOptions& o
   auto settings = engine_settings(scene, impact);
   settings.threads = options.threads;
   critical_step_ = process::critical_time_step(settings, impact);
-  simulation_ = std::make_unique<engine::Simulation>(settings, wall_bodies(tooling));
+  simulation_ = std::make_unique<engine::Simulation>(settings, wall_bodies(tooling, settings.grain_contact));
 
   domain_ = schedule_.swept();
   domain_.lower =
@@ -102,11 +109,16 @@ FillRun::FillRun(const Scene& scene, const Tooling& tooling, const RunOptions& o
   domain_.upper =
       domain_.upper.cwiseMin(tooling.standing.upper + Eigen::Vector3d::Constant(2 * grain_diameter_));
   domain_.lower[2] = tooling.standing.lower[2] - 2 * grain_diameter_;
-  domain_.upper[2] = 1e3;
+  domain_.upper[2] = kFarAway;
+  if (!scene.economy.drop_spilled) {
+    domain_.lower.head<2>().setConstant(-kFarAway);
+    domain_.upper.head<2>().setConstant(kFarAway);
+    domain_.lower[2] -= kLongFall;
+  }
   for (Eigen::Index axis = 0; axis < 2; ++axis)
     if (scene.numerics.period[static_cast<std::size_t>(axis)]) {
-      domain_.lower[axis] = -1e3;
-      domain_.upper[axis] = 1e3;
+      domain_.lower[axis] = -kFarAway;
+      domain_.upper[axis] = kFarAway;
     }
   const double width = tooling.cavity.narrowest_width;
   if (tooling.cavity.found && width > 0 && grain_diameter_ > width / 3) {
@@ -245,13 +257,13 @@ void FillRun::shear_off_pinched_grains() {
 }
 
 std::string FillRun::shear_warning() const {
+  const double sheared = copies(tooling_) * static_cast<double>(grains_sheared_);
   char text[240];
   std::snprintf(
       text, sizeof text,
       "%llu grains (%.3g g) were wedged between tools moving past each other and sheared off, that is, "
       "taken out of the computation",
-      static_cast<unsigned long long>(grains_sheared_),
-      1e3 * static_cast<double>(grains_sheared_) * simulation_->settings().shape.mass);
+      static_cast<unsigned long long>(sheared), 1e3 * sheared * simulation_->settings().shape.mass);
   return text;
 }
 
@@ -324,6 +336,8 @@ double FillRun::wall_seconds() const {
 
 std::vector<std::string> FillRun::warnings() const {
   std::vector<std::string> all = warnings_;
+  for (auto& economy : economies_in_words(scene_, *simulation_, sphere_steps_))
+    all.push_back(std::move(economy));
   all.insert(all.end(), health_.warnings().begin(), health_.warnings().end());
   if (grains_sheared_ > 0) all.push_back(shear_warning());
   return all;

@@ -106,6 +106,13 @@ engine::SimulationSettings engine_settings(const Scene& scene, double impact_spe
   settings.gravity = scene.gravity;
   settings.air_viscosity = material.air_viscosity;
   settings.period = scene.numerics.period;
+  settings.skip_far_walls = scene.economy.skip_far_walls;
+  if (scene.economy.sleep) {
+    settings.sleep = engine::SleepSettings{};
+    settings.sleep->time = scene.economy.sleep_after;
+    settings.sleep->energy = scene.economy.sleep_energy;
+    settings.sleep->force = scene.economy.wake_force;
+  }
   settings.time_step = chosen_time_step(scene, settings, critical_time_step(settings, impact_speed));
   return settings;
 }

@@ -5,6 +5,7 @@
 
 #include "process/measure/cavity_position.h"
 #include "process/run/die_frame.h"
+#include "process/run/half_model.h"
 
 namespace diefill::process {
 
@@ -32,10 +33,12 @@ Heading heading(ProbeQuantity quantity) {
   throw std::logic_error("a quantity of a probe without a heading");
 }
 
-double mass_beyond(const ProbeSpec& probe, const engine::Simulation& simulation) {
+double mass_beyond(const ProbeSpec& probe, const engine::Simulation& simulation, const Tooling& tooling) {
   std::size_t grains = 0;
   for (const auto& position : simulation.grains().position)
-    grains += (position - probe.origin).dot(probe.normal) > 0 ? 1U : 0U;
+    visit_images(tooling, position, [&](const Eigen::Vector3d& place) {
+      grains += (place - probe.origin).dot(probe.normal) > 0 ? 1U : 0U;
+    });
   return static_cast<double>(grains) * simulation.settings().shape.mass;
 }
 
@@ -55,7 +58,8 @@ Probes::Probes(const Scene& scene, const Tooling& tooling)
 
 void Probes::begin(const engine::Simulation& simulation) {
   for (std::size_t k = 0; k < specs_.size(); ++k)
-    if (specs_[k].quantity == ProbeQuantity::flow) states_[k].beyond = mass_beyond(specs_[k], simulation);
+    if (specs_[k].quantity == ProbeQuantity::flow)
+      states_[k].beyond = mass_beyond(specs_[k], simulation, tooling_);
 }
 
 void Probes::observe(const engine::Simulation& simulation) {
@@ -64,7 +68,7 @@ void Probes::observe(const engine::Simulation& simulation) {
     ++state.steps;
     if (specs_[k].quantity == ProbeQuantity::load) {
       const std::size_t body = tooling_.index_of(specs_[k].tool);
-      const engine::WallLoad& load = simulation.wall_load(body);
+      const engine::WallLoad load = whole_load(tooling_, simulation.wall_load(body));
       state.force += load.force;
       // About the laboratory's origin, which stays where it is.
       state.torque += load.torque + simulation.body_motion(body).translation.cross(load.force);
@@ -91,7 +95,7 @@ void Probes::add_row(std::size_t k, const engine::Simulation& simulation) {
       return;
     }
     case ProbeQuantity::flow: {
-      const double mass = mass_beyond(spec, simulation) + state.gone - state.beyond;
+      const double mass = mass_beyond(spec, simulation, tooling_) + state.gone - state.beyond;
       const double before = rows.size() > 3 ? rows[rows.size() - 3] : 0;
       append({mass, (mass - before) / (steps * simulation.settings().time_step)});
       return;
@@ -104,7 +108,9 @@ void Probes::add_row(std::size_t k, const engine::Simulation& simulation) {
     }
     case ProbeQuantity::energy: {
       const engine::Energy energy = simulation.energy();
-      return append({energy.kinetic(), energy.height, energy.contacts, simulation.energy_balance_error()});
+      const double all = copies(tooling_);
+      return append({all * energy.kinetic(), all * energy.height, all * energy.contacts,
+                     simulation.energy_balance_error()});
     }
   }
 }
@@ -117,15 +123,16 @@ std::vector<double> Probes::fill_level(const engine::Simulation& simulation) con
   const auto across = static_cast<std::size_t>(std::max(1.0, std::ceil(size[0] / width))),
              deep = static_cast<std::size_t>(std::max(1.0, std::ceil(size[1] / width)));
   std::vector<double> highest(across * deep, 0.0);
-  for (const auto& position : simulation.grains().position) {
+  const auto raise = [&](const Eigen::Vector3d& position) {
     const Eigen::Vector3d place = frame.point(position);
-    if (!lies_in_cavity(cavity, place)) continue;
+    if (!lies_in_cavity(cavity, place)) return;
     const Eigen::Vector3d from_corner = place - cavity.lower_corner;
     const auto column = std::min(static_cast<std::size_t>(from_corner[0] / width), across - 1),
                row = std::min(static_cast<std::size_t>(from_corner[1] / width), deep - 1);
     double& level = highest[row * across + column];
     level = std::max(level, std::min(from_corner[2] + 0.5 * scene_.powder.grain_diameter, size[2]));
-  }
+  };
+  for (const auto& position : simulation.grains().position) visit_images(tooling_, position, raise);
   double sum = 0, lowest = size[2], count = 0;
   for (std::size_t n = 0; n < highest.size(); ++n) {
     const Eigen::Vector3d middle =
@@ -141,8 +148,10 @@ std::vector<double> Probes::fill_level(const engine::Simulation& simulation) con
 
 void Probes::count_removed(const Eigen::Vector3d& position, double mass, double sign) {
   for (std::size_t k = 0; k < specs_.size(); ++k)
-    if (specs_[k].quantity == ProbeQuantity::flow && (position - specs_[k].origin).dot(specs_[k].normal) > 0)
-      states_[k].gone += sign * mass;
+    if (specs_[k].quantity == ProbeQuantity::flow)
+      visit_images(tooling_, position, [&](const Eigen::Vector3d& place) {
+        if ((place - specs_[k].origin).dot(specs_[k].normal) > 0) states_[k].gone += sign * mass;
+      });
 }
 
 ProbesState Probes::state() const {

@@ -4,6 +4,7 @@
 
 #include "process/machine/powder_inflow.h"
 #include "process/run/die_frame.h"
+#include "process/run/half_model.h"
 
 namespace diefill::process {
 
@@ -40,8 +41,9 @@ void Schedule::begin(engine::Simulation& simulation, const ScheduleState& state)
 void Schedule::observe(const engine::Simulation& simulation) {
   if (!needs_loads_) return;
   for (std::size_t k = 0; k < state_.loads.size(); ++k) {
-    state_.loads[k].force += simulation.wall_load(k).force;
-    state_.loads[k].torque += simulation.wall_load(k).torque;
+    const engine::WallLoad load = whole_load(tooling_, simulation.wall_load(k));
+    state_.loads[k].force += load.force;
+    state_.loads[k].torque += load.torque;
   }
   ++state_.loads_summed;
 }

@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "geometry/solid_query.h"
+#include "process/run/half_model.h"
 #include "process/run/periodic_tool.h"
 #include "process/run/reachable_surface.h"
 #include "process/run/stages.h"
@@ -148,6 +149,7 @@ geometry::WallSpheres cover(const Scene& scene, const Tool& tool, double grain_d
     auto spheres =
         make_periodic_wall_spheres(tool.mesh, options, scene.numerics.period, 2 * grain_diameter, where);
     if (scene.numerics.opening == OpeningMeasure::centres) move_to_surface(spheres, tool.mesh);
+    keep_near_half(scene, spheres);
     return spheres;
   } catch (const geometry::MeshError& error) {
     throw SceneError(where + ": " + error.what());
@@ -233,6 +235,8 @@ Tooling build_tooling(const Scene& scene, double smallest_radius, double grain_d
   prepare_steps(scene, tooling, false);
   tooling.cavity = cavity_between(scene, tooling, poses_at_end(scene, tooling));
   prepare_steps(scene, tooling, true);
+  tooling.mirror = scene.economy.mirror;
+  refuse_asymmetry(scene, tooling);
   find_standing(scene, tooling);
 
   const ReachableSurface reachable(scene, tooling, grain_diameter);
@@ -242,7 +246,7 @@ Tooling build_tooling(const Scene& scene, double smallest_radius, double grain_d
     covered.push_back(std::async(std::launch::async, [&, k] {
       return cover(scene, tooling.tools[k], grain_diameter,
                    [&, k](const Eigen::Vector3d& point, const Eigen::Vector3d& normal) {
-                     return reachable(k, point, normal);
+                     return !scene.economy.skip_far_walls || reachable(k, point, normal);
                    });
     }));
   for (std::size_t k = 0; k < tooling.tools.size(); ++k) {

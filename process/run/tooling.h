@@ -32,10 +32,11 @@ struct Tool {
 
 struct Tooling {
   std::vector<Tool> tools;
-  std::size_t die = 0;      ///< index of the part whose frame results are in
-  geometry::Cavity cavity;  ///< in the die's frame, as the scene's steps leave the tools
-  geometry::Box standing;   ///< m, box round the tools that stay at their place and the room they need
-  geometry::Box all;        ///< m, box round all tools at the start
+  std::size_t die = 0;        ///< index of the part whose frame results are in
+  geometry::Cavity cavity;    ///< in the die's frame, as the scene's steps leave the tools
+  geometry::Box standing;     ///< m, box round the tools that stay at their place and the room they need
+  geometry::Box all;          ///< m, box round all tools at the start
+  std::optional<int> mirror;  ///< axis at right angles to the mirror plane of a half model
 
   std::size_t wall_spheres() const;
   /// What was done to the tools' CAD, a line for each repair, and which files were taken as a whole.

@@ -13,6 +13,7 @@
 
 #include "geometry/mesh_repair.h"
 #include "process/machine/step.h"
+#include "process/scene/economy.h"
 #include "process/scene/scene_error.h"
 
 namespace diefill::process {
@@ -147,7 +148,7 @@ struct MeasureSpec {
   double fill_plane = 0;       ///< m, height of the die's top
   double averaging_width = 0;  ///< m, sigma of Eq. 2.27; 0: the larger of 0.5 mm and d/2
   int azimuth_bins = 36;
-  double snapshot_interval = 0;  ///< s of simulated time between instants kept in the results; 0: none
+  double snapshot_interval = 0;       ///< s of simulated time between instants kept in the results; 0: none
   std::vector<SectionSpec> sections;  ///< empty: the plane through the cavity's axis along the shoe's motion
 };
 
@@ -166,6 +167,7 @@ struct Scene {
   std::vector<SnapshotSpec> snapshots;
   NumericsSpec numerics;
   MeasureSpec measure;
+  EconomySpec economy;
   Eigen::Vector3d gravity = {0, 0, -9.81};  ///< m/s^2
 };
 

@@ -30,6 +30,8 @@ std::vector<std::shared_ptr<Step>> read_steps(TableReader& document, const std::
 std::vector<ProbeSpec> read_probes(TableReader& document, const std::vector<ToolSpec>& tools);
 /// All [[snapshot]] tables; `scene` has its tools and steps already.
 std::vector<SnapshotSpec> read_snapshots(TableReader& document, const Scene& scene);
+/// [economy], into a scene that has everything else: where half the scene is computed, half of [pour] stays.
+void read_economy(TableReader table, Scene& scene);
 /// [measure].
 MeasureSpec read_measure(TableReader table);
 

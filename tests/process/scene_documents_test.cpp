@@ -51,8 +51,8 @@ TEST(SceneReadme, ExplainsEveryKeyThatTheReaderAsksFor) {
   std::size_t checked = 0;
   for (const char* header :
        {"seed = 1", "preset = \"Distaloy AE\"", "spacing = 1.6", "role = \"die\"", "fill_height = \"24 mm\"",
-        "direction = \"-x\"", "max_time = \"5 s\"", "fill_plane = \"0 mm\""}) {
-    std::string text = faultless_scene();
+        "direction = \"-x\"", "max_time = \"5 s\"", "sleep = false", "fill_plane = \"0 mm\""}) {
+    std::string text = faultless_scene() + "\n[economy]\nsleep = false\n";
     text.replace(text.find(header), std::string(header).size(), header + stranger);
     const auto keys = keys_offered(text);
     EXPECT_FALSE(keys.empty()) << header;

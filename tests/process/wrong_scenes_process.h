@@ -156,6 +156,44 @@ inline std::vector<WrongScene> wrong_numerics() {
   };
 }
 
+inline std::vector<WrongScene> wrong_economies() {
+  const std::string measure = "[measure]", time = "max_time = \"5 s\"",
+                    from = "from = [\"19.4 mm\", \"-14.5 mm\", \"0 mm\"]", step = "[[step]]";
+  const std::string shaking =
+      "[[step]]\nkind = \"vibration\"\ntool = \"die\"\naxis = \"x\"\namplitude = \"1 mm\"\n"
+      "frequency = \"30 Hz\"\nduration = \"1 s\"\n\n";
+  const auto spoil_two = [&](const std::string& name, const std::string& old, const std::string& other,
+                             const std::string& economy, const std::vector<std::string>& expected) {
+    WrongScene scene = spoil(name, measure, economy + "\n\n" + measure, expected);
+    scene.text = support::exchanged(scene.text, old, other);
+    // Lines above the marked place have come or gone.
+    scene.expected.erase(scene.expected.begin());
+    return scene;
+  };
+  return {
+      spoil("economy_key_unknown", measure, "[economy]\n@sleeping = true\n\n" + measure,
+            {"economy.sleeping", "not known", "sleep"}),
+      spoil("economy_mirror_unknown", measure, "[economy]\nmirror = @\"z\"\n\n" + measure,
+            {"economy.mirror", "found \"z\"", "allowed is \"x\" or \"y\""}),
+      spoil("economy_mirror_beside_the_pour", measure, "[economy]\nmirror = @\"x\"\n\n" + measure,
+            {"economy.mirror", "found \"x\"", "the box of [pour] reaches from 19.4 to 51.4 mm along x",
+             "not the same on both sides of 0"}),
+      spoil("economy_wake_force_of_a_whole_weight", measure,
+            "[economy]\nsleep = true\nwake_force = @1\n\n" + measure,
+            {"economy.wake_force", "found 1", "at most 0.9"}),
+      spoil("economy_sleep_after_no_time", measure,
+            "[economy]\nsleep = true\nsleep_after = @\"0 s\"\n\n" + measure,
+            {"economy.sleep_after", "found \"0 s\"", "more than 0 s"}),
+      spoil_two("economy_sleep_while_shaken", step, shaking + step, "[economy]\nsleep = @true",
+                {"economy.sleep", "found true", "vibration", "would not be shaken along", "leave"}),
+      spoil_two("economy_mirror_across_a_period", time, time + "\nperiodic = { y = \"29 mm\" }",
+                "[economy]\nmirror = @\"y\"",
+                {"economy.mirror", "numerics.periodic repeats the scene along y", "leave one"}),
+      spoil_two("economy_mirror_with_a_lopsided_pour", from, "from = [\"19.4 mm\", \"-12 mm\", \"0 mm\"]",
+                "[economy]\nmirror = @\"y\"", {"economy.mirror", "from -12 to 14.5 mm along y"}),
+  };
+}
+
 inline std::vector<WrongScene> wrong_measures() {
   const std::string plane = "fill_plane = \"0 mm\"\n";
   return {

@@ -1,0 +1,110 @@
+// Settled grains put to sleep. A sleeping grain is held where it is: it is not carried through the steps, and
+// where all grains of a block sleep, and all that its pairs reach, its pairs are not computed either. Awake
+// grains meet sleeping ones as if these were part of a wall, friction springs included.
+//
+// A grain falls asleep when it and every grain it touches have been slow for a while, and no tool near it
+// moves. It wakes when the force on it changes, when a grain that touches it is fast, or when a tool near it
+// moves, and wakes those it touches with it. What sleeping costs is what awake powder would still have done:
+// creep below the limits, and loads that pass through sleeping powder without being passed on until it wakes.
+#pragma once
+
+#include <Eigen/Geometry>
+#include <cstdint>
+#include <vector>
+
+#include "engine/grain_shape.h"
+#include "engine/neighbour_list.h"
+
+namespace diefill::engine {
+
+/// When grains fall asleep, and when they wake.
+struct SleepSettings {
+  double energy = 1e-4;  ///< over m g d: kinetic energy of a grain below which it counts as slow
+  double time = 5e-3;    ///< s for which a grain and those it touches must have been slow
+  double force = 0.5;    ///< over m g: by how much the force on a sleeping grain changes before it wakes
+  double speed = 10;     ///< of a grain that wakes what it touches, over that at which it is just slow
+};
+
+/// All that a restart needs; entry k of every array belongs to grain k.
+struct SleepState {
+  std::vector<std::uint8_t> asleep;
+  /// Looks in a row: of an awake grain those at which it was slow, of a sleeping one those since it fell
+  /// asleep.
+  std::vector<std::uint32_t> looks;
+  std::vector<Eigen::Vector3d> force;       ///< N, on a sleeping grain when it was first looked at
+  std::uint64_t sphere_steps_left_out = 0;  ///< spheres of blocks at rest, summed over steps
+};
+
+/// Who sleeps, and which blocks rest.
+class Sleeping {
+ public:
+  /// Sleepers are looked at every so many steps.
+  static constexpr std::uint64_t kStepsPerLook = 10;
+
+  /// Throws std::invalid_argument for limits that are not positive. `gravity` in m/s^2, `time_step` in s.
+  Sleeping(const SleepSettings& settings, const GrainShape& shape, const Eigen::Vector3d& gravity,
+           double time_step);
+
+  const SleepState& state() const { return state_; }
+  void restore(const SleepState& state) { state_ = state; }
+  bool asleep(std::size_t grain) const { return state_.asleep[grain] != 0; }
+  std::size_t sleepers() const;
+
+  /// Sorts `order` so that awake grains come first, and follows it: entry k becomes the former entry
+  /// order[k] of `grains`, of which the last ones may be new. Returns how many are awake.
+  std::size_t reorder(std::vector<std::uint32_t>& order, std::size_t grains);
+  /// Finds out which blocks rest. `anew`: contacts have been searched since it was last asked.
+  void sort_blocks(const NeighbourList& list, bool anew);
+  /// Whether neither pairs nor grains of block b need work.
+  bool rests(std::size_t b) const { return rests_[b] != 0; }
+  /// Whether the forces of a resting block are known; they stay as they are.
+  bool computed(std::size_t b) const { return computed_[b] != 0; }
+  void set_computed(std::size_t b) { computed_[b] = 1; }
+  void count_step(const NeighbourList& list);
+
+  /// Calls action(first, last) for each run of awake grains [first, last) within [begin, end).
+  template <class Action>
+  void for_awake(std::size_t begin, std::size_t end, const Action& action) const {
+    for (std::size_t first = begin; first < end;) {
+      if (asleep(first)) {
+        ++first;
+        continue;
+      }
+      std::size_t last = first + 1;
+      while (last < end && !asleep(last)) ++last;
+      action(first, last);
+      first = last;
+    }
+  }
+
+  /// J, of grain k.
+  double kinetic_energy(const Grains& grains, std::size_t k) const;
+  /// Takes down how slow every grain is; `grains.force` must be up to date for sleepers as well.
+  void look(const Grains& grains);
+  /// Sleepers that forces or fast neighbours wake now.
+  std::vector<std::uint32_t> disturbed(const Grains& grains, const NeighbourList& list,
+                                       const SphereField& spheres) const;
+  /// Sleepers in any of the boxes.
+  std::vector<std::uint32_t> within(const std::vector<Eigen::AlignedBox3d>& boxes,
+                                    const Grains& grains) const;
+  /// Wakes these sleepers, and those that they touch.
+  void wake(const std::vector<std::uint32_t>& sleepers, const NeighbourList& list,
+            const SphereField& spheres);
+  /// Grains that fall asleep now, none of them in any of the boxes: nobody while they are too few to be worth
+  /// a search of contacts.
+  std::vector<std::uint32_t> tired(const Grains& grains, const std::vector<Eigen::AlignedBox3d>& moving,
+                                   const NeighbourList& list, const SphereField& spheres) const;
+  void put_to_sleep(const std::vector<std::uint32_t>& grains);
+
+ private:
+  std::vector<std::uint8_t> calm(const Grains& grains, const std::vector<Eigen::AlignedBox3d>& moving) const;
+
+  GrainShape shape_;
+  double slow_energy_, waking_energy_;  ///< J
+  double waking_force_;                 ///< N
+  std::uint32_t looks_needed_;
+  SleepState state_;
+  std::vector<std::uint8_t> rests_, computed_;  ///< one a block
+};
+
+}  // namespace diefill::engine

@@ -1,0 +1,18 @@
+// What a run left out for the sake of speed, to be said in its results.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "engine/simulation.h"
+#include "process/scene/scene.h"
+
+namespace diefill::process {
+
+/// A line for each economy of the scene that is not there by default. `sphere_steps`: spheres times steps of
+/// the run, those left out included.
+std::vector<std::string> economies_in_words(const Scene& scene, const engine::Simulation& simulation,
+                                            std::uint64_t sphere_steps);
+
+}  // namespace diefill::process

@@ -1,0 +1,78 @@
+#include <cmath>
+
+#include "process/machine/powder_inflow.h"
+#include "process/scene/sections.h"
+
+namespace diefill::process {
+namespace {
+
+constexpr QuantityRule kSleepAfter = {Dimension::time, "5 ms", "0 s", "10 s", true};
+constexpr NumberRule kSleepEnergy = {0, 0.1, true, "1e-4"};
+constexpr NumberRule kWakeForce = {0, 0.9, true, "0.5"};
+
+/// Powder that sleeps in a tool that shakes would be shaken through the walls' grip alone, and wake at once.
+void refuse_sleep_while_shaken(TableReader& table, const Scene& scene) {
+  for (const auto& step : scene.steps)
+    if (step->stays() && !step->tools().empty())
+      table.reject("sleep", "the step \"" + step->in_words() +
+                                "\" shakes a tool, and powder that sleeps would not be shaken along; leave "
+                                "the key or the step out");
+}
+
+void refuse_period_across(TableReader& table, const Scene& scene, int axis) {
+  if (!scene.numerics.period[static_cast<std::size_t>(axis)]) return;
+  const std::string name = axis == 0 ? "x" : "y";
+  table.reject("mirror", "numerics.periodic repeats the scene along " + name +
+                             "; a half model has a wall there, leave one of the two out");
+}
+
+/// Grains would be poured on one side of the mirror plane only, and doubled.
+void refuse_lopsided(TableReader& table, const Eigen::Vector3d& lower, const Eigen::Vector3d& upper, int axis,
+                     const std::string& what) {
+  constexpr double kEqual = 1e-6;  // m
+  if (std::abs(lower[axis] + upper[axis]) <= kEqual) return;
+  table.reject("mirror", what + " reaches from " + number_in_words(1e3 * lower[axis]) + " to " +
+                             number_in_words(1e3 * upper[axis]) + " mm along " + (axis == 0 ? "x" : "y") +
+                             ", which is not the same on both sides of 0; a half model needs it to be");
+}
+
+void check_mirror(TableReader& table, Scene& scene) {
+  const int axis = *scene.economy.mirror;
+  refuse_period_across(table, scene, axis);
+  refuse_lopsided(table, scene.pour.lower, scene.pour.upper, axis, "the box of [pour]");
+  for (const auto& step : scene.steps) {
+    const PowderInflow* inflow = step->inflow();
+    if (inflow == nullptr) continue;
+    refuse_lopsided(table, inflow->lower, inflow->upper, axis,
+                    "the box of the step \"" + step->in_words() + "\"");
+    if (std::abs(inflow->velocity[axis]) > 0)
+      table.reject("mirror", "the step \"" + step->in_words() +
+                                 "\" lets powder in across the mirror plane; a half model needs it to come "
+                                 "in along the plane");
+  }
+  scene.pour.lower[axis] = 0;
+  if (scene.pour.upper[axis] >= scene.powder.grain_diameter) return;
+  table.reject("mirror", "half of the box of [pour] is narrower than a grain; leave the key out");
+}
+
+}  // namespace
+
+void read_economy(TableReader table, Scene& scene) {
+  static const Choices<int> planes = {{"x", 0}, {"y", 1}};
+  EconomySpec& economy = scene.economy;
+  economy.sleep = table.flag("sleep").value_or(economy.sleep);
+  economy.sleep_after = table.quantity("sleep_after", kSleepAfter).value_or(economy.sleep_after);
+  economy.sleep_energy = table.number("sleep_energy", kSleepEnergy).value_or(economy.sleep_energy);
+  economy.wake_force = table.number("wake_force", kWakeForce).value_or(economy.wake_force);
+  economy.mirror = table.choice("mirror", planes);
+  economy.drop_spilled = table.flag("drop_spilled").value_or(economy.drop_spilled);
+  economy.skip_far_walls = table.flag("skip_far_walls").value_or(economy.skip_far_walls);
+  table.finish();
+  if (economy.sleep) refuse_sleep_while_shaken(table, scene);
+  if (economy.mirror) {
+    economy.mirror_place = table.where("mirror");
+    check_mirror(table, scene);
+  }
+}
+
+}  // namespace diefill::process

@@ -1,0 +1,156 @@
+// What a scene does not compute: how little that changes, and where it is refused.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "process/results/result_file.h"
+#include "tests/app/small_die.h"
+
+namespace diefill::app {
+namespace {
+
+/// The small die's scene with lines of [economy].
+struct Economical : SmallDie {
+  explicit Economical(const std::string& lines) {
+    exchange("[numerics]", "[economy]\n" + lines + "\n\n[numerics]");
+  }
+  nlohmann::json filled() const {
+    const Outcome outcome = run();
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    return report();
+  }
+};
+
+double number(const nlohmann::json& report, const char* key) {
+  return report.at(key).get<double>();
+}
+
+const nlohmann::json& plain() {
+  static const nlohmann::json report = Economical("").filled();
+  return report;
+}
+
+void expect_refused(const SmallDie& die, const std::vector<std::string>& words) {
+  const Outcome outcome = die.run();
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
+  for (const auto& word : words) EXPECT_NE(outcome.err.find(word), std::string::npos) << outcome.err;
+  EXPECT_NE(outcome.err.find("economy.mirror"), std::string::npos) << outcome.err;
+}
+
+/// Filled masses (kg) of the same scene with several seeds.
+struct Fillings {
+  std::vector<double> masses;
+  double mean = 0, variance = 0;  ///< kg, kg^2
+
+  explicit Fillings(const std::string& lines) {
+    for (const char* seed : {"1", "2", "3", "4"}) {
+      const Economical die(lines);
+      die.exchange("seed = 1", std::string("seed = ") + seed);
+      masses.push_back(number(die.filled(), "filled_mass_kg"));
+      mean += masses.back() / 4;
+    }
+    for (const double mass : masses) variance += (mass - mean) * (mass - mean) / 3;
+  }
+};
+
+/// The difference of the means is within three standard errors of the scatter over seeds.
+void expect_same_filling(const std::string& lines) {
+  static const Fillings plain_fillings("");
+  const Fillings economical(lines);
+  const double error = std::sqrt((plain_fillings.variance + economical.variance) / 4);
+  EXPECT_NEAR(economical.mean, plain_fillings.mean, 3 * error);
+  EXPECT_LT(3 * error, 0.1 * plain_fillings.mean) << "the scatter is small enough to see something";
+}
+
+TEST(Economy, SleepFillsThePocketAsWell) {
+  expect_same_filling("sleep = true");
+  const auto asleep = Economical("sleep = true").filled();
+  EXPECT_EQ(number(plain(), "sphere_steps_left_out"), 0);
+  EXPECT_GT(number(asleep, "sphere_steps_left_out"), 0.02 * number(asleep, "sphere_steps"));
+  EXPECT_LT(std::abs(number(asleep, "energy_balance_error")), 0.01);
+  EXPECT_NE(asleep.at("warnings").dump().find("settled grains were put to sleep"), std::string::npos);
+}
+
+TEST(Economy, SleepersOutliveARestart) {
+  const Economical unbroken("sleep = true"), broken("sleep = true");
+  const auto expected = unbroken.filled();
+  Program program(broken.run_arguments());
+  while (program.running() && !std::filesystem::exists(broken.out() / "checkpoint.bin")) {
+  }
+  program.send(SIGKILL);
+  program.wait();
+  const Outcome outcome = broken.run({"--resume"});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  for (const char* key : {"state_hash", "filled_mass_kg", "steps", "sphere_steps_left_out"})
+    EXPECT_EQ(broken.report().at(key), expected.at(key)) << key;
+}
+
+TEST(Economy, HalfModelStandsForTheWhole) {
+  const Economical half("mirror = \"y\"");
+  const auto report = half.filled();
+  EXPECT_LT(number(report, "sphere_steps") / number(report, "steps"),
+            0.6 * number(plain(), "sphere_steps") / number(plain(), "steps"));
+  EXPECT_NEAR(number(report, "filled_mass_kg"), number(plain(), "filled_mass_kg"),
+              0.12 * number(plain(), "filled_mass_kg"));
+  EXPECT_NE(report.at("warnings").dump().find("half model"), std::string::npos);
+
+  const auto result = results::read_results(half.out());
+  const auto& powder = result.powder;
+  std::map<std::uint64_t, std::size_t> place;
+  for (std::size_t k = 0; k < powder.id.size(); ++k) place[powder.id[k]] = k;
+  EXPECT_EQ(place.size(), powder.id.size());
+  std::size_t images = 0;
+  for (std::size_t k = 0; k < powder.id.size(); ++k) {
+    if (powder.id[k] >> 32 != 0) continue;
+    const std::size_t image = place.at(powder.id[k] + (std::uint64_t{1} << 32));
+    ++images;
+    EXPECT_GE(powder.position[k].y(), 0.9 * powder.sphere_radius) << "none has gone through the plane";
+    EXPECT_EQ(powder.position[image].y(), -powder.position[k].y());
+    EXPECT_EQ(powder.position[image].x(), powder.position[k].x());
+  }
+  EXPECT_EQ(2 * images, powder.id.size());
+  for (const auto& tool : result.tools) {
+    double balance = 0;
+    for (const auto& centre : tool.wall_sphere_centres) balance += centre.y();
+    EXPECT_NEAR(balance, 0, 1e-9) << tool.name << ": its wall spheres are there on both sides";
+  }
+}
+
+TEST(Economy, HalfModelIsRefusedWhereHalvesDiffer) {
+  Economical askew("mirror = \"y\"");
+  askew.exchange("position = [\"3 mm\", \"0 mm\"", "position = [\"3 mm\", \"0.4 mm\"");
+  expect_refused(askew, {"tool \"shoe\"", "not its own mirror image across the plane y = 0"});
+
+  const std::string shake =
+      "[[step]]\nkind = \"vibration\"\ntool = \"die\"\namplitude = \"0.1 mm\"\nfrequency = \"100 Hz\"\n"
+      "duration = \"0.1 s\"\naxis = ";
+  Economical shaken("mirror = \"y\"");
+  shaken.exchange("[economy]", shake + "[0, 1, 0]\n\n[economy]");
+  expect_refused(shaken, {"vibration of die", "out of the mirror plane y = 0", "leave the key out"});
+
+  Economical turned("mirror = \"y\"");
+  turned.exchange(
+      "[economy]",
+      "[[step]]\nkind = \"rotation\"\ntool = \"die\"\naxis = \"z\"\nspeed = \"60 rpm\"\nramp = \"20 ms\"\n"
+      "duration = \"0.1 s\"\n\n[economy]");
+  expect_refused(turned, {"out of the mirror plane y = 0"});
+}
+
+TEST(Economy, FarWallsAreThereWhenAskedFor) {
+  const auto report = Economical("skip_far_walls = false").filled();
+  EXPECT_GT(number(report, "wall_spheres"), 1.5 * number(plain(), "wall_spheres"));
+  EXPECT_GT(number(report, "filled_mass_kg"), 0);
+}
+
+TEST(Economy, SpilledGrainsThatAreKeptAreGoneInTheEnd) {
+  const auto report = Economical("drop_spilled = false").filled();
+  EXPECT_EQ(number(report, "grains") + number(report, "grains_left") + number(report, "grains_sheared"), 138);
+  EXPECT_NEAR(number(report, "filled_mass_kg"), number(plain(), "filled_mass_kg"),
+              0.06 * number(plain(), "filled_mass_kg"));
+}
+
+}  // namespace
+}  // namespace diefill::app
