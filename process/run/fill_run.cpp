@@ -76,6 +76,12 @@ double expected_impact_speed(const Scene& scene, double fall_height) {
   return std::max(kSlowest, fall);
 }
 
+double foreseen_impact_speed(const Scene& scene, const Tooling& tooling) {
+  const double cavity_depth = tooling.cavity.found ? tooling.cavity.box.size()[2] : 0;
+  const double fall = std::max(pour_height(scene, shape_of(scene)) - scene.pour.fill_height, cavity_depth);
+  return std::max(expected_impact_speed(scene, fall), fastest_tool(scene, tooling));
+}
+
 FillRun::FillRun(const Scene& scene, const Tooling& tooling, const RunOptions& options)
     : scene_(scene),
       tooling_(tooling),
@@ -87,10 +93,9 @@ FillRun::FillRun(const Scene& scene, const Tooling& tooling, const RunOptions& o
       snapshots_(scene),
       lost_grains_(tooling, grain_diameter_),
       progress_(options.show_progress) {
+  if (scene.setting) throw std::logic_error("a scene's setting must be turned into numbers before it runs");
   const auto grains = pour(scene, shape_of(scene), tooling);
-  const double cavity_depth = tooling.cavity.found ? tooling.cavity.box.size()[2] : 0;
-  const double fall = std::max(pour_height(scene, shape_of(scene)) - scene.pour.fill_height, cavity_depth);
-  const double impact = std::max(expected_impact_speed(scene, fall), fastest_tool(scene, tooling));
+  const double impact = foreseen_impact_speed(scene, tooling);
   auto settings = engine_settings(scene, impact);
   settings.threads = options.threads;
   critical_step_ = process::critical_time_step(settings, impact);
@@ -190,6 +195,7 @@ void FillRun::duties() {
                       " s; the same command with --resume goes on");
   }
   if (stage_over || seconds_since(last_checkpoint_) > scene_.numerics.checkpoint_interval) write_checkpoint();
+  if (stage_over && options_.stage_over) options_.stage_over(*this);
 }
 
 void FillRun::let_spilled_grains_go() {
@@ -289,6 +295,7 @@ void FillRun::look_for_lost_grains() {
 }
 
 void FillRun::write_checkpoint() {
+  if (!options_.checkpoints) return;
   last_checkpoint_ = Clock::now();
   Checkpoint checkpoint;
   checkpoint.scene_hash = scene_hash();

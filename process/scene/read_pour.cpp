@@ -14,12 +14,15 @@ constexpr NumberRule kRandomOffset = {0, 0.5, false, "0.1"};
 
 }  // namespace
 
-PourSpec read_pour(TableReader table, const PowderSpec& powder, const NumericsSpec& numerics) {
+PourSpec read_pour(TableReader table, const PowderSpec& powder, const NumericsSpec& numerics,
+                   bool height_from_setting) {
   PourSpec pour;
   pour.line = table.line();
   pour.lower = table.required_point("from", kCorner);
   pour.upper = table.required_point("to", kCorner);
-  pour.fill_height = table.required_quantity("fill_height", kFillHeight);
+  // Until the setting is turned into numbers the box as a whole stands for the powder.
+  pour.fill_height = height_from_setting ? pour.upper[2] - pour.lower[2]
+                                         : table.required_quantity("fill_height", kFillHeight);
   pour.solid_fraction = table.number("solid_fraction", kSolidFraction).value_or(pour.solid_fraction);
   pour.rim_speed = table.quantity("rim_speed", kRimSpeed).value_or(pour.rim_speed);
   pour.lattice_constant = table.number("lattice_constant", kLatticeConstant).value_or(pour.lattice_constant);
