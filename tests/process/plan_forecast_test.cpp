@@ -46,8 +46,8 @@ TEST(PlanForecast, MotionAndPowderTakenAwayAreSeen) {
   support::SceneTables tables;
   tables.steps = R"([[step]]
 kind = "move"
-tools = "shoe"
-direction = "+y"
+tool = "shoe"
+direction = "y"
 distance = "10 mm"
 velocity = "0.1 m/s"
 acceleration = "10 m/s^2"

@@ -41,7 +41,7 @@ TEST(PlanNeeds, APistonPressesOnItsArea) {
   support::SceneTables tables;
   tables.steps = R"([[step]]
 kind = "piston"
-tools = "shoe"
+tool = "shoe"
 direction = "-z"
 force = "8 N"
 speed_limit = "0.1 m/s"
@@ -57,7 +57,7 @@ TEST(PlanNeeds, MotionAcrossThePlaneSpoilsTheSymmetry) {
   support::SceneTables tables;
   tables.steps = R"([[step]]
 kind = "vibration"
-tools = "shoe"
+tool = "shoe"
 axis = "y"
 amplitude = "0.1 mm"
 frequency = "50 Hz"
