@@ -17,8 +17,9 @@ process::Scene wanted_scene(const std::string& file, const std::string& setting)
   std::optional<process::Setting> wanted;
   if (!setting.empty()) wanted = process::setting_named(setting);
   auto scene = process::plan::settled_scene(process::read_scene(file), wanted);
-  for (std::size_t k = 0; k < scene.chosen.size(); ++k)
-    std::fprintf(stderr, k == 0 ? "%s:\n" : "  %s\n", scene.chosen[k].c_str());
+  const auto chosen = process::chosen_in(scene.text);
+  for (std::size_t k = 0; k < chosen.size(); ++k)
+    std::fprintf(stderr, k == 0 ? "%s:\n" : "  %s\n", chosen[k].c_str());
   return scene;
 }
 

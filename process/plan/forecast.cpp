@@ -5,7 +5,7 @@
 
 #include "process/plan/memory.h"
 #include "process/plan/pilot.h"
-#include "process/run/fill_run.h"
+#include "process/run/impact_speed.h"
 #include "process/run/material.h"
 #include "process/run/pour.h"
 

@@ -6,7 +6,7 @@
 #include "engine/time_step.h"
 #include "process/machine/force_control.h"
 #include "process/plan/setting.h"
-#include "process/run/fill_run.h"
+#include "process/run/impact_speed.h"
 #include "process/run/material.h"
 
 namespace diefill::process::plan {

@@ -1,5 +1,7 @@
 #include "process/plan/pilot.h"
 
+#include <unistd.h>
+
 #include <algorithm>
 #include <atomic>
 #include <condition_variable>
@@ -49,6 +51,19 @@ class Alarm {
   std::condition_variable over_;
   bool gone_ = false;
   std::thread thread_;
+};
+
+/// Where the pilot's checkpoints go; gone at the end.
+struct CheckpointFolder {
+  std::filesystem::path path =
+      std::filesystem::temp_directory_path() / ("diefill-pilot-" + std::to_string(getpid()));
+  CheckpointFolder() { std::filesystem::create_directories(path); }
+  ~CheckpointFolder() {
+    std::error_code error;
+    std::filesystem::remove_all(path, error);
+  }
+  CheckpointFolder(const CheckpointFolder&) = delete;
+  CheckpointFolder& operator=(const CheckpointFolder&) = delete;
 };
 
 /// Books what a run has cost since the last look to the kind of phase it was in.
@@ -101,7 +116,13 @@ Scene pilot_scene(const Scene& scene, const Tooling& tooling, double sphere_step
   pilot.numerics.time_step.reset();
   pilot.measure.snapshot_interval = 0;
   pilot.probes.clear();
-  pilot.snapshots.clear();
+  // Called for as soon as the poured powder rests and every so often from then on: moments to look at the
+  // clock.
+  SnapshotSpec look;
+  look.name = "pilot";
+  look.every = 2e-3;
+  pilot.snapshots = {look};
+  pilot.numerics.checkpoint_interval = 86400;
   const auto cheap = [&] { return forecast(pilot, tooling).sphere_steps() <= sphere_steps; };
   if (cheap()) return pilot;
   pilot.pour.fill_height = kLeastPowder * scene.pour.fill_height;
@@ -125,11 +146,14 @@ Pilot run_pilot(const Scene& scene, const Tooling& tooling, int threads, double 
   std::atomic<bool> stop{false};
   RunOptions options;
   options.threads = threads;
-  options.show_progress = options.checkpoints = false;
+  options.show_progress = false;
+  const CheckpointFolder folder;
+  options.directory = folder.path;
   options.stop = &stop;
-  options.stage_over = [&](const FillRun& run) {
-    books.book(run, kind, true, pilot);
-    kind = kind_of(run.schedule().stages(), run.schedule().state().steps);
+  options.snapshot = [&](const FillRun& run, const std::string&) {
+    const PhaseKind now = kind_of(run.schedule().stages(), run.schedule().state().steps);
+    books.book(run, kind, now != kind, pilot);
+    kind = now;
   };
   FillRun run(short_scene, tooling, options);
   books.begin(run);
@@ -142,7 +166,7 @@ Pilot run_pilot(const Scene& scene, const Tooling& tooling, int threads, double 
   } catch (const engine::OutOfRange& error) {
     pilot.stopped = error.what();
   }
-  if (!run.schedule().finished()) books.book(run, kind, false, pilot);
+  books.book(run, kind, run.schedule().finished(), pilot);
   for (const PhaseCost& cost : pilot.cost) pilot.wall_seconds += cost.wall_seconds;
   const PhaseCost& fall = pilot.of(PhaseKind::fall);
   if (fall.whole) pilot.rest.after_fall = std::max(0.0, fall.seconds - fall_time(short_scene, tooling));

@@ -8,7 +8,7 @@
 #include <sstream>
 
 #include "process/run/material.h"
-#include "process/run/tooling.h"
+#include "process/run/read_tooling.h"
 #include "process/scene/powder_presets.h"
 #include "process/scene/scene_text.h"
 #include "process/scene/sections.h"
@@ -94,7 +94,7 @@ void choose_fill_height(SettingNumbers& numbers, Setting setting, const Scene& s
                         const geometry::Cavity& cavity) {
   // Where the scene has a setting of its own, what stands here is the height of the pour box.
   const double given = scene.pour.fill_height, enough = enough_powder(scene, cavity);
-  const bool keep = !scene.setting && (setting == Setting::reference || !cavity.found);
+  const bool keep = !setting_of(scene) && (setting == Setting::reference || !cavity.found);
   numbers.fill_height = keep ? given : std::min(given, enough);
   if (numbers.fill_height < given)
     numbers.reasons.push_back(
@@ -167,16 +167,14 @@ Scene with_numbers(const Scene& scene, const SettingNumbers& numbers, const std:
   replace(document, "walls", "spacing", numbers.wall_spacing, said);
   replace(document, "pour", "fill_height", line("%.4g mm", rounded_down(1e3 * numbers.fill_height)), said);
   try {
-    Scene settled = scene_of(document, scene_text_of(document), scene.file);
-    settled.chosen = std::move(said);
-    return settled;
+    return scene_of(document, as_comment(said) + scene_text_of(document), scene.file);
   } catch (const SceneError& error) {
     throw SceneError(std::string(error.what()) + " (chosen by " + origin + ")");
   }
 }
 
 Scene settled_scene(const Scene& scene, const std::optional<Setting>& wanted) {
-  const auto setting = wanted ? wanted : scene.setting;
+  const auto setting = wanted ? wanted : setting_of(scene);
   if (!setting) return scene;
   const auto tooling = read_tooling(scene);
   return with_numbers(scene, numbers_of(*setting, scene, tooling.cavity), "setting " + in_words(*setting));

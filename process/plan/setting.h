@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "geometry/cavity.h"
-#include "process/scene/scene.h"
+#include "process/scene/setting.h"
 
 namespace diefill::process::plan {
 
@@ -36,8 +36,8 @@ double calibrated_diameter(const PowderSpec& powder);
 SettingNumbers numbers_of(Setting setting, const Scene& scene, const geometry::Cavity& cavity);
 
 /// `scene` with these numbers written into its text and read again, so that all checks hold and a result says
-/// what was run. `origin` names who chose, such as "setting working". What is replaced is said in
-/// Scene::chosen. Throws SceneError where the numbers do not suit the scene.
+/// what was run. `origin` names who chose, such as "setting working". What is replaced is said at
+/// the top of the text (process/scene/setting.h). Throws SceneError where the numbers do not suit the scene.
 Scene with_numbers(const Scene& scene, const SettingNumbers& numbers, const std::string& origin);
 
 /// The scene as it is to be run: with the numbers of `wanted`, or else of its own setting; unchanged if there

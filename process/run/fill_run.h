@@ -32,9 +32,6 @@ struct RunOptions {
   /// Called with the name of every snapshot whose time has come; after a restart possibly once more, in the
   /// same state.
   std::function<void(const FillRun&, const std::string&)> snapshot;
-  /// Called when steps of the schedule have ended or begun, after all duties of the time step.
-  std::function<void(const FillRun&)> stage_over;
-  bool checkpoints = true;  ///< false: none are written, for runs that only measure
 };
 
 /// The user stopped the run; a checkpoint has been written.
@@ -103,11 +100,7 @@ class FillRun {
   std::chrono::steady_clock::time_point started_, last_checkpoint_;
 };
 
-/// m/s: fastest collision to be expected of powder that falls by `fall_height` (m).
+/// m/s: fastest collision to be expected in a scene, from the depth of the pour and the tools' motion.
 double expected_impact_speed(const Scene& scene, double fall_height);
-
-/// m/s: fastest collision to be expected in a scene, from the depth of the pour, of the cavity, and the
-/// tools' motion. Steps must have been prepared.
-double foreseen_impact_speed(const Scene& scene, const Tooling& tooling);
 
 }  // namespace diefill::process

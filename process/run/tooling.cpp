@@ -9,6 +9,7 @@
 #include "geometry/solid_query.h"
 #include "process/run/periodic_tool.h"
 #include "process/run/reachable_surface.h"
+#include "process/run/read_tooling.h"
 #include "process/run/stages.h"
 #include "process/run/tool_fit.h"
 

@@ -51,13 +51,9 @@ Tool read_tool(const Scene& scene, const ToolSpec& spec);
 /// Throws SceneError when the tool's mesh encloses no solid.
 void refuse_unusable(const Scene& scene, const Tool& tool);
 
-/// Reads and examines the tools and settles what the scene's steps leave to the geometry (Step::prepare).
-/// Without wall spheres. Throws SceneError or geometry::MeshError for tools that cannot be used.
-Tooling read_tooling(const Scene& scene);
-
-/// What read_tooling() gives, with wall spheres on what powder can reach. `smallest_radius` (m) is that of
-/// the powder's spheres: a wall it could pass is refused. Throws SceneError or geometry::MeshError for tools
-/// that cannot be used.
+/// Reads and examines the tools, settles what the scene's steps leave to the geometry (Step::prepare), and
+/// covers what powder can reach with wall spheres. `smallest_radius` (m) is that of the powder's spheres: a
+/// wall it could pass is refused. Throws SceneError or geometry::MeshError for tools that cannot be used.
 Tooling build_tooling(const Scene& scene, double smallest_radius, double grain_diameter);
 
 /// The tool's motion in a step as an engine pose of its body frame.

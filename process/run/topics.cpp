@@ -4,6 +4,7 @@
 
 #include "process/run/assemble.h"
 #include "process/run/law_terms.h"
+#include "process/scene/setting.h"
 
 #ifndef DIEFILL_LIBRARIES
 #error "the build names the libraries in DIEFILL_LIBRARIES"
@@ -134,12 +135,13 @@ results::Topic assumptions_topic(const Scene& scene, const engine::SimulationSet
 
 /// What a setting chose; nothing for a scene that gives its own numbers.
 void add_setting_topic(const Scene& scene, std::vector<results::Topic>& topics) {
-  if (scene.chosen.empty()) return;
+  const auto chosen = chosen_in(scene.text);
+  if (chosen.empty()) return;
   results::Topic topic{"setting", {}, {}};
-  state(topic, "Chosen by", scene.chosen.front());
-  for (std::size_t k = 1; k < scene.chosen.size(); ++k) {
-    const std::size_t equals = scene.chosen[k].find(" = ");
-    state(topic, scene.chosen[k].substr(0, equals), scene.chosen[k].substr(equals + 3));
+  state(topic, "Chosen by", chosen.front());
+  for (std::size_t k = 1; k < chosen.size(); ++k) {
+    const std::size_t equals = chosen[k].find(" = ");
+    state(topic, chosen[k].substr(0, equals), chosen[k].substr(equals + 3));
   }
   topics.push_back(std::move(topic));
 }

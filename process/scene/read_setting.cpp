@@ -1,5 +1,10 @@
+#include <toml++/toml.h>
+
+#include <sstream>
+
 #include "process/scene/nearest_key.h"
-#include "process/scene/sections.h"
+#include "process/scene/scene_text.h"
+#include "process/scene/setting.h"
 
 namespace diefill::process {
 namespace {
@@ -16,6 +21,9 @@ constexpr std::pair<const char*, const char*> kChosen[] = {{"powder", "grain_dia
                                                            {"numerics", "time_step_fraction"},
                                                            {"walls", "spacing"},
                                                            {"pour", "fill_height"}};
+
+constexpr const char* kChosenBy = "# Numbers chosen by: ";
+constexpr const char* kChosenLine = "#   ";
 
 }  // namespace
 
@@ -46,6 +54,28 @@ std::optional<Setting> read_setting(TableReader& document) {
                               document.where("setting") + "); leave out one of the two");
   }
   return setting;
+}
+
+std::optional<Setting> setting_of(const Scene& scene) {
+  const toml::table document = parse_scene_text(scene.text, scene.file);
+  return TableReader(document, scene.file, "").choice("setting", settings());
+}
+
+std::string as_comment(const std::vector<std::string>& chosen) {
+  std::string text;
+  for (const auto& line : chosen) text += (text.empty() ? kChosenBy : kChosenLine) + line + '\n';
+  return text;
+}
+
+std::vector<std::string> chosen_in(const std::string& text) {
+  std::istringstream lines(text);
+  std::vector<std::string> chosen;
+  for (std::string line; std::getline(lines, line);) {
+    const std::string start = chosen.empty() ? kChosenBy : kChosenLine;
+    if (!line.starts_with(start)) break;
+    chosen.push_back(line.substr(start.size()));
+  }
+  return chosen;
 }
 
 }  // namespace diefill::process

@@ -147,26 +147,15 @@ struct MeasureSpec {
   double fill_plane = 0;       ///< m, height of the die's top
   double averaging_width = 0;  ///< m, sigma of Eq. 2.27; 0: the larger of 0.5 mm and d/2
   int azimuth_bins = 36;
-  double snapshot_interval = 0;       ///< s of simulated time between instants kept in the results; 0: none
+  double snapshot_interval = 0;  ///< s of simulated time between instants kept in the results; 0: none
   std::vector<SectionSpec> sections;  ///< empty: the plane through the cavity's axis along the shoe's motion
 };
-
-/// How fine to compute, for a scene that leaves grain size, time step, wall spheres and fill height to the
-/// planner (process/plan).
-enum class Setting { quick, working, reference };
-
-/// The setting as the scene spells it, such as "working".
-std::string in_words(Setting setting);
-/// The setting of that name. Throws SceneError, naming the nearest, for any other.
-Setting setting_named(const std::string& name);
 
 struct Scene {
   std::filesystem::path file;
   std::string text;  ///< as read
   std::string title;
   std::uint64_t seed = 1;
-  std::optional<Setting> setting;   ///< to be turned into numbers before anything runs: process/plan/setting
-  std::vector<std::string> chosen;  ///< what a setting chose and what it replaced, a line each
   PowderSpec powder;
   CoarseGraining coarse_graining = CoarseGraining::bierwisch;
   WallSpec walls;

@@ -12,8 +12,6 @@ namespace diefill::process {
 /// The scene in a parsed document; `text` and `file` are kept in it, and `file` stands in messages.
 Scene scene_of(const toml::table& parsed, const std::string& text, const std::filesystem::path& file);
 
-/// `setting`, with which the scene may not give a quantity that the setting chooses.
-std::optional<Setting> read_setting(TableReader& document);
 /// `coarse_graining` of [powder]; to be read before the rest, which rejects keys that nobody asked for.
 CoarseGraining read_coarse_graining(TableReader& table);
 /// The rest of [powder]: a preset, a preset with overrides, or a powder of its own.
@@ -24,9 +22,8 @@ WallSpec read_walls(TableReader table, const PowderSpec& powder);
 std::vector<ToolSpec> read_tools(TableReader& document, const WallSpec& walls, const PowderSpec& powder);
 /// [numerics].
 NumericsSpec read_numerics(TableReader table, const PowderSpec& powder);
-/// [pour]; a scene with a `setting` gives no fill height.
-PourSpec read_pour(TableReader table, const PowderSpec& powder, const NumericsSpec& numerics,
-                   bool height_from_setting);
+/// [pour].
+PourSpec read_pour(TableReader table, const PowderSpec& powder, const NumericsSpec& numerics);
 /// All [[step]] tables.
 std::vector<std::shared_ptr<Step>> read_steps(TableReader& document, const std::vector<ToolSpec>& tools);
 /// All [[probe]] tables.

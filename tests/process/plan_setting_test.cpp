@@ -57,10 +57,11 @@ TEST(PlanSetting, NumbersAreWrittenIntoTheSceneAndSaid) {
   EXPECT_NE(scene.text.find("0.47 mm"), std::string::npos) << scene.text;
   ASSERT_TRUE(scene.numerics.time_step);
   EXPECT_NEAR(*scene.numerics.time_step, 2e-6, 1e-15);
-  ASSERT_EQ(scene.chosen.size(), 3U);
-  EXPECT_EQ(scene.chosen[0], "setting reference");
-  EXPECT_NE(scene.chosen[1].find("powder.grain_diameter"), std::string::npos);
-  EXPECT_NE(scene.chosen[1].find("in place of '1.88 mm'"), std::string::npos) << scene.chosen[1];
+  const auto chosen = chosen_in(scene.text);
+  ASSERT_EQ(chosen.size(), 3U);
+  EXPECT_EQ(chosen[0], "setting reference");
+  EXPECT_NE(chosen[1].find("powder.grain_diameter"), std::string::npos);
+  EXPECT_NE(chosen[1].find("in place of '1.88 mm'"), std::string::npos) << chosen[1];
   // Reading the text gives the same again.
   EXPECT_EQ(parse_scene(scene.text, scene.file).powder.grain_diameter, scene.powder.grain_diameter);
 }
@@ -72,11 +73,11 @@ TEST(PlanSetting, ASceneThatLeavesNumbersToASettingIsRead) {
   tables.walls = "sphere_radius = \"0.15 mm\"\n";
   tables.pour = support::exchanged(tables.pour, "fill_height = \"24 mm\"\n", "");
   const PlannedScene planned(tables);
-  ASSERT_EQ(planned.scene.setting, Setting::working);
+  ASSERT_EQ(setting_of(planned.scene), Setting::working);
   const auto numbers = numbers_of(Setting::working, planned.scene, planned.tooling.cavity);
   const Scene scene = with_numbers(planned.scene, numbers, "setting working");
-  EXPECT_FALSE(scene.setting);
-  EXPECT_EQ(scene.text.find("setting ="), std::string::npos);
+  EXPECT_FALSE(setting_of(scene));
+  EXPECT_EQ(scene.text.find("setting = "), std::string::npos);
   EXPECT_NEAR(scene.powder.grain_diameter, 1.5e-3, 0.011e-3);
   EXPECT_LE(scene.powder.grain_diameter, 1.5e-3 * (1 + 1e-9));
   EXPECT_NEAR(scene.pour.fill_height, 0.019 + 5e-6 / (0.032 * 0.029), 1e-4);
