@@ -85,6 +85,9 @@ void print_sources(const plan::Plan& plan) {
       if (cost.sphere_steps > 0)
         std::printf(" %s %.1f ns a sphere and step%s;", plan::in_words(static_cast<plan::PhaseKind>(k)),
                     1e9 * cost.seconds_per_sphere_step(), cost.whole ? "" : " (begun)");
+      else
+        std::printf(" %s was not seen, and is taken to cost what the dearest does;",
+                    plan::in_words(static_cast<plan::PhaseKind>(k)));
     }
     std::printf(" reading the tools took %.1f s and comes on top\n", plan.tooling_seconds);
     if (!plan.pilot->stopped.empty())

@@ -93,8 +93,8 @@ void say_symmetry(const Needs& needs, std::vector<std::string>& said) {
     said.push_back("symmetry: the tools have no upright mirror plane across x or y in common");
   for (const auto& plane : needs.planes) {
     const char axis = std::abs(plane.normal[0]) > 0.5 ? 'x' : 'y';
-    const std::string where =
-        line("symmetry: the tools are mirror images across %c = %.3g mm", axis, 1e3 * plane.offset + 0.0);
+    const std::string where = line("symmetry: the tools are mirror images across %c = %.3g mm", axis,
+                                   std::round(1e6 * plane.offset) / 1e3 + 0.0);
     said.push_back(where + (plane.spoiler.empty()
                                 ? ", and so are powder and motion: one half stands for the whole"
                                 : ", but not " + plane.spoiler));

@@ -26,6 +26,9 @@ constexpr double kLeastPowder = 0.4;
 /// Over the narrowest width: coarser grains jam, and cannot be what a passage costs.
 constexpr double kCoarsestPilot = 0.75;
 
+/// s of motion that say what it costs, and how many times the limit may be passed to see them.
+constexpr double kMotionAtLeast = 3, kPatience = 3;
+
 /// Sets `flag` after `seconds`, unless it is gone by then.
 class Alarm {
  public:
@@ -141,6 +144,9 @@ Pilot run_pilot(const Scene& scene, const Tooling& tooling, int threads, double 
   Pilot pilot;
   pilot.grain_diameter = short_scene.powder.grain_diameter;
   pilot.fill_height = short_scene.pour.fill_height;
+  const auto phases = timeline(short_scene, tooling, pilot.rest);
+  const bool moves = std::any_of(phases.begin(), phases.end(),
+                                 [](const Phase& phase) { return phase.kind == PhaseKind::motion; });
   PhaseKind kind = PhaseKind::fall;
   Books books;
   std::atomic<bool> stop{false};
@@ -154,12 +160,14 @@ Pilot run_pilot(const Scene& scene, const Tooling& tooling, int threads, double 
     const PhaseKind now = kind_of(run.schedule().stages(), run.schedule().state().steps);
     books.book(run, kind, now != kind, pilot);
     kind = now;
+    const bool motion_seen = !moves || pilot.of(PhaseKind::motion).wall_seconds > kMotionAtLeast;
+    if (run.wall_seconds() > wall_limit && motion_seen) stop.store(true);
   };
   FillRun run(short_scene, tooling, options);
   books.begin(run);
   pilot.spheres = run.simulation().grains().size() * run.simulation().settings().shape.spheres();
   try {
-    const Alarm alarm(wall_limit, stop);
+    const Alarm alarm(kPatience * wall_limit, stop);
     run.run();
   } catch (const Interrupted&) {
     pilot.stopped = "its time was over";

@@ -37,7 +37,8 @@ struct Pilot {
 /// that still says something.
 Scene pilot_scene(const Scene& scene, const Tooling& tooling, double sphere_steps);
 
-/// Runs pilot_scene() for at most `wall_limit` s on `threads` threads. `tooling` is that of the scene.
+/// Runs pilot_scene() for `wall_limit` s on `threads` threads, or up to three times as long where nothing has
+/// moved by then. `tooling` is that of the scene.
 Pilot run_pilot(const Scene& scene, const Tooling& tooling, int threads, double wall_limit);
 
 }  // namespace diefill::process::plan
