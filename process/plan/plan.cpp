@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cmath>
 
+#include "process/plan/memory.h"
 #include "process/run/material.h"
 
 namespace diefill::process::plan {
@@ -40,7 +41,10 @@ Choice choice_with(const std::string& name, const SettingNumbers& numbers, const
                    const Tooling& tooling, const std::optional<Pilot>& pilot) {
   Choice choice = choice_of(name, changed(scene, numbers, name), tooling, pilot);
   choice.numbers = numbers;
+  const auto before = static_cast<double>(choice.forecast.wall_spheres);
   choice.forecast.wall_spheres = wall_spheres_at(numbers.wall_spacing, scene, tooling);
+  choice.forecast.memory +=
+      predicted_memory(0, static_cast<double>(choice.forecast.wall_spheres)) - predicted_memory(0, before);
   return choice;
 }
 

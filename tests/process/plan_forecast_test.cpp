@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "process/plan/memory.h"
 #include "process/run/material.h"
 #include "process/run/pour.h"
 #include "tests/process/plan_sample.h"
@@ -71,7 +72,8 @@ duration = "0.5 s"
 }
 
 TEST(PlanForecast, WallTimeIsCostTimesSphereSteps) {
-  const Plan plan = sample_plan(PlannedScene());
+  const PlannedScene planned;
+  const Plan plan = sample_plan(planned);
   const Forecast& forecast = plan.choices[0].forecast;
   const double costs[] = {10e-9, 40e-9, 20e-9};
   double sum = 0;
@@ -84,6 +86,12 @@ TEST(PlanForecast, WallTimeIsCostTimesSphereSteps) {
   EXPECT_NEAR(*forecast.wall_seconds, sum, 1e-9 * sum);
 }
 
+TEST(PlanForecast, MemoryIsThatOfMeasuredRuns) {
+  // Peaks of `diefill run` in the narrow ring: spheres, wall spheres, bytes.
+  const double runs[][3] = {{5516, 58533, 564.49e6}, {5516, 128387, 631.27e6}, {27587, 82545, 615.31e6}};
+  for (const auto& run : runs) EXPECT_NEAR(predicted_memory(run[0], run[1]) / run[2], 1, 0.01);
+}
+
 TEST(PlanForecast, AKindThePilotDidNotSeeCostsWhatTheDearestDoes) {
   Pilot pilot;
   EXPECT_EQ(pilot.seconds_per_sphere_step(PhaseKind::motion), 0);
@@ -93,7 +101,8 @@ TEST(PlanForecast, AKindThePilotDidNotSeeCostsWhatTheDearestDoes) {
 }
 
 TEST(PlanForecast, WithinATimeTheFinestGrainsAreTakenThatFit) {
-  const Plan plan = sample_plan(PlannedScene());
+  const PlannedScene planned;
+  const Plan plan = sample_plan(planned);
   const double quick = *plan.choices[1].forecast.wall_seconds / 60;
   const double working = *plan.choices[2].forecast.wall_seconds / 60;
   const double time = std::sqrt(quick * working);
@@ -120,7 +129,8 @@ TEST(PlanForecast, ErrorsAreMeasuredOnesOrNotKnown) {
 }
 
 TEST(PlanForecast, TheCheapestChoiceWithinAnErrorIsTakenIfAnyIsKnown) {
-  Plan plan = sample_plan(PlannedScene());
+  const PlannedScene planned;
+  Plan plan = sample_plan(planned);
   EXPECT_FALSE(cheapest_within(plan, 0.5));
   plan.choices[2].error = ExpectedError{"solid fraction", 0.04, "test"};
   plan.choices[3].error = ExpectedError{"solid fraction", 0.01, "test"};

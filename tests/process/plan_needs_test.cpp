@@ -1,6 +1,9 @@
 // What a plan reads off tools, powder and steps.
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <numbers>
+
 #include "tests/process/plan_sample.h"
 
 namespace diefill::process::plan {
@@ -25,7 +28,7 @@ TEST(PlanNeeds, WidthPressureAndLaws) {
   EXPECT_NEAR(needs.coarsest_grain, 1.5e-3, 1e-12);
   // 4.5 mm less 1.4 times three more calibrated diameters.
   EXPECT_NEAR(needs.width_as_felt, 4.5e-3 - 1.4 * 3 * 6 * 7.84e-5, 1e-9);
-  const double density = 7.63e-8 / (7 * 4.0 / 3 * M_PI * std::pow(7.84e-5, 3));
+  const double density = 7.63e-8 / (7 * 4.0 / 3 * std::numbers::pi * std::pow(7.84e-5, 3));
   EXPECT_NEAR(needs.weight_pressure, density * 0.32 * 9.81 * (0.024 + 0.02), 1e-3);
   EXPECT_NEAR(needs.least_modulus, 3000 * needs.weight_pressure, 1e-6);
   EXPECT_EQ(needs.piston_pressure, 0);
@@ -74,8 +77,11 @@ duration = "0.2 s"
   EXPECT_TRUE(found);
   tables.steps = support::exchanged(tables.steps, "axis = \"y\"", "axis = \"x\"");
   const PlannedScene along(tables);
-  for (const auto& plane : needs_of(along.scene, along.tooling).planes)
-    if (plane.normal[1] > 0.5) EXPECT_EQ(plane.spoiler, "");
+  for (const auto& plane : needs_of(along.scene, along.tooling).planes) {
+    if (plane.normal[1] > 0.5) {
+      EXPECT_EQ(plane.spoiler, "");
+    }
+  }
 }
 
 }  // namespace
