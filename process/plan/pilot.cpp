@@ -178,6 +178,10 @@ Pilot run_pilot(const Scene& scene, const Tooling& tooling, int threads, double 
   for (const PhaseCost& cost : pilot.cost) pilot.wall_seconds += cost.wall_seconds;
   const PhaseCost& fall = pilot.of(PhaseKind::fall);
   if (fall.whole) pilot.rest.after_fall = std::max(0.0, fall.seconds - fall_time(short_scene, tooling));
+  const auto rests = std::count_if(phases.begin(), phases.end(),
+                                   [](const Phase& phase) { return phase.kind == PhaseKind::rest; });
+  if (pilot.of(PhaseKind::rest).whole && rests == 1)
+    pilot.rest.after_motion = pilot.of(PhaseKind::rest).seconds;
   return pilot;
 }
 
