@@ -7,6 +7,7 @@
 #include "app/drawing.h"
 #include "app/exit_code.h"
 #include "app/output.h"
+#include "app/scene_choice.h"
 #include "process/run/fill_run.h"
 #include "process/run/material.h"
 #include "process/run/pour.h"
@@ -16,7 +17,7 @@ namespace diefill::app {
 namespace {
 
 struct CheckArguments {
-  std::string scene, picture;
+  std::string scene, picture, setting;
   bool json = false;
 };
 
@@ -61,7 +62,7 @@ void print_simulation(const process::Scene& scene, const process::Tooling& tooli
 }
 
 int check(const CheckArguments& arguments) {
-  const process::Scene scene = process::read_scene(arguments.scene);
+  const process::Scene scene = wanted_scene(arguments.scene, arguments.setting);
   if (arguments.json || !arguments.picture.empty()) refuse_unusable(arguments, scene);
   const auto shape = process::engine_settings(scene, 1.0).shape;
   const auto tooling = process::build_tooling(scene, shape.sphere_radius, scene.powder.grain_diameter);
@@ -90,6 +91,7 @@ void add_check(CLI::App& program, Action& chosen) {
   auto* command = program.add_subcommand("check", "Examine the tools and the scene without simulating");
   auto arguments = std::make_shared<CheckArguments>();
   command->add_option("SCENE", arguments->scene, "scene file (TOML)")->required();
+  add_setting(*command, arguments->setting);
   command->add_flag("--json", arguments->json, "what was found about the tools as JSON, lengths in m");
   command->add_option("--picture", arguments->picture, "PNG of the tools with a mark at each finding");
   command->footer(

@@ -6,6 +6,7 @@
 #include "app/drawing.h"
 #include "app/exit_code.h"
 #include "app/output.h"
+#include "app/scene_choice.h"
 #include "process/results/group_names.h"
 #include "process/results/probe_table.h"
 #include "process/results/result_file.h"
@@ -23,7 +24,7 @@ void ask_to_stop(int) {
 }
 
 struct RunArguments {
-  std::string scene, directory;
+  std::string scene, directory, setting;
   int threads = 0;
   bool resume = false, quiet = false;
 };
@@ -64,7 +65,7 @@ void print_summary(const results::FillResult& result) {
 }
 
 int run(const RunArguments& arguments) {
-  const process::Scene scene = process::read_scene(arguments.scene);
+  const process::Scene scene = wanted_scene(arguments.scene, arguments.setting);
   const auto shape = process::engine_settings(scene, 1.0).shape;
   const auto tooling = process::build_tooling(scene, shape.sphere_radius, scene.powder.grain_diameter);
 
@@ -123,12 +124,15 @@ void add_run(CLI::App& program, Action& chosen) {
       ->add_option("--threads", arguments->threads,
                    "threads (default: all cores); results do not depend on it")
       ->check(CLI::Range(1, 1024));
+  add_setting(*command, arguments->setting);
   command->add_flag("--resume", arguments->resume, "go on from the checkpoint in the results directory");
   command->add_flag("--quiet", arguments->quiet, "no progress");
   command->footer(
       "Examples:\n"
       "  diefill run sample_tools/narrow_ring/fill.toml\n"
       "  diefill run my_die.toml --out results/my_die --threads 8\n"
+      "  diefill run my_die.toml --setting quick                   a first look (diefill plan says what it "
+      "is)\n"
       "  diefill run my_die.toml --out results/my_die --resume     after Ctrl-C or a crash\n"
       "Exit codes: 0 done, 1 failed, 2 bad input, 3 the method's valid range was left, 130 stopped (can be "
       "resumed).");

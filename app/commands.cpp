@@ -5,6 +5,7 @@ namespace diefill::app {
 void add_commands(CLI::App& program, Action& chosen) {
   add_run(program, chosen);
   add_check(program, chosen);
+  add_plan(program, chosen);
   add_compare(program, chosen);
   add_map(program, chosen);
   add_report(program, chosen);

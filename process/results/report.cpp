@@ -67,6 +67,9 @@ Json report(const FillResult& result) {
   json["seed"] = result.seed;
   json["program_version"] = result.program_version;
   json["warnings"] = result.warnings;
+  for (const Topic& topic : result.topics)
+    if (topic.topic == "setting")
+      for (std::size_t k = 0; k < topic.name.size(); ++k) json["setting"][topic.name[k]] = topic.text[k];
   json["phase_seconds"] = Json::object();
   for (const auto& [phase, seconds] : result.phase_seconds)
     json["phase_seconds"][phase] = json_number(seconds);

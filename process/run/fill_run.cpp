@@ -12,8 +12,10 @@
 #include "process/run/die_frame.h"
 #include "process/run/economies.h"
 #include "process/run/half_model.h"
+#include "process/run/impact_speed.h"
 #include "process/run/material.h"
 #include "process/run/pour.h"
+#include "process/scene/setting.h"
 
 namespace diefill::process {
 
@@ -56,32 +58,7 @@ std::vector<engine::WallBodySpec> wall_bodies(const Tooling& tooling,
   return bodies;
 }
 
-/// m/s, of any tool's farthest point in any step.
-double fastest_tool(const Scene& scene, const Tooling& tooling) {
-  constexpr int kInstants = 200;
-  constexpr double kOpenEnded = 1;  // s, long enough to see what such a step does
-  double fastest = 0;
-  for (const auto& step : scene.steps) {
-    const double length = step->open_ended() ? kOpenEnded : step->duration().value_or(kOpenEnded);
-    for (const auto& name : step->tools()) {
-      const geometry::Box box = tooling.tools[tooling.index_of(name)].mesh.bounding_box();
-      for (int n = 0; n <= kInstants; ++n) {
-        const ToolMotion motion = step->motion(length * n / kInstants);
-        const double reach = (0.5 * (box.lower + box.upper) - motion.pivot).norm() + 0.5 * box.size().norm();
-        fastest = std::max(fastest, motion.velocity.norm() + motion.angular_velocity.norm() * reach);
-      }
-    }
-  }
-  return fastest;
-}
-
 }  // namespace
-
-double expected_impact_speed(const Scene& scene, double fall_height) {
-  constexpr double kSlowest = 0.5;  // m/s: grains fall into cavities even where they are hardly poured
-  const double fall = std::sqrt(2 * scene.gravity.norm() * std::max(0.0, fall_height));
-  return std::max(kSlowest, fall);
-}
 
 FillRun::FillRun(const Scene& scene, const Tooling& tooling, const RunOptions& options)
     : scene_(scene),
@@ -95,9 +72,8 @@ FillRun::FillRun(const Scene& scene, const Tooling& tooling, const RunOptions& o
       lost_grains_(tooling, grain_diameter_),
       progress_(options.show_progress) {
   const auto grains = pour(scene, shape_of(scene), tooling);
-  const double cavity_depth = tooling.cavity.found ? tooling.cavity.box.size()[2] : 0;
-  const double fall = std::max(pour_height(scene, shape_of(scene)) - scene.pour.fill_height, cavity_depth);
-  const double impact = std::max(expected_impact_speed(scene, fall), fastest_tool(scene, tooling));
+  if (setting_of(scene)) throw std::logic_error("a setting must be turned into numbers before a scene runs");
+  const double impact = foreseen_impact_speed(scene, tooling);
   auto settings = engine_settings(scene, impact);
   settings.threads = options.threads;
   critical_step_ = process::critical_time_step(settings, impact);

@@ -57,12 +57,6 @@ Lattice lattice_of(const Scene& scene, const engine::GrainShape& shape) {
   return lattice;
 }
 
-std::size_t grains_wanted(const Scene& scene, const engine::GrainShape& shape) {
-  const Eigen::Vector3d size = scene.pour.upper - scene.pour.lower;
-  const double powder = size[0] * size[1] * scene.pour.fill_height * expected_solid_fraction(scene);
-  return static_cast<std::size_t>(std::llround(powder / shape.solid_volume));
-}
-
 /// Powder that starts beside or below the tools that stand would be let go as spilled at once.
 void refuse_powder_over_nothing(const Scene& scene, const geometry::Box& standing) {
   static const char* const kAxes[] = {"x", "y", "z"};
@@ -105,13 +99,19 @@ void refuse_overlap(const Scene& scene, const Tooling& tooling, const std::vecto
 
 }  // namespace
 
+std::size_t grains_to_pour(const Scene& scene, const engine::GrainShape& shape) {
+  const Eigen::Vector3d size = scene.pour.upper - scene.pour.lower;
+  const double powder = size[0] * size[1] * scene.pour.fill_height * expected_solid_fraction(scene);
+  return static_cast<std::size_t>(std::llround(powder / shape.solid_volume));
+}
+
 std::vector<engine::NewGrain> pour(const Scene& scene, const engine::GrainShape& shape,
                                    const Tooling& tooling) {
   const Lattice lattice = lattice_of(scene, shape);
   const double radius = shape.bounding_radius();
   Dice dice(scene.seed);
   refuse_powder_over_nothing(scene, tooling.standing);
-  std::vector<engine::NewGrain> grains(grains_wanted(scene, shape));
+  std::vector<engine::NewGrain> grains(grains_to_pour(scene, shape));
   if (grains.empty())
     throw SceneError(scene.file.string() + ":" + std::to_string(scene.pour.line) +
                      ": pour.fill_height: the box holds not even one grain at this height; raise it");
@@ -129,7 +129,7 @@ std::vector<engine::NewGrain> pour(const Scene& scene, const engine::GrainShape&
 double pour_height(const Scene& scene, const engine::GrainShape& shape) {
   const Lattice lattice = lattice_of(scene, shape);
   const std::size_t layer = lattice.across[0] * lattice.across[1];
-  const std::size_t layers = (grains_wanted(scene, shape) + layer - 1) / layer;
+  const std::size_t layers = (grains_to_pour(scene, shape) + layer - 1) / layer;
   return static_cast<double>(layers) * lattice.constant;
 }
 

@@ -16,6 +16,9 @@ namespace diefill::process {
 std::vector<engine::NewGrain> pour(const Scene& scene, const engine::GrainShape& shape,
                                    const Tooling& tooling);
 
+/// How many grains that is; none are made.
+std::size_t grains_to_pour(const Scene& scene, const engine::GrainShape& shape);
+
 /// m, height of the lattice's top over the box's floor: how deep the last grain falls.
 double pour_height(const Scene& scene, const engine::GrainShape& shape);
 

@@ -10,6 +10,7 @@
 #include "process/run/half_model.h"
 #include "process/run/periodic_tool.h"
 #include "process/run/reachable_surface.h"
+#include "process/run/read_tooling.h"
 #include "process/run/stages.h"
 #include "process/run/tool_fit.h"
 
@@ -225,7 +226,7 @@ geometry::Cavity cavity_between(const Scene& scene, const Tooling& tooling,
   return geometry::find_cavity(solids, scene.measure.fill_plane);
 }
 
-Tooling build_tooling(const Scene& scene, double smallest_radius, double grain_diameter) {
+Tooling read_tooling(const Scene& scene) {
   Tooling tooling;
   for (const auto& spec : scene.tools) tooling.tools.push_back(read_tool(scene, spec));
   for (const auto& tool : tooling.tools) refuse_unusable(scene, tool);
@@ -238,7 +239,11 @@ Tooling build_tooling(const Scene& scene, double smallest_radius, double grain_d
   tooling.mirror = scene.economy.mirror;
   refuse_asymmetry(scene, tooling);
   find_standing(scene, tooling);
+  return tooling;
+}
 
+Tooling build_tooling(const Scene& scene, double smallest_radius, double grain_diameter) {
+  Tooling tooling = read_tooling(scene);
   const ReachableSurface reachable(scene, tooling, grain_diameter);
   // Tools do not know of each other: they are covered side by side.
   std::vector<std::future<geometry::WallSpheres>> covered;

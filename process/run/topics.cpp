@@ -3,6 +3,8 @@
 #include <cstdio>
 
 #include "process/run/assemble.h"
+#include "process/run/law_terms.h"
+#include "process/scene/setting.h"
 
 #ifndef DIEFILL_LIBRARIES
 #error "the build names the libraries in DIEFILL_LIBRARIES"
@@ -109,8 +111,9 @@ results::Topic numerics_topic(const Scene& scene, const FillRun& run) {
   return topic;
 }
 
-results::Topic assumptions_topic(const Scene& scene) {
+results::Topic assumptions_topic(const Scene& scene, const engine::SimulationSettings& settings) {
   results::Topic topic{"assumptions", {}, {}};
+  state(topic, "Terms whose coefficients are zero", joined(law_terms(scene, settings).left_out));
   state(topic, "Grain size",
         "all grains are of one size and shape; sieve cuts and lubricant are in the "
         "calibrated parameters only");
@@ -130,6 +133,19 @@ results::Topic assumptions_topic(const Scene& scene) {
   return topic;
 }
 
+/// What a setting chose; nothing for a scene that gives its own numbers.
+void add_setting_topic(const Scene& scene, std::vector<results::Topic>& topics) {
+  const auto chosen = chosen_in(scene.text);
+  if (chosen.empty()) return;
+  results::Topic topic{"setting", {}, {}};
+  state(topic, "Chosen by", chosen.front());
+  for (std::size_t k = 1; k < chosen.size(); ++k) {
+    const std::size_t equals = chosen[k].find(" = ");
+    state(topic, chosen[k].substr(0, equals), chosen[k].substr(equals + 3));
+  }
+  topics.push_back(std::move(topic));
+}
+
 results::Topic versions_topic() {
   results::Topic topic{"versions", {}, {}};
   state(topic, "diefill", program_version());
@@ -141,9 +157,11 @@ results::Topic versions_topic() {
 }  // namespace
 
 std::vector<results::Topic> topics(const Scene& scene, const FillRun& run) {
-  return {powder_topic(scene),      model_topic(scene, run.simulation().settings()),
-          walls_topic(scene),       numerics_topic(scene, run),
-          assumptions_topic(scene), versions_topic()};
+  std::vector<results::Topic> topics = {
+      powder_topic(scene),        model_topic(scene, run.simulation().settings()),       walls_topic(scene),
+      numerics_topic(scene, run), assumptions_topic(scene, run.simulation().settings()), versions_topic()};
+  add_setting_topic(scene, topics);
+  return topics;
 }
 
 }  // namespace diefill::process

@@ -1,5 +1,6 @@
 #include "process/scene/plausibility.h"
 #include "process/scene/sections.h"
+#include "process/scene/setting.h"
 
 namespace diefill::process {
 namespace {
@@ -12,14 +13,14 @@ constexpr QuantityRule kRimSpeed = {Dimension::velocity, "0.05 m/s", "0 m/s", "1
 constexpr NumberRule kLatticeConstant = {1, 5, false, "1.2"};
 constexpr NumberRule kRandomOffset = {0, 0.5, false, "0.1"};
 
-}  // namespace
-
-PourSpec read_pour(TableReader table, const PowderSpec& powder, const NumericsSpec& numerics) {
+PourSpec read(TableReader& table, const PowderSpec& powder, const NumericsSpec& numerics,
+              bool height_of_box) {
   PourSpec pour;
   pour.line = table.line();
   pour.lower = table.required_point("from", kCorner);
   pour.upper = table.required_point("to", kCorner);
-  pour.fill_height = table.required_quantity("fill_height", kFillHeight);
+  pour.fill_height =
+      height_of_box ? pour.upper[2] - pour.lower[2] : table.required_quantity("fill_height", kFillHeight);
   pour.solid_fraction = table.number("solid_fraction", kSolidFraction).value_or(pour.solid_fraction);
   pour.rim_speed = table.quantity("rim_speed", kRimSpeed).value_or(pour.rim_speed);
   pour.lattice_constant = table.number("lattice_constant", kLatticeConstant).value_or(pour.lattice_constant);
@@ -27,6 +28,16 @@ PourSpec read_pour(TableReader table, const PowderSpec& powder, const NumericsSp
   table.finish();
   check_pour(table, pour, powder, numerics);
   return pour;
+}
+
+}  // namespace
+
+PourSpec read_pour(TableReader table, const PowderSpec& powder, const NumericsSpec& numerics) {
+  return read(table, powder, numerics, false);
+}
+
+PourSpec read_pour_without_height(TableReader table, const PowderSpec& powder, const NumericsSpec& numerics) {
+  return read(table, powder, numerics, true);
 }
 
 }  // namespace diefill::process

@@ -3,6 +3,7 @@
 #include "process/scene/scene.h"
 #include "process/scene/scene_text.h"
 #include "process/scene/sections.h"
+#include "process/scene/setting.h"
 
 namespace diefill::process {
 namespace {
@@ -26,13 +27,16 @@ Scene scene_of(const toml::table& parsed, const std::string& text, const std::fi
   scene.title = document.text("title").value_or(file.stem().string());
   scene.seed = static_cast<std::uint64_t>(document.integer("seed", 0, INT64_MAX).value_or(1));
   scene.gravity = {0, 0, -document.quantity("gravity", kGravity).value_or(9.81)};
+  const auto setting = read_setting(document);
   TableReader powder = document.required_table("powder");
   scene.coarse_graining = read_coarse_graining(powder);
   scene.powder = read_powder(powder);
   scene.walls = read_walls(table_or_empty(document, "walls", empty), scene.powder);
   scene.tools = read_tools(document, scene.walls, scene.powder);
   scene.numerics = read_numerics(table_or_empty(document, "numerics", empty), scene.powder);
-  scene.pour = read_pour(document.required_table("pour"), scene.powder, scene.numerics);
+  const TableReader pour = document.required_table("pour");
+  scene.pour = setting ? read_pour_without_height(pour, scene.powder, scene.numerics)
+                       : read_pour(pour, scene.powder, scene.numerics);
   scene.steps = read_steps(document, scene.tools);
   scene.probes = read_probes(document, scene.tools);
   scene.snapshots = read_snapshots(document, scene);

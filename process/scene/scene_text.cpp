@@ -4,8 +4,11 @@
 
 #include <algorithm>
 #include <cctype>
+#include <charconv>
 #include <fstream>
 #include <iterator>
+#include <regex>
+#include <sstream>
 
 #include "process/scene/scene_error.h"
 #include "process/scene/shown_value.h"
@@ -80,6 +83,19 @@ std::string syntax_remedy(const std::string& line, const std::string& reason) {
   return {};
 }
 
+/// The number at the end of the line with as few digits as give it back, since the library writes 0.15 as
+/// 0.14999999999999999; other lines as they are.
+std::string shortened(const std::string& line) {
+  static const std::regex number(R"(([A-Za-z0-9_-]+ = )(-?[0-9]+\.[0-9]+(e[-+]?[0-9]+)?))");
+  std::smatch part;
+  if (!std::regex_match(line, part, number)) return line;
+  char digits[40];
+  const auto end = std::to_chars(digits, digits + sizeof digits, std::stod(part[2])).ptr;
+  const std::string text(digits, end);
+  const bool whole = text.find_first_of(".e") == std::string::npos;
+  return part[1].str() + text + (whole ? ".0" : "");
+}
+
 }  // namespace
 
 std::string load_scene_text(const std::filesystem::path& file) {
@@ -121,6 +137,14 @@ toml::table parse_scene_text(const std::string& text, const std::filesystem::pat
                                    : "found `" + one_line(line) + "`, which is not TOML: " + reason +
                                          syntax_remedy(line, reason)));
   }
+}
+
+std::string scene_text_of(const toml::table& document) {
+  std::stringstream written;
+  written << document << '\n';
+  std::string text;
+  for (std::string line; std::getline(written, line);) text += shortened(line) + '\n';
+  return text;
 }
 
 }  // namespace diefill::process

@@ -16,4 +16,7 @@ std::string load_scene_text(const std::filesystem::path& file);
 /// line and, for the slips that people make, the remedy.
 toml::table parse_scene_text(const std::string& text, const std::filesystem::path& file);
 
+/// The document as the text of a scene file, numbers with as few digits as give them back.
+std::string scene_text_of(const toml::table& document);
+
 }  // namespace diefill::process

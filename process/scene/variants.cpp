@@ -4,9 +4,6 @@
 
 #include <algorithm>
 #include <cctype>
-#include <charconv>
-#include <regex>
-#include <sstream>
 
 #include "process/scene/nearest_key.h"
 #include "process/scene/scene_text.h"
@@ -97,28 +94,6 @@ std::string folder_of(const std::string& name) {
   return taken ? '_' + folder : folder;
 }
 
-/// The number at the end of the line with as few digits as give it back, since the library writes 0.15 as
-/// 0.14999999999999999; other lines as they are.
-std::string shortened(const std::string& line) {
-  static const std::regex number(R"(([A-Za-z0-9_-]+ = )(-?[0-9]+\.[0-9]+(e[-+]?[0-9]+)?))");
-  std::smatch part;
-  if (!std::regex_match(line, part, number)) return line;
-  char digits[40];
-  const auto end = std::to_chars(digits, digits + sizeof digits, std::stod(part[2])).ptr;
-  const std::string text(digits, end);
-  const bool whole = text.find_first_of(".e") == std::string::npos;
-  return part[1].str() + text + (whole ? ".0" : "");
-}
-
-/// The document as a scene file.
-std::string text_of(const toml::table& document) {
-  std::stringstream written;
-  written << document << '\n';
-  std::string text;
-  for (std::string line; std::getline(written, line);) text += shortened(line) + '\n';
-  return text;
-}
-
 /// Names and folders of all variants, in their order.
 std::vector<Variant> named_variants(const toml::table& document, const std::filesystem::path& file) {
   std::vector<Variant> variants;
@@ -149,7 +124,7 @@ Scene changed_scene(const std::string& text, const std::filesystem::path& file, 
     document.insert_or_assign("title", document["title"].value_or(file.stem().string()) + ": " + name);
   try {
     merge(document, changes, file, "variant");
-    return scene_of(document, text_of(document), file);
+    return scene_of(document, scene_text_of(document), file);
   } catch (const SceneError& error) {
     throw SceneError(std::string(error.what()) + " (in variant \"" + name + "\")");
   }
@@ -173,7 +148,7 @@ std::string scene_text_with(const Scene& scene, std::uint64_t seed, const std::v
   document.insert_or_assign("seed", static_cast<std::int64_t>(seed));
   toml::array& tools = *document["tool"].as_array();
   for (std::size_t k = 0; k < files.size(); ++k) tools[k].as_table()->insert_or_assign("file", files[k]);
-  return text_of(document);
+  return scene_text_of(document);
 }
 
 }  // namespace diefill::process

@@ -228,7 +228,7 @@ std::vector<Section> run_sections(const FillResult& result, int level) {
       pictures_section(result),
       strategy_section(result),
       tooling_section(result),
-      topics_section(result, "Powder and model", {"powder", "model", "walls", "numerics"}),
+      topics_section(result, "Powder and model", {"powder", "model", "walls", "numerics", "setting"}),
       topics_section(result, "What was left out", {"assumptions"}),
       stability_section(result),
       speed_section(result),

@@ -53,4 +53,17 @@ inline std::vector<WrongScene> wrong_syntax() {
   };
 }
 
+inline std::vector<WrongScene> wrong_settings() {
+  const std::string before = scene_up_to("seed = 1");
+  const std::string to_diameter = scene_up_to("\"1.88 mm\"").substr(before.size());
+  const std::string with_setting = "seed = 1\nsetting = \"working\"" + to_diameter.substr(8);
+  return {
+      spoil("setting_unknown", "seed = 1", "seed = 1\nsetting = @\"workin\"",
+            {"setting: found \"workin\"", "did you mean \"working\"?"}),
+      spoil("setting_and_grain_diameter", to_diameter, with_setting + "@",
+            {"powder.grain_diameter: found \"1.88 mm\"", "the setting \"working\" chooses it",
+             "scene.toml:3:11: setting", "leave out one of the two"}),
+  };
+}
+
 }  // namespace diefill::process

@@ -1,0 +1,26 @@
+#include "app/scene_choice.h"
+
+#include <cstdio>
+#include <optional>
+
+#include "process/plan/setting.h"
+
+namespace diefill::app {
+
+void add_setting(CLI::App& command, std::string& setting) {
+  command.add_option("--setting", setting,
+                     "quick, working or reference: the planner's grain diameter, time step, wall spacing and "
+                     "fill height in place of the scene's own numbers");
+}
+
+process::Scene wanted_scene(const std::string& file, const std::string& setting) {
+  std::optional<process::Setting> wanted;
+  if (!setting.empty()) wanted = process::setting_named(setting);
+  auto scene = process::plan::settled_scene(process::read_scene(file), wanted);
+  const auto chosen = process::chosen_in(scene.text);
+  for (std::size_t k = 0; k < chosen.size(); ++k)
+    std::fprintf(stderr, k == 0 ? "%s:\n" : "  %s\n", chosen[k].c_str());
+  return scene;
+}
+
+}  // namespace diefill::app

@@ -1,0 +1,18 @@
+// The scene that a command is to work on: as its file has it, or with the numbers of a setting.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <string>
+
+#include "process/scene/scene.h"
+
+namespace diefill::app {
+
+/// Adds --setting to a command.
+void add_setting(CLI::App& command, std::string& setting);
+
+/// Reads the scene. A setting of this name (empty: the scene's own, if it has one) is turned into numbers,
+/// and what it chose and replaced is said on standard error. Throws process::SceneError.
+process::Scene wanted_scene(const std::string& file, const std::string& setting);
+
+}  // namespace diefill::app

@@ -1,0 +1,68 @@
+#include "process/plan/forecast.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "process/plan/memory.h"
+#include "process/plan/pilot.h"
+#include "process/run/impact_speed.h"
+#include "process/run/material.h"
+#include "process/run/pour.h"
+
+namespace diefill::process::plan {
+
+double Forecast::steps() const {
+  double sum = 0;
+  for (const auto& phase : phases) sum += phase.steps;
+  return sum;
+}
+
+double Forecast::sphere_steps() const {
+  double sum = 0;
+  for (const auto& phase : phases) sum += phase.sphere_steps;
+  return sum;
+}
+
+double Forecast::seconds() const {
+  double sum = 0;
+  for (const auto& phase : phases) sum += phase.phase.seconds;
+  return sum;
+}
+
+Forecast forecast(const Scene& scene, const Tooling& tooling, const RestTimes& rest) {
+  const double impact = foreseen_impact_speed(scene, tooling);
+  const auto settings = engine_settings(scene, impact);
+  Forecast forecast;
+  forecast.grain_diameter = scene.powder.grain_diameter;
+  forecast.fill_height = scene.pour.fill_height;
+  forecast.time_step = settings.time_step;
+  forecast.critical_step = critical_time_step(settings, impact);
+  forecast.grains = grains_to_pour(scene, settings.shape);
+  forecast.spheres = forecast.grains * settings.shape.spheres();
+  forecast.wall_spheres = tooling.wall_spheres();
+  double largest_share = 1;
+  for (const Phase& phase : timeline(scene, tooling, rest)) {
+    PhaseForecast part;
+    part.phase = phase;
+    part.steps = std::ceil(phase.seconds / forecast.time_step);
+    part.sphere_steps = part.steps * phase.share * static_cast<double>(forecast.spheres);
+    largest_share = std::max(largest_share, phase.share);
+    forecast.phases.push_back(part);
+  }
+  forecast.memory = predicted_memory(largest_share * static_cast<double>(forecast.spheres),
+                                     static_cast<double>(forecast.wall_spheres));
+  return forecast;
+}
+
+Forecast forecast(const Scene& scene, const Tooling& tooling, const Pilot& pilot) {
+  Forecast forecast = plan::forecast(scene, tooling, pilot.rest);
+  double sum = 0;
+  for (auto& part : forecast.phases) {
+    part.wall_seconds = part.sphere_steps * pilot.seconds_per_sphere_step(part.phase.kind);
+    sum += part.wall_seconds;
+  }
+  if (sum > 0) forecast.wall_seconds = sum;
+  return forecast;
+}
+
+}  // namespace diefill::process::plan

@@ -1,0 +1,119 @@
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "process/plan/needs.h"
+#include "process/plan/setting.h"
+
+namespace diefill::process::plan {
+
+namespace {
+
+template <class... Numbers>
+std::string line(const char* format, Numbers... numbers) {
+  char text[400];
+  std::snprintf(text, sizeof text, format, numbers...);
+  return text;
+}
+
+void say_width(const Needs& needs, std::vector<std::string>& said) {
+  const auto& cavity = needs.cavity;
+  const double d = 1e3 * needs.grain_diameter;
+  if (!(needs.coarsest_grain > 0)) {
+    said.push_back(
+        line("width: no cavity below the fill plane, so the CAD does not say how coarse grains may "
+             "be; keep d (%.4g mm) below a third of the narrowest opening",
+             d));
+    return;
+  }
+  const Eigen::Vector3d place = 1e3 * cavity.narrowest_place;
+  said.push_back(
+      line("width: the cavity is narrowest, %.3f mm, near (%.2f, %.2f, %.2f) mm; a map to decide "
+           "from asks for d up to a third of it, %.4g mm; here d is %.4g mm, %.2f of it",
+           1e3 * cavity.narrowest_width, place[0], place[1], place[2], 1e3 * needs.coarsest_grain, d,
+           needs.grain_diameter / cavity.narrowest_width));
+  if (needs.grain_diameter > needs.calibrated_diameter * (1 + 1e-9))
+    said.push_back(
+        line("width as felt: to grains of %.4g mm instead of %.4g mm an opening acts as if narrower "
+             "by 1.4 times the difference: %.3f mm acts like %.3f mm (Bierwisch 2009, section "
+             "3.2.2); a ring drawn b0 + 1.4 d wide makes up for it",
+             d, 1e3 * needs.calibrated_diameter, 1e3 * cavity.narrowest_width, 1e3 * needs.width_as_felt));
+}
+
+void say_step(const Needs& needs, std::vector<std::string>& said) {
+  const double share = needs.time_step / needs.critical_step;
+  said.push_back(
+      line("time step: %.3g s, %.2f of the critical %.3g s at collisions of %.2g m/s; undamped grains "
+           "gain energy from 0.49 on, %.1f times as long (engine/STABILITY.md)",
+           needs.time_step, share, needs.critical_step, needs.impact_speed, 0.49 / share));
+}
+
+void say_stiffness(const Needs& needs, std::vector<std::string>& said) {
+  const std::string piston =
+      needs.piston_pressure > 0 ? line(" and %.3g kPa under the piston", 1e-3 * needs.piston_pressure) : "";
+  const std::string verdict =
+      needs.modulus >= needs.least_modulus
+          ? line("%.3g MPa is %.1f times that", 1e-6 * needs.modulus, needs.modulus / needs.least_modulus)
+          : line("%.3g MPa is too soft: raise powder.reduced_modulus", 1e-6 * needs.modulus);
+  said.push_back(
+      line("stiffness: powder's weight presses with %.3g kPa at most", 1e-3 * needs.weight_pressure) +
+      piston + line(", which asks for E~ of %.3g MPa (3000 times as much); ", 1e-6 * needs.least_modulus) +
+      verdict);
+  if (needs.damping_over_radius > kMostDamping)
+    said.push_back(
+        line("damping: gamma_n / R of %.2g Pa s/m is beyond 3e6, where it changes nothing but the "
+             "cost of a step; lower powder.damping_over_radius",
+             needs.damping_over_radius));
+}
+
+void say_walls(const Scene& scene, const Tooling& tooling, std::vector<std::string>& said) {
+  std::string each;
+  for (const Tool& tool : tooling.tools)
+    each += (each.empty() ? "" : ", ") + tool.spec.name + " " + std::to_string(tool.spheres.centres.size());
+  said.push_back("walls: " + std::to_string(tooling.wall_spheres()) +
+                 " wall spheres where powder can come (" + each + ")" +
+                 line(", radius %.3g mm, spacing %.2g radii; surfaces out of its reach have none",
+                      1e3 * scene.walls.sphere_radius, scene.walls.spacing));
+}
+
+void say_powder(const Needs& needs, const Scene& scene, std::vector<std::string>& said) {
+  const Eigen::Vector3d size = scene.pour.upper - scene.pour.lower;
+  const double takes = needs.cavity.found ? needs.cavity.volume / (size[0] * size[1]) : 0;
+  const double left = needs.fill_height - takes;
+  const char* verdict = left >= kEnoughPowder
+                            ? "deep enough: beyond 19 mm depth changes nothing"
+                            : "shallow: discharge at 10 mm differed from that at 19 and 41 mm";
+  said.push_back(line("powder height: %.4g mm in the shoe, %.3g mm when the cavity is full; ",
+                      1e3 * needs.fill_height, 1e3 * left) +
+                 verdict + " (Bierwisch 2009, section 4.1.6, slit of 6 mm, model D2)");
+}
+
+void say_symmetry(const Needs& needs, std::vector<std::string>& said) {
+  if (needs.planes.empty())
+    said.push_back("symmetry: the tools have no upright mirror plane across x or y in common");
+  for (const auto& plane : needs.planes) {
+    const char axis = std::abs(plane.normal[0]) > 0.5 ? 'x' : 'y';
+    const std::string where = line("symmetry: the tools are mirror images across %c = %.3g mm", axis,
+                                   std::round(1e6 * plane.offset) / 1e3 + 0.0);
+    said.push_back(where + (plane.spoiler.empty()
+                                ? ", and so are powder and motion: one half stands for the whole"
+                                : ", but not " + plane.spoiler));
+  }
+}
+
+}  // namespace
+
+std::vector<std::string> in_words(const Needs& needs, const Scene& scene, const Tooling& tooling) {
+  std::vector<std::string> said;
+  say_width(needs, said);
+  say_step(needs, said);
+  say_stiffness(needs, said);
+  say_walls(scene, tooling, said);
+  say_powder(needs, scene, said);
+  say_symmetry(needs, said);
+  said.push_back("laws in use: " + joined(needs.laws.used));
+  said.push_back("left out, their coefficients being zero: " + joined(needs.laws.left_out));
+  return said;
+}
+
+}  // namespace diefill::process::plan

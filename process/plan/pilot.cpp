@@ -1,0 +1,188 @@
+#include "process/plan/pilot.h"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <atomic>
+#include <condition_variable>
+#include <mutex>
+#include <thread>
+
+#include "process/plan/forecast.h"
+#include "process/plan/setting.h"
+#include "process/run/fill_run.h"
+#include "process/run/material.h"
+
+namespace diefill::process::plan {
+
+namespace {
+
+/// Some 10 s on two cores of 2024.
+constexpr double kPilotSphereSteps = 3e8;
+/// Fewer are not enough for costs to carry over (narrow ring: 800 grains cost as much each as 3,900).
+constexpr std::size_t kFewestGrains = 500;
+/// Less powder than this leaves the tools without what they move.
+constexpr double kLeastPowder = 0.4;
+/// Over the narrowest width: coarser grains jam, and cannot be what a passage costs.
+constexpr double kCoarsestPilot = 0.75;
+
+/// s of motion that say what it costs, and how many times the limit may be passed to see them.
+constexpr double kMotionAtLeast = 3, kPatience = 3;
+
+/// Sets `flag` after `seconds`, unless it is gone by then.
+class Alarm {
+ public:
+  Alarm(double seconds, std::atomic<bool>& flag)
+      : thread_([this, seconds, &flag] {
+          std::unique_lock lock(mutex_);
+          if (!over_.wait_for(lock, std::chrono::duration<double>(seconds), [this] { return gone_; }))
+            flag.store(true);
+        }) {}
+  ~Alarm() {
+    {
+      const std::lock_guard lock(mutex_);
+      gone_ = true;
+    }
+    over_.notify_all();
+    thread_.join();
+  }
+  Alarm(const Alarm&) = delete;
+  Alarm& operator=(const Alarm&) = delete;
+
+ private:
+  std::mutex mutex_;
+  std::condition_variable over_;
+  bool gone_ = false;
+  std::thread thread_;
+};
+
+/// Where the pilot's checkpoints go; gone at the end.
+struct CheckpointFolder {
+  std::filesystem::path path =
+      std::filesystem::temp_directory_path() / ("diefill-pilot-" + std::to_string(getpid()));
+  CheckpointFolder() { std::filesystem::create_directories(path); }
+  ~CheckpointFolder() {
+    std::error_code error;
+    std::filesystem::remove_all(path, error);
+  }
+  CheckpointFolder(const CheckpointFolder&) = delete;
+  CheckpointFolder& operator=(const CheckpointFolder&) = delete;
+};
+
+/// Books what a run has cost since the last look to the kind of phase it was in.
+class Books {
+ public:
+  void book(const FillRun& run, PhaseKind kind, bool whole, Pilot& pilot) {
+    PhaseCost& cost = pilot.cost[static_cast<std::size_t>(kind)];
+    cost.wall_seconds += run.wall_seconds() - wall_;
+    cost.sphere_steps += static_cast<double>(run.sphere_steps() - sphere_steps_);
+    cost.seconds += run.simulation().time() - time_;
+    cost.whole = whole;
+    wall_ = run.wall_seconds();
+    sphere_steps_ = run.sphere_steps();
+    time_ = run.simulation().time();
+  }
+  void begin(const FillRun& run) { wall_ = run.wall_seconds(); }
+
+ private:
+  double wall_ = 0, time_ = 0;
+  std::uint64_t sphere_steps_ = 0;
+};
+
+double largest_diameter(const Scene& scene, const Tooling& tooling) {
+  constexpr double kGrainsAcross = 4, kLargestFactor = 20;
+  double largest = kLargestFactor * calibrated_diameter(scene.powder);
+  if (tooling.cavity.found && tooling.cavity.narrowest_width > 0)
+    largest = std::min(largest, kCoarsestPilot * tooling.cavity.narrowest_width);
+  for (std::size_t axis = 0; axis < 2; ++axis) {
+    const auto i = static_cast<Eigen::Index>(axis);
+    if (scene.numerics.period[axis])
+      largest = std::min(largest, *scene.numerics.period[axis] / kGrainsAcross);
+    largest = std::min(largest, (scene.pour.upper[i] - scene.pour.lower[i]) / kGrainsAcross);
+  }
+  return std::max(largest, scene.powder.grain_diameter);
+}
+
+}  // namespace
+
+double Pilot::seconds_per_sphere_step(PhaseKind kind) const {
+  if (of(kind).sphere_steps > 0) return of(kind).seconds_per_sphere_step();
+  double dearest = 0;
+  for (const PhaseCost& other : cost)
+    if (other.sphere_steps > 0) dearest = std::max(dearest, other.seconds_per_sphere_step());
+  return dearest;
+}
+
+Scene pilot_scene(const Scene& scene, const Tooling& tooling, double sphere_steps) {
+  constexpr double kFiner = 1.05;
+  Scene pilot = scene;
+  pilot.numerics.time_step.reset();
+  pilot.measure.snapshot_interval = 0;
+  pilot.probes.clear();
+  // Called for as soon as the poured powder rests and every so often from then on: moments to look at the
+  // clock.
+  SnapshotSpec look;
+  look.name = "pilot";
+  look.every = 2e-3;
+  pilot.snapshots = {look};
+  pilot.numerics.checkpoint_interval = 86400;
+  const auto cheap = [&] { return forecast(pilot, tooling).sphere_steps() <= sphere_steps; };
+  if (cheap()) return pilot;
+  pilot.pour.fill_height = kLeastPowder * scene.pour.fill_height;
+  const double largest = largest_diameter(scene, tooling);
+  while (!cheap() && pilot.powder.grain_diameter * kFiner <= largest) {
+    pilot.powder.grain_diameter *= kFiner;
+    if (forecast(pilot, tooling).grains >= kFewestGrains) continue;
+    pilot.powder.grain_diameter /= kFiner;
+    break;
+  }
+  return pilot;
+}
+
+Pilot run_pilot(const Scene& scene, const Tooling& tooling, int threads, double wall_limit) {
+  const Scene short_scene = pilot_scene(scene, tooling, kPilotSphereSteps);
+  Pilot pilot;
+  pilot.grain_diameter = short_scene.powder.grain_diameter;
+  pilot.fill_height = short_scene.pour.fill_height;
+  const auto phases = timeline(short_scene, tooling, pilot.rest);
+  const bool moves = std::any_of(phases.begin(), phases.end(),
+                                 [](const Phase& phase) { return phase.kind == PhaseKind::motion; });
+  PhaseKind kind = PhaseKind::fall;
+  Books books;
+  std::atomic<bool> stop{false};
+  RunOptions options;
+  options.threads = threads;
+  options.show_progress = false;
+  const CheckpointFolder folder;
+  options.directory = folder.path;
+  options.stop = &stop;
+  options.snapshot = [&](const FillRun& run, const std::string&) {
+    const PhaseKind now = kind_of(run.schedule().stages(), run.schedule().state().steps);
+    books.book(run, kind, now != kind, pilot);
+    kind = now;
+    const bool motion_seen = !moves || pilot.of(PhaseKind::motion).wall_seconds > kMotionAtLeast;
+    if (run.wall_seconds() > wall_limit && motion_seen) stop.store(true);
+  };
+  FillRun run(short_scene, tooling, options);
+  books.begin(run);
+  pilot.spheres = run.simulation().grains().size() * run.simulation().settings().shape.spheres();
+  try {
+    const Alarm alarm(kPatience * wall_limit, stop);
+    run.run();
+  } catch (const Interrupted&) {
+    pilot.stopped = "its time was over";
+  } catch (const engine::OutOfRange& error) {
+    pilot.stopped = error.what();
+  }
+  books.book(run, kind, run.schedule().finished(), pilot);
+  for (const PhaseCost& cost : pilot.cost) pilot.wall_seconds += cost.wall_seconds;
+  const PhaseCost& fall = pilot.of(PhaseKind::fall);
+  if (fall.whole) pilot.rest.after_fall = std::max(0.0, fall.seconds - fall_time(short_scene, tooling));
+  const auto rests = std::count_if(phases.begin(), phases.end(),
+                                   [](const Phase& phase) { return phase.kind == PhaseKind::rest; });
+  if (pilot.of(PhaseKind::rest).whole && rests == 1)
+    pilot.rest.after_motion = pilot.of(PhaseKind::rest).seconds;
+  return pilot;
+}
+
+}  // namespace diefill::process::plan

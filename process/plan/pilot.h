@@ -1,0 +1,44 @@
+// A short run of the scene itself, with less and coarser powder, to learn what this machine takes for a
+// sphere and a time step in each phase: settling, motion and rest differ by how often neighbours are
+// searched.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+
+#include "process/plan/timeline.h"
+
+namespace diefill::process::plan {
+
+/// What a pilot run has found of one kind of phase.
+struct PhaseCost {
+  double wall_seconds = 0, sphere_steps = 0;
+  double seconds = 0;  ///< simulated
+  bool whole = false;  ///< the phase was run to its end
+  double seconds_per_sphere_step() const { return wall_seconds / sphere_steps; }
+};
+
+/// A pilot run.
+struct Pilot {
+  double grain_diameter = 0, fill_height = 0;  ///< m
+  std::size_t spheres = 0;
+  double wall_seconds = 0;
+  std::array<PhaseCost, kPhaseKinds> cost;  ///< by PhaseKind
+  RestTimes rest;                           ///< as found, or as usual where it was not seen
+  std::string stopped;                      ///< why it ended early; empty: it did not
+
+  const PhaseCost& of(PhaseKind kind) const { return cost[static_cast<std::size_t>(kind)]; }
+  /// s a sphere and step in a phase of this kind; a kind that was not seen costs what the dearest other does.
+  double seconds_per_sphere_step(PhaseKind kind) const;
+};
+
+/// The scene with as much less and coarser powder as makes it cost at most `sphere_steps`, or as little as
+/// that still says something.
+Scene pilot_scene(const Scene& scene, const Tooling& tooling, double sphere_steps);
+
+/// Runs pilot_scene() for `wall_limit` s on `threads` threads, or up to three times as long where nothing has
+/// moved by then. `tooling` is that of the scene.
+Pilot run_pilot(const Scene& scene, const Tooling& tooling, int threads, double wall_limit);
+
+}  // namespace diefill::process::plan

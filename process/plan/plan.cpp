@@ -1,0 +1,112 @@
+#include "process/plan/plan.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+#include "process/plan/memory.h"
+#include "process/run/material.h"
+
+namespace diefill::process::plan {
+
+namespace {
+
+/// The scene with `numbers`, on the prepared steps of `scene`.
+Scene changed(const Scene& scene, const SettingNumbers& numbers, const std::string& origin) {
+  Scene other = with_numbers(scene, numbers, origin);
+  other.steps = scene.steps;
+  return other;
+}
+
+/// Wall spheres of `spacing` where `tooling` has those of `scene`: as many to an area as the spacing allows.
+std::size_t wall_spheres_at(double spacing, const Scene& scene, const Tooling& tooling) {
+  double count = 0;
+  for (const Tool& tool : tooling.tools) {
+    const double ratio = tool.spec.spacing ? 1 : scene.walls.spacing / spacing;
+    count += ratio * ratio * static_cast<double>(tool.spheres.centres.size());
+  }
+  return static_cast<std::size_t>(std::llround(count));
+}
+
+Choice choice_of(const std::string& name, const Scene& scene, const Tooling& tooling,
+                 const std::optional<Pilot>& pilot) {
+  Choice choice;
+  choice.name = name;
+  choice.forecast = pilot ? forecast(scene, tooling, *pilot) : forecast(scene, tooling);
+  choice.error = expected_error(scene.powder, scene.powder.grain_diameter, tooling.cavity.narrowest_width);
+  return choice;
+}
+
+Choice choice_with(const std::string& name, const SettingNumbers& numbers, const Scene& scene,
+                   const Tooling& tooling, const std::optional<Pilot>& pilot) {
+  Choice choice = choice_of(name, changed(scene, numbers, name), tooling, pilot);
+  choice.numbers = numbers;
+  const auto before = static_cast<double>(choice.forecast.wall_spheres);
+  choice.forecast.wall_spheres = wall_spheres_at(numbers.wall_spacing, scene, tooling);
+  choice.forecast.memory +=
+      predicted_memory(0, static_cast<double>(choice.forecast.wall_spheres)) - predicted_memory(0, before);
+  return choice;
+}
+
+double seconds_since(std::chrono::steady_clock::time_point then) {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - then).count();
+}
+
+}  // namespace
+
+Plan make_plan(const Scene& scene, const PlanOptions& options) {
+  Plan plan;
+  plan.scene = settled_scene(scene, std::nullopt);
+  const auto shape = engine_settings(plan.scene, 1.0).shape;
+  const auto began = std::chrono::steady_clock::now();
+  plan.tooling = build_tooling(plan.scene, shape.sphere_radius, plan.scene.powder.grain_diameter);
+  plan.tooling_seconds = seconds_since(began);
+  plan.needs = needs_of(plan.scene, plan.tooling);
+  plan.statements = in_words(plan.needs, plan.scene, plan.tooling);
+  if (options.pilot) plan.pilot = run_pilot(plan.scene, plan.tooling, options.threads, options.pilot_limit);
+  add_choices(plan);
+  return plan;
+}
+
+void add_choices(Plan& plan) {
+  plan.choices.push_back(choice_of("as the scene has it", plan.scene, plan.tooling, plan.pilot));
+  for (const Setting setting : {Setting::quick, Setting::working, Setting::reference})
+    plan.choices.push_back(choice_with(in_words(setting),
+                                       numbers_of(setting, plan.scene, plan.tooling.cavity), plan.scene,
+                                       plan.tooling, plan.pilot));
+}
+
+std::optional<Choice> finest_within(const Plan& plan, double minutes) {
+  if (!plan.pilot) return std::nullopt;
+  SettingNumbers numbers = numbers_of(Setting::working, plan.scene, plan.tooling.cavity);
+  const auto with = [&](double diameter) {
+    numbers.grain_diameter = diameter;
+    return choice_with("fits the time", numbers, plan.scene, plan.tooling, plan.pilot);
+  };
+  const auto fits = [&](const Choice& choice) {
+    return choice.forecast.wall_seconds && *choice.forecast.wall_seconds <= 60 * minutes;
+  };
+  const Setting ends[] = {Setting::reference, Setting::quick};
+  double finest = numbers_of(ends[0], plan.scene, plan.tooling.cavity).grain_diameter;
+  double coarsest = numbers_of(ends[1], plan.scene, plan.tooling.cavity).grain_diameter;
+  if (fits(with(finest))) return with(finest);
+  if (!fits(with(coarsest))) return std::nullopt;
+  constexpr double kClose = 1.005;
+  while (coarsest > kClose * finest) {
+    const double middle = std::sqrt(finest * coarsest);
+    (fits(with(middle)) ? coarsest : finest) = middle;
+  }
+  return with(coarsest);
+}
+
+std::optional<std::size_t> cheapest_within(const Plan& plan, double error) {
+  std::optional<std::size_t> best;
+  for (std::size_t k = 0; k < plan.choices.size(); ++k) {
+    const Choice& choice = plan.choices[k];
+    if (!choice.error || choice.error->error > error) continue;
+    if (!best || choice.forecast.sphere_steps() < plan.choices[*best].forecast.sphere_steps()) best = k;
+  }
+  return best;
+}
+
+}  // namespace diefill::process::plan

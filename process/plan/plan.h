@@ -1,0 +1,55 @@
+// A plan of a scene: what it needs, and what it would take as it stands and with each setting.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "process/plan/expected_error.h"
+#include "process/plan/forecast.h"
+#include "process/plan/needs.h"
+#include "process/plan/pilot.h"
+#include "process/plan/setting.h"
+
+namespace diefill::process::plan {
+
+/// One way of running the scene.
+struct Choice {
+  std::string name;                       ///< "as the scene has it", "quick", ...
+  std::optional<SettingNumbers> numbers;  ///< nothing: the scene's own
+  Forecast forecast;
+  std::optional<ExpectedError> error;
+};
+
+struct Plan {
+  Scene scene;  ///< with the numbers of its setting, where it has one
+  Tooling tooling;
+  Needs needs;
+  std::vector<std::string> statements;  ///< of needs, one a line
+  std::optional<Pilot> pilot;
+  double tooling_seconds = 0;   ///< s of wall-clock time to read and cover the tools
+  std::vector<Choice> choices;  ///< the scene's own, then quick, working, reference
+};
+
+/// What to plan with.
+struct PlanOptions {
+  int threads = 2;
+  bool pilot = true;        ///< run a pilot; without it no time is known
+  double pilot_limit = 15;  ///< s of wall-clock time
+};
+
+/// Reads the tools, runs the pilot, and puts the plan together. Throws as a run of the scene would.
+Plan make_plan(const Scene& scene, const PlanOptions& options);
+
+/// Fills in `choices` from the scene, the tooling and the pilot.
+void add_choices(Plan& plan);
+
+/// The finest grains, down to the calibrated size, with which the working setting takes at most `minutes`
+/// (wall clock). Nothing if even the coarsest grains of the quick setting take longer, or there is no pilot.
+std::optional<Choice> finest_within(const Plan& plan, double minutes);
+
+/// Index of the choice that is cheapest among those whose error is known and at most `error` (a share);
+/// nothing if there is none.
+std::optional<std::size_t> cheapest_within(const Plan& plan, double error);
+
+}  // namespace diefill::process::plan

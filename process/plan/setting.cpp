@@ -1,0 +1,183 @@
+#include "process/plan/setting.h"
+
+#include <toml++/toml.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <sstream>
+
+#include "process/run/material.h"
+#include "process/run/read_tooling.h"
+#include "process/scene/powder_presets.h"
+#include "process/scene/scene_text.h"
+#include "process/scene/sections.h"
+
+namespace diefill::process::plan {
+
+namespace {
+
+template <class... Numbers>
+std::string line(const char* format, Numbers... numbers) {
+  char text[300];
+  std::snprintf(text, sizeof text, format, numbers...);
+  return text;
+}
+
+/// A length or time that is to be written into a scene: rounded down to three digits.
+double rounded_down(double value) {
+  const double unit = std::pow(10, std::floor(std::log10(value)) - 2);
+  return std::floor(value / unit * (1 + 1e-9)) * unit;
+}
+
+/// A grain size and what sets it.
+struct Bound {
+  double diameter;  ///< m
+  std::string reason;
+};
+
+/// Grains must fit between periods and into the pour box (process/scene/plausibility).
+void bound_by_box(const Scene& scene, std::vector<Bound>& bounds) {
+  constexpr double kGrainsAcross = 4;
+  for (std::size_t axis = 0; axis < 2; ++axis) {
+    if (const auto period = scene.numerics.period[axis])
+      bounds.push_back({*period / kGrainsAcross, line("a quarter of the period of %.4g mm", 1e3 * *period)});
+    const auto i = static_cast<Eigen::Index>(axis);
+    const double width = scene.pour.upper[i] - scene.pour.lower[i];
+    bounds.push_back({width / kGrainsAcross, line("a quarter of the pour box's %.4g mm", 1e3 * width)});
+  }
+}
+
+Bound coarsest(Setting setting, const Scene& scene, const geometry::Cavity& cavity) {
+  const double calibrated = calibrated_diameter(scene.powder);
+  const bool quick = setting == Setting::quick;
+  std::vector<Bound> bounds;
+  if (setting == Setting::reference) {
+    bounds.push_back({calibrated, "the powder's own, without coarse graining"});
+  } else {
+    const double factor = (quick ? 2 : 1) * kProvenFactor;
+    bounds.push_back({factor * calibrated,
+                      quick ? line("%.3g times the calibrated size, beyond what was held against published "
+                                   "figures",
+                                   factor)
+                            : line("%.3g times the calibrated size, as far as coarse graining was held "
+                                   "against published figures",
+                                   factor)});
+  }
+  if (cavity.found && cavity.narrowest_width > 0) {
+    const double share = quick ? kCoarsestRun : kCoarsestToDecide;
+    bounds.push_back(
+        {share * cavity.narrowest_width, quick ? line("%.2f of the narrowest width, a first look only", share)
+                                               : std::string("a third of the narrowest width")});
+  }
+  bound_by_box(scene, bounds);
+  return *std::min_element(bounds.begin(), bounds.end(),
+                           [](const Bound& a, const Bound& b) { return a.diameter < b.diameter; });
+}
+
+/// The largest spacing of wall spheres that leaves holes smaller than half a basic sphere: of 2.4, as in the
+/// quick start, and 1.6 (engine/STABILITY.md, walls).
+double coarsest_spacing(const Scene& scene, double sphere_radius) {
+  constexpr double kWide = 2.4, kUsual = 1.6;
+  const double hole = (kWide * std::sqrt(2.0) - 2) * scene.walls.sphere_radius;
+  return hole < sphere_radius ? kWide : kUsual;
+}
+
+/// m: depth of powder in the shoe, with what the cavity takes spread over the pour box.
+double enough_powder(const Scene& scene, const geometry::Cavity& cavity) {
+  const Eigen::Vector3d size = scene.pour.upper - scene.pour.lower;
+  const double cavity_takes = cavity.found ? cavity.volume / (size[0] * size[1]) : 0;
+  return kEnoughPowder + cavity_takes;
+}
+
+void choose_fill_height(SettingNumbers& numbers, Setting setting, const Scene& scene,
+                        const geometry::Cavity& cavity) {
+  // Where the scene has a setting of its own, what stands here is the height of the pour box.
+  const double given = scene.pour.fill_height, enough = enough_powder(scene, cavity);
+  const bool keep = !setting_of(scene) && (setting == Setting::reference || !cavity.found);
+  numbers.fill_height = keep ? given : std::min(given, enough);
+  if (numbers.fill_height < given)
+    numbers.reasons.push_back(
+        line("powder in the shoe %.4g mm deep: 19 mm, beyond which depth changes nothing "
+             "(Bierwisch 2009, section 4.1.6), and what the cavity takes",
+             1e3 * numbers.fill_height));
+  else
+    numbers.reasons.push_back(line("powder in the shoe %.4g mm deep, as the scene has it", 1e3 * given));
+}
+
+/// Scenes write 0.47 mm for the 0.4704 mm of model D (process/scene/README.md).
+double printed_over_exact(const PowderSpec& powder) {
+  const double tabulated = reference_sphere_radius(powder.model);
+  if (powder.name == "custom" || powder.sphere_radius != tabulated) return 1;
+  return nominal_grain_diameter(powder.model) / calibrated_diameter(powder);
+}
+
+/// Lays `value` over [table] key of the document, and says what stood there.
+template <class Value>
+void replace(toml::table& document, const std::string& table, const std::string& key, const Value& value,
+             std::vector<std::string>& said) {
+  if (!document.contains(table)) document.insert(table, toml::table{});
+  toml::table& into = *document[table].as_table();
+  const auto show = [&] {
+    std::stringstream text;
+    text << into[key];
+    return text.str();
+  };
+  const std::string before = into.contains(key) ? show() : "";
+  into.insert_or_assign(key, value);
+  if (before != show())
+    said.push_back(table + "." + key + " = " + show() + (before.empty() ? "" : ", in place of " + before));
+}
+
+}  // namespace
+
+double calibrated_diameter(const PowderSpec& powder) {
+  return powder.grain_diameter / coarse_graining_factor(powder);
+}
+
+SettingNumbers numbers_of(Setting setting, const Scene& scene, const geometry::Cavity& cavity) {
+  SettingNumbers numbers;
+  const Bound bound = coarsest(setting, scene, cavity);
+  numbers.grain_diameter = bound.diameter;
+  numbers.reasons.push_back(line("grains of %.4g mm: ", 1e3 * bound.diameter) + bound.reason);
+  const double factor = bound.diameter / calibrated_diameter(scene.powder);
+  const double sphere_radius = factor * scene.powder.sphere_radius;
+  if (setting == Setting::quick) numbers.wall_spacing = coarsest_spacing(scene, sphere_radius);
+  numbers.reasons.push_back(line("wall spheres %.2g of their radius apart", numbers.wall_spacing));
+  if (setting == Setting::reference) {
+    constexpr double kPublishedStep = 2e-6;  // s at the calibrated size (Bierwisch 2009, Table C.4)
+    numbers.time_step = kPublishedStep * factor;
+    numbers.reasons.push_back(
+        line("time step of %.3g s, the published one in proportion to the grain size", *numbers.time_step));
+  }
+  choose_fill_height(numbers, setting, scene, cavity);
+  return numbers;
+}
+
+Scene with_numbers(const Scene& scene, const SettingNumbers& numbers, const std::string& origin) {
+  toml::table document = parse_scene_text(scene.text, scene.file);
+  std::vector<std::string> said = {origin};
+  document.erase("setting");
+  const double millimetres = rounded_down(1e3 * numbers.grain_diameter * printed_over_exact(scene.powder));
+  replace(document, "powder", "grain_diameter", line("%.4g mm", millimetres), said);
+  if (document.contains("numerics"))
+    for (const char* key : {"time_step", "time_step_fraction"}) document["numerics"].as_table()->erase(key);
+  if (numbers.time_step)
+    replace(document, "numerics", "time_step", line("%.4g us", 1e6 * *numbers.time_step), said);
+  replace(document, "walls", "spacing", numbers.wall_spacing, said);
+  replace(document, "pour", "fill_height", line("%.4g mm", rounded_down(1e3 * numbers.fill_height)), said);
+  try {
+    return scene_of(document, as_comment(said) + scene_text_of(document), scene.file);
+  } catch (const SceneError& error) {
+    throw SceneError(std::string(error.what()) + " (chosen by " + origin + ")");
+  }
+}
+
+Scene settled_scene(const Scene& scene, const std::optional<Setting>& wanted) {
+  const auto setting = wanted ? wanted : setting_of(scene);
+  if (!setting) return scene;
+  const auto tooling = read_tooling(scene);
+  return with_numbers(scene, numbers_of(*setting, scene, tooling.cavity), "setting " + in_words(*setting));
+}
+
+}  // namespace diefill::process::plan

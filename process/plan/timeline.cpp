@@ -1,0 +1,94 @@
+#include "process/plan/timeline.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "process/machine/clear.h"
+#include "process/machine/powder_inflow.h"
+#include "process/run/material.h"
+#include "process/run/pour.h"
+
+namespace diefill::process::plan {
+
+namespace {
+
+bool is_on(const StepState& state, double time) {
+  return !state.waits() && state.started <= time && (state.ended < 0 || time < state.ended);
+}
+
+/// Grains that the cavity holds when it is full.
+double grains_in_cavity(const Scene& scene, const Tooling& tooling, const engine::GrainShape& shape) {
+  return tooling.cavity.found ? tooling.cavity.volume * expected_solid_fraction(scene) / shape.solid_volume
+                              : 0;
+}
+
+/// Grains over those poured at `time`: steps let some in and take some away.
+double share_at(double time, const Scene& scene, const Tooling& tooling, const Stages& stages,
+                const std::vector<StepState>& states) {
+  const auto shape = engine_settings(scene, 1.0).shape;
+  const auto poured = static_cast<double>(grains_to_pour(scene, shape));
+  double grains = poured;
+  for (std::size_t k = 0; k < stages.size(); ++k) {
+    if (states[k].waits() || states[k].started > time) continue;
+    const PowderInflow* inflow = stages.steps[k]->inflow();
+    const double lasted = std::max(1e-12, states[k].ended - states[k].started);
+    if (inflow != nullptr && inflow->mass)
+      grains += *inflow->mass / shape.mass * std::min(1.0, (time - states[k].started) / lasted);
+    if (stages.steps[k]->removal() != nullptr)
+      grains = std::min(grains, grains_in_cavity(scene, tooling, shape));
+  }
+  return grains / poured;
+}
+
+}  // namespace
+
+const char* in_words(PhaseKind kind) {
+  switch (kind) {
+    case PhaseKind::fall:
+      return "settling of the poured powder";
+    case PhaseKind::motion:
+      return "motion";
+    case PhaseKind::rest:
+      break;
+  }
+  return "rest";
+}
+
+double fall_time(const Scene& scene, const Tooling&) {
+  const auto shape = engine_settings(scene, 1.0).shape;
+  const double height = std::max(0.0, pour_height(scene, shape) - scene.pour.fill_height);
+  return std::sqrt(2 * height / scene.gravity.norm());
+}
+
+PhaseKind kind_of(const Stages& stages, const std::vector<StepState>& states) {
+  if (states.front().is_on()) return PhaseKind::fall;
+  for (std::size_t k = 0; k < stages.size(); ++k)
+    if (states[k].is_on() && (!stages.steps[k]->tools().empty() || stages.steps[k]->inflow() != nullptr))
+      return PhaseKind::motion;
+  return PhaseKind::rest;
+}
+
+std::vector<Phase> timeline(const Scene& scene, const Tooling& tooling, const RestTimes& rest) {
+  const Stages stages(scene);
+  const auto states = foreseen(stages, rest.after_motion);
+  std::vector<double> times;
+  for (const auto& state : states) {
+    times.push_back(state.started);
+    times.push_back(state.ended);
+  }
+  std::sort(times.begin(), times.end());
+  std::vector<Phase> phases = {{PhaseKind::fall, fall_time(scene, tooling) + rest.after_fall, 1}};
+  const double settled = states.front().ended;
+  for (std::size_t k = 0; k + 1 < times.size(); ++k) {
+    if (times[k] < settled || times[k + 1] <= times[k]) continue;
+    const double middle = 0.5 * (times[k] + times[k + 1]);
+    std::vector<StepState> now = states;
+    for (auto& state : now)
+      if (is_on(state, middle)) state.ended = -1;
+    const double share = share_at(middle, scene, tooling, stages, states);
+    phases.push_back({kind_of(stages, now), times[k + 1] - times[k], share});
+  }
+  return phases;
+}
+
+}  // namespace diefill::process::plan

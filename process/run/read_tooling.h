@@ -1,0 +1,13 @@
+// The tools of a scene before they are covered with wall spheres: enough to know the cavity and the motions.
+#pragma once
+
+#include "process/run/tooling.h"
+
+namespace diefill::process {
+
+/// Reads and examines the tools and settles what the scene's steps leave to the geometry (Step::prepare), as
+/// build_tooling() does, but without wall spheres. Throws SceneError or geometry::MeshError for tools that
+/// cannot be used.
+Tooling read_tooling(const Scene& scene);
+
+}  // namespace diefill::process

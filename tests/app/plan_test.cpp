@@ -1,0 +1,75 @@
+// diefill plan, and settings of diefill run and check, as a user meets them.
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "tests/app/small_die.h"
+
+namespace diefill::app {
+namespace {
+
+nlohmann::json plan(const SmallDie& die, const std::vector<std::string>& more) {
+  std::vector<std::string> arguments = {"plan", die.scene().string(), "--json"};
+  arguments.insert(arguments.end(), more.begin(), more.end());
+  const Outcome outcome = run_program(arguments);
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  return nlohmann::json::parse(outcome.out);
+}
+
+TEST(Plan, SaysWhatASampleSceneNeeds) {
+  const std::string scene = std::string(DIEFILL_SOURCE_DIR) + "/sample_tools/narrow_ring/fill.toml";
+  const Outcome outcome = run_program({"plan", scene, "--no-benchmark"});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_NE(outcome.out.find("narrowest, 4.462 mm"), std::string::npos) << outcome.out;
+  EXPECT_NE(outcome.out.find("d is 1.882 mm, 0.42 of it"), std::string::npos) << outcome.out;
+  EXPECT_NE(outcome.out.find("across y = 0 mm, and so are powder and motion"), std::string::npos)
+      << outcome.out;
+  EXPECT_NE(outcome.out.find("not known"), std::string::npos) << outcome.out;
+}
+
+TEST(Plan, CountsWhatTheRunThenHas) {
+  const SmallDie die;
+  const auto json = plan(die, {"--minutes", "10", "--error", "0.05"});
+  ASSERT_EQ(json["choices"].size(), 4U);
+  const auto& own = json["choices"][0];
+  EXPECT_NEAR(json["needs"]["narrowest_width_m"].get<double>(), 4e-3, 1e-4);
+  EXPECT_GT(own["wall_seconds"].get<double>(), 0);
+  EXPECT_TRUE(json["within_error"].is_null());
+  ASSERT_EQ(die.run().exit_code, 0);
+  const auto report = die.report();
+  const double left = report["grains"].get<double>() + report["grains_left"].get<double>();
+  EXPECT_EQ(own["grains"].get<double>(), left + report["grains_sheared"].get<double>());
+  EXPECT_EQ(own["wall_spheres"], report["wall_spheres"]);
+  EXPECT_NEAR(own["time_step_s"].get<double>(), report["time_step_s"].get<double>(), 1e-12);
+  EXPECT_NEAR(own["simulated_s"].get<double>(), report["simulated_s"].get<double>(),
+              0.3 * report["simulated_s"].get<double>());
+}
+
+TEST(Plan, ASettingTakesThePlaceOfTheScenesNumbersAndTheReportSaysSo) {
+  const SmallDie die;
+  const Outcome outcome = die.run({"--setting", "quick"});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_NE(outcome.err.find("setting quick"), std::string::npos) << outcome.err;
+  EXPECT_NE(outcome.err.find("in place of '1 mm'"), std::string::npos) << outcome.err;
+  const auto report = die.report();
+  EXPECT_EQ(report["setting"]["Chosen by"], "setting quick");
+  EXPECT_GT(report["grain_diameter_m"].get<double>(), 1.01e-3);
+}
+
+TEST(Plan, WrongInputEndsInOneLine) {
+  const SmallDie die;
+  const Outcome setting = run_program({"check", die.scene().string(), "--setting", "quik"});
+  EXPECT_EQ(setting.exit_code, 2);
+  EXPECT_EQ(setting.complaints(), 1U) << setting.err;
+  EXPECT_NE(setting.err.find("did you mean \"quick\"?"), std::string::npos) << setting.err;
+  EXPECT_EQ(run_program({"plan", die.scene().string(), "--minutes", "-1"}).exit_code, 2);
+  EXPECT_EQ(run_program({"plan", (die.folder() / "none.toml").string()}).exit_code, 2);
+  die.exchange("seed = 1", "seed = 1\nsetting = \"working\"");
+  const Outcome both = run_program({"plan", die.scene().string(), "--no-benchmark"});
+  EXPECT_EQ(both.exit_code, 2);
+  EXPECT_EQ(both.complaints(), 1U) << both.err;
+  EXPECT_NE(both.err.find("leave out one of the two"), std::string::npos) << both.err;
+}
+
+}  // namespace
+}  // namespace diefill::app

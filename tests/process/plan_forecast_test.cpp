@@ -1,0 +1,143 @@
+// Counts, phases, costs and errors of a plan, held against numbers by hand.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "process/plan/memory.h"
+#include "process/run/material.h"
+#include "process/run/pour.h"
+#include "tests/process/plan_sample.h"
+
+namespace diefill::process::plan {
+namespace {
+
+/// Seven touching spheres of R = d / 6.
+double solid_volume(double diameter) {
+  return 7 * 4.0 / 3 * std::numbers::pi * std::pow(diameter / 6, 3);
+}
+
+TEST(PlanForecast, CountsGrainsFromThePourBox) {
+  const PlannedScene planned;
+  const auto forecast = plan::forecast(planned.scene, planned.tooling);
+  const double grains = 0.032 * 0.029 * 0.024 * 0.32 / solid_volume(planned.scene.powder.grain_diameter);
+  EXPECT_NEAR(static_cast<double>(forecast.grains), grains, 1);
+  EXPECT_EQ(forecast.spheres, 7 * forecast.grains);
+  EXPECT_EQ(forecast.wall_spheres, 300U);
+}
+
+TEST(PlanForecast, PhasesAreTheFallTheStepsAndTheRest) {
+  const PlannedScene planned;
+  RestTimes rest;
+  rest.after_fall = 0.1;
+  rest.after_motion = 0.2;
+  const auto phases = timeline(planned.scene, planned.tooling, rest);
+  ASSERT_EQ(phases.size(), 3U);
+  const auto shape = engine_settings(planned.scene, 1.0).shape;
+  const double height = pour_height(planned.scene, shape) - 0.024;
+  EXPECT_EQ(phases[0].kind, PhaseKind::fall);
+  EXPECT_NEAR(phases[0].seconds, std::sqrt(2 * height / 9.81) + 0.1, 1e-12);
+  EXPECT_EQ(phases[1].kind, PhaseKind::rest);  // a wait
+  EXPECT_NEAR(phases[1].seconds, 0.3, 1e-12);
+  EXPECT_EQ(phases[2].kind, PhaseKind::rest);
+  EXPECT_NEAR(phases[2].seconds, 0.2, 1e-12);
+}
+
+TEST(PlanForecast, MotionAndPowderTakenAwayAreSeen) {
+  support::SceneTables tables;
+  tables.steps = R"([[step]]
+kind = "move"
+tool = "shoe"
+direction = "y"
+distance = "10 mm"
+velocity = "0.1 m/s"
+acceleration = "10 m/s^2"
+[[step]]
+kind = "clear"
+[[step]]
+kind = "wait"
+duration = "0.5 s"
+)";
+  const PlannedScene planned(tables);
+  const auto phases = timeline(planned.scene, planned.tooling, {});
+  ASSERT_GE(phases.size(), 3U);
+  EXPECT_EQ(phases[1].kind, PhaseKind::motion);
+  EXPECT_NEAR(phases[1].seconds, 0.1 + 0.01, 1e-9);
+  EXPECT_EQ(phases[1].share, 1);
+  const auto poured =
+      static_cast<double>(grains_to_pour(planned.scene, engine_settings(planned.scene, 1.0).shape));
+  const double kept = 5e-6 * 0.32 / solid_volume(planned.scene.powder.grain_diameter);
+  EXPECT_EQ(phases[2].kind, PhaseKind::rest);
+  EXPECT_NEAR(phases[2].share, kept / poured, 1e-3);
+}
+
+TEST(PlanForecast, WallTimeIsCostTimesSphereSteps) {
+  const PlannedScene planned;
+  const Plan plan = sample_plan(planned);
+  const Forecast& forecast = plan.choices[0].forecast;
+  const double costs[] = {10e-9, 40e-9, 20e-9};
+  double sum = 0;
+  for (const auto& part : forecast.phases) {
+    const double steps = std::ceil(part.phase.seconds / forecast.time_step);
+    EXPECT_EQ(part.steps, steps);
+    sum += costs[static_cast<std::size_t>(part.phase.kind)] * steps * static_cast<double>(forecast.spheres);
+  }
+  ASSERT_TRUE(forecast.wall_seconds);
+  EXPECT_NEAR(*forecast.wall_seconds, sum, 1e-9 * sum);
+}
+
+TEST(PlanForecast, MemoryIsThatOfMeasuredRuns) {
+  // Peaks of `diefill run` in the narrow ring: spheres, wall spheres, bytes.
+  const double runs[][3] = {{5516, 58533, 564.49e6}, {5516, 128387, 631.27e6}, {27587, 82545, 615.31e6}};
+  for (const auto& run : runs) EXPECT_NEAR(predicted_memory(run[0], run[1]) / run[2], 1, 0.01);
+}
+
+TEST(PlanForecast, AKindThePilotDidNotSeeCostsWhatTheDearestDoes) {
+  Pilot pilot;
+  EXPECT_EQ(pilot.seconds_per_sphere_step(PhaseKind::motion), 0);
+  pilot.cost[0] = {1, 1e8, 0.1, true};
+  pilot.cost[2] = {3, 1e8, 0.1, true};
+  EXPECT_NEAR(pilot.seconds_per_sphere_step(PhaseKind::motion), 3e-8, 1e-20);
+}
+
+TEST(PlanForecast, WithinATimeTheFinestGrainsAreTakenThatFit) {
+  const PlannedScene planned;
+  const Plan plan = sample_plan(planned);
+  const double quick = *plan.choices[1].forecast.wall_seconds / 60;
+  const double working = *plan.choices[2].forecast.wall_seconds / 60;
+  const double time = std::sqrt(quick * working);
+  const auto choice = finest_within(plan, time);
+  ASSERT_TRUE(choice);
+  EXPECT_LE(*choice->forecast.wall_seconds, 60 * time);
+  EXPECT_GT(*choice->forecast.wall_seconds, 0.9 * 60 * time);
+  EXPECT_LT(choice->forecast.grain_diameter, plan.choices[1].forecast.grain_diameter);
+  EXPECT_FALSE(finest_within(plan, 1e-6));
+  const auto all_day = finest_within(plan, 1e9);
+  ASSERT_TRUE(all_day);
+  EXPECT_NEAR(all_day->forecast.grain_diameter, 6 * 7.84e-5, 1e-9);
+}
+
+TEST(PlanForecast, ErrorsAreMeasuredOnesOrNotKnown) {
+  PowderSpec powder = PlannedScene().scene.powder;
+  EXPECT_FALSE(expected_error(powder, powder.grain_diameter, 0.02));  // Distaloy AE has no published bed
+  powder.name = "ASC100.29 D2";
+  const auto found = expected_error(powder, powder.grain_diameter, 0.02);
+  ASSERT_TRUE(found);
+  EXPECT_NEAR(found->error, (0.3313 - 0.32) / 0.32, 1e-12);
+  EXPECT_FALSE(expected_error(powder, powder.grain_diameter, 4.5e-3));  // beyond a third of the width
+  EXPECT_FALSE(expected_error(powder, 0.5 * powder.grain_diameter, 0.02));
+}
+
+TEST(PlanForecast, TheCheapestChoiceWithinAnErrorIsTakenIfAnyIsKnown) {
+  const PlannedScene planned;
+  Plan plan = sample_plan(planned);
+  EXPECT_FALSE(cheapest_within(plan, 0.5));
+  plan.choices[2].error = ExpectedError{"solid fraction", 0.04, "test"};
+  plan.choices[3].error = ExpectedError{"solid fraction", 0.01, "test"};
+  EXPECT_EQ(cheapest_within(plan, 0.05), 2U);
+  EXPECT_EQ(cheapest_within(plan, 0.02), 3U);
+  EXPECT_FALSE(cheapest_within(plan, 0.005));
+}
+
+}  // namespace
+}  // namespace diefill::process::plan

@@ -1,0 +1,88 @@
+// What a plan reads off tools, powder and steps.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "tests/process/plan_sample.h"
+
+namespace diefill::process::plan {
+namespace {
+
+bool says(const std::vector<std::string>& statements, const std::string& words) {
+  for (const auto& statement : statements)
+    if (statement.find(words) != std::string::npos) return true;
+  return false;
+}
+
+TEST(PlanNeeds, FacingAreaIsWhatIsSeenFromThere) {
+  const auto box = box_mesh({0, 0, 0}, {1, 2, 3});
+  EXPECT_NEAR(facing_area(box, Eigen::Vector3d::UnitX()), 6, 1e-12);
+  EXPECT_NEAR(facing_area(box, -Eigen::Vector3d::UnitY()), 3, 1e-12);
+  EXPECT_NEAR(facing_area(box, Eigen::Vector3d(1, 1, 0).normalized()), (6 + 3) / std::sqrt(2.0), 1e-12);
+}
+
+TEST(PlanNeeds, WidthPressureAndLaws) {
+  const PlannedScene planned;
+  const Needs needs = needs_of(planned.scene, planned.tooling);
+  EXPECT_NEAR(needs.coarsest_grain, 1.5e-3, 1e-12);
+  // 4.5 mm less 1.4 times three more calibrated diameters.
+  EXPECT_NEAR(needs.width_as_felt, 4.5e-3 - 1.4 * 3 * 6 * 7.84e-5, 1e-9);
+  const double density = 7.63e-8 / (7 * 4.0 / 3 * std::numbers::pi * std::pow(7.84e-5, 3));
+  EXPECT_NEAR(needs.weight_pressure, density * 0.32 * 9.81 * (0.024 + 0.02), 1e-3);
+  EXPECT_NEAR(needs.least_modulus, 3000 * needs.weight_pressure, 1e-6);
+  EXPECT_EQ(needs.piston_pressure, 0);
+  EXPECT_EQ(needs.laws.left_out, (std::vector<std::string>{"cohesion with tools", "rolling friction"}));
+  const auto said = in_words(needs, planned.scene, planned.tooling);
+  EXPECT_TRUE(says(said, "narrowest, 4.500 mm"));
+  EXPECT_TRUE(says(said, "0.42 of it"));
+  EXPECT_TRUE(says(said, "300 wall spheres"));
+  EXPECT_TRUE(says(said, "one half stands for the whole"));
+}
+
+TEST(PlanNeeds, APistonPressesOnItsArea) {
+  support::SceneTables tables;
+  tables.steps = R"([[step]]
+kind = "piston"
+tool = "shoe"
+direction = "-z"
+force = "8 N"
+speed_limit = "0.1 m/s"
+travel = "5 mm"
+duration = "0.1 s"
+)";
+  const PlannedScene planned(tables);
+  const Needs needs = needs_of(planned.scene, planned.tooling);
+  EXPECT_NEAR(needs.piston_pressure, 8 / (0.1 * 0.04), 1e-9);
+}
+
+TEST(PlanNeeds, MotionAcrossThePlaneSpoilsTheSymmetry) {
+  support::SceneTables tables;
+  tables.steps = R"([[step]]
+kind = "vibration"
+tool = "shoe"
+axis = "y"
+amplitude = "0.1 mm"
+frequency = "50 Hz"
+duration = "0.2 s"
+)";
+  const PlannedScene across(tables);
+  const Needs spoilt = needs_of(across.scene, across.tooling);
+  bool found = false;
+  for (const auto& plane : spoilt.planes)
+    if (plane.normal[1] > 0.5) {
+      found = true;
+      EXPECT_NE(plane.spoiler.find("the motion"), std::string::npos);
+    }
+  EXPECT_TRUE(found);
+  tables.steps = support::exchanged(tables.steps, "axis = \"y\"", "axis = \"x\"");
+  const PlannedScene along(tables);
+  for (const auto& plane : needs_of(along.scene, along.tooling).planes) {
+    if (plane.normal[1] > 0.5) {
+      EXPECT_EQ(plane.spoiler, "");
+    }
+  }
+}
+
+}  // namespace
+}  // namespace diefill::process::plan
