@@ -18,6 +18,7 @@ void add_report(CLI::App& program, Action& chosen);
 void add_info(CLI::App& program, Action& chosen);
 void add_bench(CLI::App& program, Action& chosen);
 void add_compare(CLI::App& program, Action& chosen);
+void add_tradeoff(CLI::App& program, Action& chosen);
 void add_lab(CLI::App& program, Action& chosen);
 
 /// Adds all commands.

@@ -106,6 +106,7 @@ engine::SimulationSettings engine_settings(const Scene& scene, double impact_spe
   settings.gravity = scene.gravity;
   settings.air_viscosity = material.air_viscosity;
   settings.period = scene.numerics.period;
+  settings.skin = scene.numerics.skin;
   settings.time_step = chosen_time_step(scene, settings, critical_time_step(settings, impact_speed));
   return settings;
 }
