@@ -1,4 +1,6 @@
+#include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <csignal>
 #include <cstdio>
 #include <thread>
@@ -135,9 +137,7 @@ void add_options(CLI::App& command, TradeoffArguments& arguments) {
           "--vary", arguments.vary,
           "KNOB=VALUE,VALUE,...: a knob's values, or those of any key of the scene by its path; again for "
           "more knobs (default: all knobs that do something in the scene)")
-      ->take_all()
-      ->expected(1)
-      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+      ->allow_extra_args(false);
   command.add_option("--seeds", arguments.seeds, "runs of each setting, with seeds counted up (default: 2)")
       ->check(CLI::Range(1, 1000));
   command
@@ -153,7 +153,7 @@ void add_options(CLI::App& command, TradeoffArguments& arguments) {
   command
       .add_option("--target", arguments.targets,
                   "NAME=VALUE: hold a quantity (its key in tradeoff.json) against a published value")
-      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+      ->allow_extra_args(false);
   command.add_option("--reference", arguments.reference,
                      "setting to hold others against (default: the costliest that is nothing but finer)");
   command.add_option("--jobs", arguments.jobs, "runs at a time (default: 1)")->check(CLI::Range(1, 1024));

@@ -25,7 +25,7 @@ results::PowderState heap(double degrees) {
 }
 
 TEST(HeapSlope, IsThatOfTheSurface) {
-  const Eigen::Vector3d from(-0.02, -0.01, 0), to(0.03, 0.01, 0.05);
+  const Eigen::Vector3d from(-0.0201, -0.01, 0), to(0.03, 0.01, 0.05);
   // Every column's highest grain is its right-most: the same shift everywhere.
   for (const double degrees : {20.0, 35.0, 45.0})
     EXPECT_NEAR(heap_slope(heap(degrees), from, to), degrees, 0.05);
@@ -38,12 +38,12 @@ TEST(HeapSlope, OnlyTheBoxCounts) {
     powder.position.push_back(powder.position[k] + Eigen::Vector3d(0, 0, 0.1));
     powder.position.push_back(powder.position[k] + Eigen::Vector3d(0.1, 0, 0));
   }
-  EXPECT_NEAR(heap_slope(powder, {-0.02, -0.01, 0}, {0.03, 0.01, 0.05}), 35, 0.05);
+  EXPECT_NEAR(heap_slope(powder, {-0.0201, -0.01, 0}, {0.03, 0.01, 0.05}), 35, 0.05);
 }
 
 TEST(HeapSlope, NothingToFitGivesNone) {
   EXPECT_TRUE(std::isnan(heap_slope(powder_of({}), {0, 0, 0}, {1, 1, 1})));
-  EXPECT_TRUE(std::isnan(heap_slope(heap(35), {-0.02, -0.01, 0}, {0.001, 0.01, 0.05})));
+  EXPECT_TRUE(std::isnan(heap_slope(heap(35), {-0.0201, -0.01, 0}, {0.001, 0.01, 0.05})));
 }
 
 TEST(HeapSlope, FigureHasANameWithoutBlanks) {

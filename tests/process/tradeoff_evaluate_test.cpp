@@ -30,8 +30,8 @@ TradeoffPoint point(const std::string& name, double cost, const std::vector<doub
 Tradeoff with_quantities(const std::vector<TradeoffPoint>& points) {
   Tradeoff tradeoff;
   tradeoff.quantities.resize(2);
-  tradeoff.quantities[0].key = "mass";
-  tradeoff.quantities[1].key = "spread";
+  tradeoff.quantities[0].key = tradeoff.quantities[0].name = "mass";
+  tradeoff.quantities[1].key = tradeoff.quantities[1].name = "spread";
   tradeoff.quantities[1].scale = "mass";
   tradeoff.points = points;
   return tradeoff;
