@@ -138,13 +138,33 @@ void draw_floor(QPainter& painter, const PlotArea& plot, double floor) {
   painter.fillRect(QRectF(QPointF(plot.rect.left(), top), plot.rect.bottomRight()), kFloorColour);
 }
 
-void draw_front(QPainter& painter, const Tradeoff& tradeoff, const TradeoffPicture& picture) {
+/// Places of the points on the front, cheapest first.
+std::vector<QPointF> front_of(const Tradeoff& tradeoff, const TradeoffPicture& picture) {
   std::vector<QPointF> front;
   for (std::size_t k = 0; k < picture.points.size(); ++k)
     if (tradeoff.points[picture.points[k]].pareto) front.push_back(picture.places[k]);
   std::sort(front.begin(), front.end(), [](const QPointF& a, const QPointF& b) { return a.x() < b.x(); });
+  return front;
+}
+
+void draw_front(QPainter& painter, const std::vector<QPointF>& front) {
   painter.setPen(QPen(kFront, 3));
   for (std::size_t k = 1; k < front.size(); ++k) painter.drawLine(front[k - 1], front[k]);
+}
+
+/// The front as small squares, for labels to keep off.
+std::vector<QRectF> beads_along(const std::vector<QPointF>& front) {
+  constexpr double kBead = 8;
+  std::vector<QRectF> beads;
+  for (std::size_t k = 1; k < front.size(); ++k) {
+    const QPointF way = front[k] - front[k - 1];
+    const int count = static_cast<int>(std::ceil(std::hypot(way.x(), way.y()) / kBead));
+    for (int n = 0; n <= count; ++n) {
+      const QPointF at = front[k - 1] + way * (static_cast<double>(n) / std::max(1, count));
+      beads.emplace_back(at.x() - 0.5 * kBead, at.y() - 0.5 * kBead, kBead, kBead);
+    }
+  }
+  return beads;
 }
 
 /// A thin line from a label to its mark, where it stands apart.
@@ -167,7 +187,8 @@ void draw_labels(QPainter& painter, const Tradeoff& tradeoff, TradeoffPicture& p
     const double radius = point.recommended ? kStarRadius : kRadius + (point.reference ? 7 : 0);
     points.push_back({picture.places[k], size, radius});
   }
-  picture.labels = place_labels(points, picture.plot.rect.adjusted(6, 6, -6, -6));
+  picture.labels = place_labels(points, picture.plot.rect.adjusted(6, 6, -6, -6),
+                                beads_along(front_of(tradeoff, picture)));
   for (std::size_t k = 0; k < points.size(); ++k) {
     const TradeoffPoint& point = tradeoff.points[picture.points[k]];
     draw_leader(painter, picture.labels[k], points[k].at, points[k].radius);
@@ -217,7 +238,7 @@ TradeoffPicture compose_tradeoff(const Tradeoff& tradeoff) {
   picture.points = drawn.points;
   for (std::size_t k = 0; k < drawn.points.size(); ++k)
     picture.places.push_back(plot.pixel(drawn.cost[k], std::max(drawn.error[k], plot.y.range.lower)));
-  draw_front(painter, tradeoff, picture);
+  draw_front(painter, front_of(tradeoff, picture));
   for (std::size_t k = 0; k < drawn.points.size(); ++k)
     draw_mark(painter, picture.places[k], tradeoff.points[drawn.points[k]]);
   draw_labels(painter, tradeoff, picture);

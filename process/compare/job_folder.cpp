@@ -1,13 +1,12 @@
 #include "process/compare/job_folder.h"
 
-#include <algorithm>
 #include <fstream>
 #include <iterator>
-#include <nlohmann/json.hpp>
 #include <sstream>
 
 #include "geometry/mesh_import.h"
 #include "process/results/atomic_file.h"
+#include "process/results/job_cost.h"
 #include "process/results/result_file.h"
 #include "process/run/checkpoint.h"
 
@@ -42,7 +41,8 @@ std::string copied_tool(const fs::path& directory, const fs::path& file) {
 void write_scene(const fs::path& folder, const std::string& text) {
   make_folder(folder);
   if (contents_or_nothing(folder / kJobScene) == text) return;
-  for (const char* outdated : {"report.json", "results.h5", "results.xdmf", kJobExitCode, kJobLog, kJobCost})
+  for (const char* outdated :
+       {"report.json", "results.h5", "results.xdmf", kJobExitCode, kJobLog, results::kJobCost})
     fs::remove(folder / outdated);
   fs::remove(checkpoint_file(folder));
   results::write_text_atomically(folder / kJobScene, text);
@@ -86,23 +86,6 @@ results::JobList write_jobs(const fs::path& directory, const std::string& title,
     }
   results::write_job_list(directory, list);
   return list;
-}
-
-JobCost cost_of(const fs::path& directory, const results::Job& job) {
-  std::ifstream file(directory / job.folder / kJobCost);
-  const auto json = nlohmann::json::parse(file, nullptr, false);
-  if (!json.is_object()) return {};
-  return {json.value("cpu_seconds", 0.0), json.value("wall_seconds", 0.0),
-          json.value("peak_memory_bytes", 0.0)};
-}
-
-void add_cost(const fs::path& directory, const results::Job& job, const JobCost& attempt) {
-  const JobCost before = cost_of(directory, job);
-  const nlohmann::ordered_json json = {
-      {"cpu_seconds", before.cpu_seconds + attempt.cpu_seconds},
-      {"wall_seconds", before.wall_seconds + attempt.wall_seconds},
-      {"peak_memory_bytes", std::max(before.peak_memory_bytes, attempt.peak_memory_bytes)}};
-  results::write_text_atomically(directory / job.folder / kJobCost, json.dump(2) + "\n");
 }
 
 JobState state_of(const fs::path& directory, const results::Job& job) {

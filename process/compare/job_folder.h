@@ -30,23 +30,9 @@ struct JobState {
 
 JobState state_of(const std::filesystem::path& directory, const results::Job& job);
 
-/// What a job has cost until now, in all its attempts.
-struct JobCost {
-  double cpu_seconds = 0;        ///< s of processor time, all threads together
-  double wall_seconds = 0;       ///< s by the clock
-  double peak_memory_bytes = 0;  ///< largest resident set
-};
-
-/// The cost kept with a job; zeros where none is.
-JobCost cost_of(const std::filesystem::path& directory, const results::Job& job);
-
-/// Adds an attempt's cost to the job's. Throws results::ResultError.
-void add_cost(const std::filesystem::path& directory, const results::Job& job, const JobCost& attempt);
-
 /// Files of a job's folder besides results and checkpoint.
 inline constexpr const char* kJobScene = "scene.toml";
 inline constexpr const char* kJobLog = "run.log";         ///< what the program said
 inline constexpr const char* kJobExitCode = "exit_code";  ///< how it ended
-inline constexpr const char* kJobCost = "cost.json";      ///< what its attempts have cost
 
 }  // namespace diefill::process

@@ -12,6 +12,7 @@
 #include "process/compare/child_process.h"
 #include "process/compare/job_folder.h"
 #include "process/results/atomic_file.h"
+#include "process/results/job_cost.h"
 #include "process/run/fill_run.h"
 #include "process/run/progress.h"
 
@@ -51,7 +52,7 @@ class JobPool {
       const JobState state = state_of(directory, job);
       const bool over = state.stage == JobState::Stage::finished || state.out_of_range();
       if (!over) waiting_.push_back(&job);
-      spent_ += cost_of(directory, job).cpu_seconds;
+      spent_ += results::read_job_cost(directory / job.folder).cpu_seconds;
     }
     done_ = all_ - waiting_.size();
     if (done_ > 0)
@@ -118,7 +119,7 @@ class JobPool {
     const results::Job& job = *running.job;
     const double seconds = std::chrono::duration<double>(Clock::now() - running.started).count();
     const ProcessCost cost = running.process->cost();
-    add_cost(directory_, job, {cost.cpu_seconds, seconds, cost.peak_memory_bytes});
+    results::add_job_cost(directory_ / job.folder, {cost.cpu_seconds, seconds, cost.peak_memory_bytes});
     spent_ += cost.cpu_seconds;
     running.job = nullptr;
     ++done_;

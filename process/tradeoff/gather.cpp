@@ -7,6 +7,7 @@
 #include "process/compare/compared_fields.h"
 #include "process/compare/job_folder.h"
 #include "process/compare/statistics.h"
+#include "process/results/job_cost.h"
 #include "process/results/result_file.h"
 #include "process/tradeoff/quantities.h"
 
@@ -31,7 +32,7 @@ struct Runs {
   std::string failure;
 };
 
-void add_run(Runs& runs, const std::vector<MeasuredQuantity>& quantities, const JobCost& cost,
+void add_run(Runs& runs, const std::vector<MeasuredQuantity>& quantities, const results::JobCost& cost,
              const results::FillResult& result) {
   for (std::size_t q = 0; q < quantities.size(); ++q) runs.values[q].push_back(quantities[q].value(result));
   runs.core_seconds.push_back(cost.cpu_seconds);
@@ -48,7 +49,8 @@ Runs read_runs(const std::filesystem::path& directory, const Setting& setting, i
     const JobState state = state_of(directory, job);
     if (state.stage == JobState::Stage::failed) runs.failure = state.reason;
     if (state.stage == JobState::Stage::finished)
-      add_run(runs, quantities, cost_of(directory, job), results::read_results(directory / job.folder));
+      add_run(runs, quantities, results::read_job_cost(directory / job.folder),
+              results::read_results(directory / job.folder));
   }
   return runs;
 }

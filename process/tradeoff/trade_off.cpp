@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "process/compare/job_folder.h"
+#include "process/results/job_cost.h"
 #include "process/run/progress.h"
 #include "process/scene/nearest_key.h"
 #include "process/tradeoff/evaluate.h"
@@ -50,7 +51,7 @@ std::optional<double> predicted_cost(const std::filesystem::path& directory,
   for (const Setting& other : settings)
     for (const results::Job& job : jobs_of(other, seeds)) {
       if (state_of(directory, job).stage != JobState::Stage::finished) continue;
-      const double cost = cost_of(directory, job).cpu_seconds;
+      const double cost = results::read_job_cost(directory / job.folder).cpu_seconds;
       const double distance = other.name == setting.name ? -1 : std::abs(std::log(setting.work / other.work));
       if (predicted && distance >= nearest) continue;
       predicted = cost * setting.work / other.work;

@@ -15,7 +15,7 @@ std::vector<std::string> arguments_for(const SmallDie& die, const std::vector<st
   return arguments;
 }
 
-const std::vector<std::string> kTwoKnobs = {"--vary", "grain_diameter=1.3 mm", "--vary",
+const std::vector<std::string> kTwoKnobs = {"--vary", "grain_diameter=0.95 mm", "--vary",
                                             "time_step=0.3,0.25"};
 
 nlohmann::json tradeoff_of(const SmallDie& die) {
@@ -30,13 +30,16 @@ nlohmann::json setting_of(const nlohmann::json& tradeoff, const std::string& nam
 
 TEST(Tradeoff, ChartsCostsAndErrorsOfEverySetting) {
   const SmallDie die;
+  // Fine enough for grains that lie two diameters deep in the pocket: they have a solid fraction.
+  die.exchange("grain_diameter = \"1 mm\"", "grain_diameter = \"0.8 mm\"");
   auto arguments = arguments_for(die, kTwoKnobs);
   arguments.insert(arguments.end(), {"--seeds", "2", "--tolerance", "100", "--reference", "base"});
   const Outcome outcome = run_program(arguments);
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  SCOPED_TRACE(outcome.out);
   const auto tradeoff = tradeoff_of(die);
   EXPECT_EQ(tradeoff.at("title"), "Small die, one passage");
-  const auto base = setting_of(tradeoff, "base"), coarse = setting_of(tradeoff, "grain_diameter=1.3 mm");
+  const auto base = setting_of(tradeoff, "base"), coarse = setting_of(tradeoff, "grain_diameter=0.95 mm");
   EXPECT_EQ(base.at("seeds"), 2);
   EXPECT_EQ(base.at("error"), 0);
   EXPECT_TRUE(base.at("reference").get<bool>());
@@ -53,11 +56,12 @@ TEST(Tradeoff, ChartsCostsAndErrorsOfEverySetting) {
   EXPECT_GT(base.at("peak_memory_bytes").get<double>(), 1e6);
   EXPECT_LT(base.at("peak_memory_bytes").get<double>(), 1e10);
   EXPECT_LT(coarse.at("core_seconds").get<double>(), base.at("core_seconds").get<double>());
+  ASSERT_TRUE(coarse.at("error").is_number());
   EXPECT_GT(coarse.at("error").get<double>(), 0);
   // Everything is accepted here: all knobs that save time are turned together, and that is the cheapest.
   const auto combined = setting_of(tradeoff, "combined");
   ASSERT_FALSE(combined.is_null()) << outcome.out;
-  EXPECT_EQ(combined.at("changes").at("grain_diameter"), "1.3 mm");
+  EXPECT_EQ(combined.at("changes").at("grain_diameter"), "0.95 mm");
   EXPECT_EQ(combined.at("seeds"), 2);
   for (const char* picture : {"tradeoff.png", "knob_grain_diameter.png", "knob_time_step.png"})
     EXPECT_EQ(contents(die.out() / picture).substr(0, 8), "\x89PNG\r\n\x1a\n") << picture;

@@ -18,8 +18,7 @@ results::PowderState heap(double degrees) {
   std::vector<Eigen::Vector3d> places;
   for (int i = 0; i < 120; ++i)
     for (int j = 0; j < 4; ++j)
-      for (double z = 0; z <= gradient * i * d / 2; z += gradient * d / 2)
-        places.emplace_back(0.5 * i * d, j * d, z);
+      for (int k = 0; k <= i; ++k) places.emplace_back(0.5 * i * d, j * d, 0.5 * k * gradient * d);
   for (int i = 1; i < 20; ++i) places.emplace_back(-i * d, 0, 0);
   return powder_of(places);
 }

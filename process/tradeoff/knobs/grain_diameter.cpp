@@ -18,12 +18,17 @@ SceneChanges changes(const Scene&, const std::string& value) {
   return changes;
 }
 
+/// As the scene writes it: presets of model D take the rounded 0.47 mm for their exact 0.4704 mm, and so its
+/// multiples.
+std::string current(const Scene& scene) {
+  return value_at(scene.text, scene.file, "powder.grain_diameter")
+      .value_or(in_millimetres(scene.powder.grain_diameter));
+}
+
 /// Work goes with d^-4: half as coarse again costs a fifth, 0.7 d four times as much.
 std::vector<std::string> usual(const Scene& scene) {
-  std::vector<std::string> values;
-  for (const double factor : {2.0, 1.5, 0.7})
-    values.push_back(in_millimetres(factor * scene.powder.grain_diameter));
-  return values;
+  const double now = parse_quantity(current(scene), Dimension::length);
+  return {in_millimetres(2 * now), in_millimetres(1.5 * now), in_millimetres(0.7 * now)};
 }
 
 }  // namespace
@@ -34,7 +39,7 @@ Knob grain_diameter_knob() {
           .sign = "d",
           .finer = Finer::smaller,
           .dimension = Dimension::length,
-          .current = [](const Scene& scene) { return in_millimetres(scene.powder.grain_diameter); },
+          .current = current,
           .usual = usual,
           .changes = changes};
 }
