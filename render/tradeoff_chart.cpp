@@ -208,10 +208,15 @@ QString note_of(const Tradeoff& tradeoff) {
     names += (names.isEmpty() ? "" : ", ") + QString::fromStdString(quantity.name);
     target = target || quantity.is_target;
   }
-  for (const TradeoffPoint& point : tradeoff.points)
-    if (point.reference) names += QStringLiteral("; against \"%1\"").arg(QString::fromStdString(point.name));
-  return QStringLiteral("Largest error of: ") + names +
-         (target ? QStringLiteral(" and published values") : QString());
+  if (target) names += QStringLiteral(" (published values)");
+  QString missing;
+  for (const TradeoffPoint& point : tradeoff.points) {
+    if (point.reference) names += QStringLiteral("; against \"%1\"").arg(QString::fromStdString(point.label));
+    if (point.state == "failed")
+      missing += (missing.isEmpty() ? "" : ", ") + QString::fromStdString(point.label);
+  }
+  if (!missing.isEmpty()) names += QStringLiteral("; failed: ") + missing;
+  return QStringLiteral("Largest error of: ") + names;
 }
 
 }  // namespace
