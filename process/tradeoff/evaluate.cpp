@@ -114,7 +114,7 @@ void recommend(Tradeoff& tradeoff, std::size_t reference) {
   const double limit = std::max(floor, tradeoff.tolerance);
   TradeoffPoint* chosen = nullptr;
   for (TradeoffPoint& point : tradeoff.points)
-    if (point.pareto && point.error <= limit &&
+    if (point.reason.empty() && point.error <= limit &&
         (chosen == nullptr || point.core_seconds < chosen->core_seconds))
       chosen = &point;
   if (chosen == nullptr) {

@@ -30,7 +30,7 @@ std::size_t reference_setting(const std::vector<results::TradeoffPoint>& points,
 
 /// Fills in everything that follows from the values: references (those of point `reference` unless targets),
 /// scatter and floors, errors, Pareto front, and the recommendation: the cheapest setting whose error is
-/// within the larger of floor and tolerance.
+/// within the larger of floor and tolerance and none of whose runs failed.
 void evaluate(results::Tradeoff& tradeoff, std::size_t reference);
 
 }  // namespace diefill::process

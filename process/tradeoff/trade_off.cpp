@@ -105,7 +105,9 @@ std::optional<Setting> combination(const Scene& scene, results::Tradeoff tradeof
     std::string value;
     for (std::size_t k = 0; k < row.points.size(); ++k) {
       const auto& point = tradeoff.points[row.points[k]];
-      if (row.points[k] == 0 || !(point.error <= limit) || !(point.core_seconds < cheapest)) continue;
+      if (row.points[k] == 0 || !point.reason.empty() || !(point.error <= limit) ||
+          !(point.core_seconds < cheapest))
+        continue;
       cheapest = point.core_seconds;
       value = row.values[k];
     }

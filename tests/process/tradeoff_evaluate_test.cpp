@@ -142,6 +142,14 @@ TEST(Evaluation, ASettingWithoutAValueThatDecidesIsNotJudged) {
   EXPECT_EQ(tradeoff.points[0].error, 0);
 }
 
+TEST(Evaluation, ASettingWithAFailedRunIsNotRecommended) {
+  Tradeoff tradeoff = with_quantities({point("base", 10, {100, 4}), point("quick", 2, {100, 4})});
+  tradeoff.points[1].reason = "left the method's valid range";
+  evaluate(tradeoff, 0);
+  EXPECT_FALSE(tradeoff.points[1].recommended);
+  EXPECT_TRUE(tradeoff.points[0].recommended);
+}
+
 TEST(Evaluation, NothingFinishedIsSaid) {
   Tradeoff tradeoff = with_quantities({point("base", kNone, {kNone, kNone}, kNone, 0)});
   evaluate(tradeoff, 1);
