@@ -26,7 +26,7 @@ void ask_to_stop(int) {
 struct RunArguments {
   std::string scene, directory, setting;
   int threads = 0;
-  bool resume = false, quiet = false;
+  bool resume = false, quiet = false, no_pictures = false;
 };
 
 /// out/<folder of the scene>, or out/<name of the scene> where its file name says more than "fill".
@@ -100,7 +100,7 @@ int run(const RunArguments& arguments) {
     results::write_results(options.directory, result);
     results::write_report(options.directory, result);
     results::write_probe_tables(options.directory, result);
-    pictures = draw(options.directory, result);
+    if (!arguments.no_pictures) pictures = draw(options.directory, result);
   });
   std::filesystem::remove(process::checkpoint_file(options.directory));
   print_summary(result);
@@ -126,6 +126,7 @@ void add_run(CLI::App& program, Action& chosen) {
       ->check(CLI::Range(1, 1024));
   add_setting(*command, arguments->setting);
   command->add_flag("--resume", arguments->resume, "go on from the checkpoint in the results directory");
+  command->add_flag("--no-pictures", arguments->no_pictures, "draw nothing; diefill map does it later");
   command->add_flag("--quiet", arguments->quiet, "no progress");
   command->footer(
       "Examples:\n"

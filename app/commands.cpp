@@ -7,6 +7,7 @@ void add_commands(CLI::App& program, Action& chosen) {
   add_check(program, chosen);
   add_plan(program, chosen);
   add_compare(program, chosen);
+  add_tradeoff(program, chosen);
   add_map(program, chosen);
   add_report(program, chosen);
   add_export(program, chosen);

@@ -19,6 +19,7 @@ void add_export(CLI::App& program, Action& chosen);
 void add_info(CLI::App& program, Action& chosen);
 void add_bench(CLI::App& program, Action& chosen);
 void add_compare(CLI::App& program, Action& chosen);
+void add_tradeoff(CLI::App& program, Action& chosen);
 void add_lab(CLI::App& program, Action& chosen);
 void add_plan(CLI::App& program, Action& chosen);
 

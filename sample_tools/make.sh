@@ -39,6 +39,10 @@ for slit in 6 10; do
 done
 make_part slit_plate/slit_plate.scad slit_plate/shoe_walls.stl -D 'part="shoe"'
 
+for part in block floor side_wall slider; do
+  make_part tradeoff/tradeoff.scad tradeoff/$part.stl -D "part=\"$part\""
+done
+
 for part in die core_rods punch shoe; do
   make_part gear/gear.scad gear/$part.stl -D "part=\"$part\""
 done

@@ -2,13 +2,17 @@
 
 #include <fcntl.h>
 #include <sys/prctl.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <cerrno>
 #include <csignal>
 #include <cstring>
+#include <fstream>
+#include <sstream>
 #include <stdexcept>
+#include <string>
 
 namespace diefill::process {
 namespace {
@@ -23,6 +27,24 @@ constexpr int kCannotStart = 127;
   ::dup2(log, STDERR_FILENO);
   ::execv(words.front(), words.data());
   ::_exit(kCannotStart);
+}
+
+double seconds_of(const timeval& time) {
+  return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
+}
+
+/// Of a running process, from the kernel's tables: fields 14 and 15 of `stat` (proc(5)). Its name, the second
+/// field, may hold blanks, so fields are counted from behind its bracket.
+double cpu_seconds_until_now(pid_t process) {
+  std::ifstream file("/proc/" + std::to_string(process) + "/stat");
+  std::string text;
+  std::getline(file, text);
+  std::istringstream fields(text.substr(text.rfind(')') == std::string::npos ? 0 : text.rfind(')') + 1));
+  std::string skipped;
+  for (int k = 3; k < 14; ++k) fields >> skipped;
+  double user = 0, system = 0;
+  fields >> user >> system;
+  return fields ? (user + system) / static_cast<double>(::sysconf(_SC_CLK_TCK)) : 0;
 }
 
 }  // namespace
@@ -49,9 +71,16 @@ ChildProcess::~ChildProcess() {
 std::optional<int> ChildProcess::ended() {
   if (code_) return code_;
   int status = 0;
-  if (::waitpid(process_, &status, WNOHANG) != process_) return std::nullopt;
+  rusage usage{};
+  if (::wait4(process_, &status, WNOHANG, &usage) != process_) return std::nullopt;
+  cost_ = {seconds_of(usage.ru_utime) + seconds_of(usage.ru_stime),
+           1024.0 * static_cast<double>(usage.ru_maxrss)};
   code_ = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
   return code_;
+}
+
+ProcessCost ChildProcess::cost() const {
+  return code_ ? cost_ : ProcessCost{cpu_seconds_until_now(process_), 0};
 }
 
 void ChildProcess::interrupt() {

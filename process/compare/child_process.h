@@ -10,6 +10,12 @@
 
 namespace diefill::process {
 
+/// What a process has cost, its own children not counted unless it waited for them.
+struct ProcessCost {
+  double cpu_seconds = 0;        ///< s of processor time, all threads together
+  double peak_memory_bytes = 0;  ///< largest resident set
+};
+
 /// The child. It is stopped (SIGTERM) when this process dies, and waited for at the end of this object's
 /// life.
 class ChildProcess {
@@ -23,12 +29,15 @@ class ChildProcess {
 
   /// Exit code once it has ended, 128 + signal where a signal ended it; nothing while it runs.
   std::optional<int> ended();
+  /// What it has cost until now, once ended in all.
+  ProcessCost cost() const;
   /// Asks it to stop, as Ctrl-C does.
   void interrupt();
 
  private:
   pid_t process_ = -1;
   std::optional<int> code_;
+  ProcessCost cost_;  ///< once ended
 };
 
 }  // namespace diefill::process

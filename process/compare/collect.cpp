@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "process/compare/compared_fields.h"
 #include "process/compare/compared_measures.h"
 #include "process/compare/job_folder.h"
 #include "process/compare/statistics.h"
@@ -13,13 +14,6 @@ namespace diefill::process {
 namespace {
 
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
-
-/// What compares best as a picture: the map of a ring, or the first section.
-const results::Field2D* field_of(const results::FillResult& result) {
-  if (!result.maps.empty()) return &result.maps.front();
-  if (!result.sections.empty()) return &result.sections.front().field;
-  return nullptr;
-}
 
 void take_values(results::ComparedRun& run, const results::FillResult& result) {
   run.state_hash = result.state_hash;
@@ -45,7 +39,7 @@ results::ComparedRun compared_run(const std::filesystem::path& directory, const 
     const auto result = results::read_results(directory / job.folder);
     take_values(run, result);
     run.state = "finished";
-    if (const auto* field = field_of(result)) fields.push_back(*field);
+    if (const auto* field = compared_field(result)) fields.push_back(*field);
   } catch (const results::ResultError& error) {
     run.state = "failed";
     run.reason = error.what();
@@ -82,42 +76,7 @@ std::vector<double> values_of(const std::string& key, const std::string& variant
   return values;
 }
 
-/// Where `value` lies among rising nodes: the node at or below it and the share of the way to the next one.
-std::pair<std::size_t, double> place_among(const std::vector<double>& nodes, double value) {
-  const auto above = std::upper_bound(nodes.begin(), nodes.end(), value);
-  const auto below = static_cast<std::size_t>(std::max<std::ptrdiff_t>(above - nodes.begin(), 1) - 1);
-  if (below + 1 >= nodes.size()) return {below, value == nodes.back() ? 0 : kNone};
-  return {below, value < nodes.front() ? kNone : (value - nodes[below]) / (nodes[below + 1] - nodes[below])};
-}
-
-/// Bilinear between the nodes; NaN beyond them and beside nodes without a value.
-double value_at(const results::Field2D& field, double first, double second) {
-  if (field.value.empty()) return kNone;
-  const auto [i, right] = place_among(field.first, first);
-  const auto [j, up] = place_among(field.second, second);
-  if (std::isnan(right) || std::isnan(up)) return kNone;
-  const double weights[2][2] = {{(1 - up) * (1 - right), (1 - up) * right}, {up * (1 - right), up * right}};
-  double sum = 0;
-  for (std::size_t b = 0; b < 2; ++b)
-    for (std::size_t a = 0; a < 2; ++a)
-      if (weights[b][a] > 0) sum += weights[b][a] * field.value[(j + b) * field.first.size() + i + a];
-  return sum;
-}
-
 }  // namespace
-
-results::Field2D mean_field(const std::vector<results::Field2D>& fields) {
-  if (fields.empty()) return {};
-  results::Field2D mean = fields.front();
-  const std::size_t columns = mean.first.size();
-  for (std::size_t n = 0; n < mean.value.size(); ++n) {
-    double sum = 0;
-    for (const auto& field : fields)
-      sum += value_at(field, mean.first[n % columns], mean.second[n / columns]);
-    mean.value[n] = sum / static_cast<double>(fields.size());
-  }
-  return mean;
-}
 
 std::vector<results::ComparedMeasure> compare_runs(const std::vector<std::string>& variants,
                                                    const std::vector<results::ComparedRun>& runs) {

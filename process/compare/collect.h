@@ -15,8 +15,4 @@ results::Comparison collect(const std::filesystem::path& directory);
 std::vector<results::ComparedMeasure> compare_runs(const std::vector<std::string>& variants,
                                                    const std::vector<results::ComparedRun>& runs);
 
-/// Mean of fields at the nodes of the first one, bilinear between the nodes of the others. A node has a value
-/// where all of them have one. Empty without fields.
-results::Field2D mean_field(const std::vector<results::Field2D>& fields);
-
 }  // namespace diefill::process

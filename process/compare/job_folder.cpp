@@ -6,6 +6,7 @@
 
 #include "geometry/mesh_import.h"
 #include "process/results/atomic_file.h"
+#include "process/results/job_cost.h"
 #include "process/results/result_file.h"
 #include "process/run/checkpoint.h"
 
@@ -40,7 +41,8 @@ std::string copied_tool(const fs::path& directory, const fs::path& file) {
 void write_scene(const fs::path& folder, const std::string& text) {
   make_folder(folder);
   if (contents_or_nothing(folder / kJobScene) == text) return;
-  for (const char* outdated : {"report.json", "results.h5", "results.xdmf", kJobExitCode, kJobLog})
+  for (const char* outdated :
+       {"report.json", "results.h5", "results.xdmf", kJobExitCode, kJobLog, results::kJobCost})
     fs::remove(folder / outdated);
   fs::remove(checkpoint_file(folder));
   results::write_text_atomically(folder / kJobScene, text);

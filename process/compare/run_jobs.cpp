@@ -12,6 +12,7 @@
 #include "process/compare/child_process.h"
 #include "process/compare/job_folder.h"
 #include "process/results/atomic_file.h"
+#include "process/results/job_cost.h"
 #include "process/run/fill_run.h"
 #include "process/run/progress.h"
 
@@ -51,6 +52,7 @@ class JobPool {
       const JobState state = state_of(directory, job);
       const bool over = state.stage == JobState::Stage::finished || state.out_of_range();
       if (!over) waiting_.push_back(&job);
+      spent_ += results::read_job_cost(directory / job.folder).cpu_seconds;
     }
     done_ = all_ - waiting_.size();
     if (done_ > 0)
@@ -63,6 +65,7 @@ class JobPool {
       while (!waiting_.empty() && running_.size() < static_cast<std::size_t>(options_.at_once)) start_next();
       ::usleep(kPause);
       take_ended();
+      if (left() <= 0) end_early();
       show();
     }
   }
@@ -72,18 +75,36 @@ class JobPool {
     return '"' + job.variant + "\", seed " + std::to_string(job.seed);
   }
 
+  /// s of processor time that the jobs may still take.
+  double left() const {
+    double running = 0;
+    for (const RunningJob& job : running_) running += job.process->cost().cpu_seconds;
+    return options_.cpu_seconds - spent_ - running;
+  }
+
   void start_next() {
     const results::Job& job = *waiting_.front();
     waiting_.erase(waiting_.begin());
+    if (options_.starts && !options_.starts(job, left())) {
+      --all_;
+      return;
+    }
     const fs::path folder = directory_ / job.folder;
     fs::remove(folder / kJobExitCode);
-    const int threads = std::max(1, options_.cores / options_.at_once);
+    const int threads =
+        options_.threads > 0 ? options_.threads : std::max(1, options_.cores / options_.at_once);
     RunningJob running;
     running.job = &job;
-    running.process = std::make_unique<ChildProcess>(
-        std::vector<std::string>{options_.program.string(), "run", (folder / kJobScene).string(), "--out",
-                                 folder.string(), "--resume", "--threads", std::to_string(threads)},
-        folder / kJobLog);
+    std::vector<std::string> words = {options_.program.string(),
+                                      "run",
+                                      (folder / kJobScene).string(),
+                                      "--out",
+                                      folder.string(),
+                                      "--resume",
+                                      "--threads",
+                                      std::to_string(threads)};
+    if (!options_.pictures) words.push_back("--no-pictures");
+    running.process = std::make_unique<ChildProcess>(words, folder / kJobLog);
     progress_.say("started " + in_words(job));
     running_.push_back(std::move(running));
   }
@@ -97,9 +118,13 @@ class JobPool {
   void take_down(RunningJob& running, int code) {
     const results::Job& job = *running.job;
     const double seconds = std::chrono::duration<double>(Clock::now() - running.started).count();
+    const ProcessCost cost = running.process->cost();
+    results::add_job_cost(directory_ / job.folder, {cost.cpu_seconds, seconds, cost.peak_memory_bytes});
+    spent_ += cost.cpu_seconds;
     running.job = nullptr;
     ++done_;
-    const bool stopped = options_.stop != nullptr && options_.stop->load() && code >= kBadSignal;
+    const bool asked = ending_early_ || (options_.stop != nullptr && options_.stop->load());
+    const bool stopped = asked && code >= kBadSignal;
     if (!stopped)
       results::write_text_atomically(directory_ / job.folder / kJobExitCode, std::to_string(code) + "\n");
     const JobState state = state_of(directory_, job);
@@ -114,17 +139,28 @@ class JobPool {
       for (const RunningJob& running : running_)
         share_of_running_ += share_in(directory_ / running.job->folder / kJobLog);
     }
-    const double share = (static_cast<double>(done_) + share_of_running_) / static_cast<double>(all_);
+    const double share = (static_cast<double>(done_) + share_of_running_) /
+                         static_cast<double>(std::max<std::size_t>(all_, 1));
     progress_.show(share, std::to_string(done_) + " of " + std::to_string(all_) + " runs done",
                    std::to_string(running_.size()) + " at work");
   }
 
-  [[noreturn]] void stop() {
+  void stop_running() {
     for (RunningJob& running : running_) running.process->interrupt();
     while (!running_.empty()) {
       ::usleep(kPause);
       take_ended();
     }
+  }
+
+  void end_early() {
+    ending_early_ = true;
+    stop_running();
+    waiting_.clear();
+  }
+
+  [[noreturn]] void stop() {
+    stop_running();
     throw Interrupted("stopped with " + std::to_string(waiting_.size()) +
                       " runs not begun and those under way at a checkpoint; the same command goes on");
   }
@@ -136,6 +172,8 @@ class JobPool {
   std::vector<RunningJob> running_;
   std::size_t all_, done_ = 0;
   double share_of_running_ = 0;
+  double spent_ = 0;  ///< s of processor time of all jobs that are not at work
+  bool ending_early_ = false;
   Clock::time_point looked_ = Clock::now();
 };
 

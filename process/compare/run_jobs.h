@@ -4,6 +4,8 @@
 
 #include <atomic>
 #include <filesystem>
+#include <functional>
+#include <limits>
 
 #include "process/results/job_list.h"
 
@@ -13,6 +15,13 @@ struct JobOptions {
   std::filesystem::path program;  ///< diefill itself
   int at_once = 1;                ///< jobs at a time
   int cores = 1;                  ///< shared evenly by them, at least one thread each
+  int threads = 0;                ///< of each job; 0: cores / at_once
+  bool pictures = true;           ///< whether jobs draw their results
+  /// s of processor time that all jobs together may have cost, earlier runs of them included. What is at work
+  /// then is stopped with a checkpoint, what waits is left.
+  double cpu_seconds = std::numeric_limits<double>::infinity();
+  /// Asked before a job starts, given what is left of `cpu_seconds`: whether it is to. Nothing: always.
+  std::function<bool(const results::Job&, double left)> starts;
   bool show_progress = true;
   const std::atomic<bool>* stop = nullptr;  ///< set from a signal handler
 };
@@ -20,7 +29,7 @@ struct JobOptions {
 /// Runs every job that is not finished, from its checkpoint where it has one; one that left the method's
 /// valid range before would do so again and is left out. What a job says goes to its run.log, how it ended to
 /// its exit_code. When asked to stop it stops the jobs with a checkpoint and throws Interrupted. Throws
-/// std::runtime_error where no process can be made.
+/// std::runtime_error where no process can be made. What a job costs goes to its folder (results/job_cost.h).
 void run_jobs(const std::filesystem::path& directory, const results::JobList& list,
               const JobOptions& options);
 

@@ -2,12 +2,14 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <limits>
 #include <numbers>
 
 #include "engine/contact_stress.h"
 #include "process/measure/figures.h"
+#include "process/measure/heap_slope.h"
 #include "process/measure/measure.h"
 #include "process/run/die_frame.h"
 #include "process/run/half_model.h"
@@ -365,6 +367,10 @@ results::FillResult assemble(const Scene& scene, const Tooling& tooling, const F
   result.stages = run.schedule().past();
   result.topics = topics(scene, run);
   measure_figures(result);
+  for (const HeapSpec& heap : scene.measure.heaps) {
+    const double slope = heap_slope(result.powder, heap.from, heap.to);
+    if (std::isfinite(slope)) result.figures[heap_figure(heap.name)] = slope;
+  }
   return result;
 }
 

@@ -113,6 +113,7 @@ engine::SimulationSettings engine_settings(const Scene& scene, double impact_spe
     settings.sleep->energy = scene.economy.sleep_energy;
     settings.sleep->force = scene.economy.wake_force;
   }
+  settings.skin = scene.numerics.skin;
   settings.time_step = chosen_time_step(scene, settings, critical_time_step(settings, impact_speed));
   return settings;
 }

@@ -18,6 +18,28 @@ SectionSpec read_section(TableReader& table) {
   return section;
 }
 
+HeapSpec read_heap(TableReader& table) {
+  static const char* const kAxes[] = {"x", "y", "z"};
+  HeapSpec heap;
+  heap.name = table.required_name("name", "heap on the floor");
+  heap.from = table.required_point("from", kHeight);
+  heap.to = table.required_point("to", kHeight);
+  for (Eigen::Index axis = 0; axis < 3; ++axis)
+    if (!(heap.from[axis] < heap.to[axis]))
+      table.reject("to", std::string("the box is empty along ") + kAxes[axis] + ": to must lie above from");
+  table.finish();
+  return heap;
+}
+
+template <class Spec>
+void refuse_same_name(TableReader& table, const std::vector<Spec>& earlier, const Spec& spec,
+                      const char* what) {
+  const auto same = [&spec](const Spec& other) { return other.name == spec.name; };
+  if (std::any_of(earlier.begin(), earlier.end(), same))
+    table.reject(
+        "name", std::string("an earlier ") + what + " has that name already; give each " + what + " its own");
+}
+
 }  // namespace
 
 MeasureSpec read_measure(TableReader table) {
@@ -31,11 +53,13 @@ MeasureSpec read_measure(TableReader table) {
       table.quantity("snapshot_interval", kSnapshotInterval).value_or(measure.snapshot_interval);
   for (TableReader& section_table : table.tables("section")) {
     SectionSpec section = read_section(section_table);
-    const auto same = [&section](const SectionSpec& other) { return other.name == section.name; };
-    if (std::any_of(measure.sections.begin(), measure.sections.end(), same)) {
-      section_table.reject("name", "an earlier section has that name already; give each section its own");
-    }
+    refuse_same_name(section_table, measure.sections, section, "section");
     measure.sections.push_back(std::move(section));
+  }
+  for (TableReader& heap_table : table.tables("heap")) {
+    HeapSpec heap = read_heap(heap_table);
+    refuse_same_name(heap_table, measure.heaps, heap, "heap");
+    measure.heaps.push_back(std::move(heap));
   }
   table.finish();
   return measure;

@@ -7,6 +7,7 @@ namespace {
 constexpr NumberRule kTimeStepFraction = {0, 1, true, "0.1"};
 constexpr QuantityRule kTimeStep = {Dimension::time, "2 us", "0 us", "1 ms", true};
 constexpr QuantityRule kPeriod = {Dimension::length, "2.16 mm", "0 mm", "1 m", true};
+constexpr QuantityRule kSkin = {Dimension::length, "0.1 mm", "0 mm", "10 mm", true};
 constexpr QuantityRule kMaxTime = {Dimension::time, "5 s", "0 s", "10000 s", true};
 constexpr QuantityRule kCheckpoint = {Dimension::time, "60 s", "1 s", "86400 s"};
 
@@ -46,6 +47,7 @@ NumericsSpec read_numerics(TableReader table, const PowderSpec& powder) {
   numerics.opening = table.choice("opening", openings).value_or(numerics.opening);
   numerics.pinched_grains = table.choice("pinched_grains", pinched).value_or(numerics.pinched_grains);
   numerics.energy_ledger = table.flag("energy_ledger").value_or(numerics.energy_ledger);
+  numerics.skin = table.quantity("skin", kSkin).value_or(numerics.skin);
   numerics.max_time = table.quantity("max_time", kMaxTime).value_or(numerics.max_time);
   numerics.checkpoint_interval =
       table.quantity("checkpoint_interval", kCheckpoint).value_or(numerics.checkpoint_interval);

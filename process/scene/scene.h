@@ -114,6 +114,7 @@ struct NumericsSpec {
   std::array<std::optional<double>, 2> period;  ///< m, periodic length along x and y, centred on the origin
   PinchedGrains pinched_grains = PinchedGrains::shear_off;
   bool energy_ledger = true;
+  double skin = 0;                  ///< m, of the neighbour lists; 0: follows the motion of the powder
   double max_time = 0;              ///< s of simulated time allowed in all; 0: no limit
   double checkpoint_interval = 60;  ///< s of wall-clock time
 };
@@ -143,6 +144,12 @@ struct SectionSpec {
   Eigen::Vector3d origin = Eigen::Vector3d::Zero(), normal = Eigen::Vector3d::UnitY();
 };
 
+/// A heap whose slope is measured: powder with its centre in the box.
+struct HeapSpec {
+  std::string name;
+  Eigen::Vector3d from = Eigen::Vector3d::Zero(), to = Eigen::Vector3d::Zero();  ///< m, corners
+};
+
 /// What to measure when the powder is at rest.
 struct MeasureSpec {
   double fill_plane = 0;       ///< m, height of the die's top
@@ -150,6 +157,7 @@ struct MeasureSpec {
   int azimuth_bins = 36;
   double snapshot_interval = 0;       ///< s of simulated time between instants kept in the results; 0: none
   std::vector<SectionSpec> sections;  ///< empty: the plane through the cavity's axis along the shoe's motion
+  std::vector<HeapSpec> heaps;
 };
 
 struct Scene {

@@ -4,10 +4,12 @@
 
 #include <algorithm>
 #include <cctype>
+#include <sstream>
 
 #include "process/scene/nearest_key.h"
 #include "process/scene/scene_text.h"
 #include "process/scene/sections.h"
+#include "process/scene/units.h"
 
 namespace diefill::process {
 namespace {
@@ -83,24 +85,13 @@ void merge(toml::table& into, toml::table& changes, const std::filesystem::path&
   }
 }
 
-std::string folder_of(const std::string& name) {
-  std::string folder;
-  for (const char letter : name) {
-    const bool plain =
-        std::isalnum(static_cast<unsigned char>(letter)) != 0 || letter == '-' || letter == '.';
-    folder += plain ? letter : '_';
-  }
-  const bool taken = folder == "tools" || folder.find_first_not_of('.') == std::string::npos;
-  return taken ? '_' + folder : folder;
-}
-
 /// Names and folders of all variants, in their order.
 std::vector<Variant> named_variants(const toml::table& document, const std::filesystem::path& file) {
   std::vector<Variant> variants;
   for (TableReader& table : TableReader(document, file, "").tables("variant")) {
     Variant variant;
     variant.name = table.required_name("name", "slow shoe");
-    variant.folder = folder_of(variant.name);
+    variant.folder = folder_of_name(variant.name);
     for (const Variant& other : variants)
       if (other.folder == variant.folder)
         table.reject("name",
@@ -112,8 +103,44 @@ std::vector<Variant> named_variants(const toml::table& document, const std::file
   return variants;
 }
 
+/// Names of the keys on the way to `key`, outermost first.
+std::vector<std::string> words_of(const std::string& key, const std::filesystem::path& file) {
+  toml::table nested = parse_scene_text(key + " = 0", file);
+  std::vector<std::string> words;
+  for (const toml::table* table = &nested; table != nullptr && table->size() == 1;) {
+    words.emplace_back(table->begin()->first.str());
+    table = table->begin()->second.as_table();
+  }
+  return words;
+}
+
+/// What stands there; null where nothing does.
+toml::node* node_at(toml::table& document, const std::vector<std::string>& words) {
+  toml::node* node = &document;
+  for (const std::string& word : words) {
+    if (toml::table* table = node->as_table()) {
+      node = table->get(word);
+    } else if (toml::array* list = node->as_array()) {
+      const std::size_t k = entry_called(word, entry_names(*list));
+      node = k < list->size() ? list->get(k) : nullptr;
+    } else {
+      node = nullptr;
+    }
+    if (node == nullptr) return nullptr;
+  }
+  return node;
+}
+
+/// Takes a key out of the document, if it is there.
+void take_out(toml::table& document, std::vector<std::string> words) {
+  const std::string last = words.back();
+  words.pop_back();
+  toml::node* parent = node_at(document, words);
+  if (parent != nullptr && parent->is_table()) parent->as_table()->erase(last);
+}
+
 /// The scene of variant `number`. Parses the text anew, since laying the changes over it uses them up.
-Scene changed_scene(const std::string& text, const std::filesystem::path& file, std::size_t number,
+Scene variant_scene(const std::string& text, const std::filesystem::path& file, std::size_t number,
                     const std::string& name) {
   toml::table document = parse_scene_text(text, file);
   toml::array variants = std::move(*document["variant"].as_array());
@@ -132,15 +159,47 @@ Scene changed_scene(const std::string& text, const std::filesystem::path& file, 
 
 }  // namespace
 
+std::string folder_of_name(const std::string& name) {
+  std::string folder;
+  for (const char letter : name) {
+    const bool plain =
+        std::isalnum(static_cast<unsigned char>(letter)) != 0 || letter == '-' || letter == '.';
+    folder += plain ? letter : '_';
+  }
+  const bool taken = folder == "tools" || folder.find_first_not_of('.') == std::string::npos;
+  return taken ? '_' + folder : folder;
+}
+
 std::vector<Variant> read_variants(const std::filesystem::path& file) {
   const std::string text = load_scene_text(file);
   Scene as_it_is = parse_scene(text, file);
   toml::table document = parse_scene_text(text, file);
   std::vector<Variant> variants = named_variants(document, file);
   for (std::size_t k = 0; k < variants.size(); ++k)
-    variants[k].scene = changed_scene(text, file, k, variants[k].name);
+    variants[k].scene = variant_scene(text, file, k, variants[k].name);
   if (variants.empty()) variants.push_back({"as it is", "as_it_is", std::move(as_it_is)});
   return variants;
+}
+
+Scene changed_scene(const std::string& text, const std::filesystem::path& file, const SceneChanges& changes) {
+  toml::table document = parse_scene_text(text, file);
+  document.erase("variant");
+  for (const std::string& key : changes.without) take_out(document, words_of(key, file));
+  toml::table set = parse_scene_text(changes.set, file);
+  merge(document, set, file, "");
+  return scene_of(document, scene_text_of(document), file);
+}
+
+std::optional<std::string> value_at(const std::string& text, const std::filesystem::path& file,
+                                    const std::string& key) {
+  toml::table document = parse_scene_text(text, file);
+  const toml::node* node = node_at(document, words_of(key, file));
+  if (node == nullptr) return std::nullopt;
+  if (const auto word = node->value_exact<std::string>()) return word;
+  if (const auto number = node->value_exact<double>()) return number_in_words(*number);
+  std::stringstream written;
+  node->visit([&](const auto& value) { written << value; });
+  return written.str();
 }
 
 std::string scene_text_with(const Scene& scene, std::uint64_t seed, const std::vector<std::string>& files) {

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -21,6 +22,26 @@ struct Variant {
 /// "as it is", where it has none. Throws SceneError for the first fault found: of the scene itself, or of a
 /// variant, naming the line in the variant.
 std::vector<Variant> read_variants(const std::filesystem::path& file);
+
+/// What is to be different from a scene file.
+struct SceneChanges {
+  std::string set;  ///< TOML, such as `step.1.velocity = "0.1 m/s"`, a key a line
+  std::vector<std::string>
+      without;  ///< keys of the file that are taken out first, such as "numerics.time_step"
+};
+
+/// The scene in `text` (`file` stands in messages and resolves relative paths) with the changes, read and
+/// checked in full; its variants are left aside. Its `text` is a scene file of its own. Throws SceneError;
+/// faults of the changes name a line in `changes.set`.
+Scene changed_scene(const std::string& text, const std::filesystem::path& file, const SceneChanges& changes);
+
+/// What the text has at `key`, a path such as `step.1.velocity` or `tool."core rod".position`, as the user
+/// would write it after `--vary`; nothing where it has none. Throws SceneError for a path that is none.
+std::optional<std::string> value_at(const std::string& text, const std::filesystem::path& file,
+                                    const std::string& key);
+
+/// A name as letters that suit folders and command lines.
+std::string folder_of_name(const std::string& name);
 
 /// The scene file's text of `scene` (one of read_variants) with this seed and, tool by tool, these files in
 /// place of its own. File names are written as given.

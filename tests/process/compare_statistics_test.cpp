@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "process/compare/collect.h"
+#include "process/compare/compared_fields.h"
 #include "process/compare/statistics.h"
 
 namespace diefill::process {

@@ -147,6 +147,8 @@ inline std::vector<WrongScene> wrong_numerics() {
              "four grain diameters"}),
       spoil("period_along_z", time, "periodic = { @z = \"10 mm\" }",
             {"numerics.periodic.z", "not known", "x, y"}),
+      spoil("skin_too_wide", time, "skin = @\"1 m\"",
+            {"numerics.skin", "found \"1 m\"", "more than 0 mm and at most 10 mm"}),
       spoil("max_time_negative", time, "max_time = @\"-5 s\"",
             {"numerics.max_time", "found \"-5 s\"", "more than 0 s"}),
       spoil("checkpoint_interval_too_short", time, "checkpoint_interval = @\"1 ms\"",
@@ -211,6 +213,12 @@ inline std::vector<WrongScene> wrong_measures() {
       spoil("section_name_twice", plane,
             plane + "[[measure.section]]\nname = \"a\"\n[[measure.section]]\nname = @\"a\"\n",
             {"measure.section.name", "found \"a\"", "an earlier section has that name"}),
+      spoil("heap_without_box", plane, plane + "@[[measure.heap]]\nname = \"a\"\n",
+            {"measure.heap.from", "found nothing"}),
+      spoil("heap_box_empty", plane,
+            plane + "[[measure.heap]]\nname = \"a\"\nfrom = [\"0 mm\", \"0 mm\", \"5 mm\"]\n" +
+                "to = @[\"9 mm\", \"9 mm\", \"5 mm\"]\n",
+            {"measure.heap.to", "the box is empty along z", "to must lie above from"}),
       spoil("section_of_one_bracket", plane, plane + "@[measure.section]\nname = \"a\"\n",
             {"measure.section", "found a table", "write [[measure.section]] with double brackets"}),
   };

@@ -1,0 +1,191 @@
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <csignal>
+#include <cstdio>
+#include <thread>
+
+#include "app/commands.h"
+#include "app/drawing.h"
+#include "app/exit_code.h"
+#include "app/output.h"
+#include "app/tradeoff_table.h"
+#include "process/results/tradeoff.h"
+#include "process/tradeoff/trade_off.h"
+#include "render/tradeoff_chart.h"
+
+namespace diefill::app {
+
+namespace {
+
+std::atomic<bool> stop_asked{false};
+
+void ask_to_stop(int) {
+  stop_asked.store(true);
+}
+
+struct TradeoffArguments {
+  std::string scene, out, reference;
+  std::vector<std::string> vary, targets;
+  double budget = 0, tolerance = 2;
+  int seeds = 2, jobs = 1, threads = 1;
+  bool quiet = false;
+};
+
+/// out/<folder of the scene>_<name of the scene>_tradeoff.
+std::filesystem::path default_directory(const std::filesystem::path& scene) {
+  const auto folder = std::filesystem::absolute(scene).parent_path().filename().string();
+  return std::filesystem::path("out") / (folder + '_' + scene.stem().string() + "_tradeoff");
+}
+
+/// "NAME=VALUE" as a pair. Throws SceneError for anything else.
+std::pair<std::string, double> read_target(const std::string& text) {
+  const std::size_t equals = text.find('=');
+  double value = 0;
+  if (equals != std::string::npos) {
+    const char* const end = text.data() + text.size();
+    const auto read = std::from_chars(text.data() + equals + 1, end, value);
+    if (read.ec == std::errc() && read.ptr == end) return {text.substr(0, equals), value};
+  }
+  throw process::SceneError("--target: found \"" + text +
+                            "\", NAME=NUMBER is needed, in the unit of the CSV, such as filled_mass=12.5");
+}
+
+/// The command as one would type it again.
+std::string command_in_words(const TradeoffArguments& arguments) {
+  std::string words = "diefill tradeoff " + arguments.scene;
+  for (const auto& vary : arguments.vary) words += " --vary '" + vary + '\'';
+  for (const auto& target : arguments.targets) words += " --target '" + target + '\'';
+  if (!arguments.reference.empty()) words += " --reference '" + arguments.reference + '\'';
+  char text[100];
+  std::snprintf(text, sizeof text, " --seeds %d --tolerance %g", arguments.seeds, arguments.tolerance);
+  words += text;
+  if (arguments.budget > 0) {
+    std::snprintf(text, sizeof text, " --budget %g", arguments.budget);
+    words += text;
+  }
+  return words;
+}
+
+process::TradeoffOptions options_of(const TradeoffArguments& arguments) {
+  process::TradeoffOptions options;
+  options.directory =
+      arguments.out.empty() ? default_directory(arguments.scene) : std::filesystem::path(arguments.out);
+  for (const auto& text : arguments.targets) options.targets.insert(read_target(text));
+  options.seeds = arguments.seeds;
+  options.tolerance = 0.01 * arguments.tolerance;
+  options.reference = arguments.reference;
+  options.command = command_in_words(arguments);
+  options.jobs.program = std::filesystem::read_symlink("/proc/self/exe");
+  options.jobs.at_once = arguments.jobs;
+  options.jobs.threads = arguments.threads;
+  options.jobs.pictures = false;
+  options.jobs.show_progress = !arguments.quiet;
+  options.jobs.stop = &stop_asked;
+  if (arguments.budget > 0) options.jobs.cpu_seconds = 60 * arguments.budget;
+  return options;
+}
+
+/// File name of a knob's chart; other letters than those of names become '_'.
+std::string chart_name(const std::string& knob) {
+  return "knob_" + process::folder_of_name(knob) + ".png";
+}
+
+bool any_result(const results::Tradeoff& tradeoff) {
+  return std::any_of(tradeoff.points.begin(), tradeoff.points.end(),
+                     [](const auto& point) { return std::isfinite(point.error); });
+}
+
+std::vector<std::string> write_all(const std::filesystem::path& directory,
+                                   const results::Tradeoff& tradeoff) {
+  std::vector<std::string> written = {"tradeoff.csv", "tradeoff.json"};
+  write_output([&] {
+    results::write_tradeoff(directory, tradeoff);
+    if (!any_result(tradeoff)) return;
+    set_up_drawing();
+    render::draw_tradeoff(directory / "tradeoff.png", tradeoff);
+    written.emplace_back("tradeoff.png");
+    for (const auto& knob : tradeoff.knobs) {
+      render::draw_knob(directory / chart_name(knob.name), tradeoff, knob);
+      written.push_back(chart_name(knob.name));
+    }
+  });
+  return written;
+}
+
+int trade_off(const TradeoffArguments& arguments) {
+  const auto scene = process::read_scene(arguments.scene);
+  const auto options = options_of(arguments);
+  std::vector<process::KnobValues> knobs;
+  for (const auto& text : arguments.vary) knobs.push_back(process::read_vary(text));
+  auto plan = process::plan_tradeoff(scene, knobs, options);
+  make_output_directory(options.directory);
+  std::signal(SIGINT, ask_to_stop);
+  std::signal(SIGTERM, ask_to_stop);
+  const auto tradeoff = process::trade_off(scene, std::move(plan), options);
+  const auto written = write_all(options.directory, tradeoff);
+  std::printf("%sin %s:", tradeoff_table(tradeoff).c_str(), options.directory.string().c_str());
+  for (const auto& file : written) std::printf(" %s", file.c_str());
+  std::printf("\n");
+  return any_result(tradeoff) ? kDone : kFailed;
+}
+
+void add_options(CLI::App& command, TradeoffArguments& arguments) {
+  command.add_option("SCENE", arguments.scene, "scene file (TOML)")->required();
+  command
+      .add_option(
+          "--vary", arguments.vary,
+          "KNOB=VALUE,VALUE,...: a knob's values, or those of any key of the scene by its path; again for "
+          "more knobs (default: all knobs that do something in the scene)")
+      ->allow_extra_args(false);
+  command.add_option("--seeds", arguments.seeds, "runs of each setting, with seeds counted up (default: 2)")
+      ->check(CLI::Range(1, 1000));
+  command
+      .add_option(
+          "--budget", arguments.budget,
+          "core minutes of processor time for all runs together, those of earlier calls included (default: "
+          "no limit)")
+      ->check(CLI::PositiveNumber);
+  command
+      .add_option("--tolerance", arguments.tolerance,
+                  "error in percent that is accepted where the scatter over seeds is smaller (default: 2)")
+      ->check(CLI::Range(0.0, 100.0));
+  command
+      .add_option("--target", arguments.targets,
+                  "NAME=VALUE: hold a quantity (its key in tradeoff.json) against a published value")
+      ->allow_extra_args(false);
+  command.add_option("--reference", arguments.reference,
+                     "setting to hold others against (default: the costliest that is nothing but finer)");
+  command.add_option("--jobs", arguments.jobs, "runs at a time (default: 1)")->check(CLI::Range(1, 1024));
+  command
+      .add_option("--threads", arguments.threads,
+                  "threads of each run (default: 1, so that no waiting counts as cost)")
+      ->check(CLI::Range(1, 1024));
+  command.add_option("--out", arguments.out,
+                     "directory for results (default: out/<folder>_<scene>_tradeoff)");
+  command.add_flag("--quiet", arguments.quiet, "no progress");
+}
+
+}  // namespace
+
+void add_tradeoff(CLI::App& program, Action& chosen) {
+  auto* command = program.add_subcommand(
+      "tradeoff", "Run a scene over settings and chart what each costs and how far its results are off");
+  auto arguments = std::make_shared<TradeoffArguments>();
+  add_options(*command, *arguments);
+  command->footer(
+      "Examples:\n"
+      "  diefill tradeoff sample_tools/tradeoff/slit_discharge.toml --budget 30\n"
+      "  diefill tradeoff my_die.toml --vary 'grain_diameter=0.94 mm,1.88 mm' --vary 'time_step=0.3,0.4' "
+      "--seeds 3\n"
+      "  diefill tradeoff my_die.toml --vary 'step.1.velocity=0.1 m/s,0.2 m/s' --target solid_fraction=0.34\n"
+      "Knobs: grain_diameter, time_step, reduced_modulus, wall_sphere_radius, wall_spacing, powder_height,\n"
+      "slice_length, skin, grain_model; or the path of a key, such as numerics.energy_ledger.\n"
+      "The same command goes on where it was stopped; finished runs are kept. Writes tradeoff.csv, "
+      "tradeoff.json,\n"
+      "tradeoff.png and knob_<name>.png. Exit codes: 0 done, 1 nothing could be judged, 2 bad input, 130 "
+      "stopped.");
+  command->callback([arguments, &chosen] { chosen = [arguments] { return trade_off(*arguments); }; });
+}
+
+}  // namespace diefill::app

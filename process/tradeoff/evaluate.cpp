@@ -1,0 +1,191 @@
+#include "process/tradeoff/evaluate.h"
+
+#include <algorithm>
+#include <boost/math/distributions/students_t.hpp>
+#include <cmath>
+#include <cstdio>
+#include <limits>
+
+namespace diefill::process {
+namespace {
+
+using results::Tradeoff;
+using results::TradeoffPoint;
+using results::TradeoffQuantity;
+using results::TradeoffValue;
+
+constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+
+const TradeoffQuantity* quantity_called(const Tradeoff& tradeoff, const std::string& key) {
+  for (const auto& quantity : tradeoff.quantities)
+    if (quantity.key == key) return &quantity;
+  return nullptr;
+}
+
+/// What errors of a quantity are fractions of.
+double scale_of(const Tradeoff& tradeoff, const TradeoffQuantity& quantity) {
+  const TradeoffQuantity* scale =
+      quantity.scale.empty() ? &quantity : quantity_called(tradeoff, quantity.scale);
+  return scale == nullptr ? kNone : std::abs(scale->reference);
+}
+
+std::vector<TradeoffValue> values_of(const Tradeoff& tradeoff, std::size_t quantity) {
+  std::vector<TradeoffValue> values;
+  for (const TradeoffPoint& point : tradeoff.points)
+    if (quantity < point.values.size()) values.push_back(point.values[quantity]);
+  return values;
+}
+
+std::uint64_t most_seeds(const Tradeoff& tradeoff) {
+  std::uint64_t most = 0;
+  for (const TradeoffPoint& point : tradeoff.points) most = std::max(most, point.seeds);
+  return most;
+}
+
+void set_references(Tradeoff& tradeoff, const TradeoffPoint& reference) {
+  for (std::size_t q = 0; q < tradeoff.quantities.size(); ++q) {
+    TradeoffQuantity& quantity = tradeoff.quantities[q];
+    if (!quantity.is_target)
+      quantity.reference = q < reference.values.size() ? reference.values[q].mean : kNone;
+  }
+}
+
+void set_floors(Tradeoff& tradeoff) {
+  tradeoff.floor = kNone;
+  for (std::size_t q = 0; q < tradeoff.quantities.size(); ++q) {
+    TradeoffQuantity& quantity = tradeoff.quantities[q];
+    const PooledScatter pooled = pooled_scatter(values_of(tradeoff, q), scale_of(tradeoff, quantity));
+    quantity.scatter = pooled.scatter;
+    quantity.floor = error_floor(pooled, most_seeds(tradeoff), quantity.is_target);
+    if (quantity.decides && std::isfinite(quantity.floor))
+      tradeoff.floor = std::isnan(tradeoff.floor) ? quantity.floor : std::max(tradeoff.floor, quantity.floor);
+  }
+}
+
+/// A setting without a value that the reference has cannot be judged: its error is NaN then.
+void set_errors(const Tradeoff& tradeoff, TradeoffPoint& point) {
+  point.error = kNone;
+  point.worst.clear();
+  bool judged = true;
+  for (std::size_t q = 0; q < point.values.size(); ++q) {
+    const TradeoffQuantity& quantity = tradeoff.quantities[q];
+    const double scale = scale_of(tradeoff, quantity);
+    TradeoffValue& value = point.values[q];
+    value.error = scale > 0 ? std::abs(value.mean - quantity.reference) / scale : kNone;
+    if (!quantity.decides || !(scale > 0) || !std::isfinite(quantity.reference)) continue;
+    judged = judged && std::isfinite(value.error);
+    if (std::isnan(point.error) || value.error > point.error) {
+      point.error = value.error;
+      point.worst = quantity.key;
+    }
+  }
+  if (!judged) point.error = kNone;
+}
+
+std::string percent(double share) {
+  char text[32];
+  std::snprintf(text, sizeof text, share < 0.1 ? "%.1f %%" : "%.0f %%", 100 * share);
+  return text;
+}
+
+std::string times(double factor) {
+  char text[32];
+  std::snprintf(text, sizeof text, factor < 10 ? "%.1f" : "%.0f", factor);
+  return text;
+}
+
+std::string advice_for(const Tradeoff& tradeoff, const TradeoffPoint& chosen,
+                       const TradeoffPoint& reference) {
+  const double floor = std::isfinite(tradeoff.floor) ? tradeoff.floor : 0;
+  const std::string limit = tradeoff.tolerance > floor
+                                ? "the tolerance of " + percent(tradeoff.tolerance)
+                                : "the " + percent(floor) + " by which another seed changes results";
+  if (&chosen == &reference)
+    return "Take \"" + chosen.name + "\": nothing cheaper comes within " + limit + '.';
+  std::string words = "Take \"" + chosen.name + "\": " + times(reference.core_seconds / chosen.core_seconds) +
+                      " times cheaper than \"" + reference.name + "\", error " + percent(chosen.error);
+  if (const TradeoffQuantity* worst = quantity_called(tradeoff, chosen.worst))
+    words += " (" + worst->name + ')';
+  return words + ", within " + limit + '.';
+}
+
+void recommend(Tradeoff& tradeoff, std::size_t reference) {
+  const double floor = std::isfinite(tradeoff.floor) ? tradeoff.floor : 0;
+  const double limit = std::max(floor, tradeoff.tolerance);
+  TradeoffPoint* chosen = nullptr;
+  for (TradeoffPoint& point : tradeoff.points)
+    if (point.reason.empty() && point.error <= limit &&
+        (chosen == nullptr || point.core_seconds < chosen->core_seconds))
+      chosen = &point;
+  if (chosen == nullptr) {
+    tradeoff.advice = "No setting comes within the tolerance and the scatter over seeds.";
+    return;
+  }
+  chosen->recommended = true;
+  tradeoff.advice = advice_for(tradeoff, *chosen, tradeoff.points[reference]);
+}
+
+}  // namespace
+
+PooledScatter pooled_scatter(const std::vector<TradeoffValue>& values, double scale) {
+  PooledScatter pooled;
+  double squares = 0;
+  for (const TradeoffValue& value : values) {
+    if (value.seeds < 2 || !std::isfinite(value.scatter)) continue;
+    const double freedom = static_cast<double>(value.seeds - 1);
+    squares += freedom * value.scatter * value.scatter;
+    pooled.freedom += freedom;
+  }
+  pooled.scatter = pooled.freedom > 0 ? std::sqrt(squares / pooled.freedom) / scale : kNone;
+  return pooled;
+}
+
+double error_floor(const PooledScatter& pooled, std::uint64_t seeds, bool target) {
+  if (!(pooled.freedom > 0) || !std::isfinite(pooled.scatter) || seeds == 0) return kNone;
+  const double t = boost::math::quantile(boost::math::students_t(pooled.freedom), 0.975);
+  return t * pooled.scatter * std::sqrt((target ? 1.0 : 2.0) / static_cast<double>(seeds));
+}
+
+std::vector<std::size_t> pareto_front(const std::vector<double>& cost, const std::vector<double>& error) {
+  std::vector<std::size_t> order;
+  for (std::size_t k = 0; k < cost.size(); ++k)
+    if (std::isfinite(cost[k]) && std::isfinite(error[k])) order.push_back(k);
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    return cost[a] != cost[b] ? cost[a] < cost[b] : error[a] < error[b];
+  });
+  std::vector<std::size_t> front;
+  for (const std::size_t k : order)
+    if (front.empty() || error[k] < error[front.back()]) front.push_back(k);
+  return front;
+}
+
+std::size_t reference_setting(const std::vector<TradeoffPoint>& points, const std::vector<int>& finer) {
+  std::size_t best = points.size();
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    if (points[k].seeds == 0 || (!points[k].changes.empty() && finer[k] <= 0)) continue;
+    if (best == points.size() || points[k].core_seconds > points[best].core_seconds) best = k;
+  }
+  return best;
+}
+
+void evaluate(Tradeoff& tradeoff, std::size_t reference) {
+  for (TradeoffPoint& point : tradeoff.points) point.reference = point.recommended = point.pareto = false;
+  tradeoff.floor = kNone;
+  if (reference >= tradeoff.points.size()) {
+    tradeoff.advice = "No run is finished that others could be held against.";
+    return;
+  }
+  tradeoff.points[reference].reference = true;
+  set_references(tradeoff, tradeoff.points[reference]);
+  set_floors(tradeoff);
+  std::vector<double> cost, error;
+  for (TradeoffPoint& point : tradeoff.points) {
+    set_errors(tradeoff, point);
+    cost.push_back(point.core_seconds);
+    error.push_back(point.error);
+  }
+  for (const std::size_t k : pareto_front(cost, error)) tradeoff.points[k].pareto = true;
+  recommend(tradeoff, reference);
+}
+
+}  // namespace diefill::process

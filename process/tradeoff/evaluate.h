@@ -1,0 +1,36 @@
+// From measured costs and values to errors, the floor that seeds set, the Pareto front, and one setting to
+// take.
+#pragma once
+
+#include "process/results/tradeoff.h"
+
+namespace diefill::process {
+
+/// Pooled scatter over seeds of a quantity, a fraction of `scale`: root of the sum of squares over all
+/// settings over the sum of their (seeds - 1). NaN where no setting has two seeds.
+struct PooledScatter {
+  double scatter = 0;
+  double freedom = 0;  ///< sum of (seeds - 1)
+};
+PooledScatter pooled_scatter(const std::vector<results::TradeoffValue>& values, double scale);
+
+/// Error that two settings of `seeds` runs each show by chance alone, in one case of twenty at most:
+/// Student's t_{0.975} at the pooled freedom times the scatter times sqrt(2 / seeds); against a target sqrt(1
+/// / seeds). NaN where the scatter is not known.
+double error_floor(const PooledScatter& pooled, std::uint64_t seeds, bool target);
+
+/// Indices of the points that no other beats: none costs less (or as much) with a smaller (or as small)
+/// error. Cheapest first; points with a NaN stay out; of equal points the first is on it.
+std::vector<std::size_t> pareto_front(const std::vector<double>& cost, const std::vector<double>& error);
+
+/// Index of the reference setting: the costliest of those that are the base or nothing but finer than it
+/// (`finer` > 0) and have results; of the settings' number where none has any.
+std::size_t reference_setting(const std::vector<results::TradeoffPoint>& points,
+                              const std::vector<int>& finer);
+
+/// Fills in everything that follows from the values: references (those of point `reference` unless targets),
+/// scatter and floors, errors, Pareto front, and the recommendation: the cheapest setting whose error is
+/// within the larger of floor and tolerance and none of whose runs failed.
+void evaluate(results::Tradeoff& tradeoff, std::size_t reference);
+
+}  // namespace diefill::process

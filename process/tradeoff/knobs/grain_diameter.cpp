@@ -1,0 +1,47 @@
+#include "process/tradeoff/knobs/knobs.h"
+
+namespace diefill::process {
+namespace {
+
+constexpr std::string_view kBy = " by ";
+
+/// "1.88 mm" of "1.88 mm by bierwisch".
+std::string diameter_in(const std::string& value) {
+  return value.substr(0, value.find(kBy));
+}
+
+SceneChanges changes(const Scene&, const std::string& value) {
+  SceneChanges changes{"powder.grain_diameter = " + toml_value(diameter_in(value)) + '\n', {}};
+  const std::size_t by = value.find(kBy);
+  if (by != std::string::npos)
+    changes.set += "powder.coarse_graining = " + toml_value(value.substr(by + kBy.size())) + '\n';
+  return changes;
+}
+
+/// As the scene writes it: presets of model D take the rounded 0.47 mm for their exact 0.4704 mm, and so its
+/// multiples.
+std::string current(const Scene& scene) {
+  return value_at(scene.text, scene.file, "powder.grain_diameter")
+      .value_or(in_millimetres(scene.powder.grain_diameter));
+}
+
+/// Work goes with d^-4: half as coarse again costs a fifth, 0.7 d four times as much.
+std::vector<std::string> usual(const Scene& scene) {
+  const double now = parse_quantity(current(scene), Dimension::length);
+  return {in_millimetres(2 * now), in_millimetres(1.5 * now), in_millimetres(0.7 * now)};
+}
+
+}  // namespace
+
+Knob grain_diameter_knob() {
+  return {.name = "grain_diameter",
+          .label = "model grain diameter d",
+          .sign = "d",
+          .finer = Finer::smaller,
+          .dimension = Dimension::length,
+          .current = current,
+          .usual = usual,
+          .changes = changes};
+}
+
+}  // namespace diefill::process

@@ -1,0 +1,18 @@
+#include "process/tradeoff/knobs/knobs.h"
+
+namespace diefill::process {
+
+Knob wall_spacing_knob() {
+  return {.name = "wall_spacing",
+          .label = "spacing of wall spheres over their radius",
+          .sign = "wall spacing",
+          .finer = Finer::smaller,
+          .current = [](const Scene& scene) { return number_in_words(scene.walls.spacing); },
+          .usual =
+              [](const Scene&) {
+                return std::vector<std::string>{"2.4", "1.6", "1.2"};
+              },
+          .changes = sets_key("walls.spacing")};
+}
+
+}  // namespace diefill::process

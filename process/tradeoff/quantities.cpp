@@ -1,0 +1,134 @@
+#include "process/tradeoff/quantities.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "process/measure/heap_slope.h"
+
+namespace diefill::process {
+namespace {
+
+constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+
+double figure(const results::FillResult& result, const std::string& key) {
+  const auto found = result.figures.find(key);
+  return found == result.figures.end() ? kNone : found->second;
+}
+
+bool has_cavity(const results::FillResult& result) {
+  return result.cavity.volume > 0;
+}
+
+/// What masses are divided by, and the unit they are in then.
+struct Slice {
+  double divisor = 1;  ///< mm or mm^2
+  std::string unit = "g", rate = "g/s";
+};
+
+Slice slice_of(const Scene& scene) {
+  Slice slice;
+  int axes = 0;
+  for (const auto& period : scene.numerics.period)
+    if (period) {
+      slice.divisor *= 1e3 * *period;
+      ++axes;
+    }
+  if (axes > 0) {
+    const std::string per = axes == 1 ? "mm" : "mm^2";
+    slice.unit = "g/" + per;
+    slice.rate = "g/s/" + per;
+  }
+  return slice;
+}
+
+/// One column of a probe's table.
+std::vector<double> column(const results::ProbeSeries& series, std::size_t number) {
+  std::vector<double> values;
+  for (std::size_t k = number; k < series.values.size(); k += series.columns.size())
+    values.push_back(series.values[k]);
+  return values;
+}
+
+const results::ProbeSeries* probe_called(const results::FillResult& result, const std::string& name) {
+  for (const auto& series : result.probes)
+    if (series.name == name && !series.values.empty()) return &series;
+  return nullptr;
+}
+
+/// Masses through the planes of the scene's flow probes, and their rates.
+void add_flows(std::vector<MeasuredQuantity>& all, const Scene& scene) {
+  const Slice slice = slice_of(scene);
+  for (const ProbeSpec& probe : scene.probes) {
+    if (probe.quantity != ProbeQuantity::flow) continue;
+    const std::string name = probe.name;
+    const double factor = 1e3 / slice.divisor;
+    all.push_back({{.key = "mass_through_" + name, .name = "mass through " + name, .unit = slice.unit},
+                   [name, factor](const results::FillResult& result) {
+                     const auto* series = probe_called(result, name);
+                     return series == nullptr ? kNone : factor * column(*series, 1).back();
+                   }});
+    all.push_back({{.key = "rate_through_" + name, .name = "rate through " + name, .unit = slice.rate},
+                   [name, factor](const results::FillResult& result) {
+                     const auto* series = probe_called(result, name);
+                     return series == nullptr ? kNone
+                                              : factor * steady_rate(column(*series, 0), column(*series, 1));
+                   }});
+  }
+}
+
+/// Figures that other measures of the result add by name.
+void add_heaps(std::vector<MeasuredQuantity>& all, const Scene& scene) {
+  for (const HeapSpec& heap : scene.measure.heaps) {
+    const std::string key = heap_figure(heap.name);
+    all.push_back({{.key = key, .name = "slope of " + heap.name, .unit = "deg"},
+                   [key](const results::FillResult& result) { return figure(result, key); }});
+  }
+}
+
+}  // namespace
+
+double steady_rate(const std::vector<double>& time, const std::vector<double>& amount) {
+  constexpr double kFrom = 0.2, kTo = 0.8;
+  const double end = amount.empty() ? 0 : amount.back();
+  if (!(end > 0)) return kNone;
+  const auto first_above = [&](double share) {
+    return static_cast<std::size_t>(
+        std::find_if(amount.begin(), amount.end(), [&](double value) { return value >= share * end; }) -
+        amount.begin());
+  };
+  const std::size_t from = first_above(kFrom), to = first_above(kTo);
+  return from < to ? (amount[to] - amount[from]) / (time[to] - time[from]) : kNone;
+}
+
+std::vector<MeasuredQuantity> measured_quantities(const Scene& scene) {
+  const Slice slice = slice_of(scene);
+  std::vector<MeasuredQuantity> all = {
+      {{.key = "filled_mass", .name = "filled mass", .unit = slice.unit},
+       [slice](const results::FillResult& result) {
+         return has_cavity(result) ? 1e3 * figure(result, "filled_mass_kg") / slice.divisor : kNone;
+       }},
+      {{.key = "solid_fraction", .name = "mean solid fraction", .unit = "1"},
+       [](const results::FillResult& result) {
+         return has_cavity(result) && result.summary.grains > 0 ? result.summary.mean : kNone;
+       }},
+      {{.key = "solid_fraction_spread",
+        .name = "spatial standard deviation of the solid fraction",
+        .unit = "1",
+        .scale = "solid_fraction"},
+       [](const results::FillResult& result) { return figure(result, "solid_fraction_field_std"); }},
+      {{.key = "fill_level", .name = "fill level", .unit = "mm"},
+       [](const results::FillResult& result) {
+         return has_cavity(result) ? figure(result, "fill_height_mm") : kNone;
+       }},
+      {{.key = "bed_solid_fraction", .name = "solid fraction of the powder", .unit = "1"},
+       [](const results::FillResult& result) {
+         return has_cavity(result) ? kNone : figure(result, "bulk_solid_fraction");
+       }},
+  };
+  add_flows(all, scene);
+  add_heaps(all, scene);
+  return all;
+}
+
+}  // namespace diefill::process

@@ -1,0 +1,121 @@
+#include "process/tradeoff/settings.h"
+
+#include <algorithm>
+#include <regex>
+
+#include "process/tradeoff/knob_registry.h"
+#include "process/tradeoff/work_estimate.h"
+
+namespace diefill::process {
+namespace {
+
+std::string trimmed(const std::string& text) {
+  const std::size_t first = text.find_first_not_of(" \t"), last = text.find_last_not_of(" \t");
+  return first == std::string::npos ? "" : text.substr(first, last - first + 1);
+}
+
+/// Parts of `text` between commas that stand in no quotes, brackets or braces.
+std::vector<std::string> split_at_commas(const std::string& text) {
+  std::vector<std::string> parts(1);
+  int depth = 0;
+  bool quoted = false;
+  for (const char letter : text) {
+    if (letter == '"') quoted = !quoted;
+    if (!quoted && (letter == '[' || letter == '{')) ++depth;
+    if (!quoted && (letter == ']' || letter == '}')) --depth;
+    if (letter == ',' && depth == 0 && !quoted)
+      parts.emplace_back();
+    else
+      parts.back() += letter;
+  }
+  for (std::string& part : parts) part = trimmed(part);
+  return parts;
+}
+
+/// Of a message about a change, which stands in no file: without file, line and column.
+std::string without_place(const std::string& message) {
+  static const std::regex place(R"(^.*?:[0-9]+(:[0-9]+)?: \.?)");
+  return std::regex_replace(message, place, "", std::regex_constants::format_first_only);
+}
+
+int finer_than_base(const Scene& scene, const std::vector<std::pair<Knob, std::string>>& turned) {
+  bool all_finer = !turned.empty();
+  for (const auto& [knob, value] : turned) {
+    const int order = fineness(knob, value, knob.current(scene));
+    if (order < 0) return -1;
+    all_finer = all_finer && order > 0;
+  }
+  return all_finer ? 1 : 0;
+}
+
+SceneChanges changes_of(const Scene& scene, const std::vector<std::pair<Knob, std::string>>& turned) {
+  SceneChanges all;
+  for (const auto& [knob, value] : turned) {
+    const SceneChanges changes = knob.changes(scene, value);
+    all.set += changes.set;
+    all.without.insert(all.without.end(), changes.without.begin(), changes.without.end());
+  }
+  return all;
+}
+
+}  // namespace
+
+KnobValues read_vary(const std::string& text) {
+  const std::size_t equals = text.find('=');
+  if (equals == std::string::npos || trimmed(text.substr(0, equals)).empty())
+    throw SceneError("--vary: found \"" + text +
+                     "\", KNOB=VALUE,VALUE,... is needed, such as --vary \"grain_diameter=0.94 mm,1.88 mm\"");
+  KnobValues varied{knob_called(trimmed(text.substr(0, equals))), split_at_commas(text.substr(equals + 1))};
+  for (const std::string& value : varied.values)
+    if (value.empty())
+      throw SceneError("--vary: found \"" + text +
+                       "\", a value is empty; write values with commas between them");
+  return varied;
+}
+
+std::vector<KnobValues> usual_knobs(const Scene& scene) {
+  std::vector<KnobValues> all;
+  for (const Knob& knob : knob_registry())
+    if (auto values = knob.usual(scene); !values.empty()) all.push_back({knob, std::move(values)});
+  return all;
+}
+
+Setting setting_with(const Scene& scene, const std::string& name, const std::string& label,
+                     const std::vector<std::pair<Knob, std::string>>& turned) {
+  Setting setting;
+  setting.name = name;
+  setting.label = label;
+  for (const auto& [knob, value] : turned) setting.changes.push_back({knob.name, value});
+  setting.finer = finer_than_base(scene, turned);
+  setting.variant.name = name;
+  setting.variant.folder = folder_of_name(name);
+  try {
+    setting.variant.scene = changed_scene(scene.text, scene.file, changes_of(scene, turned));
+    setting.work = work_per_second(setting.variant.scene);
+  } catch (const SceneError& error) {
+    setting.refused = without_place(error.what());
+  }
+  return setting;
+}
+
+std::vector<Setting> one_at_a_time(const Scene& scene, const std::vector<KnobValues>& knobs, bool strict) {
+  std::vector<Setting> settings = {setting_with(scene, kBase, kBase, {})};
+  if (!settings.front().refused.empty())
+    throw SceneError(scene.file.string() + ": " + settings.front().refused);
+  for (const auto& [knob, values] : knobs) {
+    const std::string now = knob.current(scene);
+    for (const std::string& value : values) {
+      if (same_value(knob, value, now)) continue;
+      const std::string name = knob.name + '=' + value;
+      Setting setting = setting_with(scene, name, knob.sign + ' ' + value, {{knob, value}});
+      if (strict && !setting.refused.empty()) throw SceneError("--vary " + name + ": " + setting.refused);
+      const auto same = [&](const Setting& other) { return other.variant.folder == setting.variant.folder; };
+      if (std::any_of(settings.begin(), settings.end(), same))
+        throw SceneError("--vary " + name + ": this setting is asked for twice; name each value once");
+      settings.push_back(std::move(setting));
+    }
+  }
+  return settings;
+}
+
+}  // namespace diefill::process

@@ -1,0 +1,189 @@
+#include "process/tradeoff/trade_off.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "process/compare/job_folder.h"
+#include "process/results/job_cost.h"
+#include "process/run/progress.h"
+#include "process/scene/nearest_key.h"
+#include "process/tradeoff/evaluate.h"
+#include "process/tradeoff/gather.h"
+#include "process/tradeoff/quantities.h"
+
+namespace diefill::process {
+namespace {
+
+constexpr const char* kCombined = "combined";
+constexpr double kWorthwhile = 0.97;  // of the base's cost: a knob that saves less is left where it is
+
+void refuse_unknown(const std::string& what, const std::string& word, const std::vector<std::string>& known) {
+  if (std::find(known.begin(), known.end(), word) != known.end()) return;
+  std::string message = what + ": found \"" + word + "\", there is none of this name; ";
+  if (const auto meant = nearest_key(word, known))
+    throw SceneError(message + "did you mean \"" + *meant + "\"?");
+  message += "there are";
+  for (std::size_t k = 0; k < known.size(); ++k) message += (k == 0 ? " \"" : ", \"") + known[k] + '"';
+  throw SceneError(message);
+}
+
+void check_words(const Scene& scene, const std::vector<Setting>& settings, const TradeoffOptions& options) {
+  std::vector<std::string> quantities, names = {kCombined};
+  for (const auto& quantity : measured_quantities(scene)) quantities.push_back(quantity.about.key);
+  for (const auto& [key, value] : options.targets) refuse_unknown("--target", key, quantities);
+  for (const Setting& setting : settings) names.push_back(setting.name);
+  if (!options.reference.empty()) refuse_unknown("--reference", options.reference, names);
+}
+
+const Setting& setting_called(const std::vector<Setting>& settings, const std::string& name) {
+  return *std::find_if(settings.begin(), settings.end(),
+                       [&](const Setting& setting) { return setting.name == name; });
+}
+
+/// What a job will cost (s of processor time) from what others have: from another seed of its setting, or
+/// else from the setting whose work is nearest. Nothing while none is known.
+std::optional<double> predicted_cost(const std::filesystem::path& directory,
+                                     const std::vector<Setting>& settings, int seeds,
+                                     const Setting& setting) {
+  std::optional<double> predicted;
+  double nearest = 0;
+  for (const Setting& other : settings)
+    for (const results::Job& job : jobs_of(other, seeds)) {
+      if (state_of(directory, job).stage != JobState::Stage::finished) continue;
+      const double cost = results::read_job_cost(directory / job.folder).cpu_seconds;
+      const double distance = other.name == setting.name ? -1 : std::abs(std::log(setting.work / other.work));
+      if (predicted && distance >= nearest) continue;
+      predicted = cost * setting.work / other.work;
+      nearest = distance;
+    }
+  return predicted;
+}
+
+/// Runs what is not finished, cheap settings first and all of them with one seed before any with the next.
+void run_settings(const std::string& title, const std::vector<Setting>& settings,
+                  const TradeoffOptions& options) {
+  std::vector<Setting> order;
+  for (const Setting& setting : settings)
+    if (setting.refused.empty()) order.push_back(setting);
+  std::stable_sort(order.begin(), order.end(),
+                   [](const Setting& a, const Setting& b) { return a.work < b.work; });
+  std::vector<Variant> variants;
+  for (const Setting& setting : order) variants.push_back(setting.variant);
+  const results::JobList list = write_jobs(options.directory, title, variants, options.seeds);
+  JobOptions jobs = options.jobs;
+  jobs.starts = [&](const results::Job& job, double left) {
+    const auto cost =
+        predicted_cost(options.directory, settings, options.seeds, setting_called(settings, job.variant));
+    return !cost || *cost <= left;
+  };
+  run_jobs(options.directory, list, jobs);
+}
+
+/// Fills in errors against `reference`, and against the maps of its runs.
+void judge(results::Tradeoff& tradeoff, std::size_t reference, const TradeoffOptions& options) {
+  for (auto& quantity : tradeoff.quantities) {
+    const auto target = options.targets.find(quantity.key);
+    if (target == options.targets.end()) continue;
+    quantity.is_target = true;
+    quantity.reference = target->second;
+  }
+  tradeoff.tolerance = options.tolerance;
+  evaluate(tradeoff, reference);
+}
+
+/// Every knob at its cheapest value that alone stays within scatter and tolerance of the base; nothing where
+/// fewer than two knobs have one.
+std::optional<Setting> combination(const Scene& scene, results::Tradeoff tradeoff,
+                                   const std::vector<KnobValues>& knobs, double tolerance) {
+  tradeoff.tolerance = tolerance;
+  evaluate(tradeoff, 0);
+  const double limit = std::max(std::isfinite(tradeoff.floor) ? tradeoff.floor : 0, tolerance);
+  std::vector<std::pair<Knob, std::string>> turned;
+  for (const results::KnobRow& row : tradeoff.knobs) {
+    double cheapest = kWorthwhile * tradeoff.points.front().core_seconds;
+    std::string value;
+    for (std::size_t k = 0; k < row.points.size(); ++k) {
+      const auto& point = tradeoff.points[row.points[k]];
+      if (row.points[k] == 0 || !point.reason.empty() || !(point.error <= limit) ||
+          !(point.core_seconds < cheapest))
+        continue;
+      cheapest = point.core_seconds;
+      value = row.values[k];
+    }
+    const auto knob = std::find_if(knobs.begin(), knobs.end(),
+                                   [&](const KnobValues& varied) { return varied.knob.name == row.name; });
+    if (!value.empty()) turned.emplace_back(knob->knob, value);
+  }
+  if (turned.size() < 2) return std::nullopt;
+  return setting_with(scene, kCombined, kCombined, turned);
+}
+
+void add_remarks(results::Tradeoff& tradeoff, const TradeoffOptions& options) {
+  std::string without;
+  std::size_t missing = 0;
+  for (const auto& point : tradeoff.points) {
+    if (point.state == "failed" || point.state == "refused")
+      tradeoff.remarks.push_back('"' + point.name + "\" " + point.state + ": " + point.reason);
+    else if (point.seeds > 0 && !point.reason.empty())
+      tradeoff.remarks.push_back('"' + point.name + "\": a run failed: " + point.reason);
+    if (point.state == "failed" || point.state == "refused") continue;
+    missing += static_cast<std::size_t>(options.seeds) - static_cast<std::size_t>(point.seeds);
+    if (point.seeds == 0) without += (without.empty() ? "" : ", ") + ('"' + point.name + '"');
+  }
+  if (std::isfinite(options.jobs.cpu_seconds) && missing > 0)
+    tradeoff.remarks.push_back(std::to_string(missing) + " runs did not fit the budget of " +
+                               number_in_words(options.jobs.cpu_seconds / 60) + " core minutes" +
+                               (without.empty() ? "" : "; no result at all of " + without) +
+                               "; a larger --budget goes on");
+  for (const auto& point : tradeoff.points)
+    if (point.name == kCombined) {
+      std::string words = "\"combined\" is";
+      for (std::size_t k = 0; k < point.changes.size(); ++k)
+        words += (k == 0 ? " " : ", ") + point.changes[k].knob + '=' + point.changes[k].value;
+      tradeoff.remarks.push_back(words);
+    }
+  if (options.seeds < 2)
+    tradeoff.remarks.emplace_back("one seed each: what another seed changes is not known; --seeds 2 tells");
+}
+
+std::size_t reference_of(const results::Tradeoff& tradeoff, const std::vector<Setting>& settings,
+                         const std::string& wanted) {
+  std::vector<int> finer;
+  for (std::size_t k = 0; k < settings.size(); ++k) {
+    finer.push_back(settings[k].finer);
+    if (settings[k].name == wanted && tradeoff.points[k].seeds > 0) return k;
+  }
+  return reference_setting(tradeoff.points, finer);
+}
+
+}  // namespace
+
+TradeoffPlan plan_tradeoff(const Scene& scene, const std::vector<KnobValues>& knobs,
+                           const TradeoffOptions& options) {
+  const bool strict = !knobs.empty();
+  TradeoffPlan plan;
+  plan.knobs = strict ? knobs : usual_knobs(scene);
+  plan.settings = one_at_a_time(scene, plan.knobs, strict);
+  check_words(scene, plan.settings, options);
+  return plan;
+}
+
+results::Tradeoff trade_off(const Scene& scene, TradeoffPlan plan, const TradeoffOptions& options) {
+  auto& settings = plan.settings;
+  run_settings(scene.title, settings, options);
+  auto tradeoff = gather(options.directory, scene, settings, plan.knobs, options.seeds);
+  if (auto combined = combination(scene, tradeoff, plan.knobs, options.tolerance)) {
+    settings.push_back(std::move(*combined));
+    run_settings(scene.title, settings, options);
+    tradeoff = gather(options.directory, scene, settings, plan.knobs, options.seeds);
+  }
+  tradeoff.command = options.command;
+  const std::size_t reference = reference_of(tradeoff, settings, options.reference);
+  add_map_correlation(tradeoff, options.directory, settings, options.seeds, reference);
+  judge(tradeoff, reference, options);
+  add_remarks(tradeoff, options);
+  return tradeoff;
+}
+
+}  // namespace diefill::process

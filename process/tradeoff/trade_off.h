@@ -1,0 +1,38 @@
+// Runs a scene over settings, each with several seeds, and says what they cost and how far they are off. The
+// runs are jobs of diefill compare: folders that stand alone, kept when finished, gone on with when not.
+#pragma once
+
+#include <map>
+
+#include "process/compare/run_jobs.h"
+#include "process/results/tradeoff.h"
+#include "process/tradeoff/settings.h"
+
+namespace diefill::process {
+
+struct TradeoffOptions {
+  std::filesystem::path directory;        ///< of the jobs; must be there
+  int seeds = 1;                          ///< runs of each setting, seeds counted up from the scene's
+  double tolerance = 0;                   ///< error that is accepted, a fraction
+  std::map<std::string, double> targets;  ///< published values by key of the quantity, in its unit
+  std::string reference;  ///< name of the setting to hold others against; empty: reference_setting
+  JobOptions jobs;        ///< with the budget as `cpu_seconds`; `starts` is set here
+  std::string command;    ///< for the record
+};
+
+/// What is to be tried of a scene.
+struct TradeoffPlan {
+  std::vector<KnobValues> knobs;
+  std::vector<Setting> settings;  ///< the base first
+};
+
+/// The knobs with these values, usual_knobs where there are none, and their settings. Throws SceneError for
+/// values that the scene refuses (usual ones are noted in their setting), and for unknown names in `options`.
+TradeoffPlan plan_tradeoff(const Scene& scene, const std::vector<KnobValues>& knobs,
+                           const TradeoffOptions& options);
+
+/// Runs the plan, and then all worthwhile knobs turned together. Throws Interrupted when asked to stop,
+/// results::ResultError and std::runtime_error as run_jobs does.
+results::Tradeoff trade_off(const Scene& scene, TradeoffPlan plan, const TradeoffOptions& options);
+
+}  // namespace diefill::process

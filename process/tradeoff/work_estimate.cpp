@@ -1,0 +1,28 @@
+#include "process/tradeoff/work_estimate.h"
+
+#include "process/run/fill_run.h"
+#include "process/run/material.h"
+#include "process/run/pour.h"
+
+namespace diefill::process {
+
+double expected_impact_speed(const Scene& scene) {
+  const auto shape = engine_settings(scene, 1.0).shape;
+  return expected_impact_speed(scene, pour_height(scene, shape));
+}
+
+double time_step_fraction(const Scene& scene) {
+  const double impact = expected_impact_speed(scene);
+  const auto settings = engine_settings(scene, impact);
+  return settings.time_step / critical_time_step(settings, impact);
+}
+
+double work_per_second(const Scene& scene) {
+  const auto settings = engine_settings(scene, expected_impact_speed(scene));
+  const Eigen::Vector3d box = scene.pour.upper - scene.pour.lower;
+  const double solid = box[0] * box[1] * scene.pour.fill_height * expected_solid_fraction(scene);
+  const double spheres = solid / settings.shape.solid_volume * static_cast<double>(settings.shape.spheres());
+  return spheres / settings.time_step;
+}
+
+}  // namespace diefill::process

@@ -1,0 +1,22 @@
+// Where labels of points go so that none covers another, a point, or the frame.
+#pragma once
+
+#include <QRectF>
+#include <vector>
+
+namespace diefill::render {
+
+/// A point to be labelled and the room its label takes.
+struct LabelledPoint {
+  QPointF at;
+  QSizeF label;
+  double radius = 10;  ///< of the point's own mark
+};
+
+/// A rectangle for each label, in order, inside `area`: as near its point as goes, clear of all other labels,
+/// of all marks and of `taken`. Where there is no such place, the one that covers least. The same points give
+/// the same places.
+std::vector<QRectF> place_labels(const std::vector<LabelledPoint>& points, const QRectF& area,
+                                 const std::vector<QRectF>& taken = {});
+
+}  // namespace diefill::render

@@ -1,0 +1,166 @@
+// Errors, floors, Pareto front and recommendation against points worked out by hand.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "process/tradeoff/evaluate.h"
+#include "process/tradeoff/quantities.h"
+
+namespace diefill::process {
+namespace {
+
+using results::Tradeoff;
+using results::TradeoffPoint;
+using results::TradeoffValue;
+
+constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+
+TradeoffPoint point(const std::string& name, double cost, const std::vector<double>& means,
+                    double scatter = kNone, std::uint64_t seeds = 1) {
+  TradeoffPoint made;
+  made.name = name;
+  if (name != "base") made.changes = {{"knob", name}};
+  made.state = "finished";
+  made.seeds = seeds;
+  made.core_seconds = cost;
+  for (const double mean : means) made.values.push_back({mean, scatter, seeds, kNone});
+  return made;
+}
+
+Tradeoff with_quantities(const std::vector<TradeoffPoint>& points) {
+  Tradeoff tradeoff;
+  tradeoff.quantities.resize(2);
+  tradeoff.quantities[0].key = tradeoff.quantities[0].name = "mass";
+  tradeoff.quantities[1].key = tradeoff.quantities[1].name = "spread";
+  tradeoff.quantities[1].scale = "mass";
+  tradeoff.points = points;
+  return tradeoff;
+}
+
+TEST(ParetoFront, HoldsWhatNothingBeats) {
+  //                              0   1   2     3  4  5   6
+  const std::vector<double> cost = {8, 4, 4, 2, 1, 16, kNone};
+  const std::vector<double> error = {1, 2, 3, 2, 9, 1, 0};
+  EXPECT_EQ(pareto_front(cost, error), (std::vector<std::size_t>{4, 3, 0}));
+  EXPECT_EQ(pareto_front({1, 1}, {2, 2}), (std::vector<std::size_t>{0}));
+  EXPECT_TRUE(pareto_front({}, {}).empty());
+}
+
+TEST(ErrorFloor, PoolsTheScatterOverSettings) {
+  // Two seeds each: one degree of freedom a setting. sqrt((0.3^2 + 0.1^2) / 2) / 10.
+  const std::vector<TradeoffValue> values = {{10, 0.3, 2, 0}, {11, 0.1, 2, 0}, {12, kNone, 1, 0}};
+  const PooledScatter pooled = pooled_scatter(values, 10);
+  EXPECT_NEAR(pooled.scatter, std::sqrt(0.05) / 10, 1e-15);
+  EXPECT_EQ(pooled.freedom, 2);
+  // t_{0.975, 2} = 4.302653; means of two seeds differ by sqrt(2 / 2) times the scatter.
+  EXPECT_NEAR(error_floor(pooled, 2, false), 4.302653 * std::sqrt(0.05) / 10, 1e-8);
+  EXPECT_NEAR(error_floor(pooled, 2, true), 4.302653 * std::sqrt(0.05) / 10 / std::sqrt(2), 1e-8);
+  EXPECT_TRUE(std::isnan(error_floor(pooled_scatter({{10, kNone, 1, 0}}, 10), 1, false)));
+}
+
+TEST(Reference, IsTheCostliestSettingThatIsOnlyFiner) {
+  const std::vector<TradeoffPoint> points = {point("base", 10, {1, 1}), point("coarse", 50, {1, 1}),
+                                             point("fine", 30, {1, 1}), point("finer", 90, {1, 1}, kNone, 0),
+                                             point("unknown", 70, {1, 1})};
+  EXPECT_EQ(reference_setting(points, {0, -1, 1, 1, 0}), 2U);  // "finer" has no result
+  EXPECT_EQ(reference_setting({point("base", 10, {1, 1})}, {0}), 0U);
+  EXPECT_EQ(reference_setting({point("base", 10, {1, 1}, kNone, 0)}, {0}), 1U);
+}
+
+TEST(Evaluation, ErrorsAreDistancesFromTheReferenceOverTheScale) {
+  Tradeoff tradeoff = with_quantities({point("base", 10, {102, 5}), point("fine", 40, {100, 4})});
+  evaluate(tradeoff, 1);
+  const auto& base = tradeoff.points[0];
+  EXPECT_NEAR(base.values[0].error, 0.02, 1e-15);
+  EXPECT_NEAR(base.values[1].error, 0.01, 1e-15);  // of the mass, not of itself
+  EXPECT_NEAR(base.error, 0.02, 1e-15);
+  EXPECT_EQ(base.worst, "mass");
+  EXPECT_EQ(tradeoff.points[1].error, 0);
+  EXPECT_TRUE(tradeoff.points[1].reference);
+  EXPECT_TRUE(std::isnan(tradeoff.floor));
+}
+
+TEST(Evaluation, RecommendsTheCheapestWithinTheToleranceOrTheFloor) {
+  const std::vector<TradeoffPoint> points = {point("base", 10, {101, 1}), point("quick", 2, {103, 1}),
+                                             point("crude", 1, {120, 1}), point("fine", 40, {100, 1}),
+                                             point("slow", 50, {100.5, 1})};
+  Tradeoff tradeoff = with_quantities(points);
+  tradeoff.tolerance = 0.02;
+  evaluate(tradeoff, 3);
+  EXPECT_TRUE(tradeoff.points[0].recommended);
+  EXPECT_EQ(
+      tradeoff.advice,
+      "Take \"base\": 4.0 times cheaper than \"fine\", error 1.0 % (mass), within the tolerance of 2.0 %.");
+  for (const std::size_t on : {0U, 1U, 2U, 3U}) EXPECT_TRUE(tradeoff.points[on].pareto) << on;
+  EXPECT_FALSE(tradeoff.points[4].pareto);
+
+  // Scatter 1 over three seeds of five settings: t_{0.975, 10} = 2.228139, floor 2.228139 x 0.01 x sqrt(2 /
+  // 3) = 1.8 %.
+  for (auto& each : tradeoff.points) {
+    each.seeds = 3;
+    each.values[0].scatter = 1;
+    each.values[0].seeds = 3;
+  }
+  tradeoff.tolerance = 0;
+  evaluate(tradeoff, 3);
+  EXPECT_NEAR(tradeoff.floor, 2.228139 * 0.01 * std::sqrt(2.0 / 3), 1e-8);
+  EXPECT_TRUE(tradeoff.points[0].recommended);
+  EXPECT_NE(tradeoff.advice.find("by which another seed changes results"), std::string::npos)
+      << tradeoff.advice;
+
+  tradeoff.tolerance = 0.05;
+  evaluate(tradeoff, 3);
+  EXPECT_TRUE(tradeoff.points[1].recommended);
+  EXPECT_FALSE(tradeoff.points[0].recommended);
+}
+
+TEST(Evaluation, TheReferenceItselfIsTakenWhereNothingElseComesNear) {
+  Tradeoff tradeoff = with_quantities({point("base", 10, {150, 1}), point("fine", 40, {100, 1})});
+  tradeoff.tolerance = 0.02;
+  evaluate(tradeoff, 1);
+  EXPECT_TRUE(tradeoff.points[1].recommended);
+  EXPECT_NE(tradeoff.advice.find("nothing cheaper comes within"), std::string::npos) << tradeoff.advice;
+}
+
+TEST(Evaluation, ATargetTakesThePlaceOfTheReferencesValue) {
+  Tradeoff tradeoff = with_quantities({point("base", 10, {102, 5}), point("fine", 40, {100, 4})});
+  tradeoff.quantities[0].is_target = true;
+  tradeoff.quantities[0].reference = 103;
+  evaluate(tradeoff, 1);
+  EXPECT_NEAR(tradeoff.points[1].values[0].error, 3.0 / 103, 1e-15);
+  EXPECT_NEAR(tradeoff.points[0].values[0].error, 1.0 / 103, 1e-15);
+}
+
+TEST(Evaluation, ASettingWithoutAValueThatDecidesIsNotJudged) {
+  Tradeoff tradeoff = with_quantities({point("base", 10, {kNone, 4}), point("fine", 40, {100, 4})});
+  tradeoff.tolerance = 1;
+  evaluate(tradeoff, 1);
+  EXPECT_TRUE(std::isnan(tradeoff.points[0].error));
+  EXPECT_TRUE(tradeoff.points[1].recommended);
+  tradeoff.quantities[0].decides = false;
+  evaluate(tradeoff, 1);
+  EXPECT_EQ(tradeoff.points[0].error, 0);
+}
+
+TEST(Evaluation, ASettingWithAFailedRunIsNotRecommended) {
+  Tradeoff tradeoff = with_quantities({point("base", 10, {100, 4}), point("quick", 2, {100, 4})});
+  tradeoff.points[1].reason = "left the method's valid range";
+  evaluate(tradeoff, 0);
+  EXPECT_FALSE(tradeoff.points[1].recommended);
+  EXPECT_TRUE(tradeoff.points[0].recommended);
+}
+
+TEST(Evaluation, NothingFinishedIsSaid) {
+  Tradeoff tradeoff = with_quantities({point("base", kNone, {kNone, kNone}, kNone, 0)});
+  evaluate(tradeoff, 1);
+  EXPECT_NE(tradeoff.advice.find("No run is finished"), std::string::npos);
+}
+
+TEST(SteadyRate, IsTheSlopeBetweenAFifthAndFourFifths) {
+  EXPECT_NEAR(steady_rate({0, 1, 2, 3, 4, 5, 6}, {0, 0, 2, 4, 6, 8, 8}), 2, 1e-14);
+  EXPECT_TRUE(std::isnan(steady_rate({0, 1}, {0, 0})));
+  EXPECT_TRUE(std::isnan(steady_rate({}, {})));
+}
+
+}  // namespace
+}  // namespace diefill::process
