@@ -344,6 +344,7 @@ results::FillResult assemble(const Scene& scene, const Tooling& tooling, const F
   // A die that stands at its place up to rounding is not to blur results.
   if (!die.at_home()) result.powder = die.powder(std::move(result.powder));
   result.contact_stress = contact_stress(run.simulation(), die);
+  add_images(tooling, result.contact_stress);
   for (std::size_t k = 0; k < tooling.tools.size(); ++k) {
     const engine::BodyMotion& motion = run.simulation().body_motion(k);
     result.tools.push_back(tool_state(tooling.tools[k], die.at_home() ? motion : die.pose(motion)));

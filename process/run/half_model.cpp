@@ -126,6 +126,19 @@ void add_images(const Tooling& tooling, results::PowderState& powder) {
   }
 }
 
+void add_images(const Tooling& tooling, results::ContactStress& stress) {
+  if (!tooling.mirror) return;
+  const int axis = *tooling.mirror;
+  const std::size_t grains = stress.normal.size();
+  for (std::size_t k = 0; k < grains; ++k) {
+    stress.normal.push_back(stress.normal[k]);
+    // Shear between the two axes in the plane stays, the others change sides.
+    Eigen::Vector3d shear = -stress.shear[k];
+    shear[axis] = stress.shear[k][axis];
+    stress.shear.push_back(shear);
+  }
+}
+
 void add_images(const Tooling& tooling, results::Instant& instant) {
   if (!tooling.mirror) return;
   const int axis = *tooling.mirror;

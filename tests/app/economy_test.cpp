@@ -110,6 +110,9 @@ TEST(Economy, HalfModelStandsForTheWhole) {
     EXPECT_GE(powder.position[k].y(), 0.9 * powder.sphere_radius) << "none has gone through the plane";
     EXPECT_EQ(powder.position[image].y(), -powder.position[k].y());
     EXPECT_EQ(powder.position[image].x(), powder.position[k].x());
+    const auto& stress = result.contact_stress;
+    EXPECT_EQ(stress.normal[image], stress.normal[k]);
+    EXPECT_EQ(stress.shear[image], stress.shear[k].cwiseProduct(Eigen::Vector3d(-1, 1, -1)));
   }
   EXPECT_EQ(2 * images, powder.id.size());
   for (const auto& tool : result.tools) {
