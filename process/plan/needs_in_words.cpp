@@ -95,9 +95,9 @@ void say_symmetry(const Needs& needs, std::vector<std::string>& said) {
     const char axis = std::abs(plane.normal[0]) > 0.5 ? 'x' : 'y';
     const std::string where = line("symmetry: the tools are mirror images across %c = %.3g mm", axis,
                                    std::round(1e6 * plane.offset) / 1e3 + 0.0);
-    said.push_back(where + (plane.spoiler.empty()
-                                ? ", and so are powder and motion: one half stands for the whole"
-                                : ", but not " + plane.spoiler));
+    said.push_back(where + (plane.spoiler.empty() ? ", and so are powder and motion: one half could stand "
+                                                    "for the whole (economy.mirror: try it first)"
+                                                  : ", but not " + plane.spoiler));
   }
 }
 
