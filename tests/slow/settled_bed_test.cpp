@@ -1,5 +1,5 @@
-// Published properties of settled beds: bulk formation (Bierwisch 2009, section 3.2.1) at d = 1.88 mm, four
-// times the calibrated size, and mean solid fractions in the shoe (Table 4.4) at twice. Each test prints its
+// Published properties of settled beds, at d = 1.88 mm (four times the calibrated size): bulk formation
+// (Bierwisch 2009, section 3.2.1) and mean solid fractions in the shoe (Table 4.4). Each test prints its
 // figures; tolerances are those of the published targets.
 #include "process/laboratory/settled_bed.h"
 
@@ -13,9 +13,8 @@
 namespace diefill::process::laboratory {
 namespace {
 
-/// Coarse over calibrated grain size in the shoe. Four times would leave only a dozen grains between ground
-/// and surface.
-constexpr double kScale = 2;
+/// Coarse over calibrated grain size.
+constexpr double kScale = 4;
 
 void print(const std::string& name, const BedFigures& figures) {
   std::printf(
