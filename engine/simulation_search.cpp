@@ -139,8 +139,9 @@ void Simulation::search(const ContactHistory& history, const ContactHistory& wal
     lower = lower.cwiseMin(eigen(centre));
     upper = upper.cwiseMax(eigen(centre));
   }
+  const double sphere_reach = settings_.shape.sphere_radius + farthest_allowance();
   for (std::size_t b = 0; b < bodies_.size(); ++b) {
-    const double reach = settings_.shape.sphere_radius + bodies_[b].sphere_radius() + farthest_allowance();
+    const double reach = sphere_reach + bodies_[b].sphere_radius();
     clearance_[b] = spheres_.grains == 0 || !settings_.skip_far_walls
                         ? 0
                         : clearance_of(bodies_[b], reference_.bodies[b], lower, upper, reach);

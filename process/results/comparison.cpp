@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "process/results/atomic_file.h"
+#include "process/results/csv_field.h"
 
 namespace diefill::results {
 namespace {
@@ -41,29 +42,15 @@ Json measure_entry(const ComparedMeasure& measure, const std::vector<std::string
   return json;
 }
 
-std::string quoted(const std::string& text) {
-  std::string field = "\"";
-  for (const char letter : text) field += letter == '"' ? "\"\"" : std::string(1, letter);
-  return field + '"';
-}
-
-/// Empty where there is no value.
-std::string csv_number(double value) {
-  if (!std::isfinite(value)) return {};
-  char text[40];
-  std::snprintf(text, sizeof text, "%.9g", value);
-  return text;
-}
-
 std::string csv(const Comparison& comparison) {
   std::string text = "variant,measure,unit,mean,scatter,seeds,difference,interval_95,verdict\n";
   for (std::size_t k = 0; k < comparison.variants.size(); ++k)
     for (const ComparedMeasure& measure : comparison.measures) {
       const ComparedValue& value = measure.values[k];
-      text += quoted(comparison.variants[k]) + ',' + quoted(measure.name) + ',' + quoted(measure.unit) + ',' +
-              csv_number(value.mean) + ',' + csv_number(value.scatter) + ',' + std::to_string(value.seeds) +
-              ',' + csv_number(value.difference) + ',' + csv_number(value.interval) + ',' +
-              quoted(in_words(value.verdict)) + '\n';
+      text += csv_text(comparison.variants[k]) + ',' + csv_text(measure.name) + ',' + csv_text(measure.unit) +
+              ',' + csv_number(value.mean) + ',' + csv_number(value.scatter) + ',' +
+              std::to_string(value.seeds) + ',' + csv_number(value.difference) + ',' +
+              csv_number(value.interval) + ',' + csv_text(in_words(value.verdict)) + '\n';
     }
   return text;
 }

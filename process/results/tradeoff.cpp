@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "process/results/atomic_file.h"
+#include "process/results/csv_field.h"
 #include "process/results/json_numbers.h"
 
 namespace diefill::results {
@@ -48,41 +49,28 @@ Json point_entry(const TradeoffPoint& point, const std::vector<TradeoffQuantity>
   return json;
 }
 
-std::string quoted(const std::string& text) {
-  std::string field = "\"";
-  for (const char letter : text) field += letter == '"' ? "\"\"" : std::string(1, letter);
-  return field + '"';
-}
-
-/// Empty where there is no value.
-std::string csv_number(double value) {
-  if (!std::isfinite(value)) return {};
-  char text[40];
-  std::snprintf(text, sizeof text, "%.6g", value);
-  return text;
-}
-
 std::string csv_head(const std::vector<TradeoffQuantity>& quantities) {
   std::string text =
       "setting,state,seeds,core_seconds,core_seconds_per_simulated_second,wall_seconds,peak_memory_MiB,error,"
       "floor,worst_quantity,reference,pareto,recommended";
   for (const auto& quantity : quantities)
-    text += ',' + quoted(quantity.name + " [" + quantity.unit + "]") + ',' +
-            quoted(quantity.name + ", scatter") + ',' + quoted(quantity.name + ", error");
+    text += ',' + csv_text(quantity.name + " [" + quantity.unit + "]") + ',' +
+            csv_text(quantity.name + ", scatter") + ',' + csv_text(quantity.name + ", error");
   return text + '\n';
 }
 
 std::string csv_line(const TradeoffPoint& point, double floor) {
   const auto flag = [](bool value) { return std::string(value ? ",1" : ",0"); };
   constexpr double kMebibyte = 1024.0 * 1024.0;
-  std::string text = quoted(point.name) + ',' + quoted(point.state) + ',' + std::to_string(point.seeds) +
-                     ',' + csv_number(point.core_seconds) + ',' + csv_number(point.core_seconds_per_second) +
-                     ',' + csv_number(point.wall_seconds) + ',' +
-                     csv_number(point.peak_memory_bytes / kMebibyte) + ',' + csv_number(point.error) + ',' +
-                     csv_number(floor) + ',' + quoted(point.worst) + flag(point.reference) +
-                     flag(point.pareto) + flag(point.recommended);
+  std::string text = csv_text(point.name) + ',' + csv_text(point.state) + ',' + std::to_string(point.seeds) +
+                     ',' + csv_number(point.core_seconds, 6) + ',' +
+                     csv_number(point.core_seconds_per_second, 6) + ',' + csv_number(point.wall_seconds, 6) +
+                     ',' + csv_number(point.peak_memory_bytes / kMebibyte, 6) + ',' +
+                     csv_number(point.error, 6) + ',' + csv_number(floor, 6) + ',' + csv_text(point.worst) +
+                     flag(point.reference) + flag(point.pareto) + flag(point.recommended);
   for (const TradeoffValue& value : point.values)
-    text += ',' + csv_number(value.mean) + ',' + csv_number(value.scatter) + ',' + csv_number(value.error);
+    text += ',' + csv_number(value.mean, 6) + ',' + csv_number(value.scatter, 6) + ',' +
+            csv_number(value.error, 6);
   return text + '\n';
 }
 
