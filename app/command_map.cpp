@@ -10,6 +10,7 @@
 #include "app/exit_code.h"
 #include "app/output.h"
 #include "app/picture_kinds.h"
+#include "process/measure/time_average.h"
 #include "process/results/result_file.h"
 #include "process/scene/units.h"
 
@@ -23,7 +24,7 @@ struct MapArguments {
                                                       camera = "front";
   std::vector<double> range;
   int width = 1600;
-  bool pdf = false, ambient_occlusion = false;
+  bool pdf = false, ambient_occlusion = false, time_average = false;
 };
 
 double quantity(const char* option, const std::string& text, process::Dimension dimension) {
@@ -116,11 +117,52 @@ double averaging_width_of(const MapArguments& arguments, const std::vector<Pictu
   return width;
 }
 
+std::string with_number(const char* format, double number) {
+  char text[64];
+  std::snprintf(text, sizeof text, format, number);
+  return text;
+}
+
+/// Each source becomes the average of its instants from --from to --to.
+void average_over_time(PictureRequest& request) {
+  if (!request.plane_given && !request.sources.front().result.sections.empty()) {
+    request.plane = request.sources.front().result.sections.front().plane;
+    request.plane_given = true;
+  }
+  for (auto& source : request.sources) {
+    const double from = request.from.value_or(0), to = request.to.value_or(source.result.powder.time);
+    std::size_t instants = 0;
+    try {
+      source.result = process::time_average(source.result, from, to, &instants);
+    } catch (const std::invalid_argument& error) {
+      throw process::SceneError(std::string("--time-average: ") + error.what());
+    }
+    source.when = "mean of " + std::to_string(instants) + with_number(" instants, t = %.3f", from) +
+                  with_number(" to %.3f s", to);
+  }
+}
+
+/// Throws where --time-average goes with a kind that shows one instant.
+void require_averages(const MapArguments& arguments) {
+  if (!arguments.time_average) return;
+  std::string allowed;
+  for (const auto& kind : picture_kinds())
+    if (kind.over_time == OverTime::average) allowed += std::string(" ") + kind.name;
+  if (arguments.pictures.empty())
+    throw process::SceneError("--time-average: say which --picture to make; possible are" + allowed);
+  for (const auto& name : arguments.pictures)
+    if (picture_kind(name).over_time != OverTime::average)
+      throw process::SceneError("--time-average: found --picture " + name +
+                                ", which shows one instant; possible are" + allowed);
+}
+
 PictureRequest request_of(const MapArguments& arguments) {
   PictureRequest request;
   for (const auto& directory : arguments.directories) {
     const std::string name = source_name(directory, request.sources);
-    request.sources.push_back({name, results::read_results(directory)});
+    results::FillResult result = results::read_results(directory);
+    std::string when = with_number("t = %.3f s", result.powder.time);
+    request.sources.push_back({name, std::move(result), std::move(when)});
   }
   const auto& first = request.sources.front().result;
   request.out = arguments.out.empty() ? arguments.directories.front() : arguments.out;
@@ -142,6 +184,7 @@ PictureRequest request_of(const MapArguments& arguments) {
   request.camera = camera_of(arguments.camera);
   request.width = arguments.width;
   request.pdf = arguments.pdf;
+  if (arguments.time_average) average_over_time(request);
   return request;
 }
 
@@ -162,6 +205,7 @@ int standard_pictures(PictureRequest& request) {
 int map(const MapArguments& arguments) {
   for (const auto& name : arguments.pictures)
     picture_kind(name);  // says what is wrong before anything is read
+  require_averages(arguments);
   if (arguments.pictures.empty() && arguments.directories.size() > 1)
     throw process::SceneError("several results directories: say which --picture to make of them");
   PictureRequest request = request_of(arguments);
@@ -239,6 +283,8 @@ void add_map(CLI::App& program, Action& chosen) {
                       "time of an earlier instant, such as '0.2 s'; needs measure.snapshot_interval in the "
                       "scene");
   command->add_option("--to", arguments->to, "time of a later instant, or of the view (default: the end)");
+  command->add_flag("--time-average", arguments->time_average,
+                    "average over all instants kept between --from and --to");
   add_look_options(*command, *arguments);
   command->footer(
       kinds_in_words() +
@@ -247,6 +293,7 @@ void add_map(CLI::App& program, Action& chosen) {
       "  diefill map out/narrow_ring --picture section --normal z --origin '0 mm' '0 mm' '-10 mm'\n"
       "  diefill map out/one out/two --picture difference --picture height-profile --pdf --out out/compared\n"
       "  diefill map out/narrow_ring --picture displacement --from '0.2 s' --to '0.4 s'\n"
+      "  diefill map out/slit --picture velocity-section --time-average --from '0.5 s' --to '0.6 s'\n"
       "  diefill map out/narrow_ring --picture view --tools translucent --camera corner --width 3200");
   command->callback([arguments, &chosen] { chosen = [arguments] { return map(*arguments); }; });
 }

@@ -19,11 +19,9 @@ std::string title_of(const PictureRequest& request, const PictureSource& source)
 }
 
 std::string subtitle_of(const PictureSource& source) {
-  const auto& powder = source.result.powder;
-  char text[160];
-  std::snprintf(text, sizeof text, ", grain size %.3g mm, t = %.3f s", 1e3 * powder.grain_diameter,
-                powder.time);
-  return source.result.powder_name + text;
+  char text[80];
+  std::snprintf(text, sizeof text, ", grain size %.3g mm, ", 1e3 * source.result.powder.grain_diameter);
+  return source.result.powder_name + text + source.when;
 }
 
 std::filesystem::path file_of(const PictureRequest& request, const std::string& kind,

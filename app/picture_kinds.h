@@ -16,6 +16,7 @@ namespace diefill::app {
 struct PictureSource {
   std::string name;  ///< the directory's, for legends and file names
   results::FillResult result;
+  std::string when;  ///< for people: the time of the powder, or the times averaged over
 };
 
 /// What is wanted of the pictures. The first source is the one that others are compared with.
@@ -34,11 +35,15 @@ struct PictureRequest {
   bool pdf = false;     ///< charts as PDF too
 };
 
+/// Whether a picture may show the powder of several instants at once (process/measure/time_average.h).
+enum class OverTime { one_instant, average };
+
 /// A kind: its name on the command line, what it shows, and how it is made. Returns the files written. Throws
 /// std::invalid_argument where the results do not hold what it needs.
 struct PictureKind {
   const char* name;
   const char* shows;
+  OverTime over_time;
   std::vector<std::filesystem::path> (*make)(const PictureRequest&);
 };
 

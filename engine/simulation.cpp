@@ -39,6 +39,8 @@ SimulationSettings checked(SimulationSettings settings) {
   if (settings.shape.sphere_offsets.empty()) throw std::invalid_argument("the grain shape has no spheres");
   if (!(settings.time_step > 0)) throw std::invalid_argument("the time step must be positive");
   if (settings.threads < 1) throw std::invalid_argument("at least one thread is needed");
+  if (settings.air_draught && settings.sleep)
+    throw std::invalid_argument("grains cannot sleep where air is drawn through the powder");
   settings.lever_arm = arm_for(settings.shape, settings.lever_arm);
   if (settings.general_contact) settings.shape.inertia /= settings.general_contact->scaling.torque_factor();
   return settings;
@@ -279,10 +281,20 @@ void Simulation::finish_grains() {
     thread_local std::vector<ContactSum> contacts;
     gather(b, contacts);
     if (sleeping_) return finish_awake(b, contacts);
+    if (settings_.air_draught) draw_air(b, contacts);
     const auto work = integrator_.finish(grains_, blocks[b].begin, blocks[b].end, contacts);
     tallies_[b].drag_work += work.drag;
     tallies_[b].rolling_work += work.rolling;
   });
+}
+
+/// Adds the forces of drawn air to those of the contacts of block b.
+void Simulation::draw_air(std::size_t b, std::vector<ContactSum>& contacts) {
+  const AirDraught& air = *settings_.air_draught;
+  const double speed = body_motion_[air.body].velocity.z();
+  const double power = air.add_forces(grains_, list_.blocks()[b].begin, speed,
+                                      settings_.time_step / settings_.shape.mass, contacts);
+  tallies_[b].drag_work += power * settings_.time_step;
 }
 
 void Simulation::book_step() {

@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "engine/adaptive_skin.h"
+#include "engine/air_draught.h"
 #include "engine/grain_integrator.h"
 #include "engine/grain_shape.h"
 #include "engine/ledger.h"
@@ -28,7 +29,9 @@ struct SimulationSettings {
   std::optional<GeneralContact> general_contact;
   Eigen::Vector3d gravity = {0, 0, -9.81};  ///< m/s^2
   double air_viscosity = 0;                 ///< Pa s, Stokes drag on every sphere (Bierwisch 2009, Eq. 2.9)
-  double time_step = 0;                     ///< s
+  std::optional<AirDraught>
+      air_draught;       ///< air that a tool draws through the powder; not where grains sleep
+  double time_step = 0;  ///< s
   std::array<std::optional<double>, 2> period;  ///< m along x and y, box centred on the origin
   double skin = 0;                              ///< m; 0: follows the motion of the powder
   /// Tools far from all powder do not age the list of near pairs by moving.
@@ -157,6 +160,7 @@ class Simulation {
   void compute_block(std::size_t b);
   void finish_grains();
   void gather(std::size_t b, std::vector<ContactSum>& contacts) const;
+  void draw_air(std::size_t b, std::vector<ContactSum>& contacts);
   void book_step();
   ContactScene contact_scene(const LocalSpheres& local) const;
 

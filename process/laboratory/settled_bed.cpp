@@ -82,6 +82,8 @@ results::PowderState powder_state(const engine::Simulation& simulation, double g
   powder.grain_mass = shape.mass;
   powder.grain_solid_volume = shape.solid_volume;
   powder.sphere_offsets = shape.sphere_offsets;
+  for (std::size_t axis = 0; axis < 2; ++axis)
+    powder.period[axis] = simulation.settings().period[axis].value_or(0);
   powder.id = simulation.grains().id;
   powder.position = simulation.grains().position;
   powder.orientation = simulation.grains().orientation;
@@ -141,7 +143,7 @@ void fraction_figures(const BedSpec& spec, const engine::Simulation& simulation,
   const auto powder = powder_state(simulation, spec.powder.grain_diameter);
   std::vector<results::ToolState> tools;
   for (const auto& wall : walls) tools.push_back(wall_state(wall));
-  const auto fraction = measure_solid_fraction(powder, tools, {}, simulation.settings().period);
+  const auto fraction = measure_solid_fraction(powder, tools, {});
   figures.bulk_fraction = bulk_solid_fraction(powder, fraction);
   double top = 0, sum = 0, count = 0;
   for (const auto& position : powder.position) top = std::max(top, position[2]);

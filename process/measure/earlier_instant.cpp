@@ -65,7 +65,7 @@ results::FillResult result_at(const results::FillResult& result, double time, bo
     earlier.tools[n] = tool_at(result.tools[n], *nearest, n);
   earlier.solid_fraction = {};
   if (!with_solid_fraction) return earlier;
-  earlier.solid_fraction = measure_solid_fraction(earlier.powder, earlier.tools, earlier.cavity, {});
+  earlier.solid_fraction = measure_solid_fraction(earlier.powder, earlier.tools, earlier.cavity);
   earlier.summary = summarise(earlier.powder, earlier.solid_fraction, earlier.cavity);
   return earlier;
 }

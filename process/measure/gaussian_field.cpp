@@ -28,12 +28,11 @@ double reach(double averaging_width, double hole) {
 }  // namespace
 
 GaussianField::GaussianField(const results::PowderState& powder, const results::GrainSolidFraction& fraction,
-                             double averaging_width, const Period& period)
-    : GaussianField(
-          closed_grains(
-              powder, fraction,
-              reach(checked(averaging_width), hole_distance(averaging_width, powder.grain_diameter)), period),
-          averaging_width, hole_distance(averaging_width, powder.grain_diameter)) {}
+                             double averaging_width)
+    : GaussianField(closed_grains(powder, fraction,
+                                  reach(checked(averaging_width),
+                                        hole_distance(averaging_width, powder.grain_diameter))),
+                    averaging_width, hole_distance(averaging_width, powder.grain_diameter)) {}
 
 GaussianField::GaussianField(Source source, double averaging_width, double hole)
     : averaging_width_(averaging_width),
@@ -44,20 +43,25 @@ GaussianField::GaussianField(Source source, double averaging_width, double hole)
 
 GaussianField GaussianField::of_all_grains(const std::vector<Eigen::Vector3d>& centres,
                                            std::vector<double> values, double grain_diameter,
-                                           double averaging_width) {
-  return {Source{centres, std::move(values)}, checked(averaging_width),
-          hole_distance(averaging_width, grain_diameter)};
+                                           double averaging_width, const Period& period) {
+  const double hole = hole_distance(checked(averaging_width), grain_diameter);
+  return {with_images({centres, std::move(values)}, reach(averaging_width, hole), period), averaging_width,
+          hole};
 }
 
 GaussianField::Source GaussianField::closed_grains(const results::PowderState& powder,
-                                                   const results::GrainSolidFraction& fraction, double margin,
-                                                   const Period& period) {
+                                                   const results::GrainSolidFraction& fraction,
+                                                   double margin) {
   Source source;
   for (std::size_t k = 0; k < powder.position.size(); ++k) {
     if (fraction.open[k] != 0) continue;
     source.centres.push_back(powder.position[k]);
     source.values.push_back(fraction.solid_fraction[k]);
   }
+  return with_images(std::move(source), margin, period_of(powder));
+}
+
+GaussianField::Source GaussianField::with_images(Source source, double margin, const Period& period) {
   const geometry::PointImages images = geometry::with_periodic_images(source.centres, period, margin);
   source.centres = images.points;
   std::vector<double> values;

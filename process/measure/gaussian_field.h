@@ -2,17 +2,12 @@
 // Eq. 2.27).
 #pragma once
 
-#include <array>
-#include <optional>
 #include <vector>
 
 #include "geometry/neighbour_grid.h"
-#include "process/results/fill_result.h"
+#include "process/measure/period.h"
 
 namespace diefill::process {
-
-/// Periodic lengths along x and y in m, box centred on the origin.
-using Period = std::array<std::optional<double>, 2>;
 
 /// rho(r) = sum_k rho_k w_k / sum_k w_k, w_k = exp(-(r - r_k)^2 / 2 sigma^2) (Bierwisch 2009, Eq. 2.27), over
 /// grains within 4 sigma. Where no grain centre is within the hole distance there is no powder to speak of
@@ -23,11 +18,12 @@ class GaussianField {
   /// positive (std::invalid_argument). The hole distance is the larger of 1.2 d and 1.5 sigma: no point in a
   /// random packing is as far as that from the next centre, while a bridged-over hole is.
   GaussianField(const results::PowderState& powder, const results::GrainSolidFraction& fraction,
-                double averaging_width, const Period& period = {});
+                double averaging_width);
 
   /// Any value of all grains, closed cells or not; `values` one a grain.
   static GaussianField of_all_grains(const std::vector<Eigen::Vector3d>& centres, std::vector<double> values,
-                                     double grain_diameter, double averaging_width);
+                                     double grain_diameter, double averaging_width,
+                                     const Period& period = {});
 
   /// Value at `point` (m, laboratory frame), NaN in holes and outside the powder.
   double at(const Eigen::Vector3d& point) const;
@@ -39,7 +35,8 @@ class GaussianField {
   };
   GaussianField(Source source, double averaging_width, double hole);
   static Source closed_grains(const results::PowderState& powder, const results::GrainSolidFraction& fraction,
-                              double margin, const Period& period);
+                              double margin);
+  static Source with_images(Source source, double margin, const Period& period);
 
   double averaging_width_, hole_, reach_;
   std::vector<double> values_;

@@ -2,21 +2,16 @@
 // Works on results alone, so that every figure can be made again later without simulating.
 #pragma once
 
-#include <array>
-#include <optional>
-
 #include "process/results/fill_result.h"
 
 namespace diefill::process {
 
 /// Solid fraction of every grain by Voronoi cells (Bierwisch 2009, section 2.6; walls cut on the wall
-/// spheres' surface). `period`: periodic lengths along x and y in m, if any. A cell is open where it would
-/// reach farther than 2 d from one of its spheres. Solid fraction of a grain without any cell is 0, and its
-/// cell open.
+/// spheres' surface). A cell is open where it would reach farther than 2 d from one of its spheres. Solid
+/// fraction of a grain without any cell is 0, and its cell open.
 results::GrainSolidFraction measure_solid_fraction(const results::PowderState& powder,
                                                    const std::vector<results::ToolState>& tools,
-                                                   const results::CavityState& cavity,
-                                                   const std::array<std::optional<double>, 2>& period);
+                                                   const results::CavityState& cavity);
 
 /// Mean (sum of solid volumes over sum of cell volumes, and arithmetic), standard deviation (over all, not of
 /// a sample), range and coefficient of variation over closed cells in the cavity at least 2 d below the
@@ -42,8 +37,7 @@ results::Field2D cylindrical_map(const results::PowderState& powder,
 results::SectionField plane_section(const results::PowderState& powder,
                                     const results::GrainSolidFraction& fraction,
                                     const std::vector<results::ToolState>& tools,
-                                    const results::SectionPlane& plane, double averaging_width,
-                                    const std::array<std::optional<double>, 2>& period = {});
+                                    const results::SectionPlane& plane, double averaging_width);
 
 /// Height (mm above the cavity floor) of the powder surface against azimuth (deg, middle of the bin) in
 /// `bins` bins: the top of the highest sphere whose centre lies between the ring's radii, NaN for an empty

@@ -21,12 +21,13 @@ constexpr double kArrowSpacing = 3;  // sigma
 /// The three components of a vector as averaged fields.
 class VectorField {
  public:
-  VectorField(const GrainVectors& grains, double grain_diameter, double averaging_width) {
+  VectorField(const GrainVectors& grains, double grain_diameter, double averaging_width,
+              const Period& period = {}) {
     for (int axis = 0; axis < 3; ++axis) {
       std::vector<double> values;
       for (const auto& vector : grains.vector) values.push_back(vector[axis]);
       components_.push_back(
-          GaussianField::of_all_grains(grains.place, values, grain_diameter, averaging_width));
+          GaussianField::of_all_grains(grains.place, values, grain_diameter, averaging_width, period));
     }
   }
 
@@ -61,6 +62,18 @@ Eigen::Vector3d ring_mean(const VectorField& field, const results::CavityState& 
   return found > 0 ? Eigen::Vector3d(sum / found) : Eigen::Vector3d::Constant(none);
 }
 
+/// m, the shortest way from one place to another in a box with these periods: grains that have left it come
+/// back at the other side.
+Eigen::Vector3d way_between(const Eigen::Vector3d& from, const Eigen::Vector3d& to,
+                            const std::array<double, 2>& period) {
+  Eigen::Vector3d way = to - from;
+  for (int axis = 0; axis < 2; ++axis) {
+    const double length = period[static_cast<std::size_t>(axis)];
+    if (length > 0) way[axis] -= length * std::round(way[axis] / length);
+  }
+  return way;
+}
+
 int count_of(double length, double spacing, int least, int most) {
   return std::clamp(static_cast<int>(std::lround(length / spacing)), least, most);
 }
@@ -82,7 +95,8 @@ GrainVectors displacements(const results::PowderState& before, const results::Po
         !lies_in_cavity(cavity, after.position[found->second]))
       continue;
     grains.place.push_back(before.position[k]);
-    grains.vector.push_back((after.position[found->second] - before.position[k]) / kMillimetre);
+    grains.vector.push_back(way_between(before.position[k], after.position[found->second], after.period) /
+                            kMillimetre);
   }
   return grains;
 }
@@ -114,7 +128,7 @@ results::ArrowField unrolled_vectors(const GrainVectors& grains, const results::
 
 results::ArrowField plane_vectors(const GrainVectors& grains, const results::FillResult& result,
                                   const results::SectionPlane& plane, double averaging_width) {
-  const VectorField field(grains, result.powder.grain_diameter, averaging_width);
+  const VectorField field(grains, result.powder.grain_diameter, averaging_width, period_of(result.powder));
   results::ArrowField map;
   map.field = sample_plane(result.powder, result.solid_fraction, result.tools, plane, averaging_width,
                            [&](const Eigen::Vector3d& point) { return field.at(point).norm(); })

@@ -119,9 +119,8 @@ results::SectionField sample_plane(const results::PowderState& powder,
 results::SectionField plane_section(const results::PowderState& powder,
                                     const results::GrainSolidFraction& fraction,
                                     const std::vector<results::ToolState>& tools,
-                                    const results::SectionPlane& plane, double averaging_width,
-                                    const Period& period) {
-  const GaussianField field(powder, fraction, averaging_width, period);
+                                    const results::SectionPlane& plane, double averaging_width) {
+  const GaussianField field(powder, fraction, averaging_width);
   return sample_plane(powder, fraction, tools, plane, averaging_width,
                       [&field](const Eigen::Vector3d& point) { return field.at(point); });
 }

@@ -1,6 +1,7 @@
 #include "geometry/voronoi.h"
 #include "process/measure/cavity_position.h"
 #include "process/measure/measure.h"
+#include "process/measure/period.h"
 
 namespace diefill::process {
 namespace {
@@ -10,13 +11,12 @@ namespace {
 constexpr double kReachOverDiameter = 1;
 
 geometry::VoronoiRequest voronoi_request(const results::PowderState& powder,
-                                         const std::vector<results::ToolState>& tools,
-                                         const std::array<std::optional<double>, 2>& period) {
+                                         const std::vector<results::ToolState>& tools) {
   geometry::VoronoiRequest request;
   request.sphere_centres = powder.sphere_centres();
   request.spheres_per_grain = powder.sphere_offsets.size();
   request.sphere_radius = powder.sphere_radius;
-  request.period = period;
+  request.period = period_of(powder);
   request.largest_reach = kReachOverDiameter * powder.grain_diameter;
   for (const auto& tool : tools) {
     request.wall_centres.insert(request.wall_centres.end(), tool.wall_sphere_centres.begin(),
@@ -30,11 +30,10 @@ geometry::VoronoiRequest voronoi_request(const results::PowderState& powder,
 
 results::GrainSolidFraction measure_solid_fraction(const results::PowderState& powder,
                                                    const std::vector<results::ToolState>& tools,
-                                                   const results::CavityState& cavity,
-                                                   const std::array<std::optional<double>, 2>& period) {
+                                                   const results::CavityState& cavity) {
   results::GrainSolidFraction fraction;
   if (powder.position.empty()) return fraction;
-  geometry::VoronoiCells cells = geometry::voronoi_cells(voronoi_request(powder, tools, period));
+  geometry::VoronoiCells cells = geometry::voronoi_cells(voronoi_request(powder, tools));
   fraction.solid_fraction.reserve(cells.volume.size());
   for (std::size_t k = 0; k < cells.volume.size(); ++k) {
     const bool empty = !(cells.volume[k] > 0);

@@ -11,8 +11,8 @@ namespace {
 std::vector<double> mean_velocity(const results::PowderState& powder, int axis, double averaging_width) {
   std::vector<double> velocity;
   for (const auto& grain : powder.velocity) velocity.push_back(grain[axis]);
-  const auto field =
-      GaussianField::of_all_grains(powder.position, velocity, powder.grain_diameter, averaging_width);
+  const auto field = GaussianField::of_all_grains(powder.position, velocity, powder.grain_diameter,
+                                                  averaging_width, period_of(powder));
   std::vector<double> mean;
   for (const auto& place : powder.position) mean.push_back(field.at(place));
   return mean;
@@ -55,7 +55,8 @@ StressField::StressField(const results::FillResult& result, double averaging_wid
     volume.push_back(result.solid_fraction.cell_volume[k]);
   }
   const auto field = [&](std::vector<double> values) {
-    return GaussianField::of_all_grains(places, std::move(values), powder.grain_diameter, averaging_width);
+    return GaussianField::of_all_grains(places, std::move(values), powder.grain_diameter, averaging_width,
+                                        period_of(powder));
   };
   fields_ = std::make_unique<Fields>(Fields{field(trace), field(zz), field(volume)});
 }

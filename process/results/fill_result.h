@@ -4,6 +4,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 #include <cstdint>
 #include <map>
 #include <string>
@@ -19,10 +20,13 @@ struct PowderState {
   double grain_mass = 0;          ///< kg
   double grain_solid_volume = 0;  ///< m^3, true solid volume (union of the spheres)
   std::vector<Eigen::Vector3d> sphere_offsets;  ///< m, sphere centres in the grain's body frame
-  std::vector<std::uint64_t> id;                ///< identity of the grain, kept through sorting and restarts
-  std::vector<Eigen::Vector3d> position;        ///< m, grain centres, laboratory frame
-  std::vector<Eigen::Vector4d> orientation;     ///< unit quaternion (w, x, y, z), body to laboratory
-  std::vector<Eigen::Vector3d> velocity;        ///< m/s
+  /// m, lengths along x and y of a box centred on the origin beyond which the same grains follow again; 0
+  /// where the powder ends.
+  std::array<double, 2> period = {};
+  std::vector<std::uint64_t> id;             ///< identity of the grain, kept through sorting and restarts
+  std::vector<Eigen::Vector3d> position;     ///< m, grain centres, laboratory frame
+  std::vector<Eigen::Vector4d> orientation;  ///< unit quaternion (w, x, y, z), body to laboratory
+  std::vector<Eigen::Vector3d> velocity;     ///< m/s
   std::vector<Eigen::Vector3d> angular_velocity;  ///< rad/s, laboratory frame
 
   /// Lab-frame centres of all basic spheres, grain after grain: sphere s of grain k is entry k * spheres + s.

@@ -12,7 +12,7 @@
 namespace diefill::results {
 
 inline constexpr const char* kFormat = "diefill results";
-inline constexpr int kSchemaVersion = 3, kOldestSchemaVersion = 1;
+inline constexpr int kSchemaVersion = 4, kOldestSchemaVersion = 1;
 
 template <class Archive, class Powder>
 void describe_powder(Archive& archive, Powder& powder) {
@@ -24,6 +24,11 @@ void describe_powder(Archive& archive, Powder& powder) {
     archive.field("grain_mass", powder.grain_mass, "kg", "mass of one grain");
     archive.field("grain_solid_volume", powder.grain_solid_volume, "m^3", "solid volume of one grain");
     archive.field("sphere_offsets", powder.sphere_offsets, "m", "sphere centres in the grain's body frame");
+    archive.optional_group("period", "lengths after which the same grains follow again, 0: never",
+                           powder.period[0] > 0 || powder.period[1] > 0, [&] {
+                             archive.field("x", powder.period[0], "m", "period along x");
+                             archive.field("y", powder.period[1], "m", "period along y");
+                           });
     archive.field("id", powder.id, "1", "identity of the grain, kept through restarts");
     archive.field("position", powder.position, "m", "grain centres, laboratory frame, z up");
     archive.field("orientation", powder.orientation, "1", "unit quaternion (w, x, y, z), body to laboratory");

@@ -33,6 +33,8 @@ results::PowderState powder_state(const Scene& scene, const engine::Simulation& 
   powder.grain_mass = shape.mass;
   powder.grain_solid_volume = shape.solid_volume;
   powder.sphere_offsets = shape.sphere_offsets;
+  for (std::size_t axis = 0; axis < 2; ++axis)
+    powder.period[axis] = simulation.settings().period[axis].value_or(0);
   powder.id = grains.id;
   powder.position = grains.position;
   powder.orientation = grains.orientation;
@@ -354,8 +356,7 @@ results::FillResult assemble(const Scene& scene, const Tooling& tooling, const F
   result.instants = instants_of(run);
   for (auto& instant : result.instants) add_images(tooling, instant);
   result.probes = run.probes();
-  result.solid_fraction =
-      measure_solid_fraction(result.powder, result.tools, result.cavity, scene.numerics.period);
+  result.solid_fraction = measure_solid_fraction(result.powder, result.tools, result.cavity);
   result.summary = summarise(result.powder, result.solid_fraction, result.cavity);
   add_figures(scene, result, tooling, run);
   result.warnings = tooling.remarks();

@@ -15,6 +15,7 @@
 #include "process/run/impact_speed.h"
 #include "process/run/material.h"
 #include "process/run/pour.h"
+#include "process/run/suction.h"
 #include "process/scene/setting.h"
 
 namespace diefill::process {
@@ -76,6 +77,7 @@ FillRun::FillRun(const Scene& scene, const Tooling& tooling, const RunOptions& o
   const double impact = foreseen_impact_speed(scene, tooling);
   auto settings = engine_settings(scene, impact);
   settings.threads = options.threads;
+  settings.air_draught = draught_of(scene, tooling, settings.shape);
   critical_step_ = process::critical_time_step(settings, impact);
   simulation_ = std::make_unique<engine::Simulation>(settings, wall_bodies(tooling, settings.grain_contact));
 

@@ -18,6 +18,7 @@ LawTerms law_terms(const Scene& scene, const engine::SimulationSettings& setting
   term("rolling friction", scene.powder.model == GrainModel::B && grains.rolling_friction > 0);
   term("rotation of grains", settings.shape.rotates);
   term("air drag", settings.air_viscosity > 0);
+  term("suction of air", scene.suction.has_value());
   return terms;
 }
 

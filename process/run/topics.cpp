@@ -79,6 +79,11 @@ results::Topic model_topic(const Scene& scene, const engine::SimulationSettings&
         settings.air_viscosity > 0
             ? with_number("Stokes drag on every sphere, viscosity %.3g Pa s", settings.air_viscosity)
             : "none");
+  if (scene.suction)
+    state(topic, "Suction",
+          "motion of the " + scene.suction->tool + " draws air through the powder in the cavity, " +
+              with_number("particles of %.3g mm (Darcy, Kozeny-Carman), nothing leaks",
+                          1e3 * scene.suction->particle_diameter));
   state(topic, "Rule of coarse graining",
         "Bierwisch 2009, chapter 3: same fall, flow and packing of the bulk");
   return topic;

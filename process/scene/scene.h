@@ -15,6 +15,7 @@
 #include "process/machine/step.h"
 #include "process/scene/economy.h"
 #include "process/scene/scene_error.h"
+#include "process/scene/suction.h"
 
 namespace diefill::process {
 
@@ -176,6 +177,7 @@ struct Scene {
   NumericsSpec numerics;
   MeasureSpec measure;
   EconomySpec economy;
+  std::optional<SuctionSpec> suction;       ///< none: air does not flow
   Eigen::Vector3d gravity = {0, 0, -9.81};  ///< m/s^2
 };
 

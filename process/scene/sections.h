@@ -32,6 +32,8 @@ std::vector<ProbeSpec> read_probes(TableReader& document, const std::vector<Tool
 std::vector<SnapshotSpec> read_snapshots(TableReader& document, const Scene& scene);
 /// [economy], into a scene that has everything else: where half the scene is computed, half of [pour] stays.
 void read_economy(TableReader table, Scene& scene);
+/// [suction], of a scene that has everything else.
+SuctionSpec read_suction(TableReader& table, const Scene& scene);
 /// [measure].
 MeasureSpec read_measure(TableReader table);
 

@@ -155,5 +155,23 @@ TEST(Economy, SpilledGrainsThatAreKeptAreGoneInTheEnd) {
               0.06 * number(plain(), "filled_mass_kg"));
 }
 
+TEST(Suction, IsTheSameOnAnyNumberOfThreadsAndSaysWhatItTakesFor) {
+  const SmallDie die;
+  die.exchange("[numerics]", "[suction]\ntool = \"shoe\"\nparticle_diameter = \"0.1 mm\"\n\n[numerics]");
+  std::vector<std::string> hashes;
+  for (const char* threads : {"1", "2"}) {
+    const Outcome outcome =
+        run_program({"run", die.scene().string(), "--out", die.out().string(), "--threads", threads});
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    hashes.push_back(die.report().at("state_hash").get<std::string>());
+  }
+  EXPECT_EQ(hashes[0], hashes[1]);
+  EXPECT_NE(hashes[0], plain().at("state_hash").get<std::string>());
+  bool said = false;
+  for (const auto& topic : results::read_results(die.out()).topics)
+    said = said || std::ranges::find(topic.name, "Suction") != topic.name.end();
+  EXPECT_TRUE(said);
+}
+
 }  // namespace
 }  // namespace diefill::app

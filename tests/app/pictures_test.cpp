@@ -146,6 +146,14 @@ TEST_F(EveryPicture, OfThePressureSaysWhatOlderResultsLack) {
   EXPECT_NE(outcome.err.find("hold no contact stress"), std::string::npos) << outcome.err;
 }
 
+TEST_F(EveryPicture, OverTimeTakesAllInstantsBetween) {
+  for (const auto& kind : {"map", "section", "velocity", "velocity-section", "height-profile", "histogram"}) {
+    SCOPED_TRACE(kind);
+    const Outcome outcome = map({"--picture", kind, "--time-average", "--from", "0.05 s"});
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  }
+}
+
 TEST_F(EveryPicture, AndItsNumbersCanBeHadForParaView) {
   const Outcome outcome = run_program({"export", one().string(), "--out", out().string()});
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
@@ -173,6 +181,8 @@ TEST_F(EveryPicture, WrongWordsAreExplainedInOneLine) {
       {{"--picture", "difference", "--from", "9 s"}, "the results hold 2 from 0.1 s to 0.2 s"},
       {{"--picture", "displacement", "--from", "0.2 s", "--to", "0.1 s"}, "must come before"},
       {{"--picture", "map", "--range", "0.4", "0.3"}, "must be below"},
+      {{"--picture", "view", "--time-average"}, "shows one instant; possible are map section"},
+      {{"--picture", "map", "--time-average", "--from", "0.25 s"}, "at least two instants"},
   };
   for (const auto& [arguments, expected] : wrong) {
     SCOPED_TRACE(expected);

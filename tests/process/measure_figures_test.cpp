@@ -15,7 +15,6 @@ namespace {
 struct Bed {
   results::PowderState powder;
   std::vector<results::ToolState> tools;
-  std::array<std::optional<double>, 2> period;
 };
 
 Bed lattice_bed(int columns, int layers, double constant) {
@@ -34,13 +33,13 @@ Bed lattice_bed(int columns, int layers, double constant) {
       }
   bed.powder = powder_of(places, constant);
   bed.tools = {floor};
-  bed.period = {columns * constant, columns * constant};
+  bed.powder.period = {columns * constant, columns * constant};
   return bed;
 }
 
 TEST(SolidFraction, OfALatticeIsPiOverSixAndItsSurfaceIsOpen) {
   const Bed bed = lattice_bed(5, 8, kDiameter);
-  const auto fraction = measure_solid_fraction(bed.powder, bed.tools, {}, bed.period);
+  const auto fraction = measure_solid_fraction(bed.powder, bed.tools, {});
   for (std::size_t k = 0; k < 200; ++k) {
     EXPECT_EQ(fraction.open[k], k >= 175 ? 1 : 0);
     if (k < 175) {
@@ -52,7 +51,7 @@ TEST(SolidFraction, OfALatticeIsPiOverSixAndItsSurfaceIsOpen) {
 }
 
 TEST(SolidFraction, OfNoPowderIsEmpty) {
-  EXPECT_TRUE(measure_solid_fraction(powder_of({}), {}, {}, {}).solid_fraction.empty());
+  EXPECT_TRUE(measure_solid_fraction(powder_of({}), {}, {}).solid_fraction.empty());
   EXPECT_TRUE(std::isnan(bulk_solid_fraction(powder_of({}), {})));
 }
 
@@ -64,7 +63,7 @@ TEST(SolidFraction, OfARingInsideALattice) {
   wider.outer_radius += 3e-3;
   const results::PowderState powder =
       powder_of(lattice_in_ring(wider, kDiameter, [](double) { return 6e-3; }));
-  const auto fraction = measure_solid_fraction(powder, {}, ring, {});
+  const auto fraction = measure_solid_fraction(powder, {}, ring);
   std::uint64_t deep = 0, at_two_diameters = 0;
   for (std::size_t k = 0; k < powder.position.size(); ++k) {
     const RingPosition place = ring_position(ring, powder.position[k]);
@@ -210,7 +209,7 @@ TEST(FillLevel, HasNoValueWhereThereIsNoPowderAndOverlooksPowderBesideTheRing) {
 
 TEST(SolidFractionProfile, IsFlatInALatticeAndEndsAtTheSurface) {
   const Bed bed = lattice_bed(5, 8, kDiameter);
-  const auto fraction = measure_solid_fraction(bed.powder, bed.tools, {}, bed.period);
+  const auto fraction = measure_solid_fraction(bed.powder, bed.tools, {});
   const auto profile = solid_fraction_profile(bed.powder, fraction, 0, kDiameter / 4);
   EXPECT_EQ(profile.x.front(), 0);
   EXPECT_NEAR(profile.x[1], 0.0625, 1e-12);

@@ -4,7 +4,9 @@
 
 #include "process/measure/coordination.h"
 #include "process/measure/earlier_instant.h"
+#include "process/measure/measure.h"
 #include "process/measure/motion_field.h"
+#include "process/measure/time_average.h"
 #include "process/measure/variation.h"
 #include "tests/process/measure_sample.h"
 
@@ -138,6 +140,65 @@ TEST(EarlierInstant, MovesPowderAndToolsBack) {
   EXPECT_THROW(result_at(result, 9), std::invalid_argument);
   result.instants.clear();
   EXPECT_THROW(result_at(result, 1), std::invalid_argument);
+}
+
+/// A ring in which `places` stand at 1 s, one lower and faster at 2 s, and none at the end.
+results::FillResult two_instants() {
+  results::FillResult result;
+  result.powder = powder_of({});
+  result.powder.time = 3;
+  result.cavity = wide_ring();
+  for (const double time : {1.0, 2.0}) {
+    const auto powder = powder_of(ring_places());
+    results::Instant instant;
+    instant.time = time;
+    instant.id = powder.id;
+    instant.position = powder.position;
+    instant.orientation = powder.orientation;
+    instant.velocity.assign(powder.id.size(), Eigen::Vector3d(0, 0, -time));
+    result.instants.push_back(instant);
+  }
+  return result;
+}
+
+TEST(TimeAverage, IsTheMeanOverTheInstantsBetween) {
+  std::size_t instants = 0;
+  const auto average = time_average(two_instants(), 0.5, 2.5, &instants);
+  EXPECT_EQ(instants, 2U);
+  EXPECT_EQ(average.powder.position.size(), 2 * ring_places().size());
+  EXPECT_EQ(average.solid_fraction.open.size(), average.powder.position.size());
+  const auto field = unrolled_vectors(velocities(average.powder), wide_ring(), kDiameter, 0.5e-3);
+  ASSERT_FALSE(field.arrows.empty());
+  for (const auto& arrow : field.arrows) EXPECT_NEAR(arrow.along_second, -1.5, 1e-12);
+}
+
+TEST(TimeAverage, SolidFractionOfUnchangedPowderIsThatOfOneInstant) {
+  const auto result = two_instants();
+  const auto one = result_at(result, 1), average = time_average(result, 1, 2);
+  const auto before = cylindrical_map(one.powder, one.solid_fraction, one.cavity, 0.5e-3);
+  const auto after = cylindrical_map(average.powder, average.solid_fraction, average.cavity, 0.5e-3);
+  ASSERT_EQ(before.value.size(), after.value.size());
+  int compared = 0;
+  for (std::size_t n = 0; n < before.value.size(); ++n) {
+    if (std::isnan(before.value[n])) continue;
+    EXPECT_NEAR(after.value[n], before.value[n], 1e-12);
+    ++compared;
+  }
+  EXPECT_GT(compared, 100);
+}
+
+TEST(TimeAverage, RefusesFewerThanTwoInstants) {
+  EXPECT_THROW(time_average(two_instants(), 0.5, 1.5), std::invalid_argument);
+  EXPECT_THROW(time_average(two_instants(), 5, 9), std::invalid_argument);
+}
+
+TEST(MotionField, GrainsThatCrossAPeriodWentTheShortWay) {
+  auto before = powder_of({{0, 2.9e-3, -3e-3}});
+  before.position.front().x() = 6e-3;
+  auto after = before;
+  after.position.front().y() = -3.0e-3;
+  after.period = {0, 6e-3};
+  EXPECT_NEAR(displacements(before, after, wide_ring()).vector.front().y(), 0.1, 1e-12);
 }
 
 }  // namespace

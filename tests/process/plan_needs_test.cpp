@@ -32,7 +32,8 @@ TEST(PlanNeeds, WidthPressureAndLaws) {
   EXPECT_NEAR(needs.weight_pressure, density * 0.32 * 9.81 * (0.024 + 0.02), 1e-3);
   EXPECT_NEAR(needs.least_modulus, 3000 * needs.weight_pressure, 1e-6);
   EXPECT_EQ(needs.piston_pressure, 0);
-  EXPECT_EQ(needs.laws.left_out, (std::vector<std::string>{"cohesion with tools", "rolling friction"}));
+  EXPECT_EQ(needs.laws.left_out,
+            (std::vector<std::string>{"cohesion with tools", "rolling friction", "suction of air"}));
   const auto said = in_words(needs, planned.scene, planned.tooling);
   EXPECT_TRUE(says(said, "narrowest, 4.500 mm"));
   EXPECT_TRUE(says(said, "0.42 of it"));

@@ -16,6 +16,7 @@ inline PowderState sample_powder(int grains) {
   powder.sphere_radius = 7.84e-5;
   powder.grain_mass = 7.63e-8;
   powder.grain_solid_volume = 1.413e-11;
+  powder.period = {0, 2.16e-3};
   powder.sphere_offsets = {{0, 0, 0}, {1.568e-4, 0, 0}, {0, -1.568e-4, 1e-300}};
   for (int k = 0; k < grains; ++k) {
     const double x = std::sin(1.0 + k), y = std::cos(2.0 + 3 * k), z = std::sin(0.5 * k * k);

@@ -12,11 +12,18 @@
 #include "process/run/periodic_tool.h"
 #include "process/run/pour.h"
 #include "process/run/rest.h"
+#include "process/run/suction.h"
 #include "process/scene/powder_presets.h"
 #include "tests/support/temporary_folder.h"
 
 namespace diefill::process {
 namespace {
+
+TEST(Permeability, IsThatOfKozenyAndCarman) {
+  // Spheres of 0.1 mm at solid fraction 0.4: 0.216e-8 / 28.8 m^2.
+  EXPECT_NEAR(permeability(1e-4, 0.4), 7.5e-11, 1e-14);
+  EXPECT_NEAR(permeability(2e-4, 0.4) / permeability(1e-4, 0.4), 4, 1e-12);
+}
 
 TEST(ComposedPose, TurnsAboutThePivotAndCarriesEarlierShifts) {
   ToolMotion quarter;

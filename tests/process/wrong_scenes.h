@@ -15,9 +15,9 @@ namespace diefill::process {
 /// All of them, each with a name of its own.
 inline std::vector<WrongScene> wrong_scenes() {
   std::vector<WrongScene> all;
-  for (const auto& some :
-       {wrong_documents(), wrong_syntax(), wrong_settings(), wrong_powders(), wrong_walls(), wrong_tools(),
-        wrong_pours(), wrong_steps(), wrong_numerics(), wrong_economies(), wrong_measures()}) {
+  for (const auto& some : {wrong_documents(), wrong_syntax(), wrong_settings(), wrong_powders(),
+                           wrong_walls(), wrong_tools(), wrong_pours(), wrong_steps(), wrong_numerics(),
+                           wrong_economies(), wrong_suctions(), wrong_measures()}) {
     all.insert(all.end(), some.begin(), some.end());
   }
   return all;

@@ -196,6 +196,22 @@ inline std::vector<WrongScene> wrong_economies() {
   };
 }
 
+inline std::vector<WrongScene> wrong_suctions() {
+  const std::string plane = "fill_plane = \"0 mm\"\n", size = "particle_diameter = \"0.1 mm\"\n";
+  return {
+      spoil("suction_tool_unknown", plane, plane + "[suction]\n" + size + "tool = @\"shoo\"\n",
+            {"suction.tool", "found \"shoo\"", "did you mean \"shoe\"?"}),
+      spoil("suction_without_particles", plane, plane + "@[suction]\ntool = \"shoe\"\n",
+            {"suction.particle_diameter", "found nothing", "0.1 mm"}),
+      spoil("suction_through_a_block", plane,
+            plane + "[suction]\ntool = \"shoe\"\n" + size + "solid_fraction = @1\n",
+            {"suction.solid_fraction", "found 1", "at most 0.74"}),
+      spoil("suction_of_sleepers", plane,
+            plane + "[suction]\n" + size + "tool = @\"shoe\"\n\n[economy]\nsleep = true\n",
+            {"suction.tool", "economy.sleep", "leave one"}),
+  };
+}
+
 inline std::vector<WrongScene> wrong_measures() {
   const std::string plane = "fill_plane = \"0 mm\"\n";
   return {

@@ -1,0 +1,43 @@
+#include <algorithm>
+
+#include "process/scene/sections.h"
+
+namespace diefill::process {
+namespace {
+
+constexpr QuantityRule kParticleDiameter = {Dimension::length, "0.1 mm", "1 um", "10 mm"};
+constexpr QuantityRule kViscosity = {Dimension::viscosity, "1.8e-5 Pa s", "1e-7 Pa s", "1 Pa s"};
+constexpr NumberRule kSolidFraction = {0.05, 0.74, true, "0.32"};
+
+/// The air's way is fixed in the laboratory, as is the die.
+void refuse_moving_die(TableReader& table, const Scene& scene) {
+  for (const ToolSpec& tool : scene.tools) {
+    if (tool.role != ToolRole::die) continue;
+    for (const auto& step : scene.steps) {
+      const auto moved = step->tools();
+      if (std::ranges::find(moved, tool.name) != moved.end())
+        table.reject("tool",
+                     "the step \"" + step->in_words() + "\" moves the die \"" + tool.name +
+                         "\"; air is drawn through a die that stands, leave [suction] or the step out");
+    }
+  }
+}
+
+}  // namespace
+
+SuctionSpec read_suction(TableReader& table, const Scene& scene) {
+  Choices<std::string> names;
+  for (const ToolSpec& tool : scene.tools) names.emplace_back(tool.name, tool.name);
+  SuctionSpec suction;
+  suction.tool = table.required_choice("tool", names);
+  suction.particle_diameter = table.required_quantity("particle_diameter", kParticleDiameter);
+  suction.viscosity = table.quantity("viscosity", kViscosity).value_or(suction.viscosity);
+  suction.solid_fraction = table.number("solid_fraction", kSolidFraction).value_or(suction.solid_fraction);
+  refuse_moving_die(table, scene);
+  if (scene.economy.sleep)
+    table.reject("tool", "economy.sleep holds grains that the air would draw on; leave one of the two out");
+  table.finish();
+  return suction;
+}
+
+}  // namespace diefill::process
