@@ -39,23 +39,14 @@ class Constraints {
     list_[count_++] = constraint;
   }
 
-  /// The shortest move that brings `place` to `depth` below all faces; empty when they contradict each other.
-  std::optional<Eigen::Vector3d> shortest_move(const Eigen::Vector3d& place, double depth) const {
-    const auto rows = static_cast<Eigen::Index>(count_);
-    Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor, 3, 3> away(rows, 3);
-    Eigen::Matrix<double, Eigen::Dynamic, 1, 0, 3, 1> missing(rows);
-    for (Eigen::Index i = 0; i < rows; ++i) {
-      const Constraint& constraint = list_[static_cast<std::size_t>(i)];
-      away.row(i) = constraint.away.transpose();
-      missing[i] = depth - constraint.away.dot(place - constraint.foot);
-    }
-    if (rows == 1) return Eigen::Vector3d(missing[0] * list_[0].away);
-    Eigen::CompleteOrthogonalDecomposition<decltype(away)> decomposition;
-    decomposition.setThreshold(1e-6);
-    decomposition.compute(away);
-    const Eigen::Vector3d move = decomposition.solve(missing);
-    if ((away * move - missing).cwiseAbs().maxCoeff() > 1e-6 * depth) return std::nullopt;
-    return move;
+  /// The shortest move that brings `place` to `depth` below all faces, the oldest left out where three have
+  /// no such place, as two facets of a curve and a face across; empty when two contradict each other.
+  std::optional<Eigen::Vector3d> shortest_move(const Eigen::Vector3d& place, double depth) {
+    const auto move = move_below_all(place, depth);
+    if (move || count_ < 3) return move;
+    list_ = {list_[1], list_[2], {}};
+    count_ = 2;
+    return move_below_all(place, depth);
   }
 
   /// Distance between the two faces that look at each other most, m.
@@ -73,6 +64,24 @@ class Constraints {
   }
 
  private:
+  std::optional<Eigen::Vector3d> move_below_all(const Eigen::Vector3d& place, double depth) const {
+    const auto rows = static_cast<Eigen::Index>(count_);
+    Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor, 3, 3> away(rows, 3);
+    Eigen::Matrix<double, Eigen::Dynamic, 1, 0, 3, 1> missing(rows);
+    for (Eigen::Index i = 0; i < rows; ++i) {
+      const Constraint& constraint = list_[static_cast<std::size_t>(i)];
+      away.row(i) = constraint.away.transpose();
+      missing[i] = depth - constraint.away.dot(place - constraint.foot);
+    }
+    if (rows == 1) return Eigen::Vector3d(missing[0] * list_[0].away);
+    Eigen::CompleteOrthogonalDecomposition<decltype(away)> decomposition;
+    decomposition.setThreshold(1e-6);
+    decomposition.compute(away);
+    const Eigen::Vector3d move = decomposition.solve(missing);
+    if ((away * move - missing).cwiseAbs().maxCoeff() > 1e-6 * depth) return std::nullopt;
+    return move;
+  }
+
   std::array<Constraint, 3> list_;
   std::size_t count_ = 0;
 };

@@ -198,6 +198,28 @@ TEST(WallSpheres, RoundOffASharpWedge) {
   EXPECT_NEAR(spheres.largest_deviation_place.head<2>().norm(), 0, 0.2 * kRadius);
 }
 
+/// What a round hole leaves of an inner corner: a pillar of three sides, one of them bent, with two cusps.
+Mesh pillar_beside_a_hole() {
+  constexpr double kHole = 4.5e-3;         // m
+  const Eigen::Vector2d axis(3e-3, 4e-3);  // of the hole, seen from the corner
+  const double from = -std::acos(-axis.x() / kHole), to = -std::numbers::pi + std::asin(axis.y() / kHole);
+  constexpr int kFacets = 6;
+  std::vector<Eigen::Vector2d> corners = {{0, 0}};
+  for (int n = 0; n <= kFacets; ++n) {
+    const double angle = to + (from - to) * n / kFacets;
+    corners.push_back(axis + kHole * Eigen::Vector2d(std::cos(angle), std::sin(angle)));
+  }
+  return sample::prism(corners, {1e-4, 1e-4}, 3e-3);
+}
+
+TEST(WallSpheres, RoundOffTheCuspsOfAPillarBesideARoundHole) {
+  WallSphereOptions wanted = options();
+  wanted.radius = 2e-4;
+  const WallSpheres spheres = make_wall_spheres(pillar_beside_a_hole(), wanted);
+  EXPECT_GT(spheres.centres.size(), 0U);
+  EXPECT_LT(spheres.largest_deviation, 5 * wanted.radius);
+}
+
 TEST(WallSpheres, RefuseAPlateThinnerThanASphere) {
   const Mesh mesh = sample::box(Eigen::Vector3d::Zero(), Eigen::Vector3d(0.005, 0.005, 1.9 * kRadius));
   try {
