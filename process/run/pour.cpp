@@ -76,10 +76,58 @@ void refuse_powder_over_nothing(const Scene& scene, const geometry::Box& standin
   }
 }
 
+/// m, from the nearest tool; a grain's centre must be farther from it than this times its radius: its offset
+/// may bring it near a wall.
+constexpr double kTolerated = 0.9;
+
+/// Tells places in the powder from places that tools take up.
+class Room {
+ public:
+  Room(const Tooling& tooling, double radius) : radius_(radius) {
+    for (const Tool& tool : tooling.tools) solids_.emplace_back(tool.mesh);
+  }
+  /// Whether a grain can stand at `place` (m).
+  bool at(const Eigen::Vector3d& place) const {
+    return std::ranges::all_of(solids_, [&](const geometry::SolidQuery& solid) {
+      return solid.signed_distance(place) > kTolerated * radius_;
+    });
+  }
+
+ private:
+  std::vector<geometry::SolidQuery> solids_;
+  double radius_;
+};
+
+/// One grain at `site`, moved and turned by chance.
+engine::NewGrain grain_at(const Eigen::Vector3d& site, const Scene& scene, const engine::GrainShape& shape,
+                          Dice& dice) {
+  const double radius = shape.bounding_radius();
+  engine::NewGrain grain;
+  const Eigen::Vector3d offset(dice.symmetric(), dice.symmetric(), dice.symmetric());
+  grain.position = site + scene.pour.random_offset * 2 * radius * offset;
+  grain.orientation = dice.direction<4>();
+  if (shape.rotates) grain.angular_velocity = scene.pour.rim_speed / radius * dice.direction<3>();
+  return grain;
+}
+
+/// `count` grains from the lattice's floor upwards where there is room.
+std::vector<engine::NewGrain> stack_around_tools(const Scene& scene, const engine::GrainShape& shape,
+                                                 const Tooling& tooling, std::size_t count) {
+  const Lattice lattice = lattice_of(scene, shape);
+  const Room room(tooling, shape.bounding_radius());
+  // Above all tools every site is free, so that the stack ends.
+  Dice dice(scene.seed);
+  std::vector<engine::NewGrain> grains;
+  for (std::size_t n = 0; grains.size() < count; ++n) {
+    const auto grain = grain_at(lattice.site(n), scene, shape, dice);
+    if (room.at(grain.position)) grains.push_back(grain);
+  }
+  return grains;
+}
+
 /// The lattice must not reach into a tool: grains would start overlapping it and be shot away.
 void refuse_overlap(const Scene& scene, const Tooling& tooling, const std::vector<engine::NewGrain>& grains,
                     double radius) {
-  constexpr double kTolerated = 0.9;  // of the grain's radius: its offset may bring it near a wall
   for (const Tool& tool : tooling.tools) {
     const geometry::SolidQuery solid(tool.mesh);
     for (const auto& grain : grains) {
@@ -88,8 +136,7 @@ void refuse_overlap(const Scene& scene, const Tooling& tooling, const std::vecto
       char text[240];
       std::snprintf(text, sizeof text,
                     ": pour: tool \"%s\" reaches %.3g mm into the powder near (%.2f, %.2f, %.2f) mm; move "
-                    "the pour box or "
-                    "the tool so that they do not overlap",
+                    "the pour box or the tool so that they do not overlap, or say around_tools = true",
                     tool.spec.name.c_str(), 1e3 * (radius - distance), 1e3 * grain.position[0],
                     1e3 * grain.position[1], 1e3 * grain.position[2]);
       throw SceneError(scene.file.string() + ":" + std::to_string(scene.pour.line) + text);
@@ -107,22 +154,17 @@ std::size_t grains_to_pour(const Scene& scene, const engine::GrainShape& shape) 
 
 std::vector<engine::NewGrain> pour(const Scene& scene, const engine::GrainShape& shape,
                                    const Tooling& tooling) {
-  const Lattice lattice = lattice_of(scene, shape);
-  const double radius = shape.bounding_radius();
-  Dice dice(scene.seed);
   refuse_powder_over_nothing(scene, tooling.standing);
-  std::vector<engine::NewGrain> grains(grains_to_pour(scene, shape));
-  if (grains.empty())
+  const std::size_t count = grains_to_pour(scene, shape);
+  if (count == 0)
     throw SceneError(scene.file.string() + ":" + std::to_string(scene.pour.line) +
                      ": pour.fill_height: the box holds not even one grain at this height; raise it");
-  for (std::size_t n = 0; n < grains.size(); ++n) {
-    engine::NewGrain& grain = grains[n];
-    const Eigen::Vector3d offset(dice.symmetric(), dice.symmetric(), dice.symmetric());
-    grain.position = lattice.site(n) + scene.pour.random_offset * 2 * radius * offset;
-    grain.orientation = dice.direction<4>();
-    if (shape.rotates) grain.angular_velocity = scene.pour.rim_speed / radius * dice.direction<3>();
-  }
-  refuse_overlap(scene, tooling, grains, radius);
+  if (scene.pour.around_tools) return stack_around_tools(scene, shape, tooling, count);
+  const Lattice lattice = lattice_of(scene, shape);
+  Dice dice(scene.seed);
+  std::vector<engine::NewGrain> grains;
+  for (std::size_t n = 0; n < count; ++n) grains.push_back(grain_at(lattice.site(n), scene, shape, dice));
+  refuse_overlap(scene, tooling, grains, shape.bounding_radius());
   return grains;
 }
 

@@ -25,6 +25,7 @@ PourSpec read(TableReader& table, const PowderSpec& powder, const NumericsSpec& 
   pour.rim_speed = table.quantity("rim_speed", kRimSpeed).value_or(pour.rim_speed);
   pour.lattice_constant = table.number("lattice_constant", kLatticeConstant).value_or(pour.lattice_constant);
   pour.random_offset = table.number("random_offset", kRandomOffset).value_or(pour.random_offset);
+  pour.around_tools = table.flag("around_tools").value_or(pour.around_tools);
   table.finish();
   check_pour(table, pour, powder, numerics);
   return pour;

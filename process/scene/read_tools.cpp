@@ -25,8 +25,8 @@ const Choices<ToolRole>& roles() {
 }
 
 const Choices<double>& length_units() {
-  static const Choices<double> choices = {
-      {"mm", 1e-3}, {"um", 1e-6}, {"cm", 1e-2}, {"m", 1}, {"inch", 0.0254}};
+  static const Choices<double> choices = {{"mm", 1e-3}, {"um", 1e-6},     {"cm", 1e-2},
+                                          {"m", 1},     {"inch", 0.0254}, {"in", 0.0254}};
   return choices;
 }
 

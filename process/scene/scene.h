@@ -91,6 +91,7 @@ struct PourSpec {
   /// Over d; 0: 1.2, or wider so that the lattice is at most a tenth solid (Bierwisch 2009, section 3.2.1).
   double lattice_constant = 0;
   double random_offset = 0.1;  ///< over d, uniform in +- per axis
+  bool around_tools = false;   ///< places that a tool takes up are left out
   int line = 0;
 };
 

@@ -6,6 +6,7 @@
 #include <fstream>
 #include <set>
 
+#include "geometry/solid_query.h"
 #include "process/results/result_file.h"
 #include "process/run/checkpoint.h"
 #include "process/run/material.h"
@@ -109,6 +110,22 @@ TEST(Pour, GivesTheMassThatTheFillHeightNeedsAndNoOverlap) {
     for (std::size_t k = 1; k < grains.size(); ++k)
       EXPECT_GT((grains[k].position - grains[k - 1].position).norm(), 0.99 * 2 * shape.bounding_radius());
   }
+}
+
+TEST(Pour, GoesAroundToolsOnlyWhereAsked) {
+  Scene scene = open_box("ASC100.29 D2");
+  const auto shape = engine_settings(scene, 1.0).shape;
+  Tooling tooling = floor_below();
+  Tool stirrer;
+  stirrer.mesh = box({-1e-3, -5e-3, 1e-3}, {1e-3, 5e-3, 3e-3});
+  tooling.tools.push_back(stirrer);
+  EXPECT_THROW(pour(scene, shape, tooling), SceneError);
+  scene.pour.around_tools = true;
+  const auto grains = pour(scene, shape, tooling);
+  EXPECT_EQ(grains.size(), grains_to_pour(scene, shape));
+  const geometry::SolidQuery solid(stirrer.mesh);
+  for (const auto& grain : grains)
+    EXPECT_GT(solid.signed_distance(grain.position), 0.9 * shape.bounding_radius());
 }
 
 TEST(Pour, DependsOnTheSeedAlone) {

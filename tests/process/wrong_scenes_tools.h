@@ -78,7 +78,7 @@ inline std::vector<WrongScene> wrong_tools() {
             {"tool.length_unit", "found nothing", "such as \"mm\"", "do not say what unit"}),
       spoil("tool_length_unit_unknown", unit, "length_unit = @\"millimetre\"",
             {"tool.length_unit", "found \"millimetre\"",
-             "allowed is \"mm\", \"um\", \"cm\", \"m\" or \"inch\""}),
+             "allowed is \"mm\", \"um\", \"cm\", \"m\", \"inch\" or \"in\""}),
       spoil("tool_position_of_two", place, "position = @[\"35.4 mm\", \"0 mm\"]",
             {"tool.position", "found [\"35.4 mm\", \"0 mm\"]", "three values along x, y and z are needed"}),
       spoil("tool_position_without_unit", place, "position = [\"35.4 mm\", @0, \"0 mm\"]",
