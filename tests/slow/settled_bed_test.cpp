@@ -25,29 +25,39 @@ void print(const std::string& name, const BedFigures& figures) {
       static_cast<double>(figures.sphere_steps), figures.energy_balance_error);
 }
 
-/// Solid fraction of powder 24 mm high in the shoe of section 4.1.1, as published: a slice periodic in y,
-/// 32 mm between the walls and 2.16 mm deep, grains of their calibrated size, the published time step.
-BedFigures shoe_column(const std::string& preset) {
+/// Powder 24 mm high as in the shoe of section 4.1.1: grains of their calibrated size, the published time
+/// step and slice of 2.16 mm along y. Along x it is 5 mm long and periodic, a sixth of the shoe, without its
+/// walls: top and ground are what tells columns of different height apart, not a wall at 70 d.
+BedFigures shoe_column(const std::string& preset, std::uint64_t seed) {
   BedSpec spec;
   spec.powder = powder_preset(preset);
-  spec.width = 32e-3;
-  spec.side_walls = true;
+  spec.width = 5e-3;
   spec.depth = 2.16e-3;
   spec.fill_height = 24e-3;
   spec.expected_fraction = spec.powder.model == GrainModel::A ? 0.57 : 0.35;
   spec.lattice_fraction = 0;  // the lattice of a filling: 1.2 d
   spec.wall_sphere_radius = 1.5e-4;
   spec.time_step = 2e-6;
+  spec.seed = seed;
   const BedFigures figures = settle_bed(spec);
-  print(preset, figures);
+  print(preset + ", seed " + std::to_string(seed), figures);
   return figures;
 }
 
-/// One column will do: packings scatter by 0.001 (section 4.1.5). The fraction is that of volumes, the
-/// primary one of OP-11; the mean over grains is printed beside it.
+/// Mean solid fraction of three columns that differ in the grains' first spins and offsets: that of volumes,
+/// the primary one of OP-11. The mean over grains is printed beside it.
 void expect_shoe_fraction(const std::string& preset, double published) {
+  constexpr int kSeeds = 3;
   constexpr double kTolerance = 0.015;
-  EXPECT_NEAR(shoe_column(preset).bulk_fraction, published, kTolerance);
+  double of_volumes = 0, of_grains = 0;
+  for (int seed = 1; seed <= kSeeds; ++seed) {
+    const BedFigures figures = shoe_column(preset, static_cast<std::uint64_t>(seed));
+    of_volumes += figures.bulk_fraction / kSeeds;
+    of_grains += figures.arithmetic_fraction / kSeeds;
+  }
+  std::printf("%s: mean of %d seeds: f_m %.4f, arithmetic %.4f, published %.2f\n", preset.c_str(), kSeeds,
+              of_volumes, of_grains, published);
+  EXPECT_NEAR(of_volumes, published, kTolerance);
 }
 
 /// Table C.2 at d = 1.88 mm: 20 mm x 20 mm, ground spheres of the grains' radius centred at z = 0, fall from
