@@ -55,6 +55,7 @@ Json tool_as_json(const process::Tool& tool) {
                {"not_repaired", tool.not_repaired},
                {"mesh", findings_as_json(tool.findings)}};
   if (tool.chord_tolerance) json["chord_tolerance_m"] = *tool.chord_tolerance;
+  if (tool.wall_mesh) json["wall_triangles"] = tool.wall_mesh->triangles.size();
   const auto& spheres = tool.spheres;
   if (!spheres.centres.empty())
     json["wall_spheres"] = {{"count", spheres.centres.size()},
@@ -118,6 +119,8 @@ void print_tool(const process::Tool& tool, const geometry::Symmetry* symmetry) {
     std::printf("  mesh: closed, oriented, free of self-intersections, %zu shell%s\n", tool.findings.shells,
                 tool.findings.shells == 1 ? "" : "s");
   if (symmetry != nullptr) std::printf("  symmetry: %s\n", symmetry->in_words().c_str());
+  if (tool.wall_mesh)
+    std::printf("  walls: the mesh itself, %zu triangles\n", tool.wall_mesh->triangles.size());
   const auto& spheres = tool.spheres;
   if (spheres.centres.empty()) return;
   std::printf(

@@ -5,6 +5,7 @@
 #include "app/exit_code.h"
 #include "app/output.h"
 #include "process/laboratory/stability/registry.h"
+#include "process/laboratory/walls/registry.h"
 #include "process/scene/nearest_key.h"
 #include "process/scene/scene_error.h"
 #include "render/experiment_chart.h"
@@ -28,6 +29,7 @@ struct Family {
 
 const Family kFamilies[] = {
     {"stability", "Find where each method fails, against theory", process::laboratory::stability_experiments},
+    {"walls", "Hold wall spheres against the exact surface", process::laboratory::wall_experiments},
 };
 
 /// The experiments that `name` asks for; throws SceneError where there is none.

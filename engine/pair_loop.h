@@ -12,9 +12,12 @@
 #include "engine/laws/general_contact_law.h"
 #include "engine/local_spheres.h"
 #include "engine/vector_instructions.h"
-#include "engine/walls.h"
 
 namespace diefill::engine {
+
+// Only the loop at walls looks into these; the other one, which compiles for minutes, does not know them.
+class WallBody;
+struct BodyMotion;
 
 /// What one block did in one step.
 struct BlockTally {
@@ -77,8 +80,8 @@ struct GeneralContact {
 /// The loop for pairs between grains of spheres of `sphere_radius` (m). `composed`: several spheres a grain.
 std::unique_ptr<PairLoop> make_grain_loop(const ContactParameters& parameters, LeverArm arm,
                                           SpringLimit limit, double sphere_radius, bool composed);
-/// The loop for pairs of grains with walls: parameters and radius of wall spheres (m, infinite for planes) of
-/// every body.
+/// The loop for pairs of grains with walls: parameters and radius of wall spheres (m, infinite for planes and
+/// flat triangles) of every body.
 std::unique_ptr<PairLoop> make_wall_loop(const std::vector<ContactParameters>& parameters, LeverArm arm,
                                          SpringLimit limit, double sphere_radius, bool composed,
                                          const std::vector<double>& wall_radii);

@@ -4,6 +4,7 @@
 #include <map>
 
 #include "engine/grain_contacts.h"
+#include "engine/mesh_contacts.h"
 
 namespace diefill::engine {
 
@@ -16,7 +17,7 @@ struct DeepContact {
   double overlap;  ///< m
 };
 
-/// m, of sphere `i` with a wall sphere or plane of `body`.
+/// m, of sphere `i` with a wall sphere, plane or triangle of `body`.
 double wall_overlap(const Simulation& simulation, std::size_t body, std::uint32_t i,
                     std::uint32_t wall_part) {
   const WallBody& wall = simulation.bodies()[body];
@@ -24,6 +25,7 @@ double wall_overlap(const Simulation& simulation, std::size_t body, std::uint32_
   const Eigen::Vector3d place =
       pose.rotation.transpose() * (eigen(simulation.spheres().position[i]) - pose.translation);
   const double radius = simulation.settings().shape.sphere_radius;
+  if (wall.meshed()) return radius - separation_from_triangle(wall, wall_part, place, radius).norm();
   if (!wall.flat()) return radius + wall.sphere_radius() - (place - wall.centres()[wall_part]).norm();
   const WallPlane& plane = wall.planes()[wall_part];
   return radius - plane.normal.dot(place - plane.point);

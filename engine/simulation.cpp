@@ -49,14 +49,17 @@ SimulationSettings checked(SimulationSettings settings) {
 std::vector<std::uint32_t> first_sphere_of_bodies(const std::vector<WallBodySpec>& walls) {
   std::vector<std::uint32_t> first(1, 0);
   for (const auto& wall : walls)
-    first.push_back(first.back() + static_cast<std::uint32_t>(wall.centres.size() + wall.planes.size()));
+    first.push_back(first.back() + static_cast<std::uint32_t>(wall.centres.size() + wall.planes.size() +
+                                                              wall.triangles.size()));
   return first;
 }
 
 std::vector<double> radii_of(const std::vector<WallBodySpec>& walls) {
   std::vector<double> radii;
   for (const auto& wall : walls)
-    radii.push_back(wall.planes.empty() ? wall.sphere_radius : std::numeric_limits<double>::infinity());
+    radii.push_back(!wall.triangles.empty() ? wall.contact_radius
+                    : wall.planes.empty()   ? wall.sphere_radius
+                                            : std::numeric_limits<double>::infinity());
   return radii;
 }
 

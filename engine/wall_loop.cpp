@@ -3,6 +3,7 @@
 #include <stdexcept>
 
 #include "engine/contact_kernel.h"
+#include "engine/mesh_contacts.h"
 
 namespace diefill::engine {
 
@@ -31,7 +32,7 @@ class WallLoop final : public PairLoop {
       for (const std::uint32_t p :
            touching_pairs(block.wall_pairs, block.wall_first[body], block.wall_first[body + 1])) {
         const WallPair pair = block.wall_pairs.pair[p];
-        const Touch touch{p, separation_in_body(pair, body, scene)};
+        const WallTouch touch{p, separation_in_body(pair, body, scene)};
         pack(block, body, touch, scene, 0, batch);
         batch.fill_last_group();
         react<kArm, kComposed>(batch, laws_[body], distances, 0);
@@ -44,12 +45,22 @@ class WallLoop final : public PairLoop {
 
   double stored_energy(const Block& block, const ContactScene& scene) const override {
     double energy = 0;
-    for (std::size_t body = 0; body + 1 < block.wall_first.size(); ++body)
+    std::vector<WallTouch> touches;
+    for (std::size_t body = 0; body + 1 < block.wall_first.size(); ++body) {
+      if (scene.bodies[body].meshed()) {
+        touches.clear();
+        find_mesh_touches(block.wall_pairs, mesh_pairs(block, body, scene), touches);
+        for (const auto& touch : touches)
+          energy += laws_[body].energy(reach(scene, body) - length(touch.separation),
+                                       block.wall_pairs.memory_of(touch.pair));
+        continue;
+      }
       for (std::uint32_t p = block.wall_first[body]; p < block.wall_first[body + 1]; ++p) {
         const double overlap =
             reach(scene, body) - length(separation_in_body(block.wall_pairs.pair[p], body, scene));
         if (overlap > 0) energy += laws_[body].energy(overlap, block.wall_pairs.memory_of(p));
       }
+    }
     return energy;
   }
 
@@ -59,23 +70,24 @@ class WallLoop final : public PairLoop {
  private:
   using Batch = ContactBatch<Law>;
 
-  /// A touching pair, seen in the body's frame.
-  struct Touch {
-    std::uint32_t pair;
-    Vector3 separation;  ///< m, grain sphere from wall sphere
-  };
-
   double reach(const ContactScene& scene, std::size_t body) const {
     return radius_ + scene.bodies[body].sphere_radius();
   }
 
-  /// Centre of the grain's sphere (m) seen from the wall's, in the body's frame. From a plane, its nearest
-  /// point stands for the wall sphere.
+  MeshPairs mesh_pairs(const Block& block, std::size_t body, const ContactScene& scene) const {
+    return {block.wall_first[body], block.wall_first[body + 1],
+            scene.bodies[body],     scene.body_motion[body],
+            scene.spheres,          radius_};
+  }
+
+  /// Centre of the grain's sphere (m) seen from the wall's, in the body's frame. From a plane or triangle,
+  /// its nearest point stands for the wall sphere.
   static Vector3 separation_in_body(const WallPair& pair, std::size_t body, const ContactScene& scene) {
     const BodyMotion& pose = scene.body_motion[body];
     const Eigen::Vector3d place =
         pose.rotation.transpose() * (eigen(scene.spheres.position(pair.own)) - pose.translation);
     const WallBody& wall = scene.bodies[body];
+    if (wall.meshed()) return plain(separation_from_triangle(wall, pair.wall, place, scene.sphere_radius));
     if (!wall.flat()) return plain(place - wall.centres()[pair.wall]);
     const WallPlane& plane = wall.planes()[pair.wall];
     // A centre on the plane still has a side to be pushed to.
@@ -84,8 +96,14 @@ class WallLoop final : public PairLoop {
   }
 
   void find_touching(Block& block, std::size_t body, const ContactScene& scene,
-                     std::vector<Touch>& touching) const {
+                     std::vector<WallTouch>& touching, BlockTally& tally) const {
     touching.clear();
+    if (scene.bodies[body].meshed()) {
+      const MeshPairs near = mesh_pairs(block, body, scene);
+      tally.overlap.walls =
+          std::max(tally.overlap.walls, find_mesh_touches(block.wall_pairs, near, touching));
+      return note_mesh_touches(block.wall_pairs, near, touching);
+    }
     const double reach_squared = reach(scene, body) * reach(scene, body);
     for (std::uint32_t p = block.wall_first[body]; p < block.wall_first[body + 1]; ++p) {
       const Vector3 between = separation_in_body(block.wall_pairs.pair[p], body, scene);
@@ -96,14 +114,14 @@ class WallLoop final : public PairLoop {
   }
 
   void add_body(Block& block, std::size_t body, const ContactScene& scene, BlockTally& tally) const {
-    thread_local std::vector<Touch> touching;
-    find_touching(block, body, scene, touching);
+    thread_local std::vector<WallTouch> touching;
+    find_touching(block, body, scene, touching, tally);
     Batch& batch = batch_of_thread<Batch>();
     BatchTally<Law> batches;
     const PairReach distances{reach(scene, body), radius_};
     for (std::size_t done = 0; done < touching.size(); done += batch.count) {
       batch.count = std::min(touching.size() - done, Batch::kLanes);
-      const Touch* pairs = touching.data() + done;
+      const WallTouch* pairs = touching.data() + done;
       for (std::size_t lane = 0; lane < batch.count; ++lane)
         pack(block, body, pairs[lane], scene, lane, batch);
       batch.fill_last_group();
@@ -117,12 +135,12 @@ class WallLoop final : public PairLoop {
   }
 
   /// Way from the grain sphere's centre to the middle of the overlap, over the distance to the wall sphere.
-  double contact_share(const Touch& touch, std::size_t body, const ContactScene& scene) const {
+  double contact_share(const WallTouch& touch, std::size_t body, const ContactScene& scene) const {
     const double distance = length(touch.separation), overlap = reach(scene, body) - distance;
     return (radius_ - 0.5 * overlap) / distance;
   }
 
-  void pack(const Block& block, std::size_t body, const Touch& touch, const ContactScene& scene,
+  void pack(const Block& block, std::size_t body, const WallTouch& touch, const ContactScene& scene,
             std::size_t lane, Batch& batch) const {
     const WallPair pair = block.wall_pairs.pair[touch.pair];
     const BodyMotion& pose = scene.body_motion[body];
@@ -140,7 +158,7 @@ class WallLoop final : public PairLoop {
     recall(block.wall_pairs, touch.pair, batch, lane);
   }
 
-  void hand_out(const Batch& batch, std::size_t lane, Block& block, std::size_t body, const Touch& touch,
+  void hand_out(const Batch& batch, std::size_t lane, Block& block, std::size_t body, const WallTouch& touch,
                 const ContactScene& scene, BlockTally& tally) const {
     const WallPair pair = block.wall_pairs.pair[touch.pair];
     ContactSum& own = block.sums[block.slot[pair.own]];

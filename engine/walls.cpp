@@ -17,9 +17,9 @@ constexpr double kEndless = 1e6;
 }  // namespace
 
 WallBody::WallBody(WallBodySpec spec, double reach) : spec_(std::move(spec)), reach_(reach) {
+  if (flat() + meshed() + !spec_.centres.empty() > 1)
+    throw std::invalid_argument("a wall is made of spheres, of planes or of triangles, not of two of them");
   if (flat()) {
-    if (!spec_.centres.empty())
-      throw std::invalid_argument("a wall is made of spheres or of planes, not of both");
     extent_ = kEndless;
     lower_ = Eigen::Vector3d::Constant(-kEndless);
     upper_ = Eigen::Vector3d::Constant(kEndless);
@@ -27,11 +27,8 @@ WallBody::WallBody(WallBodySpec spec, double reach) : spec_(std::move(spec)), re
   }
   lower_ = Eigen::Vector3d::Constant(1e300);
   upper_ = Eigen::Vector3d::Constant(-1e300);
-  for (const auto& centre : spec_.centres) {
-    lower_ = lower_.cwiseMin(centre);
-    upper_ = upper_.cwiseMax(centre);
-    extent_ = std::max(extent_, centre.norm());
-  }
+  for (const auto& centre : spec_.centres) include(centre);
+  take_in_triangles();
   if (spec_.centres.empty()) return;
   cell_size_ = reach;
   const Eigen::Vector3d size = upper_ - lower_ + Eigen::Vector3d::Constant(4 * reach);
@@ -41,6 +38,22 @@ WallBody::WallBody(WallBodySpec spec, double reach) : spec_(std::move(spec)), re
     cells_[axis] = static_cast<int>(std::floor((upper_[axis] - lower_[axis]) / cell_size_)) + 3;
   sort_into_cells();
   mark_neighbourhoods();
+}
+
+void WallBody::include(const Eigen::Vector3d& point) {
+  lower_ = lower_.cwiseMin(point);
+  upper_ = upper_.cwiseMax(point);
+  extent_ = std::max(extent_, point.norm());
+}
+
+void WallBody::take_in_triangles() {
+  for (const auto& triangle : spec_.triangles) {
+    for (const auto& corner : triangle.corner) include(corner);
+    normals_.push_back(triangle.normal());
+    if (!(std::abs(normals_.back().norm() - 1) < 1e-6))
+      throw std::invalid_argument("a triangle of wall \"" + name() + "\" has no area: it faces nowhere");
+  }
+  triangle_cells_ = TriangleCells(spec_.triangles, reach_);
 }
 
 Eigen::Vector3i WallBody::cell_of(const Eigen::Vector3d& body_point) const {
@@ -87,9 +100,10 @@ void WallBody::find(const Eigen::Vector3d& body_point, double reach,
                     std::vector<std::uint32_t>& found) const {
   for (std::uint32_t k = 0; k < spec_.planes.size(); ++k)
     if (spec_.planes[k].normal.dot(body_point - spec_.planes[k].point) < reach) found.push_back(k);
-  if (spec_.centres.empty()) return;
+  if (spec_.centres.empty() && !meshed()) return;
   const Eigen::Vector3d beyond = (lower_ - body_point).cwiseMax(body_point - upper_);
   if (beyond.maxCoeff() > reach) return;
+  if (meshed()) return triangle_cells_.find(spec_.triangles, body_point, reach, found);
   const Eigen::Vector3i cell = cell_of(body_point);
   if ((cell.array() < 0).any() || (cell.array() >= cells_.array()).any()) return;
   if (!neighbourhood_[index_of(cell)]) return;

@@ -19,7 +19,6 @@ namespace {
 
 constexpr std::size_t kMemory = std::size_t{2} << 30;  // bytes beyond those of this process
 constexpr std::size_t kMemoryOfByte = 24;
-constexpr rlim_t kSeconds = 60;
 constexpr std::size_t kBytesOfSecond = 100000;
 constexpr char kWhole = 'W';  // first byte of an answer: parts follow
 constexpr char kReason = 'R';
@@ -106,13 +105,13 @@ void limit(int what, rlim_t most) {
   ::setrlimit(static_cast<__rlimit_resource>(what), &both);
 }
 
-void set_limits(std::size_t file_bytes) {
+void set_limits(const ChildLimits& limits) {
 #ifndef __SANITIZE_ADDRESS__  // the sanitizer's shadow memory takes terabytes of address space
 #ifndef __SANITIZE_THREAD__
-  limit(RLIMIT_AS, memory_in_use() + kMemory + kMemoryOfByte * file_bytes);
+  limit(RLIMIT_AS, memory_in_use() + kMemory + kMemoryOfByte * limits.file_bytes);
 #endif
 #endif
-  limit(RLIMIT_CPU, kSeconds + file_bytes / kBytesOfSecond);
+  limit(RLIMIT_CPU, limits.seconds + limits.file_bytes / kBytesOfSecond);
   limit(RLIMIT_CORE, 0);
 }
 
@@ -135,11 +134,11 @@ void send(const CadParts& contents, Sender& sender) {
   }
 }
 
-[[noreturn]] void be_the_child(const std::function<CadParts()>& read, std::size_t file_bytes, int pipe) {
+[[noreturn]] void be_the_child(const std::function<CadParts()>& read, const ChildLimits& limits, int pipe) {
   for (const int fatal : {SIGSEGV, SIGABRT, SIGFPE, SIGILL, SIGBUS, SIGINT, SIGTERM})
     ::signal(fatal, SIG_DFL);
   silence();
-  set_limits(file_bytes);
+  set_limits(limits);
   Sender sender(pipe);
   std::string reason;
   try {
@@ -179,7 +178,7 @@ std::string in_words(int status) {
 
 }  // namespace
 
-CadParts read_in_child(const std::function<CadParts()>& read, std::size_t file_bytes) {
+CadParts read_in_child(const std::function<CadParts()>& read, const ChildLimits& limits) {
   int ends[2];
   if (::pipe2(ends, O_CLOEXEC) != 0) throw std::runtime_error("no pipe for reading it could be opened");
   const pid_t child = ::fork();
@@ -190,7 +189,7 @@ CadParts read_in_child(const std::function<CadParts()>& read, std::size_t file_b
   }
   if (child == 0) {
     ::close(ends[0]);
-    be_the_child(read, file_bytes, ends[1]);
+    be_the_child(read, limits, ends[1]);
   }
   ::close(ends[1]);
   Receiver receiver(ends[0]);

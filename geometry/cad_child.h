@@ -7,10 +7,16 @@
 
 namespace diefill::geometry {
 
-/// Calls `read` in a child process and hands on what it returns. The child may take 2 GiB of memory and 60 s
-/// of processor time, and more for large files: 24 bytes and 10 microseconds for each of `file_bytes`. Throws
-/// std::runtime_error with the reason, also when the child crashed or had to be ended. Call from a thread
-/// while no other one is in the middle of a file.
-CadParts read_in_child(const std::function<CadParts()>& read, std::size_t file_bytes);
+/// What a child may take.
+struct ChildLimits {
+  std::size_t file_bytes = 0;  ///< size of the file to be read
+  unsigned seconds = 60;       ///< of processor time for a small file
+};
+
+/// Calls `read` in a child process and hands on what it returns. The child may take 2 GiB of memory and the
+/// given processor time, and more for large files: 24 bytes and 10 microseconds for each byte of the file.
+/// Throws std::runtime_error with the reason, also when the child crashed or had to be ended. Call from a
+/// thread while no other one is in the middle of a file.
+CadParts read_in_child(const std::function<CadParts()>& read, const ChildLimits& limits);
 
 }  // namespace diefill::geometry

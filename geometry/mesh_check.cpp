@@ -6,8 +6,8 @@
 #include <cstdint>
 #include <map>
 #include <numeric>
-#include <tuple>
 
+#include "geometry/half_edges.h"
 #include "geometry/mesh_crossings.h"
 #include "geometry/topology.h"
 #include "geometry/winding.h"
@@ -19,17 +19,6 @@ namespace {
 /// How far, in square roots of a triangle's area, the two sides of it are probed for inside and outside.
 constexpr double kProbeDepth = 1e-4;
 constexpr std::size_t kMostMarks = 100;  // of one kind; more would cover the part on a picture
-
-/// One side of a triangle, ordered by the edge it lies on.
-struct HalfEdge {
-  std::int64_t low, high;
-  std::size_t triangle;
-  bool forward;  ///< runs from low to high
-  bool operator<(const HalfEdge& other) const {
-    return std::tie(low, high, triangle, forward) <
-           std::tie(other.low, other.high, other.triangle, other.forward);
-  }
-};
 
 /// Connected pieces of surface.
 class Pieces {
@@ -69,7 +58,7 @@ class Examination {
   bool every_corner_is_a_place();
   void find_degenerate_and_duplicate();
   void examine_edges();
-  void examine_edge(const HalfEdge* begin, const HalfEdge* end);
+  void examine_edge(std::size_t low, std::span<const HalfEdge> sides);
   void find_self_intersections();
   void find_inward_shells();
   void list_places();
@@ -109,41 +98,28 @@ void Examination::find_degenerate_and_duplicate() {
 /// Triangles without area but with three different corners close the surface between split and unsplit edges,
 /// so they take part here.
 void Examination::examine_edges() {
-  std::vector<HalfEdge> edges;
   Pieces pieces(mesh_.triangles.size());
-  for (std::size_t t = 0; t < mesh_.triangles.size(); ++t) {
+  const HalfEdges edges(mesh_, topology_, [&](std::size_t t) {
     const std::int64_t corner[3] = {topology_.corner(mesh_, t, 0), topology_.corner(mesh_, t, 1),
                                     topology_.corner(mesh_, t, 2)};
-    if (duplicate_[t] || corner[0] == corner[1] || corner[1] == corner[2] || corner[2] == corner[0]) continue;
-    for (int k = 0; k < 3; ++k) {
-      const std::int64_t from = corner[k];
-      const std::int64_t to = corner[(k + 1) % 3];
-      edges.push_back({std::min(from, to), std::max(from, to), t, from < to});
-    }
-  }
-  std::sort(edges.begin(), edges.end());
-  for (std::size_t begin = 0; begin < edges.size();) {
-    std::size_t end = begin + 1;
-    while (end < edges.size() && edges[end].low == edges[begin].low && edges[end].high == edges[begin].high) {
-      pieces.join(edges[begin].triangle, edges[end].triangle);
-      ++end;
-    }
-    examine_edge(&edges[begin], &edges[begin] + (end - begin));
-    begin = end;
-  }
+    return !duplicate_[t] && corner[0] != corner[1] && corner[1] != corner[2] && corner[2] != corner[0];
+  });
+  edges.visit_edges([&](std::size_t low, std::span<const HalfEdge> sides) {
+    for (const HalfEdge& side : sides.subspan(1)) pieces.join(sides.front().triangle(), side.triangle());
+    examine_edge(low, sides);
+  });
   findings_.consistently_oriented = findings_.badly_oriented_edges == 0 && findings_.non_manifold_edges == 0;
   piece_.resize(mesh_.triangles.size());
   for (std::size_t t = 0; t < piece_.size(); ++t) piece_[t] = pieces.root(t);
 }
 
-void Examination::examine_edge(const HalfEdge* begin, const HalfEdge* end) {
-  const Eigen::Vector3d place = (mesh_.vertices[static_cast<std::size_t>(begin->low)] +
-                                 mesh_.vertices[static_cast<std::size_t>(begin->high)]) /
-                                2;
-  const auto sides = end - begin;
-  if (sides == 1) count(findings_.open_edges, place);
-  if (sides > 2) count(findings_.non_manifold_edges, place);
-  if (sides == 2 && begin->forward == (begin + 1)->forward) count(findings_.badly_oriented_edges, place);
+void Examination::examine_edge(std::size_t low, std::span<const HalfEdge> sides) {
+  const Eigen::Vector3d place =
+      (mesh_.vertices[low] + mesh_.vertices[static_cast<std::size_t>(sides.front().high())]) / 2;
+  if (sides.size() == 1) count(findings_.open_edges, place);
+  if (sides.size() > 2) count(findings_.non_manifold_edges, place);
+  if (sides.size() == 2 && sides[0].forward() == sides[1].forward())
+    count(findings_.badly_oriented_edges, place);
 }
 
 void Examination::find_self_intersections() {

@@ -101,7 +101,9 @@ Mesh wanted(const std::filesystem::path& file, const CadParts& contents, const I
 CadParts read(const std::filesystem::path& file, const CadFormat& format, double chord_tolerance,
               std::size_t bytes) {
   try {
-    return read_in_child([&] { return read_cad_parts(file, format, chord_tolerance); }, bytes);
+    // Triangles are only copied; a few curved faces can take long to follow closely.
+    const unsigned seconds = format.surface == SurfaceKind::kCurved ? 60 : 10;
+    return read_in_child([&] { return read_cad_parts(file, format, chord_tolerance); }, {bytes, seconds});
   } catch (const std::runtime_error& reason) {
     throw MeshError(in_quotes(file) + " cannot be read as " + format.ending + ": " + reason.what() +
                     "; export it again, best as STEP or STL");

@@ -4,17 +4,21 @@
 
 #include <assimp/Importer.hpp>
 #include <fstream>
+#include <limits>
 #include <map>
 #include <regex>
 #include <stdexcept>
 
 #include "geometry/cad_readers.h"
+#include "geometry/equal_vertices.h"
 
 namespace diefill::geometry {
 
 namespace {
 
 constexpr std::size_t kHeadBytes = 4096;  // the root element of an AMF file is within so many
+
+constexpr int kNoVertex = std::numeric_limits<int>::max() - 1;  // refused by whoever looks at the corners
 
 /// Collects the meshes of a file by the names of their nodes.
 class PartCollector {
@@ -39,17 +43,23 @@ class PartCollector {
     CadPart& part =
         part_of(&node == scene_.mRootNode ? static_cast<const void*>(&piece) : &node, name_of(piece, node));
     Mesh& mesh = part.mesh;
+    // assimp gives most triangles corners of their own: six times the vertices that there are.
+    EqualVertices places;
+    std::vector<int> vertex(piece.mNumVertices);
     const int offset = static_cast<int>(mesh.vertices.size());
     for (unsigned i = 0; i < piece.mNumVertices; ++i) {
       const aiVector3D placed = pose * piece.mVertices[i];
-      mesh.vertices.emplace_back(placed.x, placed.y, placed.z);
+      vertex[i] = offset + static_cast<int>(places.add({placed.x, placed.y, placed.z}));
     }
+    mesh.vertices.insert(mesh.vertices.end(), places.places().begin(), places.places().end());
     // A mirroring pose turns the triangles' sense round; swapping two corners turns it back.
     const bool mirrored = pose.Determinant() < 0;
     for (unsigned i = 0; i < piece.mNumFaces; ++i) {
       const aiFace& face = piece.mFaces[i];
       if (face.mNumIndices != 3) continue;
-      const auto corner = [&](unsigned k) { return offset + static_cast<int>(face.mIndices[k]); };
+      const auto corner = [&](unsigned k) {
+        return face.mIndices[k] < vertex.size() ? vertex[face.mIndices[k]] : kNoVertex;
+      };
       mesh.triangles.emplace_back(corner(0), corner(mirrored ? 2 : 1), corner(mirrored ? 1 : 2));
     }
   }

@@ -2,65 +2,57 @@
 
 #include <algorithm>
 #include <numeric>
-#include <tuple>
+
+#include "geometry/equal_vertices.h"
+#include "geometry/half_edges.h"
 
 namespace diefill::geometry {
 
 namespace {
 
+/// For each vertex the first one at the same place.
 std::vector<std::int64_t> join_equal_vertices(const std::vector<Eigen::Vector3d>& vertices) {
-  std::vector<std::size_t> order(vertices.size());
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  const auto key = [&](std::size_t i) {
-    return std::tuple(vertices[i].x(), vertices[i].y(), vertices[i].z(), i);
-  };
-  std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return key(a) < key(b); });
-  std::vector<std::int64_t> first(vertices.size());
-  for (std::size_t i = 0; i < order.size(); ++i) {
-    const bool same = i > 0 && vertices[order[i]] == vertices[order[i - 1]];
-    first[order[i]] = same ? first[order[i - 1]] : static_cast<std::int64_t>(order[i]);
+  EqualVertices places;
+  std::vector<std::int64_t> first(vertices.size()), first_of_place;
+  for (std::size_t i = 0; i < vertices.size(); ++i) {
+    const std::uint32_t place = places.add(vertices[i]);
+    if (place == first_of_place.size()) first_of_place.push_back(static_cast<std::int64_t>(i));
+    first[i] = first_of_place[place];
   }
   return first;
 }
 
-/// Marks degenerate triangles and all but the first of triangles with the same three corners.
-void leave_out_useless(const Mesh& mesh, Topology& topology) {
-  std::vector<std::pair<std::array<std::int64_t, 3>, std::size_t>> keys(mesh.triangles.size());
-  for (std::size_t t = 0; t < keys.size(); ++t) {
-    std::array<std::int64_t, 3> key = {topology.corner(mesh, t, 0), topology.corner(mesh, t, 1),
-                                       topology.corner(mesh, t, 2)};
-    std::sort(key.begin(), key.end());
-    keys[t] = {key, t};
-    topology.left_out[t] = is_degenerate(corners_of(mesh, t)) ? 1 : 0;
-  }
-  std::sort(keys.begin(), keys.end());
-  for (std::size_t i = 1; i < keys.size(); ++i)
-    if (keys[i].first == keys[i - 1].first) topology.left_out[keys[i].second] = 1;
+std::array<std::int64_t, 3> sorted_corners(const Mesh& mesh, const Topology& topology, std::size_t t) {
+  std::array<std::int64_t, 3> corners = {topology.corner(mesh, t, 0), topology.corner(mesh, t, 1),
+                                         topology.corner(mesh, t, 2)};
+  std::sort(corners.begin(), corners.end());
+  return corners;
 }
 
-struct HalfEdge {
-  std::int64_t low, high;
-  std::size_t triangle;
-  int edge;
-  bool forward;  ///< runs from low to high
-  bool operator<(const HalfEdge& other) const {
-    return std::tie(low, high, triangle, edge) < std::tie(other.low, other.high, other.triangle, other.edge);
+/// Marks degenerate triangles and all but the first of triangles with the same three corners.
+void leave_out_useless(const Mesh& mesh, Topology& topology) {
+  const std::size_t triangles = mesh.triangles.size();
+  // By their lowest corner, so that copies lie together and little has to be sorted.
+  std::vector<std::uint32_t> first(mesh.vertices.size() + 1, 0), order(triangles);
+  const auto lowest = [&](std::size_t t) {
+    return static_cast<std::size_t>(sorted_corners(mesh, topology, t)[0]);
+  };
+  for (std::size_t t = 0; t < triangles; ++t) {
+    ++first[lowest(t) + 1];
+    topology.left_out[t] = is_degenerate(corners_of(mesh, t)) ? 1 : 0;
   }
-};
-
-std::vector<HalfEdge> sorted_half_edges(const Mesh& mesh, const Topology& topology) {
-  std::vector<HalfEdge> edges;
-  edges.reserve(3 * mesh.triangles.size());
-  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-    if (topology.left_out[t]) continue;
-    for (int k = 0; k < 3; ++k) {
-      const std::int64_t from = topology.corner(mesh, t, k);
-      const std::int64_t to = topology.corner(mesh, t, (k + 1) % 3);
-      edges.push_back({std::min(from, to), std::max(from, to), t, k, from < to});
-    }
+  std::partial_sum(first.begin(), first.end(), first.begin());
+  std::vector<std::uint32_t> next(first.begin(), first.end() - 1);
+  for (std::size_t t = 0; t < triangles; ++t) order[next[lowest(t)]++] = static_cast<std::uint32_t>(t);
+  std::vector<std::pair<std::array<std::int64_t, 3>, std::uint32_t>> keys;
+  for (std::size_t low = 0; low + 1 < first.size(); ++low) {
+    keys.clear();
+    for (std::uint32_t k = first[low]; k < first[low + 1]; ++k)
+      keys.emplace_back(sorted_corners(mesh, topology, order[k]), order[k]);
+    std::sort(keys.begin(), keys.end());
+    for (std::size_t i = 1; i < keys.size(); ++i)
+      if (keys[i].first == keys[i - 1].first) topology.left_out[keys[i].second] = 1;
   }
-  std::sort(edges.begin(), edges.end());
-  return edges;
 }
 
 }  // namespace
@@ -92,20 +84,15 @@ Topology find_topology(const Mesh& mesh) {
   topology.neighbour.assign(mesh.triangles.size(), {Topology::kNone, Topology::kNone, Topology::kNone});
   topology.left_out.assign(mesh.triangles.size(), 0);
   leave_out_useless(mesh, topology);
-  const std::vector<HalfEdge> edges = sorted_half_edges(mesh, topology);
-  for (std::size_t i = 0; i < edges.size();) {
-    std::size_t end = i + 1;
-    while (end < edges.size() && edges[end].low == edges[i].low && edges[end].high == edges[i].high) ++end;
-    if (end - i == 2 && edges[i].forward != edges[i + 1].forward) {
-      const HalfEdge& one = edges[i];
-      const HalfEdge& other = edges[i + 1];
-      topology.neighbour[one.triangle][static_cast<std::size_t>(one.edge)] =
-          static_cast<std::int64_t>(other.triangle);
-      topology.neighbour[other.triangle][static_cast<std::size_t>(other.edge)] =
-          static_cast<std::int64_t>(one.triangle);
-    }
-    i = end;
-  }
+  const HalfEdges edges(mesh, topology, [&](std::size_t t) { return !topology.left_out[t]; });
+  edges.visit_edges([&](std::size_t, std::span<const HalfEdge> sides) {
+    if (sides.size() != 2 || sides[0].forward() == sides[1].forward()) return;
+    const auto neighbour = [&](const HalfEdge& side) -> std::int64_t& {
+      return topology.neighbour[side.triangle()][static_cast<std::size_t>(side.side())];
+    };
+    neighbour(sides[0]) = static_cast<std::int64_t>(sides[1].triangle());
+    neighbour(sides[1]) = static_cast<std::int64_t>(sides[0].triangle());
+  });
   return topology;
 }
 

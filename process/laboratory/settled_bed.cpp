@@ -35,18 +35,32 @@ Scene scene_of(const BedSpec& spec, const engine::GrainShape& shape) {
   return scene;
 }
 
-/// Ground of wall spheres about 1.6 R_w apart that repeats with the periods.
+/// Ground of wall spheres about as far apart as asked for that repeats with the periods.
 engine::WallBodySpec ground(const BedSpec& spec, double margin) {
   engine::WallBodySpec body;
   body.name = "ground";
   body.sphere_radius = spec.wall_sphere_radius;
   const double z = spec.ground_at_surface ? -spec.wall_sphere_radius : 0;
-  const auto rows = [&](double length) { return std::ceil(length / (1.6 * spec.wall_sphere_radius)); };
+  const auto rows = [&](double length) {
+    return std::ceil(length / (spec.ground_spacing * spec.wall_sphere_radius));
+  };
   const double dx = spec.width / rows(spec.width), dy = spec.depth / rows(spec.depth);
   const int nx = static_cast<int>(std::ceil((0.5 * spec.width + margin) / dx));
   const int ny = static_cast<int>(std::ceil((0.5 * spec.depth + margin) / dy));
   for (int i = -nx; i <= nx; ++i)
     for (int j = -ny; j <= ny; ++j) body.centres.emplace_back(i * dx, j * dy, z);
+  return body;
+}
+
+/// The same ground as two triangles.
+engine::WallBodySpec mesh_ground(const BedSpec& spec, double margin) {
+  engine::WallBodySpec body;
+  body.name = "ground";
+  const double x = 0.5 * spec.width + margin, y = 0.5 * spec.depth + margin;
+  const double z = spec.ground_at_surface ? 0 : spec.wall_sphere_radius;
+  const Eigen::Vector3d low(-x, -y, z), high(x, y, z);
+  body.triangles.push_back({{low, Eigen::Vector3d(x, -y, z), high}});
+  body.triangles.push_back({{low, high, Eigen::Vector3d(-x, y, z)}});
   return body;
 }
 
@@ -169,7 +183,9 @@ BedFigures settle_bed(const BedSpec& spec) {
   settings.threads = spec.threads;
   std::vector<engine::WallBodySpec> walls = {ground(spec, 2 * d)};
   if (spec.side_walls) walls.push_back(side_walls(spec, pour_height(scene, shape) + d, 2 * d));
-  engine::Simulation simulation(settings, walls);
+  auto met = walls;
+  if (spec.mesh_ground) met.front() = mesh_ground(spec, 4 * d);
+  engine::Simulation simulation(settings, met);
   simulation.add_grains(pour(scene, shape, endless_ground(scene)));
 
   RestWatch rest;

@@ -20,6 +20,8 @@ struct BedSpec {
   double expected_fraction = 0.35;  ///< sets the number of grains
   double lattice_fraction = 0.1;    ///< solid fraction of the lattice that the grains fall from
   double wall_sphere_radius = 0;    ///< m, of the ground
+  double ground_spacing = 1.6;      ///< over that radius
+  bool mesh_ground = false;         ///< ground of triangles; measured as if of spheres
   bool ground_at_surface =
       true;  ///< tops of the ground spheres at z = 0; otherwise their centres (Table C.2)
   std::optional<double> time_step;  ///< s; otherwise from the fraction

@@ -6,9 +6,8 @@ namespace diefill::process {
 
 namespace {
 
-/// Stretches the prism along `axis` to one period and R_w at either end: wall spheres lie R_w deep, so that
-/// the outermost rows come to stand exactly on the borders.
-void fit_to_period(geometry::Mesh& mesh, Eigen::Index axis, double period, double sphere_radius,
+/// Stretches the prism along `axis` to one period and `beyond` (m) at either end.
+void fit_to_period(geometry::Mesh& mesh, Eigen::Index axis, double period, double beyond,
                    const std::string& where) {
   const geometry::Box box = mesh.bounding_box();
   const double lower = box.lower[axis], upper = box.upper[axis], tolerance = 1e-6 * (upper - lower);
@@ -16,7 +15,7 @@ void fit_to_period(geometry::Mesh& mesh, Eigen::Index axis, double period, doubl
   if (lower > -0.5 * period || upper < 0.5 * period)
     throw SceneError(where + ": shorter along " + name +
                      " than the period; make the tool run through the whole period");
-  const double half = 0.5 * period + sphere_radius;
+  const double half = 0.5 * period + beyond;
   for (auto& vertex : mesh.vertices) {
     const bool at_lower = vertex[axis]<lower + tolerance, at_upper = vertex[axis]> upper - tolerance;
     if (!at_lower && !at_upper)
@@ -46,14 +45,21 @@ std::vector<Eigen::Vector3d> repeated(const std::vector<Eigen::Vector3d>& centre
 
 }  // namespace
 
+geometry::Mesh periodic_wall_mesh(const geometry::Mesh& mesh,
+                                  const std::array<std::optional<double>, 2>& period, double margin,
+                                  const std::string& where) {
+  geometry::Mesh fitted = mesh;
+  for (std::size_t axis = 0; axis < 2; ++axis)
+    if (period[axis]) fit_to_period(fitted, static_cast<Eigen::Index>(axis), *period[axis], margin, where);
+  return fitted;
+}
+
 geometry::WallSpheres make_periodic_wall_spheres(const geometry::Mesh& mesh,
                                                  const geometry::WallSphereOptions& options,
                                                  const std::array<std::optional<double>, 2>& period,
                                                  double margin, const std::string& where) {
-  geometry::Mesh fitted = mesh;
-  for (std::size_t axis = 0; axis < 2; ++axis)
-    if (period[axis])
-      fit_to_period(fitted, static_cast<Eigen::Index>(axis), *period[axis], options.radius, where);
+  // Wall spheres lie R_w deep: the outermost rows come to stand exactly on the borders.
+  const geometry::Mesh fitted = periodic_wall_mesh(mesh, period, options.radius, where);
   geometry::WallSpheres spheres = geometry::make_wall_spheres(fitted, options);
   for (std::size_t axis = 0; axis < 2; ++axis)
     if (period[axis])

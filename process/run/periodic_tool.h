@@ -16,4 +16,11 @@ geometry::WallSpheres make_periodic_wall_spheres(const geometry::Mesh& mesh,
                                                  const std::array<std::optional<double>, 2>& period,
                                                  double margin, const std::string& where);
 
+/// The mesh as a wall of its own: in a periodic direction a prism is stretched to `margin` (m) beyond the
+/// box. Without periods the mesh as it is. Throws SceneError (beginning with `where`) for tools that are no
+/// prisms.
+geometry::Mesh periodic_wall_mesh(const geometry::Mesh& mesh,
+                                  const std::array<std::optional<double>, 2>& period, double margin,
+                                  const std::string& where);
+
 }  // namespace diefill::process

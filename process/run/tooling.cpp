@@ -157,6 +157,16 @@ geometry::WallSpheres cover(const Scene& scene, const Tool& tool, double grain_d
   }
 }
 
+/// The surface that powder meets where the mesh itself is the wall.
+geometry::Mesh wall_mesh(const Scene& scene, const Tool& tool, double grain_diameter) {
+  return periodic_wall_mesh(tool.mesh, scene.numerics.period, 4 * grain_diameter,
+                            tool_in_words(scene, tool.spec));
+}
+
+bool is_mesh(const Scene& scene, const ToolSpec& spec) {
+  return spec.walls.value_or(scene.walls.kind) == WallKind::mesh;
+}
+
 void refuse_leaks(const Scene& scene, const Tool& tool, double smallest_radius) {
   if (tool.spheres.largest_gap < 2 * smallest_radius) return;
   char text[300];
@@ -255,8 +265,12 @@ Tooling build_tooling(const Scene& scene, double smallest_radius, double grain_d
                    });
     }));
   for (std::size_t k = 0; k < tooling.tools.size(); ++k) {
-    tooling.tools[k].spheres = covered[k].get();
-    refuse_leaks(scene, tooling.tools[k], smallest_radius);
+    Tool& tool = tooling.tools[k];
+    tool.spheres = covered[k].get();
+    if (is_mesh(scene, tool.spec))
+      tool.wall_mesh = wall_mesh(scene, tool, grain_diameter);
+    else
+      refuse_leaks(scene, tool, smallest_radius);
   }
   return tooling;
 }

@@ -28,6 +28,8 @@ struct Tool {
   std::optional<double> chord_tolerance;  ///< m, where the triangles stand for curved surfaces
   std::string file_hash;
   geometry::WallSpheres spheres;
+  /// The wall itself, where that is the mesh; `spheres` then only cut the cells of grains that measures take.
+  std::optional<geometry::Mesh> wall_mesh;
 };
 
 struct Tooling {

@@ -92,7 +92,16 @@ results::Topic model_topic(const Scene& scene, const engine::SimulationSettings&
 results::Topic walls_topic(const Scene& scene) {
   const WallSpec& walls = scene.walls;
   results::Topic topic{"walls", {}, {}};
+  std::string meshes;
+  for (const ToolSpec& tool : scene.tools)
+    if (tool.walls.value_or(walls.kind) == WallKind::mesh) meshes += (meshes.empty() ? "" : ", ") + tool.name;
   state(topic, "Tools", "rigid, covered with spheres where powder can reach them");
+  if (!meshes.empty())
+    state(topic, "Mesh walls",
+          "powder meets the triangles themselves, " +
+              std::string(walls.contact_radius == MeshContactRadius::flat ? "as a flat wall"
+                                                                          : "R_eff as on wall spheres") +
+              ": " + meshes + "; their wall spheres only cut the cells that measures take");
   state(topic, "Wall spheres",
         with_number("radius %.4g mm, ", 1e3 * walls.sphere_radius) +
             with_number("spacing %.3g radii", walls.spacing));

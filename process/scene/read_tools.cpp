@@ -98,6 +98,7 @@ ToolSpec read_tool(TableReader& table, const WallSpec& walls, const PowderSpec& 
   tool.mirror = table.direction("mirror").value_or(Eigen::Vector3d::Zero());
   tool.rotation = read_rotation(table);
   tool.position = table.point("position", kPosition).value_or(Eigen::Vector3d::Zero());
+  tool.walls = table.choice("walls", wall_kinds());
   tool.sphere_radius = table.quantity("sphere_radius", kWallSphereRadius);
   tool.spacing = table.number("spacing", kWallSpacing);
   table.finish();

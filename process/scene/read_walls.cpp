@@ -11,7 +11,11 @@ constexpr QuantityRule kAdhesion = {Dimension::work_of_adhesion, "0 J/m^2", "0 J
 }  // namespace
 
 WallSpec read_walls(TableReader table, const PowderSpec& powder) {
+  static const Choices<MeshContactRadius> radii = {{"flat", MeshContactRadius::flat},
+                                                   {"wall spheres", MeshContactRadius::wall_spheres}};
   WallSpec walls;
+  walls.kind = table.choice("kind", wall_kinds()).value_or(walls.kind);
+  walls.contact_radius = table.choice("contact_radius", radii).value_or(walls.contact_radius);
   walls.sphere_radius = table.quantity("sphere_radius", kWallSphereRadius).value_or(walls.sphere_radius);
   walls.spacing = table.number("spacing", kWallSpacing).value_or(walls.spacing);
   walls.friction = table.number("friction", kFriction).value_or(walls.friction);

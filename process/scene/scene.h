@@ -51,8 +51,17 @@ double coarse_graining_factor(const PowderSpec& powder);
 /// Which rule of coarse graining takes the reference powder to the wanted grain size.
 enum class CoarseGraining { bierwisch };
 
+/// What a tool's surface is to the powder: covered with wall spheres, or the CAD mesh itself, the yardstick
+/// for them.
+enum class WallKind { spheres, mesh };
+/// R_eff of grains on a mesh: that of a flat wall, or that on wall spheres, so that nothing but the shape
+/// differs.
+enum class MeshContactRadius { flat, wall_spheres };
+
 /// Walls: spheres of one radius for all tools unless a tool says otherwise.
 struct WallSpec {
+  WallKind kind = WallKind::spheres;
+  MeshContactRadius contact_radius = MeshContactRadius::flat;
   double sphere_radius = 1.5e-4;  ///< m, R_w
   double spacing = 1.6;           ///< over R_w; holds grains up to 15 m/s (engine/STABILITY.md, walls)
   double friction = 0.15;         ///< mu_w
@@ -76,6 +85,7 @@ struct ToolSpec {
   Eigen::Vector3d position = Eigen::Vector3d::Zero();      ///< m, then shifted
   std::optional<double> chord_tolerance;  ///< m, for curved surfaces; a hundredth of the wall spheres' radius
   geometry::RepairLevel repair = geometry::RepairLevel::kSafe;
+  std::optional<WallKind> walls;                 ///< override of WallSpec::kind
   std::optional<double> sphere_radius, spacing;  ///< overrides of WallSpec
   int line = 0;                                  ///< in the scene file, for messages
 };

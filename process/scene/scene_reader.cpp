@@ -16,6 +16,16 @@ TableReader table_or_empty(TableReader& document, const std::string& key, const 
   return table ? *table : TableReader(empty, document.file(), key);
 }
 
+/// Openings between centres are a matter of wall spheres.
+void check_opening(const TableReader& numerics, const Scene& scene) {
+  if (scene.numerics.opening != OpeningMeasure::centres) return;
+  for (const ToolSpec& tool : scene.tools)
+    if (tool.walls.value_or(scene.walls.kind) == WallKind::mesh)
+      numerics.reject("opening",
+                      "\"centres\" puts the centres of wall spheres on the CAD surface, but tool \"" +
+                          tool.name + "\" has none (walls = \"mesh\"); leave one of the two out");
+}
+
 }  // namespace
 
 Scene scene_of(const toml::table& parsed, const std::string& text, const std::filesystem::path& file) {
@@ -33,7 +43,9 @@ Scene scene_of(const toml::table& parsed, const std::string& text, const std::fi
   scene.powder = read_powder(powder);
   scene.walls = read_walls(table_or_empty(document, "walls", empty), scene.powder);
   scene.tools = read_tools(document, scene.walls, scene.powder);
-  scene.numerics = read_numerics(table_or_empty(document, "numerics", empty), scene.powder);
+  const TableReader numerics = table_or_empty(document, "numerics", empty);
+  scene.numerics = read_numerics(numerics, scene.powder);
+  check_opening(numerics, scene);
   const TableReader pour = document.required_table("pour");
   scene.pour = setting ? read_pour_without_height(pour, scene.powder, scene.numerics)
                        : read_pour(pour, scene.powder, scene.numerics);

@@ -1,6 +1,7 @@
 // What a wall's spheres may be, for [walls] and for a tool that differs from it.
 #pragma once
 
+#include "process/scene/scene.h"
 #include "process/scene/table_reader.h"
 
 namespace diefill::process {
@@ -8,5 +9,10 @@ namespace diefill::process {
 inline constexpr QuantityRule kWallSphereRadius = {Dimension::length, "0.15 mm", "0.001 mm", "10 mm"};
 /// Below 0.1 a wall would take hundreds of spheres where one does; above 4 the spheres stand apart.
 inline constexpr NumberRule kWallSpacing = {0.1, 4, true, "1.6"};
+
+inline const Choices<WallKind>& wall_kinds() {
+  static const Choices<WallKind> choices = {{"spheres", WallKind::spheres}, {"mesh", WallKind::mesh}};
+  return choices;
+}
 
 }  // namespace diefill::process

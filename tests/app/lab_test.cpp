@@ -22,6 +22,18 @@ TEST(Lab, AnExperimentLeavesTablesAndCharts) {
   EXPECT_LT(limits[0]["measured"].get<double>(), 1);
 }
 
+TEST(Lab, WallSpheresAreHeldAgainstTheMesh) {
+  const support::TemporaryFolder folder;
+  const auto out = folder.path() / "walls";
+  const Outcome outcome = run_program({"lab", "walls", "rebound", "--quick", "--out", out.string()});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  const auto limits = nlohmann::json::parse(contents(out / "walls.json"));
+  ASSERT_EQ(limits.size(), 8U);
+  // Finer wall spheres turn a rebound less.
+  EXPECT_GT(limits[6]["measured"].get<double>(), 0);
+  EXPECT_GT(limits[6]["measured"].get<double>(), limits[0]["measured"].get<double>());
+}
+
 TEST(Lab, AnUnknownExperimentEndsInOneLineWithTheNearest) {
   const Outcome outcome = run_program({"lab", "stability", "rotaton"});
   EXPECT_EQ(outcome.exit_code, 2);

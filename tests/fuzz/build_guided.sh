@@ -7,7 +7,7 @@ source=$(cd "$(dirname "$0")/../.." && pwd)
 out=$1
 mkdir -p "$out/corpus"
 cd "$source"
-files="cad_child cad_file cad_parts mesh mesh_check mesh_crossings mesh_findings mesh_import mesh_repair mesh_wrap
+files="cad_child cad_file cad_parts equal_vertices half_edges mesh mesh_check mesh_crossings mesh_findings mesh_import mesh_repair mesh_wrap
 point_grid read_3mf read_curved_faces read_triangles topology triangle triangle_tree winding"
 sources=""
 for file in $files; do sources="$sources geometry/$file.cpp"; done

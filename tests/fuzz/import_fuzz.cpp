@@ -1,11 +1,15 @@
 // Feeds damaged CAD files to the importers, the check and the repair, and reports what happened: anything but
 // a mesh or one MeshError is a failure. Not a test of CI: `bin/import_fuzz SECONDS [SEED]`. Built with
-// clang's -fsanitize=fuzzer and -DDIEFILL_LIBFUZZER it is guided by coverage instead (fuzz/build_guided.sh).
+// clang's -fsanitize=fuzzer and -DDIEFILL_LIBFUZZER it is guided by coverage instead (fuzz/build_guided.sh),
+// and begins with the same seeds.
 #include <sys/resource.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
+#include <filesystem>
+#include <fstream>
 #include <map>
 #include <random>
 
@@ -125,11 +129,30 @@ class Damage {
 
 #ifdef DIEFILL_LIBFUZZER
 
+namespace {
+
+/// The first byte of an input says what kind of file the rest is.
+const char* const kEndings[] = {"stl", "obj", "ply", "off", "3mf", "amf", "dae", "gltf", "step", "igs"};
+
+}  // namespace
+
+/// Puts the seeds into the corpus: the folder named last.
+extern "C" int LLVMFuzzerInitialize(int* count, char*** arguments) {
+  using namespace diefill;
+  const std::filesystem::path corpus = (*arguments)[*count - 1];
+  if (*count < 2 || !std::filesystem::is_directory(corpus)) return 0;
+  std::size_t number = 0;
+  for (const auto& seed : geometry::seeds()) {
+    const auto kind = std::find(std::begin(kEndings), std::end(kEndings), seed.ending) - std::begin(kEndings);
+    std::ofstream file(corpus / ("seed" + std::to_string(number++)), std::ios::binary);
+    file << static_cast<char>(kind) << seed.bytes;
+  }
+  return 0;
+}
+
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace diefill;
   static const support::TemporaryFolder folder;
-  static const char* const kEndings[] = {"stl", "obj", "ply",  "off",  "3mf",
-                                         "amf", "dae", "gltf", "step", "igs"};
   if (size < 2) return 0;
   const std::string bytes(reinterpret_cast<const char*>(data + 1), size - 1);
   geometry::outcome_of(folder.write(std::string("input.") + kEndings[data[0] % std::size(kEndings)], bytes));

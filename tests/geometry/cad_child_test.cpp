@@ -14,7 +14,7 @@ namespace {
 
 std::string reason_of(const std::function<CadParts()>& read) {
   try {
-    read_in_child(read, 1000);
+    read_in_child(read, {1000, 60});
   } catch (const std::runtime_error& error) {
     return error.what();
   }
@@ -25,7 +25,7 @@ TEST(CadChild, HandsOnWhatWasRead) {
   CadParts contents;
   contents.metres_per_unit = 0.0254;
   contents.parts = {{"die", sample::tube(8, 12, 10, 1000)}, {"", sample::box({0, 0, 0}, {1, 2, 3})}};
-  const CadParts read = read_in_child([&] { return contents; }, 1000);
+  const CadParts read = read_in_child([&] { return contents; }, {1000, 60});
   ASSERT_EQ(read.parts.size(), 2U);
   EXPECT_EQ(read.metres_per_unit, contents.metres_per_unit);
   for (std::size_t k = 0; k < 2; ++k) {
@@ -55,6 +55,21 @@ TEST(CadChild, EndsOneThatTakesTooLong) {
     std::raise(SIGXCPU);  // as the kernel does when the processor time is used up
     return {};
   });
+  EXPECT_NE(reason.find("does not come to an end"), std::string::npos) << reason;
+}
+
+TEST(CadChild, EndsOneThatUsesUpItsSeconds) {
+  std::string reason;
+  try {
+    read_in_child(
+        []() -> CadParts {
+          for (volatile unsigned turns = 0;; turns = turns + 1) {
+          }
+        },
+        {1000, 1});
+  } catch (const std::runtime_error& error) {
+    reason = error.what();
+  }
   EXPECT_NE(reason.find("does not come to an end"), std::string::npos) << reason;
 }
 

@@ -16,6 +16,9 @@ inline std::vector<WrongScene> wrong_walls() {
             {"walls.sphere_radius", "found \"-0.15 mm\"", "at least 0.001 mm"}),
       spoil("wall_spacing_too_small", spacing, "spacing = @0.1",
             {"walls.spacing", "found 0.1", range, "such as 1.6"}),
+      spoil(
+          "wall_kind_unknown", spacing, "kind = @\"meshes\"",
+          {"walls.kind", "found \"meshes\"", "allowed is \"spheres\" or \"mesh\"", "did you mean \"mesh\"?"}),
       spoil("wall_spacing_too_large", spacing, "spacing = @5", {"walls.spacing", "found 5", range}),
       spoil("wall_spacing_with_unit", spacing, "spacing = @\"0.24 mm\"",
             {"walls.spacing", "found \"0.24 mm\"", "a bare number without quotes or unit"}),

@@ -1,0 +1,45 @@
+#include "geometry/equal_vertices.h"
+
+#include <bit>
+
+namespace diefill::geometry {
+
+namespace {
+
+constexpr std::uint32_t kEmpty = 0xffffffffU;
+constexpr std::size_t kFirstSize = 1024;
+
+/// The same number for equal places; adding +0.0 makes one of both zeros.
+std::size_t hash_of(const Eigen::Vector3d& place) {
+  std::uint64_t hash = 0;
+  for (int k = 0; k < 3; ++k) {
+    hash ^= std::bit_cast<std::uint64_t>(place[k] + 0.0);
+    hash *= 0x9e3779b97f4a7c15U;
+    hash ^= hash >> 32;
+  }
+  return static_cast<std::size_t>(hash);
+}
+
+}  // namespace
+
+std::uint32_t EqualVertices::add(const Eigen::Vector3d& place) {
+  if (2 * places_.size() >= table_.size()) grow();
+  std::size_t at = hash_of(place) & (table_.size() - 1);
+  while (table_[at] != kEmpty && places_[table_[at]] != place) at = (at + 1) & (table_.size() - 1);
+  if (table_[at] == kEmpty) {
+    table_[at] = static_cast<std::uint32_t>(places_.size());
+    places_.push_back(place);
+  }
+  return table_[at];
+}
+
+void EqualVertices::grow() {
+  table_.assign(table_.empty() ? kFirstSize : 2 * table_.size(), kEmpty);
+  for (std::uint32_t i = 0; i < places_.size(); ++i) {
+    std::size_t at = hash_of(places_[i]) & (table_.size() - 1);
+    while (table_[at] != kEmpty) at = (at + 1) & (table_.size() - 1);
+    table_[at] = i;
+  }
+}
+
+}  // namespace diefill::geometry

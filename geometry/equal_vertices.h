@@ -1,0 +1,26 @@
+// Vertices told apart by their place alone: triangle soups name every corner anew.
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <vector>
+
+namespace diefill::geometry {
+
+/// A growing set of places, each there once. Equal is what compares equal: both zeros are one, what is not a
+/// number is like nothing.
+class EqualVertices {
+ public:
+  /// Number of the place, which is new if none was equal before.
+  std::uint32_t add(const Eigen::Vector3d& place);
+  /// In the order in which they first came.
+  const std::vector<Eigen::Vector3d>& places() const { return places_; }
+
+ private:
+  void grow();
+
+  std::vector<Eigen::Vector3d> places_;
+  std::vector<std::uint32_t> table_;  ///< size a power of two
+};
+
+}  // namespace diefill::geometry

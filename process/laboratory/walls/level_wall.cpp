@@ -1,0 +1,55 @@
+#include "process/laboratory/walls/level_wall.h"
+
+#include <cmath>
+#include <cstdio>
+
+#include "engine/time_step.h"
+
+namespace diefill::process::laboratory {
+
+engine::WallBodySpec level_spheres(const SphereGrid& grid, double half_width,
+                                   const std::function<bool(const Eigen::Vector3d&)>& wanted) {
+  engine::WallBodySpec body;
+  body.name = "spheres";
+  body.sphere_radius = grid.radius;
+  const double step = grid.spacing * grid.radius;
+  const int count = static_cast<int>(std::ceil(half_width / step));
+  for (int y = -count; y <= count; ++y)
+    for (int x = -count; x <= count; ++x) {
+      const Eigen::Vector3d centre(x * step, y * step, -grid.radius);
+      if (wanted(centre)) body.centres.push_back(centre);
+    }
+  return body;
+}
+
+engine::WallBodySpec level_mesh(double half_width) {
+  engine::WallBodySpec body;
+  body.name = "mesh";
+  const auto corner = [&](int x, int y) { return Eigen::Vector3d(x * half_width, y * half_width, 0); };
+  body.triangles.push_back({{corner(-1, -1), corner(1, -1), corner(1, 1)}});
+  body.triangles.push_back({{corner(-1, -1), corner(1, 1), corner(-1, 1)}});
+  return body;
+}
+
+engine::SimulationSettings single_sphere(double damping_over_radius, double friction) {
+  constexpr double kFastest = 1.0;  // m/s
+  engine::SimulationSettings settings;
+  settings.shape = thesis_grain(GrainKind::sphere);
+  settings.wall_contact = elastic_contact();
+  settings.wall_contact.damping = damping_over_radius * settings.shape.sphere_radius;
+  settings.wall_contact.tangential = 1e6 * settings.shape.sphere_radius;
+  settings.wall_contact.friction = friction;
+  settings.grain_contact = settings.wall_contact;
+  settings.gravity.setZero();
+  settings.time_step = engine::kDefaultTimeStepFraction *
+                       engine::critical_time_step(settings.shape, elastic_contact(), kFastest);
+  return settings;
+}
+
+std::string in_words(double radius_ratio) {
+  char text[30];
+  std::snprintf(text, sizeof text, "R_w = %.3g R", radius_ratio);
+  return text;
+}
+
+}  // namespace diefill::process::laboratory

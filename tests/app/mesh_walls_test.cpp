@@ -1,0 +1,37 @@
+// A run whose tools are their meshes, from scene to report.
+#include <gtest/gtest.h>
+
+#include "tests/app/small_die.h"
+
+namespace diefill::app {
+namespace {
+
+TEST(MeshWalls, FillAndLoseNothingOnAnyNumberOfThreads) {
+  const SmallDie die;
+  die.exchange("sphere_radius = \"0.25 mm\"", "sphere_radius = \"0.25 mm\"\nkind = \"mesh\"");
+  const Outcome checked = die.check();
+  EXPECT_EQ(checked.exit_code, 0) << checked.err;
+  EXPECT_NE(checked.out.find("walls: the mesh itself"), std::string::npos) << checked.out;
+  ASSERT_EQ(die.run().exit_code, 0);
+  const auto alone = die.report();
+  EXPECT_EQ(alone.at("grains").get<double>() + alone.at("grains_left").get<double>() +
+                alone.at("grains_sheared").get<double>(),
+            138);
+  EXPECT_GT(alone.at("filled_mass_kg").get<double>(), 0.2 * 64e-9 * 5397);
+  EXPECT_LT(std::abs(alone.at("energy_balance_error").get<double>()), 0.005);
+  ASSERT_EQ(die.run({"--threads", "2"}).exit_code, 0);
+  EXPECT_EQ(die.report().at("state_hash"), alone.at("state_hash"));
+}
+
+TEST(MeshWalls, OtherWallsAreOtherRuns) {
+  const SmallDie spheres, mesh;
+  mesh.exchange("role = \"die\"", "role = \"die\"\nwalls = \"mesh\"");
+  ASSERT_EQ(spheres.run().exit_code, 0);
+  ASSERT_EQ(mesh.run().exit_code, 0);
+  EXPECT_NE(mesh.report().at("state_hash"), spheres.report().at("state_hash"));
+  const double one = spheres.report().at("filled_mass_kg"), other = mesh.report().at("filled_mass_kg");
+  EXPECT_NEAR(one, other, 0.3 * one);
+}
+
+}  // namespace
+}  // namespace diefill::app
