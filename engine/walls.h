@@ -42,6 +42,7 @@ struct WallBodySpec {
   double sphere_radius = 1.5e-4;             ///< m, R_w
   std::vector<WallPlane> planes;             ///< in place of spheres: R_eff is the grain sphere's radius
   std::optional<ContactParameters> contact;  ///< with powder; nothing: SimulationSettings::wall_contact
+  std::string material;                      ///< of the tool, where powders of several kinds need its laws
   /// Motion at time t (s); empty: the body stands still where its frame is the laboratory's.
   std::function<BodyMotion(double)> motion;
 };
