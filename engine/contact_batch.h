@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <utility>
 
 #include "engine/contact_parameters.h"
@@ -42,6 +43,9 @@ struct ContactBatch {
   static constexpr bool kMemoryInRecord = kMemory <= 5;
   Record between[kLanes], moving[kLanes], on_own[kLanes], on_other[kLanes];
 
+  /// Which pair of kinds a lane is; only set where grains are not all alike.
+  std::uint32_t kinds[kLanes + kLaneGroup];
+
   /// Fills the lanes that the records hold. `lanes`: whole groups.
   void spread_records(std::size_t lanes) {
     for (std::size_t k = 0; k < lanes; k += 8) {
@@ -74,6 +78,7 @@ struct ContactBatch {
       relative_spin.set(lane, relative_spin[count - 1]);
       place.set(lane, place[count - 1]);
       for (std::size_t k = 0; k < kMemory; ++k) memory[k][lane] = memory[k][count - 1];
+      kinds[lane] = kinds[count - 1];
     }
   }
 
@@ -85,10 +90,17 @@ struct ContactBatch {
   }
 };
 
-/// Distances that all pairs of a batch have in common.
+/// The radii of a pair.
 struct PairReach {
   double contact;  ///< m, sum of both radii
   double radius;   ///< m, of i
+};
+
+/// What acts between the pair of a lane.
+template <class Law>
+struct PairLaw {
+  const Law& law;
+  PairReach reach;
 };
 
 /// How a contact force turns the grain of sphere i (and j): where it acts.
@@ -111,14 +123,15 @@ struct Lever {
   static constexpr bool kOtherDiffers = kArm == LeverArm::surface || kArm == LeverArm::center;
 };
 
-/// Forces of all pairs in the batch. `kComposed`: moments are about the reference point, otherwise about the
-/// centres of i and j.
-template <LeverArm kArm, bool kComposed, class Law>
-void react(ContactBatch<Law>& batch, const Law& law, const PairReach& reach, double time_step) {
+/// Forces of all pairs in the batch; `of_lane(lane)` is the PairLaw of each. `kComposed`: moments are about
+/// the reference point, otherwise about the centres of i and j. `kUnequal`: radii of i and j may differ.
+template <LeverArm kArm, bool kComposed, bool kUnequal = false, class Law, class OfLane>
+void react(ContactBatch<Law>& batch, const OfLane& of_lane, double time_step) {
   using Arms = Lever<kArm>;
   const std::size_t lanes = whole_groups(batch.count);
 #pragma GCC ivdep
   for (std::size_t lane = 0; lane < lanes; ++lane) {
+    const auto& [law, reach] = of_lane(lane);
     const Vector3 separation = batch.separation[lane];
     const double distance = length(separation);
     laws::ContactState contact;
@@ -127,7 +140,13 @@ void react(ContactBatch<Law>& batch, const Law& law, const PairReach& reach, dou
     contact.velocity = batch.velocity[lane];
     contact.time_step = contact.rolling_step = time_step;
     const double arm = Arms::arm(reach.radius, contact.overlap);
-    if constexpr (Arms::kTurns) contact.velocity -= arm * cross(batch.spin_sum[lane], contact.normal);
+    const double other_arm = kUnequal ? Arms::arm(reach.contact - reach.radius, contact.overlap) : arm;
+    if constexpr (Arms::kTurns && kUnequal)
+      contact.velocity -= 0.5 * cross((arm + other_arm) * batch.spin_sum[lane] +
+                                          (arm - other_arm) * batch.relative_spin[lane],
+                                      contact.normal);
+    else if constexpr (Arms::kTurns)
+      contact.velocity -= arm * cross(batch.spin_sum[lane], contact.normal);
     if constexpr (Law::kRolls) contact.spin = batch.relative_spin[lane];
 
     double memory[ContactBatch<Law>::kMemory + 1];
@@ -151,7 +170,10 @@ void react(ContactBatch<Law>& batch, const Law& law, const PairReach& reach, dou
         batch.other_moment.set(
             lane,
             -moment - cross(Arms::offset_of_other(reach, contact.overlap) * contact.normal, reaction.force));
-      if constexpr (!kComposed && Law::kRolls) batch.other_moment.set(lane, moment - 2 * reaction.couple);
+      if constexpr (!kComposed && kUnequal)
+        batch.other_moment.set(lane, -cross(other_arm * contact.normal, reaction.force) - reaction.couple);
+      else if constexpr (!kComposed && Law::kRolls)
+        batch.other_moment.set(lane, moment - 2 * reaction.couple);
     }
   }
 }

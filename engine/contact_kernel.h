@@ -56,6 +56,12 @@ Batch& batch_of_thread() {
 template <class Law>
 class BatchTally {
  public:
+  /// Takes in the overlaps over the smaller sphere's radius, `smaller_radius(lane)` in m, where radii differ.
+  template <class SmallerRadius>
+  void add_over_radius(const ContactBatch<Law>& batch, const SmallerRadius& smaller_radius) {
+    for (std::size_t lane = 0; lane < batch.count; ++lane)
+      deepest_over_radius_ = std::max(deepest_over_radius_, batch.overlap[lane] / smaller_radius(lane));
+  }
   void add(const ContactBatch<Law>& batch) {
     viscous_power_.add(batch.viscous_power, batch.count);
     friction_power_.add(batch.friction_power, batch.count);
@@ -63,43 +69,45 @@ class BatchTally {
     for (std::size_t lane = 0; lane < batch.count; ++lane) deepest_ = std::max(deepest_, batch.overlap[lane]);
     for (std::size_t lane = 0; lane < batch.count; ++lane) touching_ += batch.overlap[lane] > 0;
   }
+  double deepest() const { return deepest_; }
+  double deepest_over_radius() const { return deepest_over_radius_; }
   /// Books the work of one step of `time_step` (s).
-  void book(double time_step, BlockTally& tally, double& deepest_overlap) const {
+  void book(double time_step, BlockTally& tally) const {
     tally.viscous_work += viscous_power_.total() * time_step;
     tally.tangential_work += friction_power_.total() * time_step;
     tally.rolling_work += rolling_power_.total() * time_step;
     tally.touching += touching_;
-    deepest_overlap = std::max(deepest_overlap, deepest_);
   }
 
  private:
   LaneSum viscous_power_, friction_power_, rolling_power_;
-  double deepest_ = 0;
+  double deepest_ = 0, deepest_over_radius_ = 0;
   std::uint64_t touching_ = 0;
 };
 
-/// Calls use(arm) with a constant of LeverArm.
+/// Calls use(arm, composed) with constants of LeverArm and of whether grains are composed; only for arms that
+/// such grains can have, so that no loops are made that nobody runs.
 template <class Use>
-auto with_arm(LeverArm arm, const Use& use) {
-  switch (arm) {
-    case LeverArm::none:
-      return use(std::integral_constant<LeverArm, LeverArm::none>{});
-    case LeverArm::surface:
-      return use(std::integral_constant<LeverArm, LeverArm::surface>{});
-    case LeverArm::center:
-      return use(std::integral_constant<LeverArm, LeverArm::center>{});
-    default:
-      return use(std::integral_constant<LeverArm, LeverArm::contact>{});
-  }
+auto with_arm(LeverArm arm, bool composed, const Use& use) {
+  constexpr std::true_type kComposed;
+  constexpr std::false_type kSingle;
+  if (!composed && arm == LeverArm::none)
+    return use(std::integral_constant<LeverArm, LeverArm::none>{}, kSingle);
+  if (!composed) return use(std::integral_constant<LeverArm, LeverArm::surface>{}, kSingle);
+  if (arm == LeverArm::none) return use(std::integral_constant<LeverArm, LeverArm::none>{}, kComposed);
+  if (arm == LeverArm::center) return use(std::integral_constant<LeverArm, LeverArm::center>{}, kComposed);
+  return use(std::integral_constant<LeverArm, LeverArm::contact>{}, kComposed);
 }
 
-/// Calls use(law, arm) with the types that the parameters ask for: `law` a ContactLaw type, `arm` a constant
-/// of LeverArm. This is where a cohesion or friction that deserves a loop of its own is registered: one line
-/// each.
+/// Calls use(law, arm, composed) with the types that the parameters ask for: `law` a ContactLaw type, `arm`
+/// and `composed` as with_arm() gives them. This is where a cohesion or friction that deserves a loop of its
+/// own is registered: one line each.
 template <class Use>
-auto with_law(const ContactParameters& parameters, LeverArm arm, SpringLimit limit, const Use& use) {
+auto with_law(const ContactParameters& parameters, LeverArm arm, bool composed, SpringLimit limit,
+              const Use& use) {
   const auto of = [&]<class Law>(std::type_identity<Law> law) {
-    return with_arm(arm, [&](auto constant) { return use(law, constant); });
+    return with_arm(arm, composed,
+                    [&](auto constant, auto is_composed) { return use(law, constant, is_composed); });
   };
   const auto with_friction = [&]<class Cohesion>(std::type_identity<Cohesion>) {
     if (parameters.friction == 0)

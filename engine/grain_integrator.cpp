@@ -36,17 +36,17 @@ struct GrainLanes {
   /// The grain of a lane.
   std::size_t grain(std::size_t lane) const { return begin + std::min(lane, count - 1); }
 
-  void load(const Grains& grains, std::size_t first, std::size_t end, const GrainShape& shape) {
+  void load(const Grains& grains, std::size_t first, std::size_t end, bool rotates, bool composed) {
     begin = first;
     count = std::min(kGrains, end - first);
     for (std::size_t lane = 0; lane < groups(); ++lane) {
       const std::size_t k = grain(lane);
       velocity.set(lane, plain(grains.velocity[k]));
       force.set(lane, plain(grains.force[k]));
-      if (!shape.rotates) continue;
+      if (!rotates) continue;
       spin.set(lane, plain(grains.spin[k]));
       torque.set(lane, plain(grains.torque[k]));
-      if (shape.spheres() > 1) orientation.set(lane, plain(grains.orientation[k]));
+      if (composed) orientation.set(lane, plain(grains.orientation[k]));
     }
   }
   /// Positions are needed on the way to the end of the step only.
@@ -64,11 +64,15 @@ struct Advanced {
   Rotation rotation(std::size_t lane) const { return {row_x[lane], row_y[lane], row_z[lane]}; }
 };
 
-/// Positions and predicted velocities at the end of the step.
-void drift(GrainLanes& lanes, Advanced& out, double mass, double time_step) {
+/// Positions and predicted velocities at the end of the step. Here and below, `bodies` says what each lane's
+/// grain is like.
+template <class Bodies>
+void drift(GrainLanes& lanes, Advanced& out, const Bodies& bodies, double time_step) {
+  const std::size_t groups = lanes.groups();
+  const auto& body = bodies.kept();
 #pragma GCC ivdep
-  for (std::size_t lane = 0; lane < lanes.groups(); ++lane) {
-    const Vector3 acceleration = (1 / mass) * lanes.force[lane];
+  for (std::size_t lane = 0; lane < groups; ++lane) {
+    const Vector3 acceleration = (1 / body.mass(lane)) * lanes.force[lane];
     lanes.position.set(lane, lanes.position[lane] + time_step * lanes.velocity[lane] +
                                  (0.5 * time_step * time_step) * acceleration);
     out.velocity.set(lane, lanes.velocity[lane] + time_step * acceleration);
@@ -76,10 +80,13 @@ void drift(GrainLanes& lanes, Advanced& out, double mass, double time_step) {
 }
 
 /// Orientations and predicted spins at the end of the step.
-void turn(GrainLanes& lanes, Advanced& out, Vector3 inertia, double time_step) {
+template <class Bodies>
+void turn(GrainLanes& lanes, Advanced& out, const Bodies& bodies, double time_step) {
+  const std::size_t groups = lanes.groups();
+  const auto& body = bodies.kept();
 #pragma GCC ivdep
-  for (std::size_t lane = 0; lane < lanes.groups(); ++lane) {
-    const Vector3 rate = spin_rate(inertia, lanes.spin[lane], lanes.torque[lane]);
+  for (std::size_t lane = 0; lane < groups; ++lane) {
+    const Vector3 rate = spin_rate(body.inertia(lane), lanes.spin[lane], lanes.torque[lane]);
     const PlainQuaternion orientation =
         advance_orientation(lanes.orientation[lane], lanes.spin[lane], rate, time_step);
     const Rotation rotation = rotation_of(orientation);
@@ -92,50 +99,65 @@ void turn(GrainLanes& lanes, Advanced& out, Vector3 inertia, double time_step) {
 }
 
 /// The same for single spheres, which have no orientation worth following.
-void turn_sphere(const GrainLanes& lanes, Advanced& out, Vector3 inertia, double time_step) {
+template <class Bodies>
+void turn_sphere(const GrainLanes& lanes, Advanced& out, const Bodies& bodies, double time_step) {
+  const std::size_t groups = lanes.groups();
+  const auto& body = bodies.kept();
 #pragma GCC ivdep
-  for (std::size_t lane = 0; lane < lanes.groups(); ++lane)
-    out.spin.set(lane,
-                 lanes.spin[lane] + time_step * spin_rate(inertia, lanes.spin[lane], lanes.torque[lane]));
+  for (std::size_t lane = 0; lane < groups; ++lane)
+    out.spin.set(lane, lanes.spin[lane] +
+                           time_step * spin_rate(body.inertia(lane), lanes.spin[lane], lanes.torque[lane]));
 }
 
-/// Sphere `offset` (m, body frame) of each grain.
-void place_sphere(const GrainLanes& lanes, const Advanced& grain, Vector3 offset, Vectors& position,
+/// The sphere of each grain whose offset is loaded.
+template <class Bodies>
+void place_sphere(const GrainLanes& lanes, const Advanced& grain, const Bodies& bodies, Vectors& position,
                   Vectors& velocity) {
+  const std::size_t groups = lanes.groups();
+  const auto& body = bodies.kept();
 #pragma GCC ivdep
-  for (std::size_t lane = 0; lane < lanes.groups(); ++lane) {
-    const Vector3 arm = grain.rotation(lane) * offset;
+  for (std::size_t lane = 0; lane < groups; ++lane) {
+    const Vector3 arm = grain.rotation(lane) * body.offset(lane);
     position.set(lane, lanes.position[lane] + arm);
     velocity.set(lane, grain.velocity[lane] + cross(grain.spin[lane], arm));
   }
 }
 
 /// New velocities from the forces before and after the step.
-void kick(GrainLanes& lanes, const Vectors& force, double mass, double time_step) {
+template <class Bodies>
+void kick(GrainLanes& lanes, const Vectors& force, const Bodies& bodies, double time_step) {
+  const std::size_t groups = lanes.groups();
+  const auto& body = bodies.kept();
 #pragma GCC ivdep
-  for (std::size_t lane = 0; lane < lanes.groups(); ++lane)
-    lanes.velocity.set(lane,
-                       lanes.velocity[lane] + (0.5 * time_step / mass) * (lanes.force[lane] + force[lane]));
+  for (std::size_t lane = 0; lane < groups; ++lane)
+    lanes.velocity.set(
+        lane, lanes.velocity[lane] + (0.5 * time_step / body.mass(lane)) * (lanes.force[lane] + force[lane]));
 }
 
 /// Total force on grains: contacts, air, weight; `power` of the air.
-void total_force(const GrainLanes& lanes, Vectors& force, double drag, Vector3 weight, double mass,
-                 double time_step, Scalars& power) {
+template <class Bodies>
+void total_force(const GrainLanes& lanes, Vectors& force, const Bodies& bodies, double time_step,
+                 Scalars& power) {
+  const std::size_t groups = lanes.groups();
+  const auto& body = bodies.kept();
 #pragma GCC ivdep
-  for (std::size_t lane = 0; lane < lanes.groups(); ++lane) {
-    const Vector3 predicted = lanes.velocity[lane] + (time_step / mass) * lanes.force[lane];
-    const Vector3 air = (-drag) * predicted;
+  for (std::size_t lane = 0; lane < groups; ++lane) {
+    const Vector3 predicted = lanes.velocity[lane] + (time_step / body.mass(lane)) * lanes.force[lane];
+    const Vector3 air = (-body.drag(lane)) * predicted;
     power[lane] = dot(air, predicted);
-    force.set(lane, force[lane] + air + weight);
+    force.set(lane, force[lane] + air + body.weight(lane));
   }
 }
 
 /// Spins of composed grains from contact moments (laboratory frame) and air; `moment` becomes the torque in
 /// the body frame, `power` that of the air.
-void kick_spin(GrainLanes& lanes, Vectors& moment, Vector3 inertia, Vector3 drag, double time_step,
-               Scalars& power) {
+template <class Bodies>
+void kick_spin(GrainLanes& lanes, Vectors& moment, const Bodies& bodies, double time_step, Scalars& power) {
+  const std::size_t groups = lanes.groups();
+  const auto& body = bodies.kept();
 #pragma GCC ivdep
-  for (std::size_t lane = 0; lane < lanes.groups(); ++lane) {
+  for (std::size_t lane = 0; lane < groups; ++lane) {
+    const Vector3 inertia = body.inertia(lane), drag = body.turning_drag(lane);
     const Rotation rotation = rotation_of(lanes.orientation[lane]);
     const Vector3 spin = lanes.spin[lane];
     // The same prediction as before the step's end: torque is still the one that it began with.
@@ -150,10 +172,14 @@ void kick_spin(GrainLanes& lanes, Vectors& moment, Vector3 inertia, Vector3 drag
 
 /// Spins of single spheres, slowed by rolling friction (Bierwisch 2009, Eq. 2.11), which stops a rotation but
 /// never reverses it within a step (OP-9); `power` is that of rolling friction.
-void kick_sphere_spin(GrainLanes& lanes, const Vectors& moment, const Scalars& rolling_load, Vector3 inertia,
-                      double time_step, Scalars& power) {
+template <class Bodies>
+void kick_sphere_spin(GrainLanes& lanes, const Vectors& moment, const Scalars& rolling_load,
+                      const Bodies& bodies, double time_step, Scalars& power) {
+  const std::size_t groups = lanes.groups();
+  const auto& body = bodies.kept();
 #pragma GCC ivdep
-  for (std::size_t lane = 0; lane < lanes.groups(); ++lane) {
+  for (std::size_t lane = 0; lane < groups; ++lane) {
+    const Vector3 inertia = body.inertia(lane);
     const Vector3 spin = advance_spin(inertia, lanes.spin[lane], lanes.torque[lane], moment[lane], time_step);
     const double speed = length(spin);
     const double slower = std::max(0.0, speed - rolling_load[lane] * time_step / inertia.x);
@@ -164,34 +190,114 @@ void kick_sphere_spin(GrainLanes& lanes, const Vectors& moment, const Scalars& r
 
 }  // namespace
 
-GrainIntegrator::GrainIntegrator(const GrainShape& shape, const Eigen::Vector3d& gravity,
-                                 double air_viscosity, double time_step, InstructionSet instructions)
-    : shape_(shape),
-      inertia_(plain(shape.inertia)),
-      weight_(plain(Eigen::Vector3d(shape.mass * gravity))),
-      sphere_drag_(6 * std::numbers::pi * air_viscosity * shape.sphere_radius),
+/// Grains of one kind: the same in all lanes.
+struct GrainIntegrator::AlikeBodies {
+  double mass_, drag_;
+  Vector3 inertia_, weight_, turning_drag_, offset_ = {};
+
+  explicit AlikeBodies(const Body& body)
+      : mass_(body.mass),
+        drag_(body.drag),
+        inertia_(body.inertia),
+        weight_(body.weight),
+        turning_drag_(body.turning_drag) {}
+  void load(const std::vector<Body>&, const Grains&, const GrainLanes&) {}
+  void load_offset(std::size_t sphere, const std::vector<Body>& bodies, const Grains&, const GrainLanes&) {
+    offset_ = bodies.front().offsets[sphere];
+  }
+  /// A copy, so that loops can keep the numbers in registers.
+  AlikeBodies kept() const { return *this; }
+  double mass(std::size_t) const { return mass_; }
+  double drag(std::size_t) const { return drag_; }
+  Vector3 inertia(std::size_t) const { return inertia_; }
+  Vector3 weight(std::size_t) const { return weight_; }
+  Vector3 turning_drag(std::size_t) const { return turning_drag_; }
+  Vector3 offset(std::size_t) const { return offset_; }
+};
+
+/// Grains of several kinds: one body a lane.
+struct GrainIntegrator::BodyLanes {
+  Scalars mass_, drag_;
+  Vectors inertia_, weight_, turning_drag_, offset_;
+
+  void load(const std::vector<Body>& bodies, const Grains& grains, const GrainLanes& lanes) {
+    for (std::size_t lane = 0; lane < lanes.groups(); ++lane) {
+      const Body& body = bodies[grains.kind[lanes.grain(lane)]];
+      mass_[lane] = body.mass;
+      drag_[lane] = body.drag;
+      inertia_.set(lane, body.inertia);
+      weight_.set(lane, body.weight);
+      turning_drag_.set(lane, body.turning_drag);
+    }
+  }
+  /// Sphere number `sphere` of each grain is the one that offset() tells of from now on.
+  void load_offset(std::size_t sphere, const std::vector<Body>& bodies, const Grains& grains,
+                   const GrainLanes& lanes) {
+    for (std::size_t lane = 0; lane < lanes.groups(); ++lane)
+      offset_.set(lane, bodies[grains.kind[lanes.grain(lane)]].offsets[sphere]);
+  }
+  const BodyLanes& kept() const { return *this; }
+  double mass(std::size_t lane) const { return mass_[lane]; }
+  double drag(std::size_t lane) const { return drag_[lane]; }
+  Vector3 inertia(std::size_t lane) const { return inertia_[lane]; }
+  Vector3 weight(std::size_t lane) const { return weight_[lane]; }
+  Vector3 turning_drag(std::size_t lane) const { return turning_drag_[lane]; }
+  Vector3 offset(std::size_t lane) const { return offset_[lane]; }
+};
+
+GrainIntegrator::GrainIntegrator(const KindTable& kinds, const Eigen::Vector3d& gravity, double air_viscosity,
+                                 double time_step, InstructionSet instructions)
+    : spheres_(kinds.spheres()),
+      rotates_(kinds.rotates()),
       time_step_(time_step),
       instructions_(instructions) {
-  Eigen::Vector3d squares = Eigen::Vector3d::Zero();
-  for (const auto& offset : shape.sphere_offsets)
+  for (std::size_t k = 0; k < kinds.size(); ++k)
+    bodies_.push_back(body_of(kinds.shape(static_cast<KindNumber>(k)), gravity, air_viscosity));
+}
+
+GrainIntegrator::Body GrainIntegrator::body_of(const GrainShape& shape, const Eigen::Vector3d& gravity,
+                                               double air_viscosity) {
+  const double sphere_drag = 6 * std::numbers::pi * air_viscosity * shape.sphere_radius;
+  Eigen::Vector3d squares = Eigen::Vector3d::Zero();  // m^2, sum over spheres of (b^2 - b_a^2)
+  std::vector<Vector3> offsets;
+  for (const auto& offset : shape.sphere_offsets) {
     squares += Eigen::Vector3d::Constant(offset.squaredNorm()) - offset.cwiseAbs2();
-  drag_inertia_ = plain(squares);
+    offsets.push_back(plain(offset));
+  }
+  return {shape.mass,
+          sphere_drag * static_cast<double>(shape.spheres()),
+          plain(shape.inertia),
+          plain(Eigen::Vector3d(shape.mass * gravity)),
+          sphere_drag * plain(squares),
+          std::move(offsets)};
 }
 
 void GrainIntegrator::advance(Grains& grains, std::size_t begin, std::size_t end,
                               SphereField& spheres) const {
-  const std::size_t per_grain = shape_.spheres();
+  if (bodies_.size() == 1) {
+    AlikeBodies bodies(bodies_.front());
+    return advance_with(bodies, grains, begin, end, spheres);
+  }
+  thread_local BodyLanes bodies;
+  advance_with(bodies, grains, begin, end, spheres);
+}
+
+template <class Bodies>
+void GrainIntegrator::advance_with(Bodies& bodies, Grains& grains, std::size_t begin, std::size_t end,
+                                   SphereField& spheres) const {
+  const std::size_t per_grain = spheres_;
   thread_local GrainLanes lanes;
   thread_local Advanced out;
   thread_local Vectors position, velocity;
   for (std::size_t first = begin; first < end; first += kGrains) {
-    lanes.load(grains, first, end, shape_);
+    lanes.load(grains, first, end, rotates_, per_grain > 1);
     lanes.load_positions(grains);
-    with_instructions(instructions_, [&] { drift(lanes, out, shape_.mass, time_step_); });
-    if (shape_.rotates && per_grain > 1)
-      with_instructions(instructions_, [&] { turn(lanes, out, inertia_, time_step_); });
-    else if (shape_.rotates)
-      with_instructions(instructions_, [&] { turn_sphere(lanes, out, inertia_, time_step_); });
+    bodies.load(bodies_, grains, lanes);
+    with_instructions(instructions_, [&] { drift(lanes, out, bodies, time_step_); });
+    if (rotates_ && per_grain > 1)
+      with_instructions(instructions_, [&] { turn(lanes, out, bodies, time_step_); });
+    else if (rotates_)
+      with_instructions(instructions_, [&] { turn_sphere(lanes, out, bodies, time_step_); });
 
     for (std::size_t lane = 0; lane < lanes.count; ++lane) {
       const std::size_t k = first + lane;
@@ -200,13 +306,13 @@ void GrainIntegrator::advance(Grains& grains, std::size_t begin, std::size_t end
         grains.orientation[k] = eigen(lanes.orientation[lane]);
       } else {
         spheres.position[k] = lanes.position[lane];
-        spheres.motion[k] = {out.velocity[lane], shape_.rotates ? out.spin[lane] : Vector3{}};
+        spheres.motion[k] = {out.velocity[lane], rotates_ ? out.spin[lane] : Vector3{}};
       }
     }
     if (per_grain == 1) continue;
     for (std::size_t s = 0; s < per_grain; ++s) {
-      const Vector3 offset = plain(shape_.sphere_offsets[s]);
-      with_instructions(instructions_, [&] { place_sphere(lanes, out, offset, position, velocity); });
+      bodies.load_offset(s, bodies_, grains, lanes);
+      with_instructions(instructions_, [&] { place_sphere(lanes, out, bodies, position, velocity); });
       for (std::size_t lane = 0; lane < lanes.count; ++lane) {
         spheres.position[(first + lane) * per_grain + s] = position[lane];
         spheres.motion[(first + lane) * per_grain + s] = {velocity[lane], out.spin[lane]};
@@ -217,15 +323,26 @@ void GrainIntegrator::advance(Grains& grains, std::size_t begin, std::size_t end
 
 GrainIntegrator::Work GrainIntegrator::finish(Grains& grains, std::size_t begin, std::size_t end,
                                               std::span<const ContactSum> contacts) const {
-  const bool composed = shape_.spheres() > 1;
-  const double drag = sphere_drag_ * static_cast<double>(shape_.spheres());
-  const Vector3 turning_drag = sphere_drag_ * drag_inertia_;
+  if (bodies_.size() == 1) {
+    AlikeBodies bodies(bodies_.front());
+    return finish_with(bodies, grains, begin, end, contacts);
+  }
+  thread_local BodyLanes bodies;
+  return finish_with(bodies, grains, begin, end, contacts);
+}
+
+template <class Bodies>
+GrainIntegrator::Work GrainIntegrator::finish_with(Bodies& bodies, Grains& grains, std::size_t begin,
+                                                   std::size_t end,
+                                                   std::span<const ContactSum> contacts) const {
+  const bool composed = spheres_ > 1;
   thread_local GrainLanes lanes;
   thread_local Vectors force, moment;
   thread_local Scalars rolling_load, drag_power, rolling_power;
   LaneSum drag_sum, rolling_sum;
   for (std::size_t first = begin; first < end; first += kGrains) {
-    lanes.load(grains, first, end, shape_);
+    lanes.load(grains, first, end, rotates_, composed);
+    bodies.load(bodies_, grains, lanes);
     for (std::size_t lane = 0; lane < lanes.groups(); ++lane) {
       const ContactSum& sum = contacts[lanes.grain(lane) - begin];
       force.set(lane, sum.force());
@@ -233,15 +350,14 @@ GrainIntegrator::Work GrainIntegrator::finish(Grains& grains, std::size_t begin,
       rolling_load[lane] = sum.rolling_load();
     }
     with_instructions(instructions_, [&] {
-      total_force(lanes, force, drag, weight_, shape_.mass, time_step_, drag_power);
-      kick(lanes, force, shape_.mass, time_step_);
+      total_force(lanes, force, bodies, time_step_, drag_power);
+      kick(lanes, force, bodies, time_step_);
     });
-    if (composed && shape_.rotates)
-      with_instructions(instructions_,
-                        [&] { kick_spin(lanes, moment, inertia_, turning_drag, time_step_, drag_power); });
-    else if (shape_.rotates) {
+    if (composed && rotates_)
+      with_instructions(instructions_, [&] { kick_spin(lanes, moment, bodies, time_step_, drag_power); });
+    else if (rotates_) {
       with_instructions(instructions_, [&] {
-        kick_sphere_spin(lanes, moment, rolling_load, inertia_, time_step_, rolling_power);
+        kick_sphere_spin(lanes, moment, rolling_load, bodies, time_step_, rolling_power);
       });
       rolling_sum.add(rolling_power, lanes.count);
     }
@@ -250,7 +366,7 @@ GrainIntegrator::Work GrainIntegrator::finish(Grains& grains, std::size_t begin,
       const std::size_t k = first + lane;
       grains.velocity[k] = eigen(lanes.velocity[lane]);
       grains.force[k] = eigen(force[lane]);
-      if (!shape_.rotates) continue;
+      if (!rotates_) continue;
       grains.spin[k] = eigen(lanes.spin[lane]);
       grains.torque[k] = eigen(moment[lane]);
     }

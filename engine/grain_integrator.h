@@ -4,7 +4,7 @@
 
 #include <span>
 
-#include "engine/grain_shape.h"
+#include "engine/grain_kinds.h"
 #include "engine/grains.h"
 #include "engine/sphere_field.h"
 #include "engine/vector_instructions.h"
@@ -15,7 +15,7 @@ namespace diefill::engine {
 class GrainIntegrator {
  public:
   /// `air_viscosity` in Pa s, Stokes drag on every sphere (Bierwisch 2009, Eq. 2.9).
-  GrainIntegrator(const GrainShape& shape, const Eigen::Vector3d& gravity, double air_viscosity,
+  GrainIntegrator(const KindTable& kinds, const Eigen::Vector3d& gravity, double air_viscosity,
                   double time_step, InstructionSet instructions);
 
   /// Takes grains [begin, end) to the end of the step and places their spheres, with the velocities that the
@@ -31,10 +31,30 @@ class GrainIntegrator {
   Work finish(Grains& grains, std::size_t begin, std::size_t end, std::span<const ContactSum> contacts) const;
 
  private:
-  GrainShape shape_;
-  Vector3 inertia_, weight_;
-  Vector3 drag_inertia_;  ///< m^2, sum over spheres of (b^2 - b_a^2), body frame
-  double sphere_drag_, time_step_;
+  /// What the motion of one kind depends on.
+  struct Body {
+    double mass;                   ///< kg
+    double drag;                   ///< kg/s, Stokes drag on all spheres over the speed
+    Vector3 inertia;               ///< kg m^2
+    Vector3 weight;                ///< N
+    Vector3 turning_drag;          ///< kg m^2/s, about the axes of the body frame
+    std::vector<Vector3> offsets;  ///< m, of the spheres, body frame
+  };
+  struct AlikeBodies;
+  struct BodyLanes;
+
+  static Body body_of(const GrainShape& shape, const Eigen::Vector3d& gravity, double air_viscosity);
+  template <class Bodies>
+  void advance_with(Bodies& bodies, Grains& grains, std::size_t begin, std::size_t end,
+                    SphereField& spheres) const;
+  template <class Bodies>
+  Work finish_with(Bodies& bodies, Grains& grains, std::size_t begin, std::size_t end,
+                   std::span<const ContactSum> contacts) const;
+
+  std::vector<Body> bodies_;  ///< one a kind
+  std::size_t spheres_;       ///< of a grain
+  bool rotates_;
+  double time_step_;
   InstructionSet instructions_;
 };
 

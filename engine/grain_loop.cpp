@@ -1,4 +1,5 @@
 #include "engine/contact_kernel.h"
+#include "engine/pair_laws.h"
 
 namespace diefill::engine {
 
@@ -12,19 +13,19 @@ void BlockTally::start(std::size_t bodies) {
 
 namespace {
 
-/// Pairs between grains. `kComposed`: several spheres a grain, moments about the block's reference point.
-template <class Law, LeverArm kArm, bool kComposed>
+/// Pairs between grains. `Pairs`: which law acts between which. `kComposed`: several spheres a grain, moments
+/// about the block's reference point.
+template <class Pairs, LeverArm kArm, bool kComposed>
 class GrainLoop final : public PairLoop {
  public:
-  /// `radius`: m, of the spheres.
-  GrainLoop(Law law, double radius) : law_(std::move(law)), reach_{2 * radius, radius} {}
+  explicit GrainLoop(Pairs pairs) : pairs_(std::move(pairs)) {}
 
   void add_forces(Block& block, const ContactScene& scene, BlockTally& tally) const override {
     thread_local std::vector<std::uint32_t> touching;
     touching.resize(block.grain_pairs.size());
     std::size_t count = 0;
     with_instructions(scene.instructions,
-                      [&] { count = find_touching(block.grain_pairs, scene.spheres, touching.data()); });
+                      [&] { count = find_touching(block, scene.spheres, touching.data()); });
     Batch& batch = batch_of_thread<Batch>();
     BatchTally<Law> batches;
     for (std::size_t done = 0; done < count; done += batch.count) {
@@ -32,12 +33,18 @@ class GrainLoop final : public PairLoop {
       const std::uint32_t* pairs = touching.data() + done;
       with_instructions(scene.instructions, [&] {
         pack(block, pairs, scene.spheres, batch);
-        react<kArm, kComposed>(batch, law_, reach_, scene.time_step);
+        react_all(batch, scene.time_step);
         hand_out(batch, pairs, block);
       });
       batches.add(batch);
+      if constexpr (!Pairs::kAlike)
+        batches.add_over_radius(batch, [&](std::size_t lane) { return smaller_radius(batch.kinds[lane]); });
     }
-    batches.book(scene.time_step, tally, tally.overlap.grains);
+    batches.book(scene.time_step, tally);
+    tally.overlap.grains = std::max(tally.overlap.grains, batches.deepest());
+    const double over_radius =
+        Pairs::kAlike ? batches.deepest() / smaller_radius(0) : batches.deepest_over_radius();
+    tally.overlap.grains_over_radius = std::max(tally.overlap.grains_over_radius, over_radius);
   }
 
   void visit_forces(const Block& block, const ContactScene& scene,
@@ -48,11 +55,12 @@ class GrainLoop final : public PairLoop {
       batch.count = std::min(touching.size() - done, Batch::kLanes);
       const std::uint32_t* pairs = touching.data() + done;
       pack(block, pairs, scene.spheres, batch);
-      react<kArm, kComposed>(batch, law_, reach_, 0);
+      react_all(batch, 0);
       for (std::size_t lane = 0; lane < batch.count; ++lane) {
         const GrainPair pair = block.grain_pairs.pair[pairs[lane]];
         const Vector3 separation = batch.separation[lane];
-        const double share = (reach_.radius - 0.5 * batch.overlap[lane]) / length(separation);
+        const double radius = pairs_.of(kinds_of(batch, lane)).reach.radius;
+        const double share = (radius - 0.5 * batch.overlap[lane]) / length(separation);
         visit(
             {pair.own, pair.other, batch.force[lane], scene.spheres.position(pair.own) - share * separation});
       }
@@ -64,35 +72,54 @@ class GrainLoop final : public PairLoop {
     const auto& table = block.grain_pairs;
     for (std::size_t p = 0; p < table.size(); ++p) {
       const GrainPair pair = table.pair[p];
+      const auto [law, reach] = pairs_.of(pairs_.kinds(block, pair));
       const double overlap =
-          reach_.contact - length(scene.spheres.position(pair.own) - scene.spheres.position(pair.other));
-      if (overlap > 0) energy += law_.energy(overlap, table.memory_of(p));
+          reach.contact - length(scene.spheres.position(pair.own) - scene.spheres.position(pair.other));
+      if (overlap > 0) energy += law.energy(overlap, table.memory_of(p));
     }
     return energy;
   }
 
   std::vector<double> memory_signs() const override { return Law::memory_signs(); }
-  double range() const override { return law_.range(); }
+  double range() const override { return pairs_.range(); }
 
  private:
+  using Law = typename Pairs::Law;
   using Batch = ContactBatch<Law>;
 
   static constexpr bool kTurns = Lever<kArm>::kTurns;
   /// Whether the reaction on j is not the one on i with other signs.
   static constexpr bool kOtherDiffers =
       kTurns && (kComposed ? Lever<kArm>::kOtherDiffers : static_cast<bool>(Law::kRolls));
+  static_assert(Pairs::kAlike || Law::kRolls, "unequal radii need the relative spin of a pair");
+
+  static std::uint32_t kinds_of(const Batch& batch, std::size_t lane) {
+    return Pairs::kAlike ? 0 : batch.kinds[lane];
+  }
+  /// m, of the pair's two spheres.
+  double smaller_radius(std::uint32_t kinds) const {
+    const PairReach reach = pairs_.of(kinds).reach;
+    return Pairs::kAlike ? reach.radius : std::min(reach.radius, reach.contact - reach.radius);
+  }
+
+  void react_all(Batch& batch, double time_step) const {
+    react<kArm, kComposed, !Pairs::kAlike>(
+        batch, [&](std::size_t lane) { return pairs_.of(kinds_of(batch, lane)); }, time_step);
+  }
 
   /// Distances are tested first and touching pairs collected, so that the costly part runs without guessing.
   /// Returns how many were written to `touching`.
-  std::size_t find_touching(PairTable<GrainPair>& table, const LocalSpheres& spheres,
-                            std::uint32_t* touching) const {
-    const double reach = reach_.contact + law_.range(), reach_squared = reach * reach;
+  std::size_t find_touching(Block& block, const LocalSpheres& spheres, std::uint32_t* touching) const {
+    PairTable<GrainPair>& table = block.grain_pairs;
     std::size_t count = 0;
+    const double alike_reach = Pairs::kAlike ? pairs_.reach_squared(0) : 0;
     for (std::size_t p = 0; p < table.size(); ++p) {
       // What touching pairs remember is not looked at before all distances are known: time to fetch it.
       __builtin_prefetch(table.memory_of(p), 1, 2);
       const GrainPair pair = table.pair[p];
       const Vector3 between = spheres.position(pair.own) - spheres.position(pair.other);
+      const double reach_squared =
+          Pairs::kAlike ? alike_reach : pairs_.reach_squared(pairs_.kinds(block, pair));
       const bool touches = dot(between, between) < reach_squared;
       note_touching(table, p, touches);
       touching[count] = static_cast<std::uint32_t>(p);
@@ -107,6 +134,7 @@ class GrainLoop final : public PairLoop {
     for (std::size_t lane = 0; lane < lanes; ++lane) {
       const std::uint32_t p = pairs[std::min(lane, batch.count - 1)];
       const GrainPair pair = block.grain_pairs.pair[p];
+      if constexpr (!Pairs::kAlike) batch.kinds[lane] = pairs_.kinds(block, pair);
       const auto &here = spheres.centre(pair.own), &there = spheres.centre(pair.other);
       Record& between = batch.between[lane];
       for (std::size_t k = 0; k < 4; ++k) between.value[k] = here.value[k] - there.value[k];
@@ -135,7 +163,7 @@ class GrainLoop final : public PairLoop {
       batch.collect_forces(lanes);
     if constexpr (kOtherDiffers) batch.collect_records(lanes, batch.other_moment, batch.on_other);
     // Loads count where single spheres roll.
-    const double rolling = !kComposed && kTurns ? law_.rolling_friction : 0;
+    const double rolling = !kComposed && kTurns ? pairs_.rolling_friction() : 0;
     const Eight own_sign = {1, 1, 1, 1, 1, 1, rolling, 0};
     const double turn = kComposed && !kOtherDiffers ? -1 : 1;
     const Eight other_sign = {-1, -1, -1, turn, turn, turn, rolling, 0};
@@ -149,20 +177,23 @@ class GrainLoop final : public PairLoop {
     }
   }
 
-  Law law_;
-  PairReach reach_;
+  Pairs pairs_;
 };
+
+/// The loop over `pairs`.
+template <LeverArm kArm, bool kComposed, class Pairs>
+std::unique_ptr<PairLoop> loop_over(Pairs pairs) {
+  return std::make_unique<GrainLoop<Pairs, kArm, kComposed>>(std::move(pairs));
+}
 
 }  // namespace
 
 std::unique_ptr<PairLoop> make_grain_loop(const ContactParameters& parameters, LeverArm arm,
                                           SpringLimit limit, double sphere_radius, bool composed) {
-  return with_law(parameters, arm, limit,
-                  [&]<class Law, class Arm>(std::type_identity<Law>, Arm) -> std::unique_ptr<PairLoop> {
+  return with_law(parameters, arm, composed, limit,
+                  [&]<class Law, class Arm, class Composed>(std::type_identity<Law>, Arm, Composed) {
                     const Law law(parameters, effective_radius(sphere_radius, sphere_radius));
-                    if (composed)
-                      return std::make_unique<GrainLoop<Law, Arm::value, true>>(law, sphere_radius);
-                    return std::make_unique<GrainLoop<Law, Arm::value, false>>(law, sphere_radius);
+                    return loop_over<Arm::value, Composed::value>(AlikePairs<Law>(law, sphere_radius));
                   });
 }
 
@@ -172,10 +203,16 @@ std::unique_ptr<PairLoop> make_general_grain_loop(const GeneralContact& contact,
   laws::require_sensible(contact.grains);
   const laws::GeneralContactLaw law(contact.grains, contact.scaling,
                                     {radius, radius, shape.mass, shape.mass});
-  return with_arm(arm, [&]<class Arm>(Arm) -> std::unique_ptr<PairLoop> {
-    if (shape.spheres() > 1)
-      return std::make_unique<GrainLoop<laws::GeneralContactLaw, Arm::value, true>>(law, radius);
-    return std::make_unique<GrainLoop<laws::GeneralContactLaw, Arm::value, false>>(law, radius);
+  return with_arm(arm, shape.spheres() > 1, [&]<class Arm, class Composed>(Arm, Composed) {
+    return loop_over<Arm::value, Composed::value>(AlikePairs<laws::GeneralContactLaw>(law, radius));
+  });
+}
+
+std::unique_ptr<PairLoop> make_mixed_grain_loop(const KindTable& kinds, const GrainMix& mix, LeverArm arm) {
+  return with_arm(arm, kinds.composed(), [&]<class Arm, class Composed>(Arm, Composed) {
+    if (!kinds.alike()) return loop_over<Arm::value, Composed::value>(KindPairs(kinds, mix));
+    return loop_over<Arm::value, Composed::value>(
+        AlikePairs<laws::GeneralContactLaw>(law_of_kinds(kinds, mix, 0, 0), kinds.shape(0).sphere_radius));
   });
 }
 

@@ -15,6 +15,7 @@ void permute(std::vector<Value>& values, const std::vector<std::uint32_t>& order
 template <class Action>
 void for_each_array(Grains& grains, const Action& action) {
   action(grains.id);
+  action(grains.kind);
   action(grains.position);
   action(grains.velocity);
   action(grains.orientation);

@@ -17,6 +17,7 @@ using Quaternion = Eigen::Vector4d;
 /// and changes whenever contacts are searched anew; `id` stays with the grain.
 struct Grains {
   std::vector<std::uint64_t> id;
+  std::vector<std::uint16_t> kind;        ///< number in the table of kinds; 0 where all grains are alike
   std::vector<Eigen::Vector3d> position;  ///< m, centre of mass, laboratory frame
   std::vector<Eigen::Vector3d> velocity;  ///< m/s
   std::vector<Quaternion> orientation;

@@ -60,9 +60,8 @@ void Health::check_numbers(const Simulation& simulation) const {
 }
 
 void Health::check_overlap(const Simulation& simulation) {
-  const double radius = simulation.settings().shape.sphere_radius;
-  const double grains = simulation.overlaps_of_run().grains / radius;
-  const double walls = simulation.overlaps_of_run().walls / radius;
+  const double grains = simulation.overlaps_of_run().grains_over_radius;
+  const double walls = simulation.overlaps_of_run().walls_over_radius;
   if (grains > limits_.forbidden_overlap)
     throw OutOfRange(line(
         "two spheres overlap by %.2f of their radius by t = %.6g s%s (limit %.2f: STABILITY.md, "
@@ -94,7 +93,7 @@ void Health::warn_of_overlap(double grains, double walls, double time) {
 
 void Health::check_time_step(const Simulation& simulation) const {
   const auto& settings = simulation.settings();
-  if (settings.general_contact || simulation.overlaps().grains <= 0) return;
+  if (settings.general_contact || settings.mix || simulation.overlaps().grains <= 0) return;
   const double critical =
       critical_time_step_at_overlap(settings.shape, settings.grain_contact, simulation.overlaps().grains);
   if (settings.time_step > critical)
@@ -107,9 +106,9 @@ void Health::check_time_step(const Simulation& simulation) const {
 
 void Health::check_speed(const Simulation& simulation) {
   const auto& settings = simulation.settings();
-  const auto fastest = fastest_grain(simulation.grains());
+  const auto fastest = fastest_for_its_size(simulation);
   if (fastest.speed <= 0) return;
-  const double way = fastest.speed * settings.time_step / settings.shape.sphere_radius;
+  const double way = fastest.speed * settings.time_step / simulation.shape_of(fastest.grain).sphere_radius;
   const std::string who = grain_in_words(simulation.grains(), fastest.grain);
   if (way > limits_.forbidden_way)
     throw OutOfRange(line(
@@ -117,9 +116,10 @@ void Health::check_speed(const Simulation& simulation) {
         "others without meeting them; the run is unstable or the time step of %.3g s too long: take a "
         "shorter one",
         who.c_str(), fastest.speed, simulation.time(), way, limits_.forbidden_way, settings.time_step));
+  if (settings.general_contact || settings.mix) return;
   const double overlap = impact_overlap(settings.shape, settings.grain_contact, 2 * fastest.speed);
   const double critical = critical_time_step_at_overlap(settings.shape, settings.grain_contact, overlap);
-  if (!settings.general_contact && settings.time_step > limits_.comfortable_step * critical)
+  if (settings.time_step > limits_.comfortable_step * critical)
     warn_once(warned_of_speed_,
               line("%s moved at %.3g m/s at t = %.6g s, where a collision allows steps of %.3g s; the run's "
                    "are %.3g s and up to %.2f of that is comfortable (STABILITY.md, time step)",
@@ -128,8 +128,7 @@ void Health::check_speed(const Simulation& simulation) {
 }
 
 void Health::check_contacts(const Simulation& simulation) {
-  const auto spheres =
-      static_cast<double>(simulation.grains().size() * simulation.settings().shape.spheres());
+  const auto spheres = static_cast<double>(simulation.grains().size() * simulation.kinds().spheres());
   if (spheres <= 0) return;
   const double contacts = static_cast<double>(simulation.touching_pairs()) / spheres;
   if (contacts > limits_.forbidden_contacts)

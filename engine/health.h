@@ -13,8 +13,8 @@ namespace diefill::engine {
 /// Limits of the method, each found by experiment (STABILITY.md). Between comfortable and forbidden a run
 /// goes on with a warning in its report.
 struct HealthLimits {
-  double comfortable_overlap = 0.2;  ///< over the sphere radius: Hertz' law is a small-overlap law
-  double forbidden_overlap = 0.6;    ///< over the sphere radius, among grains
+  double comfortable_overlap = 0.2;  ///< over the smaller sphere radius: Hertz' law is a small-overlap law
+  double forbidden_overlap = 0.6;    ///< over the smaller sphere radius, among grains
   /// Over the sphere radius, with walls. A moving tool may wedge a coarse grain against an edge, where soft
   /// grains slip past with a deep overlap: that is reported. From here on a sphere's centre has passed the
   /// envelope of the wall spheres: it is being pushed through the wall, and may come out behind it.

@@ -49,7 +49,7 @@ class SphereOnMesh {
       return a.distance != b.distance ? a.distance < b.distance : a.height > b.height;
     });
     if (is_behind(nearest)) {
-      touches.push_back({first + nearest.near, plain(separation(nearest))});
+      touches.push_back({first + nearest.near, 0, plain(separation(nearest))});
       return radius_ + nearest.distance;
     }
     kept_.clear();
@@ -63,7 +63,7 @@ class SphereOnMesh {
       const Eigen::Vector3d way = separation(*foot);
       const bool known = std::any_of(touches.begin() + static_cast<std::ptrdiff_t>(before), touches.end(),
                                      [&](const WallTouch& t) { return alike(eigen(t.separation), way); });
-      if (!known) touches.push_back({first + foot->near, plain(way)});
+      if (!known) touches.push_back({first + foot->near, 0, plain(way)});
     }
     return kept_.empty() ? 0 : radius_ - kept_.front()->distance;
   }

@@ -21,8 +21,8 @@ Eigen::Vector3d separation_from_triangle(const WallBody& body, std::uint32_t par
 
 /// A touching pair with a wall, seen in the body's frame.
 struct WallTouch {
-  std::uint32_t pair;
-  Vector3 separation;  ///< m, grain sphere from wall sphere, plane or triangle
+  std::uint32_t pair, kind;  ///< `kind`: of the pair's grain, 0 where all grains are alike
+  Vector3 separation;        ///< m, grain sphere from wall sphere, plane or triangle
 };
 
 /// Near pairs [begin, end) of one body of triangles in a block's table, and where all is.

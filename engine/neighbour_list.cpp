@@ -16,16 +16,36 @@ namespace {
 constexpr std::size_t kSpheresPerBlock = 1024;
 /// The same for sleeping grains: one that wakes spoils the rest of its whole block.
 constexpr std::size_t kSpheresPerSleepingBlock = 128;
+/// Spheres down to this share of a level's largest radius are in its cells: eight fit where the largest
+/// would.
+constexpr double kSmallestOfLevel = 0.5;
+
+/// m, radius of the spheres of a grain or image.
+double radius_of(const NeighbourSettings& settings, const SphereField& spheres, std::size_t grain) {
+  return settings.sphere_radii[spheres.kind.empty() ? 0 : spheres.kind[grain]];
+}
 
 }  // namespace
 
 NeighbourList::NeighbourList(const NeighbourSettings& settings, std::vector<std::uint32_t> body_first)
-    : settings_(settings), body_first_(std::move(body_first)) {}
+    : settings_(settings), body_first_(std::move(body_first)) {
+  const auto& radii = settings_.sphere_radii;
+  std::vector<std::size_t> order(radii.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t a, std::size_t b) { return radii[a] > radii[b]; });
+  level_of_kind_.resize(radii.size());
+  for (const std::size_t kind : order) {
+    if (levels_.empty() || radii[kind] < kSmallestOfLevel * levels_.back().largest)
+      levels_.emplace_back().largest = radii[kind];
+    level_of_kind_[kind] = static_cast<std::uint8_t>(levels_.size() - 1);
+  }
+}
 
 void NeighbourList::build(const SphereField& spheres, const std::vector<WallBody>& bodies,
                           const ListReference& reference, const ContactHistory& history,
                           const ContactHistory& wall_history, Workers& workers) {
-  cells_.build(spheres.position, 2 * settings_.sphere_radius + settings_.law_range + reference.skin);
+  sort_into_cells(spheres, reference.skin);
   const auto per_grain = static_cast<std::uint32_t>(spheres.spheres_per_grain);
   count_ = 0;
   cut_into_blocks(0, reference.awake_grains, kSpheresPerBlock / per_grain + 1);
@@ -35,11 +55,24 @@ void NeighbourList::build(const SphereField& spheres, const std::vector<WallBody
   workers.for_each(blocks_.size(), [&](std::size_t b) {
     Block& block = blocks_[b];
     block.reference = reference.position[(block.begin + block.end) / 2];
-    find_grain_pairs(block, spheres, reference, history);
+    if (alike())
+      find_grain_pairs<true>(block, spheres, reference, history);
+    else
+      find_grain_pairs<false>(block, spheres, reference, history);
     find_wall_pairs(block, spheres, bodies, reference, wall_history);
     block.sums.resize(block.grains() + block.foreign.size());
   });
   index_foreign_sums();
+}
+
+void NeighbourList::sort_into_cells(const SphereField& spheres, double skin) {
+  const auto edge = [&](const SizeLevel& level) { return 2 * level.largest + settings_.law_range + skin; };
+  if (levels_.size() == 1) return levels_.front().cells.build(spheres.position, edge(levels_.front()));
+  std::vector<std::vector<std::uint32_t>> members(levels_.size());
+  for (std::uint32_t j = 0; j < spheres.size(); ++j)
+    members[level_of_kind_[spheres.kind[j / spheres.spheres_per_grain]]].push_back(j);
+  for (std::size_t l = 0; l < levels_.size(); ++l)
+    levels_[l].cells.build(spheres.position, std::move(members[l]), edge(levels_[l]));
 }
 
 std::size_t NeighbourList::near_pairs() const {
@@ -69,6 +102,12 @@ void NeighbourList::number_spheres(Block& block, const SphereField& spheres) con
     throw OutOfRange(
         "a grain has thousands of neighbours: powder has been pressed into itself, or its grains "
         "are made of too many spheres");
+  block.kind.clear();
+  if (!alike()) {
+    for (std::uint32_t k = 0; k < block.own_spheres(); ++k)
+      block.kind.push_back(spheres.kind[block.begin + k / per_grain]);
+    for (const std::uint32_t sphere : block.partners) block.kind.push_back(spheres.kind[sphere / per_grain]);
+  }
   block.slot.clear();
   for (std::uint32_t k = 0; k < block.own_spheres(); ++k)
     block.slot.push_back(static_cast<std::uint16_t>(k / per_grain));
@@ -87,6 +126,7 @@ void NeighbourList::number_spheres(Block& block, const SphereField& spheres) con
   }
 }
 
+template <bool kAlike>
 void NeighbourList::find_grain_pairs(Block& block, const SphereField& spheres, const ListReference& reference,
                                      const ContactHistory& history) const {
   struct Found {
@@ -102,26 +142,31 @@ void NeighbourList::find_grain_pairs(Block& block, const SphereField& spheres, c
   thread_local std::vector<Found> found;
   found.clear();
   block.partners.clear();
-  const double touching = 2 * settings_.sphere_radius + settings_.law_range;
   for (std::uint32_t i = first; i < end; ++i) {
     const Vector3 here = spheres.position[i];
     const std::uint32_t grain = i / per_grain;
     const std::uint8_t swift = reference.doublings[grain];
-    const double farthest = touching + 2 * reference.allowance(grain);
-    cells_.visit_within(here, farthest, [&](std::uint32_t j, Vector3 there) {
-      const Vector3 between = there - here;
-      const double square = dot(between, between);
-      if (square >= farthest * farthest) return;
-      // Every pair once: by the swifter grain, which looks farther, else by the first; an image stands for
-      // its owner.
-      const std::uint32_t other = real_sphere(j) / per_grain;
-      const std::uint8_t other_swift = reference.doublings[other];
-      if (other_swift > swift || (other_swift == swift && other <= grain) || other == grain) return;
-      const double reach = touching + reference.allowance(grain) + reference.allowance(other);
-      if (square >= reach * reach) return;
-      found.push_back({i, j});
-      if (j < first || j >= end) block.partners.push_back(j);
-    });
+    const double radius = settings_.sphere_radii[kAlike ? 0 : spheres.kind[grain]];
+    for (const SizeLevel& level : levels_) {
+      const double touching = radius + level.largest + settings_.law_range;
+      const double farthest = touching + 2 * reference.allowance(grain);
+      level.cells.visit_within(here, farthest, [&](std::uint32_t j, Vector3 there) {
+        const Vector3 between = there - here;
+        const double square = dot(between, between);
+        if (square >= farthest * farthest) return;
+        // Every pair once: by the swifter grain, which looks farther, else by the first; an image stands for
+        // its owner.
+        const std::uint32_t other = real_sphere(j) / per_grain;
+        const std::uint8_t other_swift = reference.doublings[other];
+        if (other_swift > swift || (other_swift == swift && other <= grain) || other == grain) return;
+        const double touching_now =
+            kAlike ? touching : radius + settings_.sphere_radii[spheres.kind[other]] + settings_.law_range;
+        const double reach = touching_now + reference.allowance(grain) + reference.allowance(other);
+        if (square >= reach * reach) return;
+        found.push_back({i, j});
+        if (j < first || j >= end) block.partners.push_back(j);
+      });
+    }
   }
   std::sort(block.partners.begin(), block.partners.end());
   block.partners.erase(std::unique(block.partners.begin(), block.partners.end()), block.partners.end());
@@ -158,8 +203,9 @@ void NeighbourList::find_wall_pairs(Block& block, const SphereField& spheres,
   block.wall_first.assign(1, 0);
   for (std::uint32_t b = 0; b < bodies.size(); ++b) {
     const BodyMotion& pose = reference.bodies[b];
-    const double reach = settings_.sphere_radius + bodies[b].sphere_radius() + reference.body_allowance[b];
     for (std::uint32_t i = block.begin * per_grain; i < block.end * per_grain; ++i) {
+      const double reach = radius_of(settings_, spheres, i / per_grain) + bodies[b].sphere_radius() +
+                           reference.body_allowance[b];
       found.clear();
       bodies[b].find(pose.rotation.transpose() * (eigen(spheres.position[i]) - pose.translation),
                      reach + reference.allowance(i / per_grain), found);

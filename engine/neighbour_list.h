@@ -14,8 +14,8 @@ namespace diefill::engine {
 
 /// What the search needs to know.
 struct NeighbourSettings {
-  double sphere_radius = 0;               ///< m
-  double farthest_sphere = 0;             ///< m, of a sphere's centre from its grain's centre
+  std::vector<double> sphere_radii;       ///< m, by kind of grain
+  double farthest_sphere = 0;             ///< m, of a sphere's centre from its grain's centre, at most
   double law_range = 0;                   ///< m, gap up to which the law acts between grains
   std::vector<double> grain_memory_sign;  ///< PairLoop::memory_signs() of pairs of grains
   std::size_t wall_memory = 0;            ///< numbers that touching pairs with walls remember
@@ -66,7 +66,17 @@ class NeighbourList {
   const std::vector<ForeignSum>& foreign_sums() const { return foreign_sums_; }
 
  private:
+  /// Spheres of similar size in cells that suit them: in cells for the largest, many small ones would have to
+  /// be passed by. Where all grains are alike there is one.
+  struct SizeLevel {
+    double largest = 0;  ///< m, sphere radius
+    SphereCells cells;
+  };
+
+  bool alike() const { return settings_.sphere_radii.size() == 1; }
+  void sort_into_cells(const SphereField& spheres, double skin);
   void cut_into_blocks(std::size_t begin, std::size_t end, std::size_t grains_per_block);
+  template <bool kAlike>
   void find_grain_pairs(Block& block, const SphereField& spheres, const ListReference& reference,
                         const ContactHistory& history) const;
   void find_wall_pairs(Block& block, const SphereField& spheres, const std::vector<WallBody>& bodies,
@@ -77,8 +87,9 @@ class NeighbourList {
   NeighbourSettings settings_;
   std::vector<std::uint32_t> body_first_;
   std::vector<Block> blocks_;
-  std::size_t count_ = 0;  ///< blocks that have been cut so far
-  SphereCells cells_;
+  std::size_t count_ = 0;          ///< blocks that have been cut so far
+  std::vector<SizeLevel> levels_;  ///< by falling size
+  std::vector<std::uint8_t> level_of_kind_;
   std::vector<std::uint32_t> foreign_first_;
   std::vector<ForeignSum> foreign_sums_;
 };

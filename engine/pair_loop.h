@@ -8,7 +8,7 @@
 
 #include "engine/contact_parameters.h"
 #include "engine/deepest_overlap.h"
-#include "engine/grain_shape.h"
+#include "engine/grain_kinds.h"
 #include "engine/laws/general_contact_law.h"
 #include "engine/local_spheres.h"
 #include "engine/vector_instructions.h"
@@ -39,7 +39,7 @@ struct ContactScene {
   const LocalSpheres& spheres;
   const std::vector<WallBody>& bodies;
   const std::vector<BodyMotion>& body_motion;
-  double sphere_radius;  ///< m
+  double sphere_radius;  ///< m, the smallest
   double time_step;      ///< s
   InstructionSet instructions;
 };
@@ -92,5 +92,11 @@ std::unique_ptr<PairLoop> make_general_grain_loop(const GeneralContact& contact,
 std::unique_ptr<PairLoop> make_general_wall_loop(const GeneralContact& contact, LeverArm arm,
                                                  const GrainShape& shape,
                                                  const std::vector<double>& wall_radii);
+/// The same for grains of several kinds; `wall_materials` of every body. Throw std::invalid_argument where
+/// two materials have no law as well.
+std::unique_ptr<PairLoop> make_mixed_grain_loop(const KindTable& kinds, const GrainMix& mix, LeverArm arm);
+std::unique_ptr<PairLoop> make_mixed_wall_loop(const KindTable& kinds, const GrainMix& mix, LeverArm arm,
+                                               const std::vector<double>& wall_radii,
+                                               const std::vector<std::string>& wall_materials);
 
 }  // namespace diefill::engine

@@ -79,6 +79,7 @@ struct Block {
   std::vector<std::uint32_t> wall_first;  ///< first wall pair of each body, and the number of all
   std::vector<std::uint32_t> partners;    ///< spheres outside the block (of grains or images), rising
   std::vector<std::uint16_t> slot;        ///< sum that forces on a local sphere are added to
+  std::vector<std::uint16_t> kind;        ///< of a local sphere's grain; empty where all are alike
   std::vector<ForeignGrain> foreign;
   std::vector<ContactSum> sums;
 

@@ -14,28 +14,30 @@ namespace {
 struct DeepContact {
   std::size_t grain, other;  ///< `other`: a grain, or a body
   bool with_body;
-  double overlap;  ///< m
+  double overlap;  ///< over the smaller radius
 };
 
-/// m, of sphere `i` with a wall sphere, plane or triangle of `body`.
-double wall_overlap(const Simulation& simulation, std::size_t body, std::uint32_t i,
+/// m, of sphere `i` of `radius` (m) with a wall sphere, plane or triangle of `body`.
+double wall_overlap(const Simulation& simulation, std::size_t body, std::uint32_t i, double radius,
                     std::uint32_t wall_part) {
   const WallBody& wall = simulation.bodies()[body];
   const BodyMotion& pose = simulation.body_motion(body);
   const Eigen::Vector3d place =
       pose.rotation.transpose() * (eigen(simulation.spheres().position[i]) - pose.translation);
-  const double radius = simulation.settings().shape.sphere_radius;
   if (wall.meshed()) return radius - separation_from_triangle(wall, wall_part, place, radius).norm();
   if (!wall.flat()) return radius + wall.sphere_radius() - (place - wall.centres()[wall_part]).norm();
   const WallPlane& plane = wall.planes()[wall_part];
   return radius - plane.normal.dot(place - plane.point);
 }
 
-/// All contacts deeper than `threshold` (m), those among grains first, each in the order of the blocks.
+/// All contacts deeper than `threshold` (over the smaller radius), those among grains first, each in the
+/// order of the blocks.
 std::vector<DeepContact> deep_contacts(const Simulation& simulation, double threshold) {
   std::vector<DeepContact> deep;
   visit_grain_contacts(simulation, [&](std::size_t grain, std::size_t other, double overlap) {
-    if (overlap > threshold) deep.push_back({grain, other, false, overlap});
+    const double radius =
+        std::min(simulation.shape_of(grain).sphere_radius, simulation.shape_of(other).sphere_radius);
+    if (overlap > threshold * radius) deep.push_back({grain, other, false, overlap / radius});
   });
   const SphereField& spheres = simulation.spheres();
   for (const Block& block : simulation.neighbours().blocks())
@@ -44,8 +46,10 @@ std::vector<DeepContact> deep_contacts(const Simulation& simulation, double thre
         if (!block.wall_pairs.touching[p]) continue;
         const WallPair& pair = block.wall_pairs.pair[p];
         const std::uint32_t i = block.sphere(pair.own);
-        const double overlap = wall_overlap(simulation, body, i, pair.wall);
-        if (overlap > threshold) deep.push_back({spheres.owner(i), body, true, overlap});
+        const std::size_t grain = spheres.owner(i);
+        const double radius = simulation.shape_of(grain).sphere_radius;
+        const double overlap = wall_overlap(simulation, body, i, radius, pair.wall);
+        if (overlap > threshold * radius) deep.push_back({grain, body, true, overlap / radius});
       }
   return deep;
 }
@@ -73,8 +77,8 @@ class Chains {
 /// What is known of one chain.
 struct Chain {
   std::vector<std::pair<std::size_t, std::size_t>> tools;  ///< body, and the grain that touches it
-  std::map<std::size_t, double> load;                      ///< m, sum of a grain's deep overlaps
-  std::map<std::size_t, double> deepest;                   ///< m
+  std::map<std::size_t, double> load;                      ///< sum of a grain's deep overlaps
+  std::map<std::size_t, double> deepest;
 };
 
 void note(Chain& chain, std::size_t grain, double overlap) {
@@ -101,7 +105,7 @@ bool joins_moving_tools(const Chain& chain, const Simulation& simulation) {
 }  // namespace
 
 std::vector<PinchedGrain> pinched_grains(const Simulation& simulation, double limit) {
-  if (simulation.deepest_overlap() <= limit) return {};
+  if (simulation.overlaps().any_over_radius() <= limit) return {};
   const auto contacts = deep_contacts(simulation, 0.5 * limit);
   const Chains chains(contacts);
   std::map<std::size_t, Chain> found;

@@ -15,10 +15,11 @@ namespace diefill::engine {
 struct PinchedGrain {
   std::uint64_t id;
   Eigen::Vector3d position;  ///< m
-  double overlap;            ///< m, its deepest
+  double overlap;            ///< over the radius, its deepest
 };
 
-/// Grains to be given up so that nothing is pinched beyond `limit` (m of overlap) any more, by rising id.
+/// Grains to be given up so that nothing is pinched beyond `limit` any more, by rising id. Overlaps are taken
+/// over the radius of the smaller sphere of grains.
 /// Pinched is what lies on a chain of contacts deeper than half the limit that joins two tools of different
 /// velocity; of every chain that is anywhere beyond the limit the most deeply pressed grain is named. A deep
 /// overlap alone, as from a fast impact on one wall, is not pinching.

@@ -4,6 +4,7 @@
 #include <limits>
 #include <numeric>
 #include <stdexcept>
+#include <string>
 
 #include "engine/rigid_motion.h"
 #include "engine/spatial_order.h"
@@ -13,36 +14,48 @@ namespace diefill::engine {
 namespace {
 
 /// The skin for these settings: no grain may come to meet another, or itself, from two sides of a period at
-/// once. `range`: m, gap at which grains act on each other. Throws where even a still grain would.
-AdaptiveSkin skin_for(const SimulationSettings& settings, double range) {
-  const double radius = settings.shape.sphere_radius;
+/// once. `range`: m, gap at which grains act on each other. Small grains are the many, so that it goes by
+/// their size. Throws where even a still grain would.
+AdaptiveSkin skin_for(const SimulationSettings& settings, const KindTable& kinds, double range) {
   double room = 1e300;  // m, for two grains that approach, on both sides of each
   for (const auto& period : settings.period)
-    if (period) room = std::min(room, *period - 4 * settings.shape.bounding_radius() - 2 * range);
-  const AdaptiveSkin skin(settings.skin, radius, 0.25 * room);
+    if (period) room = std::min(room, *period - 4 * kinds.largest_grain() - 2 * range);
+  const AdaptiveSkin skin(settings.skin, kinds.smallest_sphere(), 0.25 * room);
   if (room < 2 * skin.largest())
     throw std::invalid_argument(
         "a periodic length is below two grain sizes, the reach of the law and the skin");
   return skin;
 }
 
-double farthest_sphere(const GrainShape& shape) {
-  return shape.bounding_radius() - shape.sphere_radius;
+LeverArm arm_for(const KindTable& kinds, LeverArm wanted) {
+  if (!kinds.rotates()) return LeverArm::none;
+  return kinds.composed() ? wanted : LeverArm::surface;
 }
 
-LeverArm arm_for(const GrainShape& shape, LeverArm wanted) {
-  if (!shape.rotates) return LeverArm::none;
-  return shape.spheres() == 1 ? LeverArm::surface : wanted;
+/// The kinds as they move: where forces are scaled, with the moments of inertia that torques balance with.
+KindTable kinds_of(const SimulationSettings& settings) {
+  if (settings.mix && settings.general_contact)
+    throw std::invalid_argument("a powder of several kinds has laws of its own: give no general contact law");
+  if (!settings.mix) {
+    if (settings.shape.sphere_offsets.empty()) throw std::invalid_argument("the grain shape has no spheres");
+    GrainShape shape = settings.shape;
+    if (settings.general_contact) shape.inertia /= settings.general_contact->scaling.torque_factor();
+    return KindTable({{std::move(shape), {}}});
+  }
+  auto kinds = settings.mix->kinds;
+  for (auto& kind : kinds) kind.shape.inertia /= settings.mix->scaling.torque_factor();
+  return KindTable(std::move(kinds));
 }
 
-SimulationSettings checked(SimulationSettings settings) {
-  if (settings.shape.sphere_offsets.empty()) throw std::invalid_argument("the grain shape has no spheres");
+SimulationSettings checked(SimulationSettings settings, const KindTable& kinds) {
   if (!(settings.time_step > 0)) throw std::invalid_argument("the time step must be positive");
   if (settings.threads < 1) throw std::invalid_argument("at least one thread is needed");
   if (settings.air_draught && settings.sleep)
     throw std::invalid_argument("grains cannot sleep where air is drawn through the powder");
-  settings.lever_arm = arm_for(settings.shape, settings.lever_arm);
-  if (settings.general_contact) settings.shape.inertia /= settings.general_contact->scaling.torque_factor();
+  if (settings.air_draught && settings.mix)
+    throw std::invalid_argument("air is drawn through powders of one kind only");
+  settings.lever_arm = arm_for(kinds, settings.lever_arm);
+  settings.shape = kinds.shape(0);
   return settings;
 }
 
@@ -63,15 +76,33 @@ std::vector<double> radii_of(const std::vector<WallBodySpec>& walls) {
   return radii;
 }
 
-std::unique_ptr<PairLoop> grain_loop_for(const SimulationSettings& settings) {
+std::unique_ptr<PairLoop> grain_loop_for(const SimulationSettings& settings, const KindTable& kinds) {
+  if (settings.mix) return make_mixed_grain_loop(kinds, *settings.mix, settings.lever_arm);
   if (settings.general_contact)
     return make_general_grain_loop(*settings.general_contact, settings.lever_arm, settings.shape);
   return make_grain_loop(settings.grain_contact, settings.lever_arm, settings.spring_limit,
                          settings.shape.sphere_radius, settings.shape.spheres() > 1);
 }
 
-std::unique_ptr<PairLoop> wall_loop_for(const SimulationSettings& settings,
+std::unique_ptr<PairLoop> mixed_wall_loop_for(const SimulationSettings& settings, const KindTable& kinds,
+                                              const std::vector<WallBodySpec>& walls) {
+  std::vector<std::string> materials;
+  for (const auto& wall : walls) {
+    if (wall.contact)
+      throw std::invalid_argument("wall '" + wall.name +
+                                  "' has a contact of its own, and the powder is of several kinds: give the "
+                                  "wall a material; planes of symmetry need a powder of one kind");
+    if (!wall.triangles.empty())
+      throw std::invalid_argument("wall '" + wall.name +
+                                  "' is of triangles, and the powder is of several kinds: give it spheres");
+    materials.push_back(wall.material);
+  }
+  return make_mixed_wall_loop(kinds, *settings.mix, settings.lever_arm, radii_of(walls), materials);
+}
+
+std::unique_ptr<PairLoop> wall_loop_for(const SimulationSettings& settings, const KindTable& kinds,
                                         const std::vector<WallBodySpec>& walls) {
+  if (settings.mix) return mixed_wall_loop_for(settings, kinds, walls);
   const auto radii = radii_of(walls);
   std::vector<ContactParameters> contacts;
   for (const auto& wall : walls) {
@@ -85,10 +116,10 @@ std::unique_ptr<PairLoop> wall_loop_for(const SimulationSettings& settings,
                         settings.shape.spheres() > 1, radii);
 }
 
-NeighbourSettings neighbour_settings(const GrainShape& shape, const PairLoop& grain_loop,
+NeighbourSettings neighbour_settings(const KindTable& kinds, const PairLoop& grain_loop,
                                      const PairLoop& wall_loop) {
-  return {.sphere_radius = shape.sphere_radius,
-          .farthest_sphere = farthest_sphere(shape),
+  return {.sphere_radii = kinds.sphere_radii(),
+          .farthest_sphere = kinds.farthest_sphere(),
           .law_range = grain_loop.range(),
           .grain_memory_sign = grain_loop.memory_signs(),
           .wall_memory = wall_loop.memory_signs().size()};
@@ -97,30 +128,34 @@ NeighbourSettings neighbour_settings(const GrainShape& shape, const PairLoop& gr
 }  // namespace
 
 Simulation::Simulation(const SimulationSettings& settings, std::vector<WallBodySpec> walls)
-    : settings_(checked(settings)),
+    : kinds_(kinds_of(settings)),
+      settings_(checked(settings, kinds_)),
       workers_(settings_.threads),
       box_(settings_.period),
-      grain_loop_(grain_loop_for(settings_)),
-      wall_loop_(wall_loop_for(settings_, walls)),
-      list_(neighbour_settings(settings_.shape, *grain_loop_, *wall_loop_), first_sphere_of_bodies(walls)),
-      skin_(skin_for(settings_, grain_loop_->range())),
-      integrator_(settings_.shape, settings_.gravity, settings_.air_viscosity, settings_.time_step,
+      grain_loop_(grain_loop_for(settings_, kinds_)),
+      wall_loop_(wall_loop_for(settings_, kinds_, walls)),
+      list_(neighbour_settings(kinds_, *grain_loop_, *wall_loop_), first_sphere_of_bodies(walls)),
+      skin_(skin_for(settings_, kinds_, grain_loop_->range())),
+      integrator_(kinds_, settings_.gravity, settings_.air_viscosity, settings_.time_step,
                   settings_.instructions) {
   for (auto& wall : walls) {
-    const double reach = settings_.shape.sphere_radius + wall.sphere_radius + 2 * skin_.largest_allowance();
+    const double reach = kinds_.largest_sphere() + wall.sphere_radius + 2 * skin_.largest_allowance();
     bodies_.emplace_back(std::move(wall), reach);
     body_motion_.push_back(bodies_.back().motion_at(0));
   }
   wall_loads_.resize(bodies_.size());
   clearance_.resize(bodies_.size());
-  if (settings_.sleep)
-    sleeping_.emplace(*settings_.sleep, settings_.shape, settings_.gravity, settings_.time_step);
-  spheres_.spheres_per_grain = settings_.shape.spheres();
+  if (settings_.sleep) sleeping_.emplace(*settings_.sleep, kinds_, settings_.gravity, settings_.time_step);
+  spheres_.spheres_per_grain = kinds_.spheres();
   reference_.skin = skin_.first();
   sort_and_search();
 }
 
 void Simulation::add_grains(const std::vector<NewGrain>& added) {
+  for (const auto& grain : added)
+    if (grain.kind >= kinds_.size())
+      throw std::invalid_argument("a grain of kind " + std::to_string(grain.kind) + ", but there are " +
+                                  std::to_string(kinds_.size()) + " kinds, counted from 0");
   wrap_grains();
   const double before = energy().total();
   const std::size_t old_count = grains_.size();
@@ -129,13 +164,13 @@ void Simulation::add_grains(const std::vector<NewGrain>& added) {
     const std::size_t g = old_count + k;
     const NewGrain& grain = added[k];
     grains_.id[g] = next_id_++;
+    grains_.kind[g] = grain.kind;
     grains_.position[g] = box_.wrapped(grain.position);
     grains_.velocity[g] = grain.velocity;
     // A single sphere has no orientation worth following: its body frame is the laboratory's.
-    grains_.orientation[g] =
-        settings_.shape.spheres() == 1 ? Quaternion(1, 0, 0, 0) : grain.orientation.normalized();
+    grains_.orientation[g] = kinds_.composed() ? grain.orientation.normalized() : Quaternion(1, 0, 0, 0);
     grains_.spin[g] = rotation_matrix(grains_.orientation[g]).transpose() * grain.angular_velocity;
-    grains_.force[g] = settings_.shape.mass * settings_.gravity;
+    grains_.force[g] = shape_of(g).mass * settings_.gravity;
     grains_.torque[g].setZero();
   }
   sort_and_search();
@@ -215,7 +250,7 @@ void Simulation::advance_grains() {
 
 /// Whether a sphere of the block may have moved farther against the powder as a whole than its grain may.
 bool Simulation::has_moved_too_far(const Block& block) const {
-  const bool composed = settings_.shape.spheres() > 1;
+  const bool composed = kinds_.composed();
   const Vector3 drifted = plain(Eigen::Vector3d(reference_.drift * (time_ - reference_.time)));
   // A sphere at distance r turns by at most 2 r |q - q_0|.
   const double per_turn = 2 * list_.settings().farthest_sphere;
@@ -236,7 +271,7 @@ bool Simulation::has_moved_too_far(const Block& block) const {
 /// from those of other blocks in block order.
 void Simulation::gather(std::size_t b, std::vector<ContactSum>& contacts) const {
   const Block& own = list_.blocks()[b];
-  const bool composed = settings_.shape.spheres() > 1;
+  const bool composed = kinds_.composed();
   contacts.assign(own.sums.begin(), own.sums.begin() + own.grains());
   if (composed)
     for (std::size_t k = own.begin; k < own.end; ++k) {
@@ -325,9 +360,9 @@ void Simulation::book_step() {
 
 double Simulation::bytes_moved_per_step() const {
   const auto grains = static_cast<double>(grains_.size()), spheres = static_cast<double>(spheres_.size());
-  const bool composed = settings_.shape.spheres() > 1;
+  const bool composed = kinds_.composed();
   constexpr double kVector = sizeof(Vector3), kSphere = sizeof(Vector3) + sizeof(SphereMotion);
-  const double turning = settings_.shape.rotates ? 2 * kVector : 0;  // spin and torque
+  const double turning = kinds_.rotates() ? 2 * kVector : 0;  // spin and torque
   const double orientation = composed ? sizeof(Quaternion) : 0;
   // Reads position, velocity, force and the reference, writes positions and spheres.
   const double advance = grains * (5 * kVector + turning + 3 * orientation) + spheres * kSphere;
@@ -344,12 +379,8 @@ double Simulation::bytes_moved_per_step() const {
 }
 
 ContactScene Simulation::contact_scene(const LocalSpheres& local) const {
-  return {local,
-          bodies_,
-          body_motion_,
-          settings_.shape.sphere_radius,
-          settings_.time_step,
-          settings_.instructions};
+  return {
+      local, bodies_, body_motion_, kinds_.smallest_sphere(), settings_.time_step, settings_.instructions};
 }
 
 }  // namespace diefill::engine

@@ -7,7 +7,7 @@
 #include "engine/adaptive_skin.h"
 #include "engine/air_draught.h"
 #include "engine/grain_integrator.h"
-#include "engine/grain_shape.h"
+#include "engine/grain_kinds.h"
 #include "engine/ledger.h"
 #include "engine/neighbour_list.h"
 #include "engine/pair_loop.h"
@@ -19,7 +19,7 @@ namespace diefill::engine {
 
 /// All that stays the same during a run. SI units.
 struct SimulationSettings {
-  GrainShape shape;
+  GrainShape shape;  ///< of all grains; with `mix` that of the first kind
   ContactParameters grain_contact, wall_contact;
   LeverArm lever_arm =
       LeverArm::contact;  ///< ignored for single spheres: none or surface, after GrainShape::rotates
@@ -27,6 +27,9 @@ struct SimulationSettings {
   /// Any other law of the sources, in place of `grain_contact`, `wall_contact` and `spring_limit`. Where
   /// forces are scaled, moments of inertia are those with which torques, energy and angular momentum balance.
   std::optional<GeneralContact> general_contact;
+  /// Grains of several sizes or materials, in place of `shape` and of all contacts above. Walls then need a
+  /// material. `lever_arm` counts; moments of inertia are as with `general_contact`.
+  std::optional<GrainMix> mix;
   Eigen::Vector3d gravity = {0, 0, -9.81};  ///< m/s^2
   double air_viscosity = 0;                 ///< Pa s, Stokes drag on every sphere (Bierwisch 2009, Eq. 2.9)
   std::optional<AirDraught>
@@ -47,6 +50,7 @@ struct NewGrain {
   Eigen::Vector3d velocity = Eigen::Vector3d::Zero();          ///< m/s
   Quaternion orientation = {1, 0, 0, 0};                       ///< (w, x, y, z), body to laboratory
   Eigen::Vector3d angular_velocity = Eigen::Vector3d::Zero();  ///< rad/s, laboratory frame
+  KindNumber kind = 0;                                         ///< of GrainMix::kinds
 };
 
 /// Force and torque of the powder on a wall body. Torque about the origin of the body's frame.
@@ -69,10 +73,11 @@ inline constexpr std::size_t kNoGrain = static_cast<std::size_t>(-1);
 /// threads.
 class Simulation {
  public:
-  /// Throws std::invalid_argument when the time step, the shape or a period cannot work.
+  /// Throws std::invalid_argument when the time step, the shape, the kinds or a period cannot work.
   Simulation(const SimulationSettings& settings, std::vector<WallBodySpec> walls);
 
-  /// Adds grains at rest or moving; ids continue from the last one given.
+  /// Adds grains at rest or moving; ids continue from the last one given. Throws std::invalid_argument for a
+  /// kind that there is not.
   void add_grains(const std::vector<NewGrain>& grains);
   /// Takes out every grain for which `leaves(position)` is true; returns how many.
   std::size_t remove_grains(const std::function<bool(const Eigen::Vector3d&)>& leaves);
@@ -89,6 +94,11 @@ class Simulation {
   double time() const { return time_; }
   const SimulationSettings& settings() const { return settings_; }
   const Grains& grains() const { return grains_; }
+  const KindTable& kinds() const { return kinds_; }
+  /// Of grain k.
+  const GrainShape& shape_of(std::size_t k) const { return kinds_.shape(grains_.kind[k]); }
+  /// kg, of grains [begin, end), added in their order.
+  double mass_of(std::size_t begin, std::size_t end) const;
   const std::vector<WallBody>& bodies() const { return bodies_; }
   /// Pose of body b at the present time.
   const BodyMotion& body_motion(std::size_t b) const { return body_motion_[b]; }
@@ -175,6 +185,7 @@ class Simulation {
   void still_sleepers();
   bool rests(std::size_t b) const { return sleeping_ && sleeping_->rests(b); }
 
+  KindTable kinds_;
   SimulationSettings settings_;
   Workers workers_;
   PeriodicBox box_;

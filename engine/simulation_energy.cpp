@@ -7,9 +7,9 @@
 namespace diefill::engine {
 
 Energy Simulation::energy() const {
-  const GrainShape& shape = settings_.shape;
   Energy energy;
   for (std::size_t k = 0; k < grains_.size(); ++k) {
+    const GrainShape& shape = shape_of(k);
     energy.translation += 0.5 * shape.mass * grains_.velocity[k].squaredNorm();
     if (shape.rotates) energy.rotation += 0.5 * shape.inertia.dot(grains_.spin[k].cwiseAbs2());
     energy.height -= shape.mass * settings_.gravity.dot(grains_.position[k]);
@@ -21,6 +21,13 @@ Energy Simulation::energy() const {
     energy.contacts += grain_loop_->stored_energy(block, scene) + wall_loop_->stored_energy(block, scene);
   }
   return energy;
+}
+
+double Simulation::mass_of(std::size_t begin, std::size_t end) const {
+  if (kinds_.alike()) return static_cast<double>(end - begin) * kinds_.shape(0).mass;
+  double mass = 0;
+  for (std::size_t k = begin; k < end; ++k) mass += shape_of(k).mass;
+  return mass;
 }
 
 double Simulation::energy_balance_error() const {

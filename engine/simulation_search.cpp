@@ -46,7 +46,7 @@ void Simulation::wrap_grains() {
   for (std::size_t k = 0; k < grains_.size(); ++k) {
     const Eigen::Vector3d before = grains_.position[k];
     grains_.position[k] = box_.wrapped(before);
-    ledger_.added_energy -= settings_.shape.mass * settings_.gravity.dot(grains_.position[k] - before);
+    ledger_.added_energy -= shape_of(k).mass * settings_.gravity.dot(grains_.position[k] - before);
   }
 }
 
@@ -63,7 +63,9 @@ void Simulation::check_places() const {
 void Simulation::sort_and_search() {
   check_places();
   wrap_grains();
-  search_in_order(spatial_order(grains_.position, 2 * settings_.shape.bounding_radius()));
+  // Where sizes differ, no two grains have room in one cell: the order does not depend on the one before.
+  const double cell = kinds_.alike() ? 2 * kinds_.largest_grain() : kinds_.smallest_sphere();
+  search_in_order(spatial_order(grains_.position, cell));
 }
 
 void Simulation::search_in_order(std::vector<std::uint32_t> order) {
@@ -73,7 +75,7 @@ void Simulation::search_in_order(std::vector<std::uint32_t> order) {
   const PairNaming naming{spheres_.spheres_per_grain, spheres_.grains, &owners, &list_.body_first()};
   std::vector<std::uint32_t> new_place(grains_.size(), kGone);
   for (std::uint32_t k = 0; k < order.size(); ++k) new_place[order[k]] = k;
-  const std::size_t spheres = order.size() * settings_.shape.spheres();
+  const std::size_t spheres = order.size() * kinds_.spheres();
   const auto signs = grain_loop_->memory_signs();
   const auto history = remember_grain_contacts(list_.blocks(), naming, new_place, signs, spheres);
   const auto wall_history =
@@ -87,7 +89,7 @@ void Simulation::search_in_order(std::vector<std::uint32_t> order) {
 
 void Simulation::remember_reference(std::size_t awake) {
   reference_.position = grains_.position;
-  if (settings_.shape.spheres() > 1) reference_.orientation = grains_.orientation;
+  if (kinds_.composed()) reference_.orientation = grains_.orientation;
   reference_.bodies = body_motion_;
   reference_.time = time_;
   reference_.step = step_;
@@ -124,6 +126,10 @@ void Simulation::search(const ContactHistory& history, const ContactHistory& wal
   ++searches_;
   spheres_.grains = reference_.position.size();
   find_images();
+  if (!kinds_.alike()) {
+    spheres_.kind = grains_.kind;
+    for (const auto& image : spheres_.images) spheres_.kind.push_back(grains_.kind[image.owner]);
+  }
   spheres_.position.resize((spheres_.grains + spheres_.images.size()) * spheres_.spheres_per_grain);
   spheres_.motion.resize(spheres_.position.size());
   place_spheres(reference_.position, reference_.orientation);
@@ -139,7 +145,7 @@ void Simulation::search(const ContactHistory& history, const ContactHistory& wal
     lower = lower.cwiseMin(eigen(centre));
     upper = upper.cwiseMax(eigen(centre));
   }
-  const double sphere_reach = settings_.shape.sphere_radius + farthest_allowance();
+  const double sphere_reach = kinds_.largest_sphere() + farthest_allowance();
   for (std::size_t b = 0; b < bodies_.size(); ++b) {
     const double reach = sphere_reach + bodies_[b].sphere_radius();
     clearance_[b] = spheres_.grains == 0 || !settings_.skip_far_walls
@@ -161,8 +167,7 @@ void Simulation::find_images() {
   if (!box_.any()) return;
   // A grain on the border meets others whose centre is up to two grain radii and what both may move beyond
   // it.
-  const double margin =
-      2 * settings_.shape.bounding_radius() + grain_loop_->range() + 2 * farthest_allowance();
+  const double margin = 2 * kinds_.largest_grain() + grain_loop_->range() + 2 * farthest_allowance();
   std::vector<Eigen::Vector3d> shifts;
   for (std::uint32_t k = 0; k < reference_.position.size(); ++k) {
     shifts.clear();
@@ -173,8 +178,8 @@ void Simulation::find_images() {
 
 void Simulation::place_spheres(const std::vector<Eigen::Vector3d>& position,
                                const std::vector<Quaternion>& orientation) {
-  const GrainShape& shape = settings_.shape;
   for (std::size_t k = 0; k < spheres_.grains; ++k) {
+    const GrainShape& shape = shape_of(k);
     if (shape.spheres() == 1) {
       spheres_.position[k] = plain(position[k]);
       continue;

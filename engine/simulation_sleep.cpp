@@ -16,7 +16,7 @@ std::vector<Eigen::AlignedBox3d> Simulation::moving_tools() const {
     const Eigen::Vector3d middle = now.point(0.5 * (lower + upper));
     const Eigen::Vector3d half =
         now.rotation.cwiseAbs() * (0.5 * (upper - lower)) +
-        Eigen::Vector3d::Constant(bodies_[b].sphere_radius() + 2 * settings_.shape.bounding_radius());
+        Eigen::Vector3d::Constant(bodies_[b].sphere_radius() + 2 * kinds_.largest_grain());
     boxes.emplace_back(middle - half, middle + half);
   }
   return boxes;
@@ -65,7 +65,7 @@ void Simulation::finish_awake(std::size_t b, const std::vector<ContactSum>& cont
 
 /// Forces and torques on sleepers, which no step has brought up to date.
 void Simulation::weigh_sleepers() {
-  const bool composed = settings_.shape.spheres() > 1;
+  const bool composed = kinds_.composed();
   const auto& blocks = list_.blocks();
   workers_.for_each(blocks.size(), [&](std::size_t b) {
     thread_local std::vector<ContactSum> contacts;
@@ -75,8 +75,8 @@ void Simulation::weigh_sleepers() {
       if (!gathered) gather(b, contacts);
       gathered = true;
       const ContactSum& sum = contacts[k - blocks[b].begin];
-      grains_.force[k] = eigen(sum.force()) + settings_.shape.mass * settings_.gravity;
-      if (!settings_.shape.rotates) continue;
+      grains_.force[k] = eigen(sum.force()) + shape_of(k).mass * settings_.gravity;
+      if (!kinds_.rotates()) continue;
       grains_.torque[k] = eigen(sum.moment());
       if (composed)
         grains_.torque[k] = rotation_matrix(grains_.orientation[k]).transpose() * grains_.torque[k];

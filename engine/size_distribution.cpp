@@ -169,6 +169,12 @@ std::vector<double> SizeDistribution::sample(std::size_t count, std::uint64_t se
   return diameters;
 }
 
+std::vector<double> SizeDistribution::class_diameters() const {
+  std::vector<double> diameters;
+  for (const auto& one : classes_) diameters.push_back(one.diameter);
+  return diameters;
+}
+
 SizeCutOffs SizeDistribution::range() const {
   if (!classes_.empty()) return {classes_.front().diameter, classes_.back().diameter};
   return cut_offs_;

@@ -61,6 +61,8 @@ class SizeDistribution {
   /// `count` diameters in m drawn from `seed`: the same on every machine.
   std::vector<double> sample(std::size_t count, std::uint64_t seed) const;
 
+  /// m, of the classes of a discrete distribution, ascending; none for a log-normal one.
+  std::vector<double> class_diameters() const;
   /// Smallest and largest diameter that can occur, in m (0 and infinity without cut-offs).
   SizeCutOffs range() const;
   /// All diameters times `scale`, shares by number unchanged (Hu 2024, Eqs. 3.8 to 3.12).

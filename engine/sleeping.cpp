@@ -35,15 +35,17 @@ std::vector<std::uint32_t> places_of(const std::vector<std::uint8_t>& marks) {
 
 }  // namespace
 
-Sleeping::Sleeping(const SleepSettings& settings, const GrainShape& shape, const Eigen::Vector3d& gravity,
+Sleeping::Sleeping(const SleepSettings& settings, KindTable kinds, const Eigen::Vector3d& gravity,
                    double time_step)
-    : shape_(shape) {
+    : kinds_(std::move(kinds)) {
   if (!(settings.energy > 0 && settings.time > 0 && settings.force > 0 && settings.speed > 0))
     throw std::invalid_argument("limits of sleeping grains must be positive");
-  const double weight = shape.mass * gravity.norm();
-  slow_energy_ = settings.energy * weight * 2 * shape.bounding_radius();
-  waking_energy_ = slow_energy_ * settings.speed * settings.speed;
-  waking_force_ = settings.force * weight;
+  for (std::size_t k = 0; k < kinds_.size(); ++k) {
+    const GrainShape& shape = kinds_.shape(static_cast<KindNumber>(k));
+    const double weight = shape.mass * gravity.norm();
+    const double slow_energy = settings.energy * weight * 2 * shape.bounding_radius();
+    limits_.push_back({slow_energy, slow_energy * settings.speed * settings.speed, settings.force * weight});
+  }
   const double looks = std::ceil(settings.time / (time_step * static_cast<double>(kStepsPerLook)));
   looks_needed_ = static_cast<std::uint32_t>(std::clamp(looks, 1.0, 1e9));
 }
@@ -87,15 +89,17 @@ void Sleeping::count_step(const NeighbourList& list) {
 }
 
 double Sleeping::kinetic_energy(const Grains& grains, std::size_t k) const {
-  double energy = 0.5 * shape_.mass * grains.velocity[k].squaredNorm();
-  if (shape_.rotates) energy += 0.5 * shape_.inertia.dot(grains.spin[k].cwiseAbs2());
+  const GrainShape& shape = kinds_.shape(grains.kind[k]);
+  double energy = 0.5 * shape.mass * grains.velocity[k].squaredNorm();
+  if (shape.rotates) energy += 0.5 * shape.inertia.dot(grains.spin[k].cwiseAbs2());
   return energy;
 }
 
 void Sleeping::look(const Grains& grains) {
   for (std::size_t k = 0; k < grains.size(); ++k) {
     if (!asleep(k)) {
-      state_.looks[k] = kinetic_energy(grains, k) < slow_energy_ ? state_.looks[k] + 1 : 0;
+      state_.looks[k] =
+          kinetic_energy(grains, k) < limits_[grains.kind[k]].slow_energy ? state_.looks[k] + 1 : 0;
       continue;
     }
     if (state_.looks[k] == 0) state_.force[k] = grains.force[k];
@@ -107,13 +111,13 @@ std::vector<std::uint32_t> Sleeping::disturbed(const Grains& grains, const Neigh
                                                const SphereField& spheres) const {
   std::vector<std::uint8_t> wakes(grains.size(), 0);
   for (std::size_t k = 0; k < grains.size(); ++k)
-    wakes[k] = asleep(k) && (grains.force[k] - state_.force[k]).norm() > waking_force_;
+    wakes[k] = asleep(k) && (grains.force[k] - state_.force[k]).norm() > limits_[grains.kind[k]].waking_force;
   for (std::size_t b = 0; b < list.blocks().size(); ++b) {
     if (rests(b)) continue;
     visit_touching(list.blocks()[b], spheres, [&](std::size_t i, std::size_t j) {
       if (asleep(i) == asleep(j)) return;
       const std::size_t sleeper = asleep(i) ? i : j, other = asleep(i) ? j : i;
-      if (kinetic_energy(grains, other) > waking_energy_) wakes[sleeper] = 1;
+      if (kinetic_energy(grains, other) > limits_[grains.kind[other]].waking_energy) wakes[sleeper] = 1;
     });
   }
   return places_of(wakes);
@@ -160,7 +164,7 @@ std::vector<std::uint32_t> Sleeping::tired(const Grains& grains,
                                            const NeighbourList& list, const SphereField& spheres) const {
   const std::size_t asleep_now = sleepers(), awake = grains.size() - asleep_now;
   const std::size_t fewest =
-      std::max<std::size_t>(1, std::min(awake / kFewestShare, kFewestSpheres / shape_.spheres()));
+      std::max<std::size_t>(1, std::min(awake / kFewestShare, kFewestSpheres / kinds_.spheres()));
   const auto slow = calm(grains, moving);
   if (static_cast<std::size_t>(std::count(slow.begin(), slow.end(), 1)) < asleep_now + fewest) return {};
   auto candidates = slow;

@@ -12,7 +12,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "engine/grain_shape.h"
+#include "engine/grain_kinds.h"
 #include "engine/neighbour_list.h"
 
 namespace diefill::engine {
@@ -42,8 +42,7 @@ class Sleeping {
   static constexpr std::uint64_t kStepsPerLook = 10;
 
   /// Throws std::invalid_argument for limits that are not positive. `gravity` in m/s^2, `time_step` in s.
-  Sleeping(const SleepSettings& settings, const GrainShape& shape, const Eigen::Vector3d& gravity,
-           double time_step);
+  Sleeping(const SleepSettings& settings, KindTable kinds, const Eigen::Vector3d& gravity, double time_step);
 
   const SleepState& state() const { return state_; }
   void restore(const SleepState& state) { state_ = state; }
@@ -99,9 +98,13 @@ class Sleeping {
  private:
   std::vector<std::uint8_t> calm(const Grains& grains, const std::vector<Eigen::AlignedBox3d>& moving) const;
 
-  GrainShape shape_;
-  double slow_energy_, waking_energy_;  ///< J
-  double waking_force_;                 ///< N
+  /// When a grain of one kind is slow, and what wakes it or those it touches.
+  struct Limits {
+    double slow_energy, waking_energy;  ///< J
+    double waking_force;                ///< N
+  };
+  KindTable kinds_;
+  std::vector<Limits> limits_;  ///< one a kind
   std::uint32_t looks_needed_;
   SleepState state_;
   std::vector<std::uint8_t> rests_, computed_;  ///< one a block

@@ -13,37 +13,44 @@ constexpr double kCellsPerPoint = 8, kFewCells = 4096;
 }  // namespace
 
 void SphereCells::build(const std::vector<Vector3>& points, double cell) {
+  members_.resize(points.size());
+  std::iota(members_.begin(), members_.end(), 0U);
+  build(points, std::move(members_), cell);
+}
+
+void SphereCells::build(const std::vector<Vector3>& points, std::vector<std::uint32_t> members, double cell) {
+  members_ = std::move(members);
   lower_ = Eigen::Vector3d::Constant(1e300);
   Eigen::Vector3d upper = -lower_;
-  for (const auto& point : points) {
-    lower_ = lower_.cwiseMin(eigen(point));
-    upper = upper.cwiseMax(eigen(point));
+  for (const std::uint32_t k : members_) {
+    lower_ = lower_.cwiseMin(eigen(points[k]));
+    upper = upper.cwiseMax(eigen(points[k]));
   }
-  if (points.empty()) lower_ = upper = Eigen::Vector3d::Zero();
+  if (members_.empty()) lower_ = upper = Eigen::Vector3d::Zero();
   edge_ = cell;
   const auto cells_at = [&](double edge) {
     return Eigen::Vector3d(((upper - lower_) / edge).array().floor() + 1);
   };
-  const double most = kFewCells + kCellsPerPoint * static_cast<double>(points.size());
+  const double most = kFewCells + kCellsPerPoint * static_cast<double>(members_.size());
   while (cells_at(edge_).prod() > most) edge_ *= 1.25;
   cells_ = cells_at(edge_).cast<int>();
 
   first_.assign(index_of(cells_[0] - 1, cells_[1] - 1, cells_[2] - 1) + 2, 0);
-  cell_.resize(points.size());
-  for (std::size_t k = 0; k < points.size(); ++k) {
-    const Eigen::Vector3i place = cell_of(points[k]);
+  cell_.resize(members_.size());
+  for (std::size_t k = 0; k < members_.size(); ++k) {
+    const Eigen::Vector3i place = cell_of(points[members_[k]]);
     cell_[k] = static_cast<std::uint32_t>(index_of(place[0], place[1], place[2]));
     ++first_[cell_[k] + 1];
   }
   std::partial_sum(first_.begin(), first_.end(), first_.begin());
 
-  index_.resize(points.size());
-  position_.resize(points.size());
+  index_.resize(members_.size());
+  position_.resize(members_.size());
   std::vector<std::uint32_t> next(first_.begin(), first_.end() - 1);
-  for (std::size_t k = 0; k < points.size(); ++k) {
+  for (std::size_t k = 0; k < members_.size(); ++k) {
     const std::uint32_t place = next[cell_[k]]++;
-    index_[place] = static_cast<std::uint32_t>(k);
-    position_[place] = points[k];
+    index_[place] = members_[k];
+    position_[place] = points[members_[k]];
   }
 }
 

@@ -15,14 +15,19 @@ class SphereCells {
  public:
   /// Sorts `points` into cells of edge at least `cell` (m).
   void build(const std::vector<Vector3>& points, double cell);
+  /// The same for some of them only, given by their indices.
+  void build(const std::vector<Vector3>& points, std::vector<std::uint32_t> members, double cell);
 
   /// Calls visit(index, position) for every point in the cells that the cube of half edge `reach` (m) about
   /// `point` meets, in a fixed order.
   template <class Visit>
   void visit_within(Vector3 point, double reach, const Visit& visit) const {
     const Eigen::Array3d from = (eigen(point) - lower_).array() - reach, to = from + 2 * reach;
-    const Eigen::Array3i low = (from / edge_).floor().cast<int>().max(0);
-    const Eigen::Array3i high = (to / edge_).floor().cast<int>().min(cells_.array() - 1);
+    // Clamped before they become integers: a point may be far outside the cells of others.
+    const Eigen::Array3d last = (cells_.array() - 1).cast<double>();
+    const Eigen::Array3i low = (from / edge_).floor().max(0).min(last + 1).cast<int>();
+    const Eigen::Array3i high = (to / edge_).floor().max(-1).min(last).cast<int>();
+    if ((low > high).any()) return;
     for (int z = low[2]; z <= high[2]; ++z)
       for (int y = low[1]; y <= high[1]; ++y) {
         const std::uint32_t end = first_[index_of(high[0], y, z) + 1];
@@ -43,7 +48,7 @@ class SphereCells {
   Eigen::Vector3d lower_ = Eigen::Vector3d::Zero();
   Eigen::Vector3i cells_ = Eigen::Vector3i::Ones();
   double edge_ = 1;
-  std::vector<std::uint32_t> first_, index_, cell_;
+  std::vector<std::uint32_t> first_, index_, cell_, members_;
   std::vector<Vector3> position_;
 };
 

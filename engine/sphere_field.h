@@ -25,6 +25,7 @@ struct SphereField {
   std::vector<Vector3> position;  ///< m, centres
   std::vector<SphereMotion> motion;
   std::vector<GrainImage> images;
+  std::vector<std::uint16_t> kind;  ///< of grains and images; empty where all are alike
 
   /// Velocities and spins of real grains follow their grains: entry k becomes the former entry order[k].
   /// Grains that have just been added have none yet.

@@ -32,7 +32,8 @@ struct Snapshot {
 };
 
 /// 64-bit FNV-1a hash of the powder's state, grain by grain in the order of their ids: equal exactly if step
-/// and all positions, orientations, velocities and spins are equal bit for bit.
+/// and all positions, orientations, velocities and spins are equal bit for bit, and kinds are where there are
+/// several.
 std::uint64_t state_hash(std::uint64_t step, const Grains& grains);
 
 }  // namespace diefill::engine

@@ -4,18 +4,20 @@
 
 #include "engine/contact_kernel.h"
 #include "engine/mesh_contacts.h"
+#include "engine/pair_laws.h"
 
 namespace diefill::engine {
 
 namespace {
 
 /// Pairs of grains with walls. `kComposed`: several spheres a grain, moments about the block's reference
-/// point.
-template <class Law, LeverArm kArm, bool kComposed>
+/// point. `kKinds`: grains are not all alike.
+template <class Law, LeverArm kArm, bool kComposed, bool kKinds = false>
 class WallLoop final : public PairLoop {
  public:
-  /// `laws`: one a body; `radius`: m, of the grains' spheres.
-  WallLoop(std::vector<Law> laws, double radius) : radius_(radius), laws_(std::move(laws)) {}
+  /// `laws`: one a kind for each body, body after body; `radii`: m, of the kinds' spheres.
+  WallLoop(std::vector<Law> laws, std::vector<double> radii)
+      : radii_(std::move(radii)), laws_(std::move(laws)) {}
 
   void add_forces(Block& block, const ContactScene& scene, BlockTally& tally) const override {
     if (block.wall_pairs.size() == 0) return;
@@ -28,14 +30,13 @@ class WallLoop final : public PairLoop {
     Batch& batch = batch_of_thread<Batch>();
     batch.count = 1;
     for (std::size_t body = 0; body + 1 < block.wall_first.size(); ++body) {
-      const PairReach distances{reach(scene, body), radius_};
       for (const std::uint32_t p :
            touching_pairs(block.wall_pairs, block.wall_first[body], block.wall_first[body + 1])) {
         const WallPair pair = block.wall_pairs.pair[p];
-        const WallTouch touch{p, separation_in_body(pair, body, scene)};
+        const WallTouch touch{p, kind_of(block, pair), separation_in_body(pair, body, scene)};
         pack(block, body, touch, scene, 0, batch);
         batch.fill_last_group();
-        react<kArm, kComposed>(batch, laws_[body], distances, 0);
+        react_all(batch, body, scene, 0);
         const Vector3 separation = batch.separation[0];
         visit({pair.own, pair.own, batch.force[0],
                scene.spheres.position(pair.own) - contact_share(touch, body, scene) * separation});
@@ -51,14 +52,15 @@ class WallLoop final : public PairLoop {
         touches.clear();
         find_mesh_touches(block.wall_pairs, mesh_pairs(block, body, scene), touches);
         for (const auto& touch : touches)
-          energy += laws_[body].energy(reach(scene, body) - length(touch.separation),
-                                       block.wall_pairs.memory_of(touch.pair));
+          energy += law(body, 0).energy(reach(scene, body, 0) - length(touch.separation),
+                                        block.wall_pairs.memory_of(touch.pair));
         continue;
       }
       for (std::uint32_t p = block.wall_first[body]; p < block.wall_first[body + 1]; ++p) {
-        const double overlap =
-            reach(scene, body) - length(separation_in_body(block.wall_pairs.pair[p], body, scene));
-        if (overlap > 0) energy += laws_[body].energy(overlap, block.wall_pairs.memory_of(p));
+        const WallPair pair = block.wall_pairs.pair[p];
+        const std::uint32_t kind = kind_of(block, pair);
+        const double overlap = reach(scene, body, kind) - length(separation_in_body(pair, body, scene));
+        if (overlap > 0) energy += law(body, kind).energy(overlap, block.wall_pairs.memory_of(p));
       }
     }
     return energy;
@@ -70,14 +72,32 @@ class WallLoop final : public PairLoop {
  private:
   using Batch = ContactBatch<Law>;
 
-  double reach(const ContactScene& scene, std::size_t body) const {
-    return radius_ + scene.bodies[body].sphere_radius();
+  /// Of the pair's grain.
+  static std::uint32_t kind_of(const Block& block, const WallPair& pair) {
+    return kKinds ? block.kind[pair.own] : 0;
+  }
+  const Law& law(std::size_t body, std::uint32_t kind) const {
+    return laws_[kKinds ? body * radii_.size() + kind : body];
+  }
+  double reach(const ContactScene& scene, std::size_t body, std::uint32_t kind) const {
+    return radii_[kind] + scene.bodies[body].sphere_radius();
+  }
+  void react_all(Batch& batch, std::size_t body, const ContactScene& scene, double time_step) const {
+    const PairLaw<Law> first{law(body, 0), {reach(scene, body, 0), radii_[0]}};
+    react<kArm, kComposed>(
+        batch,
+        [&](std::size_t lane) {
+          if constexpr (!kKinds) return first;
+          const std::uint32_t kind = batch.kinds[lane];
+          return PairLaw<Law>{law(body, kind), {reach(scene, body, kind), radii_[kind]}};
+        },
+        time_step);
   }
 
   MeshPairs mesh_pairs(const Block& block, std::size_t body, const ContactScene& scene) const {
     return {block.wall_first[body], block.wall_first[body + 1],
             scene.bodies[body],     scene.body_motion[body],
-            scene.spheres,          radius_};
+            scene.spheres,          radii_[0]};
   }
 
   /// Centre of the grain's sphere (m) seen from the wall's, in the body's frame. From a plane or triangle,
@@ -100,16 +120,19 @@ class WallLoop final : public PairLoop {
     touching.clear();
     if (scene.bodies[body].meshed()) {
       const MeshPairs near = mesh_pairs(block, body, scene);
-      tally.overlap.walls =
-          std::max(tally.overlap.walls, find_mesh_touches(block.wall_pairs, near, touching));
+      const double deepest = find_mesh_touches(block.wall_pairs, near, touching);
+      tally.overlap.walls = std::max(tally.overlap.walls, deepest);
+      tally.overlap.walls_over_radius = std::max(tally.overlap.walls_over_radius, deepest / radii_[0]);
       return note_mesh_touches(block.wall_pairs, near, touching);
     }
-    const double reach_squared = reach(scene, body) * reach(scene, body);
     for (std::uint32_t p = block.wall_first[body]; p < block.wall_first[body + 1]; ++p) {
-      const Vector3 between = separation_in_body(block.wall_pairs.pair[p], body, scene);
-      const bool touches = dot(between, between) < reach_squared;
+      const WallPair pair = block.wall_pairs.pair[p];
+      const std::uint32_t kind = kind_of(block, pair);
+      const double limit = reach(scene, body, kind);
+      const Vector3 between = separation_in_body(pair, body, scene);
+      const bool touches = dot(between, between) < limit * limit;
       note_touching(block.wall_pairs, p, touches);
-      if (touches) touching.push_back({p, between});
+      if (touches) touching.push_back({p, kind, between});
     }
   }
 
@@ -118,26 +141,29 @@ class WallLoop final : public PairLoop {
     find_touching(block, body, scene, touching, tally);
     Batch& batch = batch_of_thread<Batch>();
     BatchTally<Law> batches;
-    const PairReach distances{reach(scene, body), radius_};
     for (std::size_t done = 0; done < touching.size(); done += batch.count) {
       batch.count = std::min(touching.size() - done, Batch::kLanes);
       const WallTouch* pairs = touching.data() + done;
       for (std::size_t lane = 0; lane < batch.count; ++lane)
         pack(block, body, pairs[lane], scene, lane, batch);
       batch.fill_last_group();
-      with_instructions(scene.instructions,
-                        [&] { react<kArm, kComposed>(batch, laws_[body], distances, scene.time_step); });
+      with_instructions(scene.instructions, [&] { react_all(batch, body, scene, scene.time_step); });
       for (std::size_t lane = 0; lane < batch.count; ++lane)
         hand_out(batch, lane, block, body, pairs[lane], scene, tally);
       batches.add(batch);
+      if constexpr (kKinds)
+        batches.add_over_radius(batch, [&](std::size_t lane) { return radii_[batch.kinds[lane]]; });
     }
-    batches.book(scene.time_step, tally, tally.overlap.walls);
+    batches.book(scene.time_step, tally);
+    tally.overlap.walls = std::max(tally.overlap.walls, batches.deepest());
+    const double over_radius = kKinds ? batches.deepest_over_radius() : batches.deepest() / radii_[0];
+    tally.overlap.walls_over_radius = std::max(tally.overlap.walls_over_radius, over_radius);
   }
 
   /// Way from the grain sphere's centre to the middle of the overlap, over the distance to the wall sphere.
   double contact_share(const WallTouch& touch, std::size_t body, const ContactScene& scene) const {
-    const double distance = length(touch.separation), overlap = reach(scene, body) - distance;
-    return (radius_ - 0.5 * overlap) / distance;
+    const double distance = length(touch.separation), overlap = reach(scene, body, touch.kind) - distance;
+    return (radii_[touch.kind] - 0.5 * overlap) / distance;
   }
 
   void pack(const Block& block, std::size_t body, const WallTouch& touch, const ContactScene& scene,
@@ -147,6 +173,7 @@ class WallLoop final : public PairLoop {
     const Vector3 here = scene.spheres.position(pair.own);
     const Eigen::Vector3d separation = pose.rotation * eigen(touch.separation);
     const Eigen::Vector3d contact = eigen(here) - contact_share(touch, body, scene) * separation;
+    if constexpr (kKinds) batch.kinds[lane] = touch.kind;
     batch.separation.set(lane, plain(separation));
     batch.velocity.set(lane, scene.spheres.velocity(pair.own) - plain(pose.velocity_at(contact)));
     if constexpr (kComposed) batch.place.set(lane, here - plain(block.reference));
@@ -166,7 +193,7 @@ class WallLoop final : public PairLoop {
     own.add_force(force);
     if constexpr (Lever<kArm>::kTurns) own.add_moment(batch.moment[lane]);
     if constexpr (!kComposed && Lever<kArm>::kTurns)
-      own.add_rolling_load(laws_[body].rolling_friction * batch.load[lane]);
+      own.add_rolling_load(law(body, touch.kind).rolling_friction * batch.load[lane]);
     remember(batch, lane, block.wall_pairs, touch.pair);
 
     const Vector3 contact =
@@ -175,8 +202,8 @@ class WallLoop final : public PairLoop {
     tally.body_torque[body] -= (eigen(contact) - scene.body_motion[body].translation).cross(eigen(force));
   }
 
-  double radius_;
-  std::vector<Law> laws_;  ///< one a body: R_eff differs with the radius of its spheres (OP-5)
+  std::vector<double> radii_;  ///< m, of the kinds' spheres
+  std::vector<Law> laws_;      ///< R_eff differs with the radius of a body's spheres (OP-5)
 };
 
 }  // namespace
@@ -190,23 +217,24 @@ std::unique_ptr<PairLoop> make_wall_loop(const std::vector<ContactParameters>& p
     any.friction = std::max(any.friction, body.friction);
     any.work_of_adhesion = std::max(any.work_of_adhesion, body.work_of_adhesion);
   }
-  return with_law(any, arm, limit,
-                  [&]<class Law, class Arm>(std::type_identity<Law>, Arm) -> std::unique_ptr<PairLoop> {
+  return with_law(any, arm, composed, limit,
+                  [&]<class Law, class Arm, class Composed>(std::type_identity<Law>, Arm,
+                                                            Composed) -> std::unique_ptr<PairLoop> {
                     std::vector<Law> laws;
                     for (std::size_t body = 0; body < wall_radii.size(); ++body)
                       laws.emplace_back(parameters[body], effective_radius(sphere_radius, wall_radii[body]));
-                    if (composed)
-                      return std::make_unique<WallLoop<Law, Arm::value, true>>(laws, sphere_radius);
-                    return std::make_unique<WallLoop<Law, Arm::value, false>>(laws, sphere_radius);
+                    return std::make_unique<WallLoop<Law, Arm::value, Composed::value>>(
+                        laws, std::vector{sphere_radius});
                   });
 }
 
 std::unique_ptr<PairLoop> make_general_wall_loop(const GeneralContact& contact, LeverArm arm,
                                                  const GrainShape& shape,
                                                  const std::vector<double>& wall_radii) {
+  using Law = laws::GeneralContactLaw;
   laws::require_sensible(contact.walls);
   const double radius = shape.sphere_radius;
-  std::vector<laws::GeneralContactLaw> laws;
+  std::vector<Law> laws;
   for (const double wall_radius : wall_radii) {
     laws.emplace_back(
         contact.walls, contact.scaling,
@@ -215,11 +243,28 @@ std::unique_ptr<PairLoop> make_general_wall_loop(const GeneralContact& contact, 
       throw std::invalid_argument(
           "walls attract only what touches them: give the wall law no distant attraction");
   }
-  return with_arm(arm, [&]<class Arm>(Arm) -> std::unique_ptr<PairLoop> {
-    if (shape.spheres() > 1)
-      return std::make_unique<WallLoop<laws::GeneralContactLaw, Arm::value, true>>(laws, radius);
-    return std::make_unique<WallLoop<laws::GeneralContactLaw, Arm::value, false>>(laws, radius);
-  });
+  return with_arm(
+      arm, shape.spheres() > 1, [&]<class Arm, class Composed>(Arm, Composed) -> std::unique_ptr<PairLoop> {
+        return std::make_unique<WallLoop<Law, Arm::value, Composed::value>>(laws, std::vector{radius});
+      });
+}
+
+std::unique_ptr<PairLoop> make_mixed_wall_loop(const KindTable& kinds, const GrainMix& mix, LeverArm arm,
+                                               const std::vector<double>& wall_radii,
+                                               const std::vector<std::string>& wall_materials) {
+  using Law = laws::GeneralContactLaw;
+  std::vector<Law> laws;
+  for (std::size_t body = 0; body < wall_radii.size(); ++body)
+    for (std::size_t kind = 0; kind < kinds.size(); ++kind)
+      laws.push_back(
+          law_with_wall(kinds, mix, static_cast<KindNumber>(kind), wall_materials[body], wall_radii[body]));
+  return with_arm(arm, kinds.composed(),
+                  [&]<class Arm, class Composed>(Arm, Composed) -> std::unique_ptr<PairLoop> {
+                    using Alike = WallLoop<Law, Arm::value, Composed::value>;
+                    using Kinds = WallLoop<Law, Arm::value, Composed::value, true>;
+                    if (kinds.alike()) return std::make_unique<Alike>(laws, kinds.sphere_radii());
+                    return std::make_unique<Kinds>(laws, kinds.sphere_radii());
+                  });
 }
 
 }  // namespace diefill::engine

@@ -19,6 +19,20 @@ FastestGrain fastest_grain(const Grains& grains) {
   return fastest;
 }
 
+FastestGrain fastest_for_its_size(const Simulation& simulation) {
+  const Grains& grains = simulation.grains();
+  FastestGrain fastest;
+  double most = 0;  // 1/s^2, squared speed over squared radius
+  for (std::size_t k = 0; k < grains.size(); ++k) {
+    const double radius = simulation.shape_of(k).sphere_radius;
+    const double squared = grains.velocity[k].squaredNorm() / (radius * radius);
+    if (squared <= most) continue;
+    most = squared;
+    fastest = {k, grains.velocity[k].norm()};
+  }
+  return fastest;
+}
+
 DeepestPair deepest_pair(const Simulation& simulation) {
   DeepestPair deepest;
   visit_grain_contacts(simulation, [&](std::size_t first, std::size_t second, double overlap) {

@@ -14,6 +14,8 @@ struct FastestGrain {
   double speed = 0;       ///< m/s
 };
 FastestGrain fastest_grain(const Grains& grains);
+/// The grain that moves by most radii of its spheres in a step.
+FastestGrain fastest_for_its_size(const Simulation& simulation);
 
 /// Two grains whose spheres overlapped most in the last step.
 struct DeepestPair {

@@ -60,6 +60,18 @@ class ScaledLaw {
                                         law_.attraction_energy(0, memory)));
   }
 
+  /// N/m, the steepest slope of the normal part's force at `overlap` (m) of the scaled grains, for a fresh
+  /// contact.
+  double stiffness(double overlap) const {
+    const double memory[kMemory + 1] = {};
+    return force_ / overlap_ * law_.normal.stiffness(original_overlap(overlap), memory);
+  }
+  /// N s/m, what the damping's force is over the speed at `overlap` (m).
+  double damping(double overlap) const {
+    const double original = original_overlap(overlap);
+    return -force_ * law_.damping.force(original, std::sqrt(original), 1);
+  }
+
  private:
   static double power(const ForceScaling& scaling, double exponent) {
     return std::pow(scaling.scale, exponent);

@@ -38,6 +38,15 @@ class GeneralContactLaw {
     return hysteretic_ > 0 ? 0 : law_.contact_energy(overlap, memory);
   }
 
+  /// N/m and N s/m, of the normal force of a fresh contact at `overlap` (m): what a time step must resolve.
+  double stiffness(double overlap) const { return law_.stiffness(overlap); }
+  double damping(double overlap) const { return law_.damping(overlap); }
+  /// J that a fresh contact's normal force takes up until `overlap` (m).
+  double fresh_energy(double overlap) const {
+    const double memory[kMemory + 1] = {};
+    return law_.contact_energy(overlap, memory);
+  }
+
   /// Springs of friction and rolling point the other way for the other sphere; depth, slip and bridge do not.
   static std::vector<double> memory_signs() {
     std::vector<double> signs(static_cast<std::size_t>(kMemory), 1.0);

@@ -13,7 +13,7 @@ namespace diefill::process {
 
 namespace {
 
-constexpr std::array<char, 8> kMagic = {'d', 'f', 'c', 'h', 'k', 'p', 't', '6'};
+constexpr std::array<char, 8> kMagic = {'d', 'f', 'c', 'h', 'k', 'p', 't', '7'};
 
 std::uint64_t hash_of(const std::string& bytes) {
   std::uint64_t hash = 0xcbf29ce484222325ULL;
@@ -102,6 +102,7 @@ void transfer(Io& io, Contents& checkpoint) {
   io(simulation.time);
   auto& grains = simulation.grains;
   io(grains.id);
+  io(grains.kind);
   io(grains.position);
   io(grains.velocity);
   io(grains.orientation);

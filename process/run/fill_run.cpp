@@ -240,9 +240,8 @@ void FillRun::take_snapshots() {
 
 void FillRun::shear_off_pinched_grains() {
   if (scene_.numerics.pinched_grains == PinchedGrains::stop) return;
-  const double limit = kShearingOverlap * simulation_->settings().shape.sphere_radius;
   std::vector<std::uint64_t> ids;
-  for (const auto& grain : engine::pinched_grains(*simulation_, limit)) ids.push_back(grain.id);
+  for (const auto& grain : engine::pinched_grains(*simulation_, kShearingOverlap)) ids.push_back(grain.id);
   if (ids.empty()) return;
   const auto poured = static_cast<double>(simulation_->grains().size() + grains_left_ + grains_sheared_);
   grains_sheared_ += simulation_->remove_grains(ids);

@@ -111,6 +111,12 @@ ReachableSurface::ReachableSurface(const Scene& scene, const Tooling& tooling, d
     request.domain.lower[a] = std::max(request.domain.lower[a], -period_half_[axis]);
     request.domain.upper[a] = std::min(request.domain.upper[a], period_half_[axis]);
   }
+  if (scene.pour.around_tools) {
+    falls_here_ = request.powder;
+    falls_here_.lower.array() -= margin_;
+    falls_here_.upper.array() += margin_;
+    falls_here_.upper[2] = std::max(falls_here_.upper[2], tooling.all.upper[2] + margin_);
+  }
   const auto samples = sampled_poses(scene, tooling, 0.25 * extent.head<2>().maxCoeff() / 8);
   for (std::size_t k = 0; k < tooling.tools.size(); ++k) {
     geometry::MovingSolid solid;
@@ -126,6 +132,8 @@ ReachableSurface::ReachableSurface(const Scene& scene, const Tooling& tooling, d
 
 bool ReachableSurface::operator()(std::size_t tool, const Eigen::Vector3d& point,
                                   const Eigen::Vector3d& normal) const {
+  // Powder poured round tools comes down on all that stands in its way, above rims too.
+  if (falls_here_.contains(point)) return true;
   // Along a period every place is like every other: ask well inside the flooded box.
   Eigen::Vector3d asked = point;
   for (Eigen::Index axis = 0; axis < 2; ++axis) {

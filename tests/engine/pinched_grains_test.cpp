@@ -42,7 +42,7 @@ Simulation column_between_jaws(int grains, double over_radius, double lower_spee
 }
 
 std::vector<PinchedGrain> named(const Simulation& simulation) {
-  return pinched_grains(simulation, kLimit * simulation.settings().shape.sphere_radius);
+  return pinched_grains(simulation, kLimit);
 }
 
 TEST(PinchedGrains, NamesAGrainBetweenToolsThatMovePastEachOther) {
@@ -51,7 +51,7 @@ TEST(PinchedGrains, NamesAGrainBetweenToolsThatMovePastEachOther) {
   ASSERT_EQ(pinched.size(), 1U);
   EXPECT_EQ(pinched[0].id, 0U);
   const double radius = simulation.settings().shape.sphere_radius;
-  EXPECT_NEAR(pinched[0].overlap, 0.6 * radius, 1e-6 * radius);
+  EXPECT_NEAR(pinched[0].overlap, 0.6, 1e-6);
   EXPECT_NEAR(pinched[0].position.z(), 0.4 * radius, 1e-6 * radius);
 }
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <map>
 #include <numbers>
 #include <tuple>
@@ -14,7 +15,15 @@
 
 namespace diefill::engine {
 
+/// Grains of several kinds: shapes, and contacts between kinds and of kinds with walls.
+struct ReferenceKinds {
+  std::vector<GrainShape> shapes;
+  std::function<ContactParameters(std::size_t, std::size_t)> grain_contact;
+  std::function<ContactParameters(std::size_t)> wall_contact;
+};
+
 struct ReferenceGrain {
+  std::size_t kind;
   Eigen::Vector3d position, velocity;                       // m, m/s
   ThesisQuaternion orientation;                             // (xi, eta, zeta, chi)
   Eigen::Matrix3d to_lab;                                   // A^T of the orientation
@@ -28,16 +37,22 @@ struct ReferenceGrain {
 class ReferenceDem {
  public:
   ReferenceDem(const SimulationSettings& settings, std::vector<WallBodySpec> walls)
-      : settings_(settings), walls_(std::move(walls)) {}
+      : ReferenceDem(settings, std::move(walls),
+                     {{settings.shape},
+                      [contact = settings.grain_contact](std::size_t, std::size_t) { return contact; },
+                      [contact = settings.wall_contact](std::size_t) { return contact; }}) {}
+  ReferenceDem(const SimulationSettings& settings, std::vector<WallBodySpec> walls, ReferenceKinds kinds)
+      : settings_(settings), walls_(std::move(walls)), kinds_(std::move(kinds)) {}
 
   void add(const NewGrain& added) {
     ReferenceGrain grain;
+    grain.kind = added.kind;
     grain.position = added.position;
     grain.velocity = added.velocity;
     grain.orientation = single() ? ThesisQuaternion(0, 0, 0, 1) : to_thesis(added.orientation.normalized());
     grain.to_lab = thesis_matrix(grain.orientation).transpose();
     grain.spin = grain.to_lab.transpose() * added.angular_velocity;
-    grain.force = settings_.shape.mass * settings_.gravity;
+    grain.force = shape(grain).mass * settings_.gravity;
     grains_.push_back(grain);
   }
 
@@ -57,26 +72,28 @@ class ReferenceDem {
  private:
   using Key = std::tuple<std::size_t, std::size_t, std::size_t, std::size_t, bool>;
 
-  bool single() const { return settings_.shape.sphere_offsets.size() == 1; }
+  const GrainShape& shape(const ReferenceGrain& grain) const { return kinds_.shapes[grain.kind]; }
+  bool single() const { return kinds_.shapes.front().sphere_offsets.size() == 1; }
+  bool rotates() const { return kinds_.shapes.front().rotates; }
   double dt() const { return settings_.time_step; }
 
-  Eigen::Vector3d spin_rate_of(const Eigen::Vector3d& spin, const Eigen::Vector3d& torque) const {
+  static Eigen::Vector3d spin_rate_of(const Eigen::Vector3d& moment, const Eigen::Vector3d& spin,
+                                      const Eigen::Vector3d& torque) {
     Eigen::Vector3d rate;
     for (int a = 0; a < 3; ++a) {  // Eq. 2.24
       const int b = (a + 1) % 3, c = (a + 2) % 3;
-      const auto& moment = settings_.shape.inertia;
       rate[a] = (torque[a] + (moment[b] - moment[c]) * spin[b] * spin[c]) / moment[a];
     }
     return rate;
   }
 
   void advance(ReferenceGrain& grain) const {
-    const Eigen::Vector3d acceleration = grain.force / settings_.shape.mass;
+    const Eigen::Vector3d acceleration = grain.force / shape(grain).mass;
     grain.position += grain.velocity * dt() + 0.5 * acceleration * dt() * dt();
     grain.predicted_velocity = grain.velocity + acceleration * dt();
     grain.predicted_angular.setZero();
-    if (!settings_.shape.rotates) return;
-    const Eigen::Vector3d rate = spin_rate_of(grain.spin, grain.torque);
+    if (!rotates()) return;
+    const Eigen::Vector3d rate = spin_rate_of(shape(grain).inertia, grain.spin, grain.torque);
     if (!single()) turn(grain, rate);
     grain.to_lab = thesis_matrix(grain.orientation).transpose();
     grain.predicted_angular = grain.to_lab * (grain.spin + rate * dt());
@@ -97,13 +114,13 @@ class ReferenceDem {
 
   // Weight, and Stokes drag on every basic sphere at its centre (Eqs. 2.8, 2.9).
   void start_forces(ReferenceGrain& grain) const {
-    grain.new_force = settings_.shape.mass * settings_.gravity;
+    grain.new_force = shape(grain).mass * settings_.gravity;
     grain.new_torque.setZero();
     grain.rolling_load = 0;
-    for (const auto& offset : settings_.shape.sphere_offsets) {
+    for (const auto& offset : shape(grain).sphere_offsets) {
       const Eigen::Vector3d b = grain.to_lab * offset;
       const Eigen::Vector3d drag = -6 * std::numbers::pi * settings_.air_viscosity *
-                                   settings_.shape.sphere_radius *
+                                   shape(grain).sphere_radius *
                                    (grain.predicted_velocity + grain.predicted_angular.cross(b));
       grain.new_force += drag;
       grain.new_torque += b.cross(drag);
@@ -111,12 +128,12 @@ class ReferenceDem {
   }
 
   Eigen::Vector3d sphere_arm(const ReferenceGrain& grain, std::size_t sphere) const {
-    return grain.to_lab * settings_.shape.sphere_offsets[sphere];
+    return grain.to_lab * shape(grain).sphere_offsets[sphere];
   }
 
-  Eigen::Vector3d arm_at(const Eigen::Vector3d& b, const Eigen::Vector3d& outward, double overlap) const {
-    const double radius = settings_.shape.sphere_radius;
-    if (!settings_.shape.rotates) return Eigen::Vector3d::Zero();
+  Eigen::Vector3d arm_at(double radius, const Eigen::Vector3d& b, const Eigen::Vector3d& outward,
+                         double overlap) const {
+    if (!rotates()) return Eigen::Vector3d::Zero();
     if (single()) return radius * outward;
     if (settings_.lever_arm == LeverArm::center) return b;
     return b + (radius - 0.5 * overlap) * outward;
@@ -144,38 +161,42 @@ class ReferenceDem {
   }
 
   void touch_grains(std::size_t a, std::size_t b) {
-    const double radius = settings_.shape.sphere_radius;
-    for (std::size_t s = 0; s < settings_.shape.sphere_offsets.size(); ++s)
-      for (std::size_t t = 0; t < settings_.shape.sphere_offsets.size(); ++t) {
-        ReferenceGrain &i = grains_[a], &j = grains_[b];
+    ReferenceGrain &i = grains_[a], &j = grains_[b];
+    const double radius = shape(i).sphere_radius, other_radius = shape(j).sphere_radius;
+    const double effective = radius * other_radius / (radius + other_radius);
+    const ContactParameters contact = kinds_.grain_contact(i.kind, j.kind);
+    for (std::size_t s = 0; s < shape(i).sphere_offsets.size(); ++s)
+      for (std::size_t t = 0; t < shape(j).sphere_offsets.size(); ++t) {
         const Eigen::Vector3d bi = sphere_arm(i, s), bj = sphere_arm(j, t);
         const Eigen::Vector3d between = nearest(i.position + bi - j.position - bj);
-        const double overlap = 2 * radius - between.norm();
+        const double overlap = radius + other_radius - between.norm();
         const Key key{a, s, b, t, false};
         if (overlap <= 0) {
           springs_.erase(key);
           continue;
         }
         const Eigen::Vector3d normal = between.normalized();
-        const Eigen::Vector3d arm_i = arm_at(bi, -normal, overlap), arm_j = arm_at(bj, normal, overlap);
+        const Eigen::Vector3d arm_i = arm_at(radius, bi, -normal, overlap);
+        const Eigen::Vector3d arm_j = arm_at(other_radius, bj, normal, overlap);
         const Eigen::Vector3d relative = i.predicted_velocity + i.predicted_angular.cross(arm_i) -
                                          j.predicted_velocity - j.predicted_angular.cross(arm_j);
         double load = 0;
         const Eigen::Vector3d force =
-            law(settings_.grain_contact, 0.5 * radius, overlap, normal, relative, spring_of(key), load);
-        push(i, force, arm_i, settings_.grain_contact.rolling_friction * load);
-        push(j, -force, arm_j, settings_.grain_contact.rolling_friction * load);
+            law(contact, effective, overlap, normal, relative, spring_of(key), load);
+        push(i, force, arm_i, contact.rolling_friction * load);
+        push(j, -force, arm_j, contact.rolling_friction * load);
       }
   }
 
   void touch_body(std::size_t a, std::size_t body) {
     const auto& wall = walls_[body];
     const BodyMotion motion = wall.motion ? wall.motion(static_cast<double>(steps_) * dt()) : BodyMotion{};
-    const double radius = settings_.shape.sphere_radius;
+    ReferenceGrain& i = grains_[a];
+    const ContactParameters parameters = kinds_.wall_contact(i.kind);
+    const double radius = shape(i).sphere_radius;
     const double effective = radius * wall.sphere_radius / (radius + wall.sphere_radius);
-    for (std::size_t s = 0; s < settings_.shape.sphere_offsets.size(); ++s)
+    for (std::size_t s = 0; s < shape(i).sphere_offsets.size(); ++s)
       for (std::size_t w = 0; w < wall.centres.size(); ++w) {
-        ReferenceGrain& i = grains_[a];
         const Eigen::Vector3d bi = sphere_arm(i, s);
         const Eigen::Vector3d between = i.position + bi - motion.point(wall.centres[w]);
         const double overlap = radius + wall.sphere_radius - between.norm();
@@ -185,14 +206,14 @@ class ReferenceDem {
           continue;
         }
         const Eigen::Vector3d normal = between.normalized();
-        const Eigen::Vector3d arm = arm_at(bi, -normal, overlap);
+        const Eigen::Vector3d arm = arm_at(radius, bi, -normal, overlap);
         const Eigen::Vector3d contact = i.position + bi - (radius - 0.5 * overlap) * normal;
         const Eigen::Vector3d relative =
             i.predicted_velocity + i.predicted_angular.cross(arm) - motion.velocity_at(contact);
         double load = 0;
         const Eigen::Vector3d force =
-            law(settings_.wall_contact, effective, overlap, normal, relative, spring_of(key), load);
-        push(i, force, arm, settings_.wall_contact.rolling_friction * load);
+            law(parameters, effective, overlap, normal, relative, spring_of(key), load);
+        push(i, force, arm, parameters.rolling_friction * load);
       }
   }
 
@@ -218,22 +239,24 @@ class ReferenceDem {
   }
 
   void finish(ReferenceGrain& grain) const {
-    grain.velocity += 0.5 * dt() / settings_.shape.mass * (grain.force + grain.new_force);
+    grain.velocity += 0.5 * dt() / shape(grain).mass * (grain.force + grain.new_force);
     grain.force = grain.new_force;
-    if (!settings_.shape.rotates) return;
+    if (!rotates()) return;
     const Eigen::Vector3d torque = grain.to_lab.transpose() * grain.new_torque;
-    const Eigen::Vector3d start = grain.spin;
+    const Eigen::Vector3d start = grain.spin, inertia = shape(grain).inertia;
     for (int iteration = 0; iteration < 3; ++iteration)  // Eq. 2.25
-      grain.spin =
-          start + 0.5 * dt() * (spin_rate_of(start, grain.torque) + spin_rate_of(grain.spin, torque));
+      grain.spin = start + 0.5 * dt() *
+                               (spin_rate_of(inertia, start, grain.torque) +
+                                spin_rate_of(inertia, grain.spin, torque));
     grain.torque = torque;
     if (!single() || grain.spin.norm() == 0) return;
-    const double brake = grain.rolling_load * dt() / settings_.shape.inertia[0];  // Eq. 2.11, OP-9
+    const double brake = grain.rolling_load * dt() / inertia[0];  // Eq. 2.11, OP-9
     grain.spin *= std::max(0.0, 1 - brake / grain.spin.norm());
   }
 
   SimulationSettings settings_;
   std::vector<WallBodySpec> walls_;
+  ReferenceKinds kinds_;
   std::vector<ReferenceGrain> grains_;
   std::map<Key, Eigen::Vector3d> springs_;
   int steps_ = 0;

@@ -20,6 +20,7 @@ struct Ball {
   double radius = 0, mass = 0;
   Vector3 position = {}, velocity = {}, spin = {};
   Vector3 force = {}, torque = {};  ///< of the last step, weight included
+  std::size_t kind = 0;             ///< what laws may depend on besides sizes and masses
   double inertia() const { return 0.4 * mass * radius * radius; }
 };
 
@@ -54,7 +55,13 @@ class AllPairs {
  public:
   using MakeLaw = std::function<Law(const laws::PairProperties&)>;
 
+  /// The law of a pair from its properties and the kinds of both balls, or of a ball and the number of a
+  /// wall.
+  using MakeLawOfKinds = std::function<Law(const laws::PairProperties&, std::size_t, std::size_t)>;
+
   AllPairs(const Settings& settings, MakeLaw between_balls, MakeLaw with_walls = {})
+      : AllPairs(settings, of_any_kind(std::move(between_balls)), of_any_kind(std::move(with_walls))) {}
+  AllPairs(const Settings& settings, MakeLawOfKinds between_balls, MakeLawOfKinds with_walls)
       : settings_(settings), between_balls_(std::move(between_balls)), with_walls_(std::move(with_walls)) {}
 
   std::vector<Ball> balls;
@@ -123,6 +130,12 @@ class AllPairs {
   };
   using Key = std::pair<std::size_t, std::size_t>;  // second: ball, or wall after all balls
 
+  static MakeLawOfKinds of_any_kind(MakeLaw make) {
+    return [make = std::move(make)](const laws::PairProperties& pair, std::size_t, std::size_t) {
+      return make(pair);
+    };
+  }
+
   void kick(Ball& ball, double time) const {
     ball.velocity += (time / ball.mass) * ball.force;
     ball.spin += (time * settings_.torque_factor / ball.inertia()) * ball.torque;
@@ -134,10 +147,14 @@ class AllPairs {
     return between;
   }
 
-  Bond& bond_of(const Key& key, const MakeLaw& make, const laws::PairProperties& pair) {
+  /// `other`: kind of the second ball, or number of the wall.
+  Bond& bond_of(const Key& key, const MakeLawOfKinds& make, const laws::PairProperties& pair,
+                std::size_t other) {
     const auto found = bonds_.find(key);
     if (found != bonds_.end()) return found->second;
-    return bonds_.emplace(key, Bond{make(pair), std::vector<double>(Law::kMemory + 1)}).first->second;
+    return bonds_
+        .emplace(key, Bond{make(pair, balls[key.first].kind, other), std::vector<double>(Law::kMemory + 1)})
+        .first->second;
   }
 
   double arm(double own, double other, double overlap) const {
@@ -149,7 +166,7 @@ class AllPairs {
     Ball &i = balls[a], &j = balls[b];
     const Vector3 between = nearest(i.position - j.position);
     const double distance = length(between), overlap = i.radius + j.radius - distance;
-    Bond& bond = bond_of({a, b}, between_balls_, {i.radius, j.radius, i.mass, j.mass});
+    Bond& bond = bond_of({a, b}, between_balls_, {i.radius, j.radius, i.mass, j.mass}, j.kind);
     const Vector3 normal = (1 / distance) * between;
     const Vector3 arm_i = -arm(i.radius, j.radius, overlap) * normal;
     const Vector3 arm_j = arm(j.radius, i.radius, overlap) * normal;
@@ -165,7 +182,8 @@ class AllPairs {
     Ball& i = balls[a];
     const Plane& plane = planes[wall];
     const double overlap = i.radius - dot(i.position - plane.point, plane.normal);
-    Bond& bond = bond_of({a, balls.size() + wall}, with_walls_, {i.radius, kInfinite, i.mass, kInfinite});
+    Bond& bond =
+        bond_of({a, balls.size() + wall}, with_walls_, {i.radius, kInfinite, i.mass, kInfinite}, wall);
     const Vector3 arm_i = -arm(i.radius, kInfinite, overlap) * plane.normal;
     const Vector3 velocity = i.velocity + cross(i.spin, arm_i) - plane.velocity;
     const laws::Reaction reaction =
@@ -192,7 +210,7 @@ class AllPairs {
   }
 
   Settings settings_;
-  MakeLaw between_balls_, with_walls_;
+  MakeLawOfKinds between_balls_, with_walls_;
   std::map<Key, Bond> bonds_;
   Energy energy_;
 };
