@@ -4,6 +4,7 @@
 #include "app/drawing.h"
 #include "app/exit_code.h"
 #include "app/output.h"
+#include "process/laboratory/bulk_density/registry.h"
 #include "process/laboratory/stability/registry.h"
 #include "process/scene/nearest_key.h"
 #include "process/scene/scene_error.h"
@@ -28,6 +29,8 @@ struct Family {
 
 const Family kFamilies[] = {
     {"stability", "Find where each method fails, against theory", process::laboratory::stability_experiments},
+    {"bulk_density", "How dense beds of sticky powders lie, against published ones",
+     process::laboratory::bulk_density_experiments},
 };
 
 /// The experiments that `name` asks for; throws SceneError where there is none.
