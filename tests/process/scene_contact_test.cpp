@@ -5,6 +5,7 @@
 #include "process/run/material.h"
 #include "process/scene/contact_parts.h"
 #include "process/scene/contact_spec.h"
+#include "tests/process/scene_files.h"
 #include "tests/process/wrong_scene.h"
 
 namespace diefill::process {
@@ -13,17 +14,23 @@ namespace {
 using namespace engine::laws;
 using support::exchanged;
 
+/// Read where its CAD files are.
+Scene scene_of_text(const std::string& text) {
+  const SceneFolder folder;
+  return read_scene(folder.write(text));
+}
+
 /// The faultless scene with [contact] before its tools.
 Scene with_contact(const std::string& tables, const std::string& powder = "") {
   const std::string tool = "[[tool]]\nname = \"die\"", size = "grain_diameter = \"1.88 mm\"";
   const std::string text = exchanged(faultless_scene(), tool, tables + "\n" + tool);
-  return parse_scene(exchanged(text, size, size + "\n" + powder), "scene.toml");
+  return scene_of_text(exchanged(text, size, size + "\n" + powder));
 }
 
 constexpr const char* kHertz = "[contact]\nnormal = { law = \"Hertz-Mindlin\", modulus = \"5 MPa\" }\n";
 
 TEST(SceneContact, IsNothingUnlessNamed) {
-  const Scene scene = parse_scene(faultless_scene(), "scene.toml");
+  const Scene scene = scene_of_text(faultless_scene());
   EXPECT_FALSE(contact_of(scene));
   EXPECT_FALSE(engine_settings(scene, 1.0).general_contact);
 }
@@ -100,7 +107,7 @@ normal = { law = "Bierwisch" }
 damping = { law = "Bierwisch" }
 friction = { law = "Bierwisch" }
 )");
-  const Scene plain = parse_scene(faultless_scene(), "scene.toml");
+  const Scene plain = scene_of_text(faultless_scene());
   const auto own = engine_settings(plain, 1.0), general = engine_settings(named, 1.0);
   ASSERT_TRUE(general.general_contact);
   const auto& law = general.general_contact->grains;

@@ -81,7 +81,7 @@ inline std::vector<WrongScene> wrong_contacts() {
                     {"contact.walls.frction", "did you mean \"friction\"?"}),
       spoil("contact_beside_a_powder_key", "grain_diameter = \"1.88 mm\"",
             "grain_diameter = \"1.88 mm\"\nfriction = @0.5\n" + hertz,
-            {"powder.friction", "found 0.5", "[contact] in line 7 names the laws", "leave it out"}),
+            {"powder.friction", "found 0.5", "[contact] in line 8 names the laws", "leave it out"}),
       spoil("contact_beside_walls_friction", "spacing = 1.6", "spacing = 1.6\nfriction = @0.2\n" + hertz,
             {"walls.friction", "none of its parts reads this key"}),
       spoil("contact_beside_the_spring_of_numerics", "max_time = \"5 s\"",
