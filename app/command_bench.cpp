@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "app/bench_trace.h"
 #include "app/commands.h"
 #include "app/exit_code.h"
 #include "process/laboratory/race_bed.h"
@@ -19,8 +20,9 @@ using process::laboratory::RaceBed;
 
 struct BenchOptions {
   std::string bed;
-  std::optional<std::string> state;
-  int threads = 1, steps = 600, repeats = 1;
+  std::optional<std::string> state, trace;
+  double width = 0;  ///< mm, of the box that `state` fills; 0: that of its kind
+  int threads = 1, steps = 600, repeats = 1, every = 100;
   std::size_t spheres = 50000;
   bool json = false;
 };
@@ -105,9 +107,14 @@ int bench(const BenchOptions& options) {
   const double before = resident_bytes();
   std::optional<engine::Simulation> simulation;
   {
-    const auto bed = options.state ? process::laboratory::read_race_bed(kind, *options.state)
-                                   : process::laboratory::loose_race_bed(kind, options.spheres);
+    const auto bed = options.state
+                         ? process::laboratory::read_race_bed(kind, *options.state, 1e-3 * options.width)
+                         : process::laboratory::loose_race_bed(kind, options.spheres);
     simulation.emplace(assembled(bed, options.threads));
+  }
+  if (options.trace) {
+    trace(*simulation, options.steps, options.every, *options.trace);
+    return kDone;
   }
   const int settling = options.state ? kWarmUp : process::laboratory::kRaceBedFall;
   for (int k = 0; k < settling; ++k) simulation->step();
@@ -131,6 +138,13 @@ void add_bench(CLI::App& program, Action& chosen) {
       ->add_option("--state", options->state,
                    "settled bed to start from (CSV, plain or gzip); otherwise one is made")
       ->check(CLI::ExistingFile);
+  command->add_option("--width", options->width, "side in mm of the periodic box of --state")
+      ->check(CLI::Range(1.0, 1000.0))
+      ->needs("--state");
+  command->add_option("--trace", options->trace,
+                      "instead of timing, write kinetic energies and the final grains into this folder");
+  command->add_option("--every", options->every, "steps between energies of --trace")
+      ->check(CLI::Range(1, 100000000));
   command->add_option("--spheres", options->spheres, "size of a bed that is made")
       ->check(CLI::Range(1000, 20000000));
   command->add_option("--threads", options->threads, "threads")->check(CLI::Range(1, 1024));

@@ -9,6 +9,7 @@
 #include "app/output.h"
 #include "app/scene_choice.h"
 #include "process/run/fill_run.h"
+#include "process/run/law_terms.h"
 #include "process/run/material.h"
 #include "process/run/pour.h"
 
@@ -55,6 +56,8 @@ void print_simulation(const process::Scene& scene, const process::Tooling& tooli
               simulation.grains().size() * simulation.settings().shape.spheres(), tooling.wall_spheres());
   std::printf("time step: %.3g s, %.2f of the critical %.3g s\n", simulation.settings().time_step,
               simulation.settings().time_step / run.critical_time_step(), run.critical_time_step());
+  std::printf("laws in use: %s\n",
+              process::joined(process::law_terms(scene, simulation.settings()).used).c_str());
   std::printf("strategy: %s, %.3g s and the time to come to rest\n",
               process::strategy_in_words(scene).c_str(), run.schedule().time_left(0, 0));
   for (const auto& remark : tooling.remarks()) std::printf("note: %s\n", remark.c_str());

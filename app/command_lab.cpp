@@ -4,6 +4,7 @@
 #include "app/drawing.h"
 #include "app/exit_code.h"
 #include "app/output.h"
+#include "process/laboratory/bulk_density/registry.h"
 #include "process/laboratory/stability/registry.h"
 #include "process/laboratory/walls/registry.h"
 #include "process/scene/nearest_key.h"
@@ -30,6 +31,8 @@ struct Family {
 const Family kFamilies[] = {
     {"stability", "Find where each method fails, against theory", process::laboratory::stability_experiments},
     {"walls", "Hold wall spheres against the exact surface", process::laboratory::wall_experiments},
+    {"bulk_density", "How dense beds of sticky powders lie, against published ones",
+     process::laboratory::bulk_density_experiments},
 };
 
 /// The experiments that `name` asks for; throws SceneError where there is none.

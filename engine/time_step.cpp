@@ -2,7 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
+
+#include "engine/pinching_contacts.h"
 
 namespace diefill::engine {
 
@@ -38,8 +39,7 @@ double critical_time_step(const GrainShape& shape, const ContactParameters& cont
 double pinch_time_step(const GrainShape& shape, const ContactParameters& contact, double wall_radius,
                        double wall_spacing, double overlap) {
   const double radius = shape.sphere_radius;
-  const double met = 2 * std::numbers::pi * overlap * (radius + wall_radius) / (wall_spacing * wall_spacing);
-  const double contacts = 2 * (met > 1 ? std::max(1.0, 0.5 * met) : 1.0);
+  const double contacts = pinching_contacts(radius, wall_radius, wall_spacing, overlap);
   const double mass = shape.mass / mobility(shape);
   const double root = std::sqrt(effective_radius(radius, wall_radius) * overlap);
   const double oscillator = 2 * std::sqrt(mass / (contacts * contact.reduced_modulus * root));

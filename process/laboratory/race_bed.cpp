@@ -72,8 +72,8 @@ RaceBedState empty_race_bed(RaceBed kind, double width) {
   return bed;
 }
 
-RaceBedState read_race_bed(RaceBed kind, const std::filesystem::path& file) {
-  const double width = kind == RaceBed::spheres ? kSphereBox : kClumpBox;
+RaceBedState read_race_bed(RaceBed kind, const std::filesystem::path& file, double width) {
+  if (!(width > 0)) width = kind == RaceBed::spheres ? kSphereBox : kClumpBox;
   RaceBedState bed = empty_race_bed(kind, width);
   const auto lines = lines_of(file);
   const std::size_t columns = kind == RaceBed::spheres ? 10 : 14;

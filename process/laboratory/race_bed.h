@@ -24,9 +24,9 @@ RaceBedState empty_race_bed(RaceBed kind, double width);
 
 /// The bed in a CSV file (plain or gzip), one row a grain, SI units, laboratory frame. Spheres: id, x, y, z,
 /// vx, vy, vz, wx, wy, wz in a box of 12 mm; clumps: id, x, y, z, qw, qx, qy, qz (body to laboratory), vx,
-/// vy, vz, wx, wy, wz in one of 7 mm. The box begins at the origin. Throws results::ResultError when the file
-/// cannot be read as such.
-RaceBedState read_race_bed(RaceBed kind, const std::filesystem::path& file);
+/// vy, vz, wx, wy, wz in one of 7 mm; `width` (m) tells of another. The box begins at the origin. Throws
+/// results::ResultError when the file cannot be read as such.
+RaceBedState read_race_bed(RaceBed kind, const std::filesystem::path& file, double width = 0);
 
 /// A bed of about `spheres` spheres as they fall, on a lattice just above the ground: let it fall for
 /// `kRaceBedFall` steps before timing.

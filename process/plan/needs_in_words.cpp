@@ -4,6 +4,7 @@
 
 #include "process/plan/needs.h"
 #include "process/plan/setting.h"
+#include "process/scene/contact_spec.h"
 
 namespace diefill::process::plan {
 
@@ -48,9 +49,17 @@ void say_step(const Needs& needs, std::vector<std::string>& said) {
            needs.time_step, share, needs.critical_step, needs.impact_speed, 0.49 / share));
 }
 
-void say_stiffness(const Needs& needs, std::vector<std::string>& said) {
+void say_stiffness(const Needs& needs, const Scene& scene, std::vector<std::string>& said) {
   const std::string piston =
       needs.piston_pressure > 0 ? line(" and %.3g kPa under the piston", 1e-3 * needs.piston_pressure) : "";
+  if (contact_of(scene)) {
+    said.push_back(
+        line("stiffness: powder's weight presses with %.3g kPa at most", 1e-3 * needs.weight_pressure) +
+        piston +
+        "; [contact] names the spring: overlaps beyond 0.2 of the sphere radius are reported while "
+        "it runs");
+    return;
+  }
   const std::string verdict =
       needs.modulus >= needs.least_modulus
           ? line("%.3g MPa is %.1f times that", 1e-6 * needs.modulus, needs.modulus / needs.least_modulus)
@@ -107,7 +116,7 @@ std::vector<std::string> in_words(const Needs& needs, const Scene& scene, const 
   std::vector<std::string> said;
   say_width(needs, said);
   say_step(needs, said);
-  say_stiffness(needs, said);
+  say_stiffness(needs, scene, said);
   say_walls(scene, tooling, said);
   say_powder(needs, scene, said);
   say_symmetry(needs, said);

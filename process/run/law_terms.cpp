@@ -1,21 +1,44 @@
 #include "process/run/law_terms.h"
 
+#include "process/scene/contact_spec.h"
+
 namespace diefill::process {
+
+namespace {
+
+/// A part of the laws of [contact], once where grains and tools have the same.
+void add_part(const PartInWords& grains, const PartInWords& walls, LawTerms& terms) {
+  const auto add = [&](const PartInWords& part, const std::string& where) {
+    const bool none = part.words == "none";
+    (none ? terms.left_out : terms.used).push_back(part.kind + where + (none ? "" : " " + part.words));
+  };
+  if (grains.words == walls.words) return add(grains, "");
+  add(grains, " among grains");
+  add(walls, " with tools");
+}
+
+}  // namespace
 
 LawTerms law_terms(const Scene& scene, const engine::SimulationSettings& settings) {
   const auto& grains = settings.grain_contact;
   const auto& walls = settings.wall_contact;
   LawTerms terms;
+  const auto contact = contact_of(scene);
+  if (contact)
+    for (std::size_t k = 0; k < contact->grains.words.size(); ++k)
+      add_part(contact->grains.words[k], contact->walls.words[k], terms);
   const auto term = [&](const std::string& name, bool used) {
     (used ? terms.used : terms.left_out).push_back(name);
   };
-  term("Hertz repulsion", true);
-  term("damping", grains.damping > 0);
-  term("Coulomb friction among grains", grains.friction > 0);
-  term("Coulomb friction with tools", walls.friction > 0);
-  term("cohesion among grains", grains.work_of_adhesion > 0);
-  term("cohesion with tools", walls.work_of_adhesion > 0);
-  term("rolling friction", scene.powder.model == GrainModel::B && grains.rolling_friction > 0);
+  if (!contact) {
+    term("Hertz repulsion", true);
+    term("damping", grains.damping > 0);
+    term("Coulomb friction among grains", grains.friction > 0);
+    term("Coulomb friction with tools", walls.friction > 0);
+    term("cohesion among grains", grains.work_of_adhesion > 0);
+    term("cohesion with tools", walls.work_of_adhesion > 0);
+    term("rolling friction", scene.powder.model == GrainModel::B && grains.rolling_friction > 0);
+  }
   term("rotation of grains", settings.shape.rotates);
   term("air drag", settings.air_viscosity > 0);
   term("suction of air", scene.suction.has_value());

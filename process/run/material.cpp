@@ -5,11 +5,17 @@
 #include <limits>
 
 #include "engine/coarse_graining/bierwisch.h"
+#include "engine/coarse_graining/methods.h"
+#include "engine/general_time_step.h"
 #include "engine/time_step.h"
+#include "process/scene/contact_spec.h"
 
 namespace diefill::process {
 
 namespace {
+
+/// The rule under which large grains have the forces that the law gives at their size.
+constexpr const char* kUnscaled = "none";
 
 engine::coarse_graining::Material reference_material(const PowderSpec& powder) {
   engine::coarse_graining::Material material;
@@ -33,6 +39,27 @@ engine::coarse_graining::Material coarse_material(const Scene& scene) {
       return engine::coarse_graining::bierwisch(fine, scale);
   }
   return fine;
+}
+
+/// The laws of [contact] at the wanted grain size, for steps of `time_step` (s).
+engine::GeneralContact general_contact(const ContactSpec& spec, double scale, double time_step) {
+  engine::GeneralContact contact{spec.grains.law, spec.walls.law, {}};
+  const bool unscaled = spec.coarse_graining == kUnscaled;
+  // Parameters are those of the original grains, whose collisions are shorter.
+  for (auto* law : {&contact.grains, &contact.walls})
+    if (auto* rolling = std::get_if<engine::laws::LudingRolling::Parameters>(&law->rolling.choice))
+      rolling->time_step = unscaled ? time_step : time_step / scale;
+  if (spec.coarse_graining == kBierwischScaling)
+    return {contact.grains.similar(scale), contact.walls.similar(scale), {}};
+  contact.scaling = engine::coarse_graining::force_scaling(spec.coarse_graining, scale);
+  return contact;
+}
+
+/// The shape with moments of inertia as the simulation takes them, where forces are scaled.
+engine::GrainShape as_simulated(const engine::SimulationSettings& settings) {
+  engine::GrainShape shape = settings.shape;
+  shape.inertia /= settings.general_contact->scaling.torque_factor();
+  return shape;
 }
 
 engine::GrainShape shape_of(GrainModel model, double radius, double mass) {
@@ -63,8 +90,12 @@ double shortest_pinch_step(const Scene& scene, const engine::SimulationSettings&
   for (const ToolSpec& tool : scene.tools) {
     const double radius = tool.sphere_radius.value_or(scene.walls.sphere_radius);
     const double spacing = tool.spacing.value_or(scene.walls.spacing) * radius;
-    shortest = std::min(
-        shortest, engine::pinch_time_step(settings.shape, settings.wall_contact, radius, spacing, overlap));
+    const double step =
+        settings.general_contact
+            ? engine::pinch_time_step(as_simulated(settings), *settings.general_contact, radius, spacing,
+                                      overlap)
+            : engine::pinch_time_step(settings.shape, settings.wall_contact, radius, spacing, overlap);
+    shortest = std::min(shortest, step);
   }
   return shortest;
 }
@@ -114,11 +145,20 @@ engine::SimulationSettings engine_settings(const Scene& scene, double impact_spe
     settings.sleep->force = scene.economy.wake_force;
   }
   settings.skin = scene.numerics.skin;
+  const auto contact = contact_of(scene);
+  const double scale = coarse_graining_factor(scene.powder);
+  constexpr double kAnyStep = 1e-30;  // s: laws that refuse steps too long are asked for their limit first
+  if (contact) settings.general_contact = general_contact(*contact, scale, kAnyStep);
   settings.time_step = chosen_time_step(scene, settings, critical_time_step(settings, impact_speed));
+  if (contact) settings.general_contact = general_contact(*contact, scale, settings.time_step);
+  // Grains under the law of small ones as it stands fall through air as they stand, too.
+  if (contact && contact->coarse_graining == kUnscaled) settings.air_viscosity = scene.powder.air_viscosity;
   return settings;
 }
 
 double critical_time_step(const engine::SimulationSettings& settings, double impact_speed) {
+  if (settings.general_contact)
+    return engine::critical_time_step(as_simulated(settings), *settings.general_contact, impact_speed);
   return engine::critical_time_step(settings.shape, settings.grain_contact, impact_speed);
 }
 

@@ -1,9 +1,11 @@
 #include "process/run/topics.h"
 
+#include <cctype>
 #include <cstdio>
 
 #include "process/run/assemble.h"
 #include "process/run/law_terms.h"
+#include "process/scene/contact_spec.h"
 #include "process/scene/setting.h"
 
 #ifndef DIEFILL_LIBRARIES
@@ -59,10 +61,18 @@ results::Topic powder_topic(const Scene& scene) {
   return topic;
 }
 
-results::Topic model_topic(const Scene& scene, const engine::SimulationSettings& settings) {
-  const engine::ContactParameters& contact = settings.grain_contact;
-  results::Topic topic{"model", {}, {}};
-  state(topic, "Method", "discrete elements: every simulated grain moves by Newton's laws");
+/// The laws of [contact], at the powder's own size.
+void add_named_laws(const ContactSpec& contact, results::Topic& topic) {
+  for (std::size_t k = 0; k < contact.grains.words.size(); ++k) {
+    const PartInWords &grains = contact.grains.words[k], &walls = contact.walls.words[k];
+    std::string name = grains.kind == "normal" ? "Normal force" : grains.kind;
+    name[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(name[0])));
+    state(topic, name, grains.words + (walls.words == grains.words ? "" : "; with tools " + walls.words));
+  }
+}
+
+/// Bierwisch's law of the powder.
+void add_own_law(const Scene& scene, const engine::ContactParameters& contact, results::Topic& topic) {
   state(topic, "Normal force",
         with_number("Hertz, reduced modulus %.3g MPa", 1e-6 * contact.reduced_modulus) +
             with_number(", damping %.3g Pa s (Bierwisch 2009, section 2.2)", contact.damping));
@@ -75,6 +85,16 @@ results::Topic model_topic(const Scene& scene, const engine::SimulationSettings&
             with_number("tangential stiffness %.3g N/m", contact.tangential));
   if (scene.powder.model == GrainModel::B)
     state(topic, "Rolling friction", with_number("%.3g mm", 1e3 * contact.rolling_friction));
+}
+
+results::Topic model_topic(const Scene& scene, const engine::SimulationSettings& settings) {
+  results::Topic topic{"model", {}, {}};
+  state(topic, "Method", "discrete elements: every simulated grain moves by Newton's laws");
+  const auto contact = contact_of(scene);
+  if (contact)
+    add_named_laws(*contact, topic);
+  else
+    add_own_law(scene, settings.grain_contact, topic);
   state(topic, "Air",
         settings.air_viscosity > 0
             ? with_number("Stokes drag on every sphere, viscosity %.3g Pa s", settings.air_viscosity)
@@ -85,7 +105,9 @@ results::Topic model_topic(const Scene& scene, const engine::SimulationSettings&
               with_number("particles of %.3g mm (Darcy, Kozeny-Carman), nothing leaks",
                           1e3 * scene.suction->particle_diameter));
   state(topic, "Rule of coarse graining",
-        "Bierwisch 2009, chapter 3: same fall, flow and packing of the bulk");
+        !contact || contact->coarse_graining == kBierwischScaling
+            ? "Bierwisch 2009, chapter 3: same fall, flow and packing of the bulk"
+            : contact->coarse_graining + ", which scales forces");
   return topic;
 }
 
@@ -105,6 +127,7 @@ results::Topic walls_topic(const Scene& scene) {
   state(topic, "Wall spheres",
         with_number("radius %.4g mm, ", 1e3 * walls.sphere_radius) +
             with_number("spacing %.3g radii", walls.spacing));
+  if (contact_of(scene)) return topic;
   state(topic, "Friction of walls", with_number("coefficient %.3g", walls.friction));
   state(topic, "Cohesion of walls",
         walls.work_of_adhesion > 0 ? with_number("%.3g J/m\u00b2", walls.work_of_adhesion) : "none");

@@ -1,6 +1,7 @@
 #include <cmath>
 
 #include "process/machine/powder_inflow.h"
+#include "process/scene/contact_spec.h"
 #include "process/scene/sections.h"
 
 namespace diefill::process {
@@ -38,6 +39,10 @@ void refuse_lopsided(TableReader& table, const Eigen::Vector3d& lower, const Eig
 
 void check_mirror(TableReader& table, Scene& scene) {
   const int axis = *scene.economy.mirror;
+  if (contact_of(scene))
+    table.reject("mirror",
+                 "the mirror plane is made of the powder's own law and knows none of [contact]; "
+                 "leave one of the two out");
   refuse_period_across(table, scene, axis);
   refuse_lopsided(table, scene.pour.lower, scene.pour.upper, axis, "the box of [pour]");
   for (const auto& step : scene.steps) {

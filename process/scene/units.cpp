@@ -27,15 +27,15 @@ constexpr std::array<DimensionEntry, 16> kDimensions = {{
     {Dimension::mass, "a mass", "kg", "0.0763 mg"},
     {Dimension::density, "a density", "kg/m^3", "3.0 g/cm^3"},
     {Dimension::pressure, "a pressure", "Pa", "10 MPa"},
-    {Dimension::work_of_adhesion, "a work of adhesion per area", "J/m^2", "0.005 J/m^2"},
+    {Dimension::work_of_adhesion, "a work of adhesion per area or force per length", "J/m^2", "0.005 J/m^2"},
     {Dimension::viscosity, "a viscosity", "Pa s", "2e-5 Pa s"},
     {Dimension::damping_over_radius, "a damping over radius", "Pa s/m", "1e6 Pa s/m"},
     {Dimension::angle, "an angle", "rad", "90 deg"},
     {Dimension::angular_velocity, "an angular velocity", "rad/s", "60 rpm"},
     {Dimension::frequency, "a frequency", "Hz", "32 Hz"},
     {Dimension::force, "a force", "N", "5 N"},
-    {Dimension::torque, "a torque", "N m", "0.02 N m"},
-    {Dimension::mass_rate, "a mass rate", "kg/s", "20 g/s"},
+    {Dimension::torque, "a torque or energy", "N m", "0.02 N m"},
+    {Dimension::mass_rate, "a mass rate or damping coefficient", "kg/s", "20 g/s"},
 }};
 
 const DimensionEntry& entry(Dimension dimension) {

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstdio>
 #include <nlohmann/json.hpp>
 #include <sstream>
 #include <string>
@@ -45,6 +46,31 @@ TEST(Bench, ReadsABedAndCountsItsContacts) {
   EXPECT_GT(figures["bytes_moved_per_sphere_step"], 100);
   EXPECT_EQ(figures["nanoseconds_per_sphere_step"].size(), 4U);
   EXPECT_EQ(bench(die, "2")["state_hash"], figures["state_hash"]);
+}
+
+// A grain in free flight, in the middle of a box that the user names.
+TEST(Bench, TracesEnergiesAndTheFinalGrains) {
+  SmallDie die;
+  die.write("bed.csv", "id,x,y,z,vx,vy,vz,wx,wy,wz\n1,0.001,0.001,0.002,0.1,0,0,0,0,50\n");
+  const Outcome outcome =
+      run_program({"bench", "spheres", "--state", (die.folder() / "bed.csv").string(), "--width", "2",
+                   "--steps", "20", "--every", "10", "--trace", die.out().string()});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  std::istringstream energies(contents(die.out() / "energy.csv"));
+  std::string line;
+  int rows = 0;
+  for (std::string next; std::getline(energies, next); ++rows) line = next;
+  EXPECT_EQ(rows, 4);  // header, start and two instants
+  double time = 0, translation = 0, rotation = 0;
+  ASSERT_EQ(std::sscanf(line.c_str(), "%lf,%lf,%lf", &time, &translation, &rotation), 3);
+  constexpr double kRadius = 1.5e-4, kTime = 20 * 2e-6,
+                   kMass = 5400 * 4.0 / 3.0 * 3.14159265358979 * kRadius * kRadius * kRadius;
+  EXPECT_NEAR(time, kTime, 1e-12);
+  EXPECT_NEAR(translation, 0.5 * kMass * (0.01 + 9.81 * 9.81 * kTime * kTime), 1e-7 * translation);
+  EXPECT_NEAR(rotation, 0.5 * 0.4 * kMass * kRadius * kRadius * 2500, 1e-7 * rotation);
+  // The box is centred: the grain was in its middle and has moved on along x.
+  EXPECT_NE(contents(die.out() / "grains.csv").find("\n0,4e-06,"), std::string::npos)
+      << contents(die.out() / "grains.csv");
 }
 
 TEST(Bench, MakesABedWhenNoneIsGiven) {

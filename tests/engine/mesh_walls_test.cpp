@@ -290,7 +290,7 @@ TEST(MeshWalls, NameWhatTheyPinch) {
   grain.position = {-0.5 * kEdge, -0.5 * kEdge, 0.6 * radius};
   simulation.add_grains({grain});
   simulation.step();
-  const auto pinched = pinched_grains(simulation, 0.3 * radius);
+  const auto pinched = pinched_grains(simulation, 0.3);
   ASSERT_EQ(pinched.size(), 1U);
   EXPECT_NEAR(pinched[0].overlap, 0.4, 1e-6);
 }

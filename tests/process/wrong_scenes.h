@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "tests/process/wrong_scene.h"
+#include "tests/process/wrong_scenes_contact.h"
 #include "tests/process/wrong_scenes_powder.h"
 #include "tests/process/wrong_scenes_process.h"
 #include "tests/process/wrong_scenes_text.h"
@@ -16,8 +17,8 @@ namespace diefill::process {
 inline std::vector<WrongScene> wrong_scenes() {
   std::vector<WrongScene> all;
   for (const auto& some : {wrong_documents(), wrong_syntax(), wrong_settings(), wrong_powders(),
-                           wrong_walls(), wrong_tools(), wrong_pours(), wrong_steps(), wrong_numerics(),
-                           wrong_economies(), wrong_suctions(), wrong_measures()}) {
+                           wrong_walls(), wrong_contacts(), wrong_tools(), wrong_pours(), wrong_steps(),
+                           wrong_numerics(), wrong_economies(), wrong_suctions(), wrong_measures()}) {
     all.insert(all.end(), some.begin(), some.end());
   }
   return all;

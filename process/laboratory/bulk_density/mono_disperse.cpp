@@ -1,0 +1,86 @@
+// Bulk density of mono-disperse beds against rolling resistance, EPSD2 and constant directional torque, held
+// against Hu 2024, section 5.2.
+#include <cmath>
+#include <limits>
+#include <string>
+
+#include "process/laboratory/bulk_density/poured_bed.h"
+#include "process/laboratory/bulk_density/registry.h"
+
+namespace diefill::process::laboratory {
+
+namespace {
+
+using results::ExperimentSeries;
+using Role = ExperimentSeries::Role;
+namespace laws = engine::laws;
+
+constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
+
+/// A bed of the source; densities are of its original spheres of 0.5 mm.
+struct Published {
+  double rolling_friction, density;
+};
+
+laws::AnyRolling::Parameters epsd2(double rolling_friction) {
+  return laws::Epsd2Rolling::Parameters{rolling_friction, poured_shear_modulus()};
+}
+
+laws::AnyRolling::Parameters constant_torque(double rolling_friction) {
+  return laws::LoadRolling::Parameters{rolling_friction, true};
+}
+
+/// Quick: all powder in a twentieth of the time, twenty times as densely.
+constexpr double kPouring = 10, kQuickPouring = 0.5;  // s
+
+void add_curve(const ExperimentOptions& options, const std::string& name, const std::vector<Published>& beds,
+               laws::AnyRolling::Parameters (*rolling)(double), results::ExperimentChart& chart,
+               results::ExperimentResult& result) {
+  ExperimentSeries measured{.name = name, .x = {}, .y = {}};
+  ExperimentSeries published{.name = name + ", Hu 2024, l = 1", .role = Role::predicted, .x = {}, .y = {}};
+  for (const auto& [friction, density] : beds) {
+    PouredBed bed;
+    bed.rolling = rolling(friction);
+    bed.pouring_time = options.quick ? kQuickPouring : kPouring;
+    bed.threads = options.threads;
+    const auto figures = pour_bed(bed);
+    measured.x.push_back(friction);
+    measured.y.push_back(figures.density);
+    if (!std::isnan(density)) {
+      published.x.push_back(friction);
+      published.y.push_back(density);
+    }
+    const std::string at = name + ", mu_r = " + std::to_string(friction).substr(0, 4);
+    result.limits.push_back(
+        {at + ": bulk density", figures.density, density, "kg/m3", "Hu 2024, section 5.2, l = 1"});
+    result.limits.push_back({at + ": coordination number", figures.coordination, kUnknown, "", ""});
+    result.limits.push_back({at + ": height of the bed", figures.height, kUnknown, "m", ""});
+  }
+  chart.series.push_back(measured);
+  chart.series.push_back(published);
+}
+
+}  // namespace
+
+void measure_mono_disperse_beds(const ExperimentOptions& options, results::ExperimentResult& result) {
+  results::ExperimentChart chart;
+  chart.name = "mono_disperse_density";
+  chart.title = "Bulk density against rolling resistance";
+  chart.subtitle = "0.5 mm spheres, JKR with 0.2 J/m2, scaled-up particles with l = 4; mean of 20 to 60 mm";
+  chart.note = options.quick ? "Poured within 0.5 s; the source pours for 10 s."
+                             : "Poured within 10 s, as in the source.";
+  chart.x = {.label = "Rolling friction coefficient"};
+  chart.y = {.label = "Bulk density [kg/m3]"};
+  using Beds = std::vector<Published>;
+  add_curve(options, "EPSD2",
+            options.quick ? Beds{{0, 541}, {0.8, 484}}
+                          : Beds{{0, 541}, {0.2, kUnknown}, {0.4, kUnknown}, {0.6, kUnknown}, {0.8, 484}},
+            epsd2, chart, result);
+  add_curve(options, "CDT",
+            options.quick ? Beds{{0.16, 502}}
+                          : Beds{{0, 541}, {0.04, kUnknown}, {0.08, kUnknown}, {0.12, kUnknown}, {0.16, 502}},
+            constant_torque, chart, result);
+  result.charts.push_back(chart);
+}
+
+}  // namespace diefill::process::laboratory

@@ -1,0 +1,13 @@
+#include "process/laboratory/bulk_density/registry.h"
+
+namespace diefill::process::laboratory {
+
+const std::vector<Experiment>& bulk_density_experiments() {
+  static const std::vector<Experiment> all = {
+      {"mono_disperse", "how does rolling resistance loosen a bed of sticky spheres?",
+       measure_mono_disperse_beds},
+  };
+  return all;
+}
+
+}  // namespace diefill::process::laboratory

@@ -1,0 +1,34 @@
+// The parts that [contact] can name: every law of the engine under its name in scenes, with the keys it
+// takes. A new part is registered by one entry in contact_parts.cpp.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "engine/laws/law_parameters.h"
+#include "process/scene/scene.h"
+#include "process/scene/table_reader.h"
+
+namespace diefill::process {
+
+/// One part of a kind; `Parameters`: such as AnyNormal::Parameters.
+template <class Parameters>
+struct ContactPart {
+  std::string name;                    ///< what `law` says
+  std::vector<std::string> of_powder;  ///< keys of [powder] that give what is left out
+  /// Reads all its keys but `law`; linked ones that are missing are not numbers.
+  std::function<Parameters(TableReader&, const PowderSpec&)> read;
+  std::function<std::string(const Parameters&)> in_words;  ///< name and values
+};
+
+template <class Parameters>
+using ContactParts = std::vector<ContactPart<Parameters>>;
+
+const ContactParts<engine::laws::AnyNormal::Parameters>& normal_parts();
+const ContactParts<engine::laws::AnyDamping::Parameters>& damping_parts();
+const ContactParts<engine::laws::AnyFriction::Parameters>& friction_parts();
+const ContactParts<engine::laws::AnyRolling::Parameters>& rolling_parts();
+const ContactParts<engine::laws::AnyAttraction::Parameters>& attraction_parts();
+
+}  // namespace diefill::process

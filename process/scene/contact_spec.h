@@ -1,0 +1,51 @@
+// What [contact] says: the laws among grains and between grains and tools, in the engine's terms and in
+// words.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "engine/laws/law_parameters.h"
+#include "process/scene/scene.h"
+#include "process/scene/table_reader.h"
+
+namespace diefill::process {
+
+/// One part of a law, for reports.
+struct PartInWords {
+  std::string kind;   ///< such as "damping"
+  std::string words;  ///< such as "restitution (restitution 0.5)"; "none"
+};
+
+/// The law of one pair of materials.
+struct PairLaw {
+  engine::laws::LawParameters law;  ///< at the powder's own grain size, SI units
+  std::vector<PartInWords> words;   ///< normal, damping, friction, rolling, attraction
+};
+
+/// The rule of coarse graining that changes parameters before the run (Bierwisch 2009, chapter 3). All others
+/// are engine::coarse_graining::kMethods, which scale forces.
+inline constexpr const char* kBierwischScaling = "bierwisch";
+
+struct ContactSpec {
+  PairLaw grains, walls;
+  std::string coarse_graining = kBierwischScaling;  ///< the rule by its name
+};
+
+/// [contact] of a document, or nothing: Bierwisch's law of the powder. `powder` and `walls` give what its
+/// parts leave out. Throws SceneError, also for keys of [powder], [walls] and [numerics] without effect
+/// beside it.
+std::optional<ContactSpec> read_contact(TableReader& document, const PowderSpec& powder,
+                                        const WallSpec& walls);
+
+/// [contact] of a scene that has been read, from its text.
+std::optional<ContactSpec> contact_of(const Scene& scene);
+
+/// Coulomb coefficient of a law: the larger one where static and dynamic differ; 0 without friction.
+double friction_coefficient(const engine::laws::LawParameters& law);
+
+/// Whether grains stick to what they touch.
+bool attracts(const engine::laws::LawParameters& law);
+
+}  // namespace diefill::process

@@ -1,0 +1,269 @@
+// [contact]: which laws act between grains, and between grains and tools.
+#include <toml++/toml.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+#include "engine/coarse_graining/methods.h"
+#include "process/scene/contact_parts.h"
+#include "process/scene/contact_spec.h"
+#include "process/scene/scene_text.h"
+
+namespace diefill::process {
+namespace {
+
+using namespace engine::laws;
+
+/// A part as the scene chose it.
+template <class Parameters>
+struct ChosenPart {
+  TableReader table;  ///< that names it; [contact] where it is left out
+  const ContactPart<Parameters>* part;
+  Parameters parameters;
+  bool named;
+
+  /// `line`: the reason of a refusal.
+  [[noreturn]] void refuse(const std::string& line) const {
+    throw SceneError(table.where(named ? "law" : "normal") + ": found \"" + part->name + "\", " + line);
+  }
+  PartInWords in_words(const std::string& kind) const { return {kind, part->in_words(parameters)}; }
+};
+
+/// Reads `kind` from `walls` if it stands there, otherwise from `contact`, otherwise takes the first part.
+template <class Parameters>
+ChosenPart<Parameters> read_part(const std::string& kind, TableReader& contact, TableReader* walls,
+                                 const ContactParts<Parameters>& parts, const PowderSpec& powder) {
+  TableReader& holder = walls != nullptr && walls->has(kind) ? *walls : contact;
+  const auto table = holder.table(kind);
+  if (!table) return {contact, &parts.front(), {}, false};
+  Choices<const ContactPart<Parameters>*> names;
+  for (const auto& part : parts) names.emplace_back(part.name, &part);
+  ChosenPart<Parameters> chosen{*table, nullptr, {}, true};
+  chosen.part = chosen.table.required_choice("law", names);
+  chosen.parameters = chosen.part->read(chosen.table, powder);
+  chosen.table.finish();
+  return chosen;
+}
+
+/// The five parts of one law.
+struct ChosenLaw {
+  ChosenPart<AnyNormal::Parameters> normal;
+  ChosenPart<AnyDamping::Parameters> damping;
+  ChosenPart<AnyFriction::Parameters> friction;
+  ChosenPart<AnyRolling::Parameters> rolling;
+  ChosenPart<AnyAttraction::Parameters> attraction;
+  LoadRule load_rule;
+
+  LawParameters law() const {
+    return {normal.parameters,  damping.parameters,    friction.parameters,
+            rolling.parameters, attraction.parameters, load_rule};
+  }
+  PairLaw pair() const {
+    return {law(),
+            {normal.in_words("normal"), damping.in_words("damping"), friction.in_words("friction"),
+             rolling.in_words("rolling"), attraction.in_words("attraction")}};
+  }
+  /// Calls use(part) for each.
+  template <class Use>
+  void each(const Use& use) const {
+    use(normal), use(damping), use(friction), use(rolling), use(attraction);
+  }
+};
+
+template <class Part, class Chosen>
+auto* parameters_of(Chosen& chosen) {
+  return std::get_if<typename Part::Parameters>(&chosen.parameters.choice);
+}
+
+/// N/m, k_1 of the normal spring; 0 for Hertz'.
+double linear_stiffness(ChosenLaw& law) {
+  if (const auto* given = parameters_of<LinearNormal>(law.normal)) return given->stiffness;
+  if (const auto* given = parameters_of<LudingNormal>(law.normal)) return given->loading;
+  return 0;
+}
+
+/// Pa, E* of the normal spring; 0 for linear ones.
+double hertzian_modulus(ChosenLaw& law) {
+  if (const auto* given = parameters_of<BierwischNormal>(law.normal)) return 0.5 * given->reduced_modulus;
+  if (const auto* given = parameters_of<HertzMindlinNormal>(law.normal)) return given->modulus;
+  if (const auto* given = parameters_of<JkrNormal>(law.normal)) return given->modulus;
+  return 0;
+}
+
+/// Damping and rolling resistance that belong to a spring take its stiffness.
+void link_to_spring(ChosenLaw& law) {
+  if (auto* given = parameters_of<RestitutionDamping>(law.damping)) {
+    given->modulus = hertzian_modulus(law);
+    if (given->modulus == 0)
+      law.damping.refuse(
+          "which damps Hertz' spring; with a linear or Luding spring take \"linear restitution\"");
+  }
+  if (auto* given = parameters_of<LinearRestitutionDamping>(law.damping)) {
+    given->stiffness = linear_stiffness(law);
+    if (given->stiffness == 0)
+      law.damping.refuse("which damps a linear or Luding spring; with Hertz' spring take \"restitution\"");
+  }
+  if (auto* given = parameters_of<ElasticRolling>(law.rolling)) {
+    given->stiffness = linear_stiffness(law);
+    if (given->stiffness == 0)
+      law.rolling.refuse(
+          "which takes k_1 of a linear or Luding spring; with Hertz' spring take \"CDT\" or \"EPSD2\"");
+  }
+}
+
+/// What a part shares with another: given once, it holds for both.
+void link_to_friction(ChosenLaw& law) {
+  if (auto* given = parameters_of<MindlinFriction>(law.friction); given && std::isnan(given->restitution)) {
+    const auto* damping = parameters_of<RestitutionDamping>(law.damping);
+    given->restitution = damping ? damping->restitution : 1;
+  }
+  if (auto* given = parameters_of<Epsd2Rolling>(law.rolling); given && std::isnan(given->shear_modulus)) {
+    const auto* friction = parameters_of<MindlinFriction>(law.friction);
+    if (friction == nullptr) law.rolling.table.require("shear_modulus", "\"2 MPa\"");
+    given->shear_modulus = friction->shear_modulus;
+  }
+  if (auto* given = parameters_of<LudingRolling>(law.rolling)) {
+    given->time_step = std::numeric_limits<double>::min();  // the run's, once it is known
+    if (!std::isnan(given->tangential_stiffness)) return;
+    const auto* friction = parameters_of<LudingFriction>(law.friction);
+    if (friction == nullptr) law.rolling.table.require("tangential_stiffness", "\"60 N/m\"");
+    given->tangential_stiffness = friction->stiffness;
+  }
+}
+
+/// Whether the law is sensible once a part is left out.
+bool sensible(const LawParameters& law) {
+  try {
+    require_sensible(law);
+  } catch (const std::invalid_argument&) {
+    return false;
+  }
+  return true;
+}
+
+/// Refuses parts on their own and together, at the part whose absence would make the law sensible.
+void refuse_nonsense(const ChosenLaw& chosen) {
+  chosen.each([](const auto& part) {
+    try {
+      part.parameters.check();
+    } catch (const std::invalid_argument& reason) {
+      part.refuse(reason.what());
+    }
+  });
+  try {
+    require_sensible(chosen.law());
+  } catch (const std::invalid_argument& reason) {
+    LawParameters without = chosen.law();
+    without.attraction = {};
+    if (sensible(without)) chosen.attraction.refuse(reason.what());
+    without = chosen.law();
+    without.rolling = {};
+    if (sensible(without)) chosen.rolling.refuse(reason.what());
+    chosen.damping.refuse(reason.what());
+  }
+}
+
+const Choices<LoadRule>& load_rules() {
+  static const Choices<LoadRule> rules = {{"with damping", LoadRule::with_damping},
+                                          {"without damping", LoadRule::without},
+                                          {"repulsive only", LoadRule::repulsive_only}};
+  return rules;
+}
+
+Choices<std::string> scaling_rules() {
+  Choices<std::string> rules = {{kBierwischScaling, kBierwischScaling}};
+  for (const auto& method : engine::coarse_graining::kMethods) rules.emplace_back(method.name, method.name);
+  return rules;
+}
+
+/// `walls`: null for the law among grains.
+ChosenLaw read_law(TableReader& contact, TableReader* walls, const PowderSpec& powder) {
+  ChosenLaw law{read_part("normal", contact, walls, normal_parts(), powder),
+                read_part("damping", contact, walls, damping_parts(), powder),
+                read_part("friction", contact, walls, friction_parts(), powder),
+                read_part("rolling", contact, walls, rolling_parts(), powder),
+                read_part("attraction", contact, walls, attraction_parts(), powder),
+                LoadRule::with_damping};
+  // Hu 2024 takes friction limits of JKR contacts without damping.
+  if (parameters_of<JkrNormal>(law.normal)) law.load_rule = LoadRule::without;
+  law.load_rule = contact.choice("load_rule", load_rules()).value_or(law.load_rule);
+  link_to_spring(law);
+  link_to_friction(law);
+  refuse_nonsense(law);
+  if (powder.model == GrainModel::A && law.rolling.part->name != "none")
+    law.rolling.refuse("but grains of model A do not rotate; leave it out or choose another powder.model");
+  return law;
+}
+
+/// Keys of [powder] or [walls] that [contact] replaces, and that none of its parts reads.
+void refuse_idle_keys(TableReader table, const std::vector<std::string>& keys, const ChosenLaw& law,
+                      const TableReader& contact) {
+  std::vector<std::string> read;
+  law.each([&](const auto& part) {
+    if (part.named) read.insert(read.end(), part.part->of_powder.begin(), part.part->of_powder.end());
+  });
+  for (const auto& key : keys)
+    if (table.has(key) && std::find(read.begin(), read.end(), key) == read.end())
+      table.reject(key, "[contact] in line " + std::to_string(contact.line()) +
+                            " names the laws, and none of its parts reads this key; leave it out");
+}
+
+void refuse_idle_tables(TableReader& document, const ChosenLaw& grains, const ChosenLaw& walls,
+                        const TableReader& contact) {
+  refuse_idle_keys(*document.table("powder"),
+                   {"friction", "work_of_adhesion", "rolling_friction", "reduced_modulus",
+                    "damping_over_radius", "tangential_over_radius"},
+                   grains, contact);
+  if (const auto table = document.table("walls"))
+    refuse_idle_keys(*table, {"friction", "work_of_adhesion"}, walls, contact);
+  auto numerics = document.table("numerics");
+  if (numerics && numerics->has("tangential_spring"))
+    numerics->reject("tangential_spring", "[contact] in line " + std::to_string(contact.line()) +
+                                              " names the laws; give `cut_back` to the friction there");
+}
+
+}  // namespace
+
+double friction_coefficient(const LawParameters& law) {
+  if (const auto* given = law.friction.of<CundallFriction>()) return given->friction;
+  if (const auto* given = law.friction.of<MindlinFriction>()) return given->friction;
+  if (const auto* given = law.friction.of<LudingFriction>()) return given->static_friction;
+  return 0;
+}
+
+bool attracts(const LawParameters& law) {
+  if (law.attraction.of<NoAttraction>() == nullptr) return true;
+  if (const auto* given = law.normal.of<BierwischNormal>()) return given->work_of_adhesion > 0;
+  if (const auto* given = law.normal.of<JkrNormal>()) return given->surface_energy > 0;
+  if (const auto* given = law.normal.of<LudingNormal>()) return given->cohesion > 0;
+  return false;
+}
+
+std::optional<ContactSpec> read_contact(TableReader& document, const PowderSpec& powder,
+                                        const WallSpec& walls) {
+  auto contact = document.table("contact");
+  if (!contact) return std::nullopt;
+  contact->required_table("normal");
+  const ChosenLaw among_grains = read_law(*contact, nullptr, powder);
+  PowderSpec against_walls = powder;
+  against_walls.friction = walls.friction;
+  against_walls.work_of_adhesion = walls.work_of_adhesion;
+  auto table = contact->table("walls");
+  const ChosenLaw with_walls = read_law(*contact, table ? &*table : nullptr, against_walls);
+  if (table) table->finish();
+  const auto rule = contact->choice("coarse_graining", scaling_rules());
+  contact->finish();
+  refuse_idle_tables(document, among_grains, with_walls, *contact);
+  return ContactSpec{among_grains.pair(), with_walls.pair(), rule.value_or(kBierwischScaling)};
+}
+
+std::optional<ContactSpec> contact_of(const Scene& scene) {
+  if (scene.text.find("contact") == std::string::npos) return std::nullopt;
+  const toml::table parsed = parse_scene_text(scene.text, scene.file);
+  TableReader document(parsed, scene.file, "");
+  return read_contact(document, scene.powder, scene.walls);
+}
+
+}  // namespace diefill::process
