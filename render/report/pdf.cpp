@@ -13,6 +13,7 @@
 #include <QTextTable>
 #include <QUrl>
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 
 namespace diefill::render::report {
@@ -146,6 +147,12 @@ class Setter {
     if (!table.numbers && columns == 2 && !table.rows.empty())
       format.setColumnWidthConstraints(
           {QTextLength(QTextLength::PercentageLength, 42), QTextLength(QTextLength::PercentageLength, 58)});
+    // Names of strategies are sentences; numbers need little room.
+    if (table.numbers && columns > 3) {
+      QList<QTextLength> widths(static_cast<qsizetype>(columns), QTextLength());
+      widths[0] = QTextLength(QTextLength::PercentageLength, 34);
+      format.setColumnWidthConstraints(widths);
+    }
     cursor_.insertBlock(spacing(0, 0), letters(font(1)));
     return cursor_.insertTable(static_cast<int>(rows), static_cast<int>(columns), format);
   }
@@ -197,13 +204,24 @@ int page_of(const QTextDocument& document, const QTextBlock& block) {
   return static_cast<int>(top / document.pageSize().height());
 }
 
+/// Whether what follows a heading begins on another page, or will once it is drawn: where a picture does not
+/// fit below the heading.
+bool stands_alone(const QTextDocument& document, const QTextBlock& heading, const QTextBlock& next) {
+  if (page_of(document, next) != page_of(document, heading)) return true;
+  if (next.layout()->lineCount() == 0) return false;
+  const double page = document.pageSize().height();
+  const QRectF place = document.documentLayout()->blockBoundingRect(heading);
+  const double below = std::fmod(place.top(), page) + place.height() + next.layout()->lineAt(0).height();
+  return below > page;
+}
+
 /// Begins a page with every heading that would stand alone at the foot of one.
 void keep_headings(QTextDocument& document, const std::vector<int>& headings) {
   for (const int number : headings) {
     const QTextBlock heading = document.findBlockByNumber(number);
     QTextBlock next = heading.next();
     if (next.isValid() && next.text().isEmpty() && next.next().isValid()) next = next.next();
-    if (!next.isValid() || page_of(document, next) == page_of(document, heading)) continue;
+    if (!next.isValid() || !stands_alone(document, heading, next)) continue;
     QTextCursor cursor(heading);
     QTextBlockFormat format = heading.blockFormat();
     format.setPageBreakPolicy(QTextFormat::PageBreak_AlwaysBefore);
