@@ -61,5 +61,35 @@ TEST(SizeRatio, ImpactOnALargeGrainIsResolvedAlikeAtAllRatios) {
   }
 }
 
+/// How far (over its radius) a fine grain has come that two grains `ratio` times as large squeeze out from
+/// between them, a quarter of their radius above the line of their centres, moving at each other at 0.1 m/s
+/// for 7.5 ms.
+double squeezed_out(double ratio, double fraction) {
+  const auto mix = fine_on_large(ratio);
+  auto settings = settings_of(mix, fraction * critical_time_step(mix, {}, 0.3));
+  const double large = ratio * kMixRadius, height = 0.25 * large, reach = large + kMixRadius;
+  const double apart = std::sqrt(reach * reach - height * height);
+  std::vector<NewGrain> grains(3);
+  grains[0].position.z() = height;
+  for (const double side : {-1.0, 1.0}) {
+    NewGrain& grain = grains[side < 0 ? 1 : 2];
+    grain.kind = 1;
+    grain.position.x() = side * apart;
+    grain.velocity.x() = -side * 0.05;
+  }
+  Simulation simulation(settings, {});
+  simulation.add_grains(grains);
+  run_steps(simulation, static_cast<int>(std::lround(7.5e-3 / settings.time_step)));
+  return (position_of(simulation, 0).z() - height) / kMixRadius;
+}
+
+TEST(SizeRatio, FineGrainIsSqueezedOutBetweenLargeOnesAsWithShortSteps) {
+  for (const double ratio : {3.0, 10.0, 30.0}) {
+    const double exact = squeezed_out(ratio, 0.02);
+    EXPECT_GT(exact, 0.1) << ratio;
+    EXPECT_NEAR(squeezed_out(ratio, 0.2), exact, 5e-3 * exact) << ratio;
+  }
+}
+
 }  // namespace
 }  // namespace diefill::engine
