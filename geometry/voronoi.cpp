@@ -16,8 +16,8 @@
 namespace diefill::geometry {
 namespace {
 
-// voro++ compares lengths with absolute tolerances near 1e-11, so all work is done in units of the sphere
-// radius.
+// voro++ compares lengths with absolute tolerances near 1e-11, so all work is done in units of the (smallest)
+// sphere radius.
 constexpr double kSameCentre = 1e-9;
 // Faces of the bounding polyhedron carry negative numbers; all true cuts share this one.
 constexpr int kTrueFace = 1;
@@ -68,17 +68,24 @@ struct SphereCell {
   bool open = false;
 };
 
-/// Spheres and wall spheres in units of the sphere radius, ready to be asked who is near.
+double smallest_radius(const VoronoiRequest& request) {
+  const auto& radii = request.sphere_radii;
+  return radii.empty() ? request.sphere_radius : *std::min_element(radii.begin(), radii.end());
+}
+
+/// Spheres and wall spheres in units of the smallest sphere's radius, ready to be asked who is near.
 class Surroundings {
  public:
   explicit Surroundings(const VoronoiRequest& request)
-      : unit_(request.sphere_radius),
+      : unit_(smallest_radius(request)),
         spheres_per_grain_(request.spheres_per_grain),
         reach_(request.largest_reach / unit_),
+        radius_(scaled(request.sphere_radii)),
+        largest_radius_(radius_.empty() ? 1 : *std::max_element(radius_.begin(), radius_.end())),
         wall_radius_(scaled(request.wall_radii)),
         largest_wall_radius_(
             wall_radius_.empty() ? 0 : *std::max_element(wall_radius_.begin(), wall_radius_.end())),
-        spheres_(images(request.sphere_centres, request, 2 * reach_)),
+        spheres_(images(request.sphere_centres, request, cutting_distance(reach_, 1))),
         walls_(images(request.wall_centres, request, reach_ + largest_wall_radius_)),
         sphere_grid_(spheres_.points, 2.0),
         wall_grid_(walls_.points, std::max(1.0, largest_wall_radius_)) {}
@@ -101,6 +108,15 @@ class Surroundings {
     return with_periodic_images(points, period, margin);
   }
 
+  /// How much more of the way to sphere `other` belongs to `sphere`: difference of squared radii.
+  double power(std::uint32_t sphere, std::uint32_t other) const {
+    return radius_.empty() ? 0 : radius_[sphere] * radius_[sphere] - radius_[other] * radius_[other];
+  }
+  /// Beyond it, no sphere cuts a cell of a sphere of `radius` whose vertices are within `farthest` of it.
+  double cutting_distance(double farthest, double radius) const {
+    return farthest + std::sqrt(farthest * farthest + (largest_radius_ * largest_radius_ - radius * radius));
+  }
+
   enum class Twin { none, earlier_sphere_of_grain, other_grain };
   Twin twin_of(std::uint32_t sphere) const;
   bool cut_by_spheres(std::uint32_t sphere, Workshop& workshop) const;
@@ -109,6 +125,8 @@ class Surroundings {
   double unit_;
   std::size_t spheres_per_grain_;
   double reach_;
+  std::vector<double> radius_;  ///< of the spheres; empty: all are 1
+  double largest_radius_;
   std::vector<double> wall_radius_;
   double largest_wall_radius_;
   PointImages spheres_, walls_;
@@ -148,17 +166,18 @@ Surroundings::Twin Surroundings::twin_of(std::uint32_t sphere) const {
 }
 
 bool Surroundings::cut_by_spheres(std::uint32_t sphere, Workshop& workshop) const {
-  double searched = kSameCentre, radius = 4;
+  const double own_radius = radius_.empty() ? 1 : radius_[sphere];
+  double searched = kSameCentre, radius = 4 * own_radius;
   for (;;) {
     workshop.cuts.clear();
-    sphere_grid_.for_each_within(spheres_.points[sphere], radius,
-                                 [&](std::uint32_t n, const Eigen::Vector3d& offset, double squared) {
-                                   if (squared > searched * searched)
-                                     workshop.cuts.push_back({squared, n, offset, squared});
-                                 });
+    sphere_grid_.for_each_within(
+        spheres_.points[sphere], radius, [&](std::uint32_t n, const Eigen::Vector3d& offset, double squared) {
+          if (squared > searched * searched)
+            workshop.cuts.push_back({squared, n, offset, squared + power(sphere, spheres_.source[n])});
+        });
     if (!apply_cuts(workshop)) return false;
-    // A sphere farther than twice the farthest vertex is nearer to no point of the cell.
-    const double needed = 2 * farthest_vertex(workshop.cell);
+    // Of equal spheres, one farther than twice the farthest vertex is nearer to no point of the cell.
+    const double needed = cutting_distance(farthest_vertex(workshop.cell), own_radius);
     if (radius >= needed) return true;
     searched = radius;
     radius = std::min(1.5 * radius, needed);
@@ -196,8 +215,10 @@ SphereCell Surroundings::cell_of(std::uint32_t sphere, Workshop& workshop) const
 }
 
 void check(const VoronoiRequest& request) {
-  if (!(request.sphere_radius > 0))
+  if (!(request.sphere_radii.empty() ? request.sphere_radius > 0 : smallest_radius(request) > 0))
     throw std::invalid_argument("Voronoi cells need a positive sphere radius");
+  if (!request.sphere_radii.empty() && request.sphere_radii.size() != request.sphere_centres.size())
+    throw std::invalid_argument("Voronoi cells: every sphere needs one radius, or all have one together");
   if (!(request.largest_reach > 0))
     throw std::invalid_argument("Voronoi cells need a positive largest reach");
   if (request.spheres_per_grain == 0 || request.sphere_centres.size() % request.spheres_per_grain != 0)

@@ -11,12 +11,16 @@
 
 namespace diefill::geometry {
 
-/// What to divide up. Lengths in m. A sphere's cell is cut at every wall sphere on the plane that touches the
-/// wall sphere where it is nearest to the sphere's centre; the volume of walls belongs to no cell.
+/// What to divide up. Lengths in m. Between spheres of unequal radii the dividing plane is the radical one,
+/// from which tangents to both are equally long, so that it never cuts a sphere that the other does not
+/// touch; between equal ones it is halfway. A sphere's cell is cut at every wall sphere on the plane that
+/// touches the wall sphere where it is nearest to the sphere's centre; the volume of walls belongs to no
+/// cell.
 struct VoronoiRequest {
   std::vector<Eigen::Vector3d> sphere_centres;  ///< grain after grain
   std::size_t spheres_per_grain = 1;
-  double sphere_radius = 0;
+  double sphere_radius = 0;          ///< of all spheres
+  std::vector<double> sphere_radii;  ///< one a sphere, in place of sphere_radius; empty: all are equal
   std::vector<Eigen::Vector3d> wall_centres;    ///< wall spheres; they have no cells
   std::vector<double> wall_radii;               ///< one a wall sphere
   std::array<std::optional<double>, 2> period;  ///< along x and y, box centred on the origin
