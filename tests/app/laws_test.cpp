@@ -81,9 +81,9 @@ TEST_P(Laws, RunEndToEndAndKeepTheirEnergy) {
 }
 
 INSTANTIATE_TEST_SUITE_P(All, Laws, testing::ValuesIn(named_laws()),
-                         [](const auto& info) { return "law" + std::to_string(info.index); });
+                         [](const auto& instance) { return "law" + std::to_string(instance.index); });
 
-TEST(LawsInWords, AreNamedByCheckPlanAndReport) {
+TEST(LawsInWords, AreNamedByCheckAndPlan) {
   const SmallDie die;
   set_up(die, named_laws().at(4));
   const std::string rolls = "rolling EPSD2 (rolling_friction 0.1, shear_modulus 600000 Pa)";
