@@ -33,18 +33,19 @@ Kernel::Triangle_3 shrunk_triangle(const Corners& corners) {
 
 std::vector<std::pair<std::size_t, std::size_t>> find_crossings(const Mesh& mesh,
                                                                 const std::vector<std::uint8_t>& left_out) {
-  std::vector<Kernel::Triangle_3> triangles(mesh.triangles.size());
+  // Triangles are made when asked for: of ten million, they would take most of a gigabyte.
+  const auto triangle = [&](std::size_t t) { return shrunk_triangle(corners_of(mesh, t)); };
   std::vector<TriangleBox> boxes;
+  boxes.reserve(mesh.triangles.size());
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
     if (left_out[t]) continue;
-    triangles[t] = shrunk_triangle(corners_of(mesh, t));
-    boxes.emplace_back(triangles[t].bbox(), t);
+    boxes.emplace_back(triangle(t).bbox(), t);
   }
   std::vector<std::pair<std::size_t, std::size_t>> crossings;
   const auto look = [&](const TriangleBox& a, const TriangleBox& b) {
     const std::size_t low = std::min(a.info(), b.info());
     const std::size_t high = std::max(a.info(), b.info());
-    if (CGAL::do_intersect(triangles[low], triangles[high])) crossings.emplace_back(low, high);
+    if (CGAL::do_intersect(triangle(low), triangle(high))) crossings.emplace_back(low, high);
     if (crossings.size() == kMostCrossings) throw Enough();
   };
   try {

@@ -1,7 +1,9 @@
 #include "geometry/solid_query.h"
 
 #include <Eigen/Geometry>
+#include <array>
 #include <cmath>
+#include <cstdint>
 
 #include "geometry/topology.h"
 #include "geometry/triangle_tree.h"
@@ -30,72 +32,92 @@ std::vector<Corners> useful_triangles(const Mesh& mesh, const Topology& topology
 }  // namespace
 
 struct SolidQuery::Implementation {
-  std::vector<std::size_t> mesh_triangle;                     ///< index in the mesh of a triangle in the tree
-  std::vector<std::array<Eigen::Vector3d, 3>> edge_normal;    ///< pseudo-normals; zero where not clean
-  std::vector<std::array<Eigen::Vector3d, 3>> corner_normal;  ///< pseudo-normals; zero where not clean
+  static constexpr std::uint32_t kNone = 0xffffffffU;
+  using Three = std::array<std::uint32_t, 3>;
+
+  // Millions of triangles: numbers in place of the normals that they lead to. By triangle of the tree:
+  std::vector<std::uint32_t> mesh_triangle;    ///< index in the mesh
+  std::vector<Three> across;                   ///< triangle of the tree across each edge, or kNone
+  std::vector<Three> vertex;                   ///< place in vertex_normal of each corner, or kNone
+  std::vector<Eigen::Vector3d> vertex_normal;  ///< pseudo-normals of corners
   TriangleTree tree;
 
   Implementation(const Mesh& mesh, const Topology& topology);
   void collect_pseudo_normals(const Mesh& mesh, const Topology& topology);
+  void name_neighbours(const Mesh& mesh, const Topology& topology);
+  Eigen::Vector3d normal_of(std::size_t triangle) const {
+    return area_vector(tree.corners(triangle)).normalized();
+  }
+  Eigen::Vector3d pseudo_normal(std::size_t triangle, const TriangleFeature& feature) const;
   bool is_behind(std::size_t triangle, const TriangleFoot& foot, const Eigen::Vector3d& point) const;
 };
 
 SolidQuery::Implementation::Implementation(const Mesh& mesh, const Topology& topology)
     : tree(useful_triangles(mesh, topology)) {
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
-    if (!topology.left_out[t]) mesh_triangle.push_back(t);
+    if (!topology.left_out[t]) mesh_triangle.push_back(static_cast<std::uint32_t>(t));
   collect_pseudo_normals(mesh, topology);
+  name_neighbours(mesh, topology);
 }
 
 /// Angle-weighted pseudo-normals tell inside from outside at edges and corners (Baerentzen and Aanaes 2005).
-/// They need a clean fan of triangles round the corner; elsewhere they stay zero and the winding number
+/// They need a clean fan of triangles round the corner; elsewhere there is none and the winding number
 /// decides.
 void SolidQuery::Implementation::collect_pseudo_normals(const Mesh& mesh, const Topology& topology) {
-  const std::size_t count = mesh.triangles.size();
-  std::vector<Eigen::Vector3d> normal(count, Eigen::Vector3d::Zero());
-  std::vector<Eigen::Vector3d> at_vertex(mesh.vertices.size(), Eigen::Vector3d::Zero());
+  vertex_normal.assign(mesh.vertices.size(), Eigen::Vector3d::Zero());
   std::vector<int> triangles_at(mesh.vertices.size(), 0);
-  for (std::size_t t = 0; t < count; ++t) {
-    if (topology.left_out[t]) continue;
-    const Corners c = corners_of(mesh, t);
-    normal[t] = area_vector(c).normalized();
+  for (std::size_t own = 0; own < mesh_triangle.size(); ++own) {
+    const Eigen::Vector3d normal = normal_of(own);
     for (int k = 0; k < 3; ++k) {
-      const auto v = static_cast<std::size_t>(topology.corner(mesh, t, k));
-      at_vertex[v] += angle_at(c, k) * normal[t];
+      const auto v = static_cast<std::size_t>(topology.corner(mesh, mesh_triangle[own], k));
+      vertex_normal[v] += angle_at(tree.corners(own), k) * normal;
       ++triangles_at[v];
     }
   }
-  for (const std::size_t t : mesh_triangle) {
-    edge_normal.emplace_back();
-    corner_normal.emplace_back();
+  // One clean fan has all triangles at its corner, so that each tells the same as the first.
+  enum : std::uint8_t { kUnknown, kWhole, kBroken };
+  std::vector<std::uint8_t> fan(mesh.vertices.size(), kUnknown);
+  for (const std::uint32_t t : mesh_triangle) {
+    vertex.emplace_back();
     for (int k = 0; k < 3; ++k) {
-      const auto slot = static_cast<std::size_t>(k);
-      const std::int64_t across = topology.neighbour[t][slot];
-      edge_normal.back()[slot] = Eigen::Vector3d::Zero();
-      if (across != Topology::kNone)
-        edge_normal.back()[slot] = normal[t] + normal[static_cast<std::size_t>(across)];
       const auto v = static_cast<std::size_t>(topology.corner(mesh, t, k));
-      const bool whole_fan = fan_size(mesh, topology, t, k) == triangles_at[v];
-      corner_normal.back()[slot] = whole_fan ? at_vertex[v] : Eigen::Vector3d(Eigen::Vector3d::Zero());
+      if (fan[v] == kUnknown) fan[v] = fan_size(mesh, topology, t, k) == triangles_at[v] ? kWhole : kBroken;
+      vertex.back()[static_cast<std::size_t>(k)] = fan[v] == kWhole ? static_cast<std::uint32_t>(v) : kNone;
     }
+  }
+}
+
+void SolidQuery::Implementation::name_neighbours(const Mesh& mesh, const Topology& topology) {
+  std::vector<std::uint32_t> of_mesh(mesh.triangles.size(), kNone);
+  for (std::uint32_t own = 0; own < mesh_triangle.size(); ++own) of_mesh[mesh_triangle[own]] = own;
+  for (const std::uint32_t t : mesh_triangle) {
+    across.emplace_back();
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::int64_t other = topology.neighbour[t][k];
+      across.back()[k] = other == Topology::kNone ? kNone : of_mesh[static_cast<std::size_t>(other)];
+    }
+  }
+}
+
+/// Zero where the surface is not clean.
+Eigen::Vector3d SolidQuery::Implementation::pseudo_normal(std::size_t triangle,
+                                                          const TriangleFeature& feature) const {
+  const auto slot = static_cast<std::size_t>(feature.index);
+  switch (feature.kind) {
+    case TriangleFeature::Kind::kEdge:
+      if (across[triangle][slot] == kNone) return Eigen::Vector3d::Zero();
+      return normal_of(triangle) + normal_of(across[triangle][slot]);
+    case TriangleFeature::Kind::kCorner:
+      if (vertex[triangle][slot] == kNone) return Eigen::Vector3d::Zero();
+      return vertex_normal[vertex[triangle][slot]];
+    default:
+      return area_vector(tree.corners(triangle));
   }
 }
 
 bool SolidQuery::Implementation::is_behind(std::size_t triangle, const TriangleFoot& foot,
                                            const Eigen::Vector3d& point) const {
-  const auto slot = static_cast<std::size_t>(foot.feature.index);
-  Eigen::Vector3d normal = Eigen::Vector3d::Zero();
-  switch (foot.feature.kind) {
-    case TriangleFeature::Kind::kFace:
-      normal = area_vector(tree.corners(triangle));
-      break;
-    case TriangleFeature::Kind::kEdge:
-      normal = edge_normal[triangle][slot];
-      break;
-    case TriangleFeature::Kind::kCorner:
-      normal = corner_normal[triangle][slot];
-      break;
-  }
+  const Eigen::Vector3d normal = pseudo_normal(triangle, foot.feature);
   if (normal.isZero(0)) return winding_number(tree.triangles(), point) > 0.5;
   return normal.dot(point - foot.point) < 0;
 }
