@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <csignal>
+#include <ctime>
 #include <memory>
 #include <stdexcept>
 
@@ -63,8 +64,9 @@ TEST(CadChild, EndsOneThatUsesUpItsSeconds) {
   try {
     read_in_child(
         []() -> CadParts {
-          for (volatile unsigned turns = 0;; turns = turns + 1) {
+          while (std::clock() >= 0) {  // uses up processor time until it is stopped
           }
+          return {};
         },
         {1000, 1});
   } catch (const std::runtime_error& error) {

@@ -56,7 +56,7 @@ TEST(EqualVertices, KeepsTheOrderOfFirstComing) {
   EqualVertices places;
   for (int round = 0; round < 2; ++round)
     for (int k = 0; k < 5000; ++k)
-      EXPECT_EQ(places.add({0.1 * k, -k, 1e-30 * k}), static_cast<std::uint32_t>(k));
+      EXPECT_EQ(places.add({0.1 * k, -1.0 * k, 1e-30 * k}), static_cast<std::uint32_t>(k));
   EXPECT_EQ(places.places().size(), 5000U);
 }
 

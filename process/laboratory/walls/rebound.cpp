@@ -80,7 +80,7 @@ results::ExperimentChart chart_of(const std::string& name, const std::string& ti
   chart.title = title;
   chart.subtitle = "Sphere of R = 0.15 mm and 7.63e-8 kg at 0.5 m/s, mean over places of impact";
   chart.x = {.label = "Spacing of the wall spheres over their radius"};
-  chart.y = {.label = y};
+  chart.y = {.label = y, .lower = 0};
   return chart;
 }
 
