@@ -1,5 +1,6 @@
 #include "app/picture_files.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 
@@ -38,7 +39,8 @@ render::ColourRange shared_range(const PictureRequest& request, const std::vecto
 }
 
 double pixels_of(const PictureRequest& request) {
-  return request.width / kLayoutWidth;
+  // Qt draws no coarser than the layout; smaller pictures are scaled down once drawn.
+  return std::max(1.0, request.width / kLayoutWidth);
 }
 
 std::filesystem::path write_picture(const PictureRequest& request, const std::filesystem::path& png,

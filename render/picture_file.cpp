@@ -10,6 +10,8 @@
 namespace diefill::render {
 
 QImage white_canvas(int width, int height, double pixels) {
+  if (!(pixels >= 1))
+    throw std::invalid_argument("pictures are drawn with at least one pixel a layout point");
   QImage canvas(static_cast<int>(std::lround(width * pixels)), static_cast<int>(std::lround(height * pixels)),
                 QImage::Format_RGB32);
   canvas.setDevicePixelRatio(pixels);

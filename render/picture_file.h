@@ -9,7 +9,8 @@
 namespace diefill::render {
 
 /// A white canvas of the given size in layout points, marked for printing at 100 points a centimetre. With
-/// `pixels` 2 it has twice as many pixels each way for the same print.
+/// `pixels` 2 it has twice as many pixels each way for the same print. Throws std::invalid_argument below 1,
+/// which Qt does not scale to.
 QImage white_canvas(int width, int height, double pixels = 1);
 
 /// Writes a PDF of one page, `size` layout points large, that `paint` draws. Whole or not at all, as below.
