@@ -19,7 +19,9 @@ TEST(MeshWalls, FillAndLoseNothingOnAnyNumberOfThreads) {
             138);
   EXPECT_GT(alone.at("filled_mass_kg").get<double>(), 0.2 * 64e-9 * 5397);
   EXPECT_LT(std::abs(alone.at("energy_balance_error").get<double>()), 0.005);
-  ASSERT_EQ(die.run({"--threads", "2"}).exit_code, 0);
+  const Outcome together =
+      run_program({"run", die.scene().string(), "--out", die.out().string(), "--threads", "2"});
+  ASSERT_EQ(together.exit_code, 0) << together.err;
   EXPECT_EQ(die.report().at("state_hash"), alone.at("state_hash"));
 }
 
