@@ -80,7 +80,10 @@ std::vector<engine::NewGrain> volley(const geometry::Mesh& mesh, const geometry:
 /// Grains whose centre is inside the solid behind the wall spheres at any look.
 std::size_t leaked(const geometry::Mesh& mesh, const geometry::WallSpheres& spheres) {
   const geometry::SolidQuery solid(mesh);
-  engine::Simulation simulation(settings(), {{"tool", spheres.centres, spheres.radius, {}, {}, {}}});
+  engine::WallBodySpec tool;
+  tool.centres = spheres.centres;
+  tool.sphere_radius = spheres.radius;
+  engine::Simulation simulation(settings(), {tool});
   simulation.add_grains(volley(mesh, solid));
   std::vector<std::uint64_t> lost;
   const int steps = static_cast<int>(kFlight / kStep / kLooks);
