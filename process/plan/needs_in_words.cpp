@@ -52,7 +52,7 @@ void say_step(const Needs& needs, std::vector<std::string>& said) {
 void say_stiffness(const Needs& needs, const Scene& scene, std::vector<std::string>& said) {
   const std::string piston =
       needs.piston_pressure > 0 ? line(" and %.3g kPa under the piston", 1e-3 * needs.piston_pressure) : "";
-  if (contact_of(scene)) {
+  if (scene.contact) {
     said.push_back(
         line("stiffness: powder's weight presses with %.3g kPa at most", 1e-3 * needs.weight_pressure) +
         piston +

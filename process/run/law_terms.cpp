@@ -23,7 +23,7 @@ LawTerms law_terms(const Scene& scene, const engine::SimulationSettings& setting
   const auto& grains = settings.grain_contact;
   const auto& walls = settings.wall_contact;
   LawTerms terms;
-  const auto contact = contact_of(scene);
+  const auto& contact = scene.contact;
   if (contact)
     for (std::size_t k = 0; k < contact->grains.words.size(); ++k)
       add_part(contact->grains.words[k], contact->walls.words[k], terms);

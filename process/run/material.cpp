@@ -145,7 +145,7 @@ engine::SimulationSettings engine_settings(const Scene& scene, double impact_spe
     settings.sleep->force = scene.economy.wake_force;
   }
   settings.skin = scene.numerics.skin;
-  const auto contact = contact_of(scene);
+  const auto& contact = scene.contact;
   const double scale = coarse_graining_factor(scene.powder);
   constexpr double kAnyStep = 1e-30;  // s: laws that refuse steps too long are asked for their limit first
   if (contact) settings.general_contact = general_contact(*contact, scale, kAnyStep);

@@ -90,7 +90,7 @@ void add_own_law(const Scene& scene, const engine::ContactParameters& contact, r
 results::Topic model_topic(const Scene& scene, const engine::SimulationSettings& settings) {
   results::Topic topic{"model", {}, {}};
   state(topic, "Method", "discrete elements: every simulated grain moves by Newton's laws");
-  const auto contact = contact_of(scene);
+  const auto& contact = scene.contact;
   if (contact)
     add_named_laws(*contact, topic);
   else
@@ -127,7 +127,7 @@ results::Topic walls_topic(const Scene& scene) {
   state(topic, "Wall spheres",
         with_number("radius %.4g mm, ", 1e3 * walls.sphere_radius) +
             with_number("spacing %.3g radii", walls.spacing));
-  if (contact_of(scene)) return topic;
+  if (scene.contact) return topic;
   state(topic, "Friction of walls", with_number("coefficient %.3g", walls.friction));
   state(topic, "Cohesion of walls",
         walls.work_of_adhesion > 0 ? with_number("%.3g J/m\u00b2", walls.work_of_adhesion) : "none");

@@ -39,9 +39,6 @@ struct ContactSpec {
 std::optional<ContactSpec> read_contact(TableReader& document, const PowderSpec& powder,
                                         const WallSpec& walls);
 
-/// [contact] of a scene that has been read, from its text.
-std::optional<ContactSpec> contact_of(const Scene& scene);
-
 /// Coulomb coefficient of a law: the larger one where static and dynamic differ; 0 without friction.
 double friction_coefficient(const engine::laws::LawParameters& law);
 

@@ -1,6 +1,4 @@
 // [contact]: which laws act between grains, and between grains and tools.
-#include <toml++/toml.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -9,7 +7,6 @@
 #include "engine/coarse_graining/methods.h"
 #include "process/scene/contact_parts.h"
 #include "process/scene/contact_spec.h"
-#include "process/scene/scene_text.h"
 
 namespace diefill::process {
 namespace {
@@ -257,13 +254,6 @@ std::optional<ContactSpec> read_contact(TableReader& document, const PowderSpec&
   contact->finish();
   refuse_idle_tables(document, among_grains, with_walls, *contact);
   return ContactSpec{among_grains.pair(), with_walls.pair(), rule.value_or(kBierwischScaling)};
-}
-
-std::optional<ContactSpec> contact_of(const Scene& scene) {
-  if (scene.text.find("contact") == std::string::npos) return std::nullopt;
-  const toml::table parsed = parse_scene_text(scene.text, scene.file);
-  TableReader document(parsed, scene.file, "");
-  return read_contact(document, scene.powder, scene.walls);
 }
 
 }  // namespace diefill::process

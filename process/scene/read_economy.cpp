@@ -39,7 +39,7 @@ void refuse_lopsided(TableReader& table, const Eigen::Vector3d& lower, const Eig
 
 void check_mirror(TableReader& table, Scene& scene) {
   const int axis = *scene.economy.mirror;
-  if (contact_of(scene))
+  if (scene.contact)
     table.reject("mirror",
                  "the mirror plane is made of the powder's own law and knows none of [contact]; "
                  "leave one of the two out");

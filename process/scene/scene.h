@@ -19,6 +19,8 @@
 
 namespace diefill::process {
 
+struct ContactSpec;
+
 /// Grain models of Bierwisch 2009, section 2.2: A sphere without rotation, B rotating sphere, C six
 /// overlapping spheres on an octahedron, D seven touching spheres.
 enum class GrainModel { A, B, C, D };
@@ -179,6 +181,7 @@ struct Scene {
   std::uint64_t seed = 1;
   PowderSpec powder;
   CoarseGraining coarse_graining = CoarseGraining::bierwisch;
+  std::shared_ptr<const ContactSpec> contact;  ///< [contact] (contact_spec.h); none: the powder's own law
   WallSpec walls;
   std::vector<ToolSpec> tools;
   PourSpec pour;

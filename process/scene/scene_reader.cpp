@@ -59,7 +59,10 @@ Scene scene_of(const toml::table& parsed, const std::string& text, const std::fi
   scene.coarse_graining = read_coarse_graining(powder);
   scene.powder = read_powder(powder);
   scene.walls = read_walls(table_or_empty(document, "walls", empty), scene.powder);
-  if (const auto contact = read_contact(document, scene.powder, scene.walls)) follow_contact(*contact, scene);
+  if (auto contact = read_contact(document, scene.powder, scene.walls)) {
+    follow_contact(*contact, scene);
+    scene.contact = std::make_shared<const ContactSpec>(std::move(*contact));
+  }
   scene.tools = read_tools(document, scene.walls, scene.powder);
   const TableReader numerics = table_or_empty(document, "numerics", empty);
   scene.numerics = read_numerics(numerics, scene.powder);

@@ -5,6 +5,7 @@
 #include "process/run/material.h"
 #include "process/scene/contact_parts.h"
 #include "process/scene/contact_spec.h"
+#include "process/scene/variants.h"
 #include "tests/process/scene_files.h"
 #include "tests/process/wrong_scene.h"
 
@@ -31,8 +32,19 @@ constexpr const char* kHertz = "[contact]\nnormal = { law = \"Hertz-Mindlin\", m
 
 TEST(SceneContact, IsNothingUnlessNamed) {
   const Scene scene = scene_of_text(faultless_scene());
-  EXPECT_FALSE(contact_of(scene));
+  EXPECT_FALSE(scene.contact);
   EXPECT_FALSE(engine_settings(scene, 1.0).general_contact);
+}
+
+TEST(SceneContact, FollowsTheVariant) {
+  const SceneFolder folder;
+  const std::string tool = "[[tool]]\nname = \"die\"";
+  const auto variants = read_variants(folder.write(
+      exchanged(faultless_scene(), tool,
+                std::string(kHertz) + "friction = { law = \"Bierwisch\", friction = 0.3 }\n\n" + tool) +
+      "\n[[variant]]\nname = \"rough\"\ncontact.friction.friction = 0.6\n"));
+  ASSERT_EQ(variants.size(), 1U);
+  EXPECT_EQ(friction_coefficient(variants[0].scene.contact->grains.law), 0.6);
 }
 
 TEST(SceneContact, ReadsEveryPartInSiUnits) {
@@ -43,7 +55,7 @@ friction = { law = "Mindlin", friction = 0.5, shear_modulus = "2 MPa", slip_test
 rolling = { law = "EPSD2", rolling_friction = 0.2 }
 attraction = { law = "capillary", surface_tension = "72 mN/m", contact_angle = "30 deg" }
 )");
-  const LawParameters law = contact_of(scene)->grains.law;
+  const LawParameters law = scene.contact->grains.law;
   EXPECT_EQ(law.normal.of<JkrNormal>()->modulus, 5e6);
   EXPECT_NEAR(law.normal.of<JkrNormal>()->surface_energy, 0.01, 1e-15);
   EXPECT_EQ(law.normal.of<JkrNormal>()->load, JkrLoad::printed);
@@ -60,7 +72,7 @@ TEST(SceneContact, GivesOnceWhatPartsShare) {
 friction = { law = "Mindlin", friction = 0.5, shear_modulus = "2 MPa" }
 rolling = { law = "EPSD2", rolling_friction = 0.2 }
 )");
-  const LawParameters law = contact_of(hertz)->grains.law;
+  const LawParameters law = hertz.contact->grains.law;
   EXPECT_EQ(law.damping.of<RestitutionDamping>()->modulus, 5e6);
   EXPECT_EQ(law.friction.of<MindlinFriction>()->restitution, 0.4);
   EXPECT_EQ(law.rolling.of<Epsd2Rolling>()->shear_modulus, 2e6);
@@ -72,7 +84,7 @@ damping = { law = "linear restitution", restitution = 0.4 }
 friction = { law = "Luding", static_friction = 0.5, dynamic_friction = 0.4, stiffness = "60 N/m" }
 rolling = { law = "Luding", rolling_friction = 0.2 }
 )");
-  const LawParameters rolls = contact_of(luding)->grains.law;
+  const LawParameters rolls = luding.contact->grains.law;
   EXPECT_EQ(rolls.damping.of<LinearRestitutionDamping>()->stiffness, 150);
   EXPECT_EQ(rolls.rolling.of<LudingRolling>()->tangential_stiffness, 60);
 }
@@ -86,7 +98,7 @@ friction = { law = "Bierwisch" }
 damping = { law = "none" }
 )",
                                    "friction = 0.7\nreduced_modulus = \"8 MPa\"\n");
-  const ContactSpec contact = *contact_of(scene);
+  const ContactSpec contact = *scene.contact;
   const auto &grains = contact.grains.law, &walls = contact.walls.law;
   const double radius = scene.powder.sphere_radius;
   EXPECT_EQ(grains.normal.of<BierwischNormal>()->reduced_modulus, 8e6);
