@@ -94,7 +94,7 @@ FillRun::FillRun(const Scene& scene, const Tooling& tooling, const RunOptions& o
   const double impact = foreseen_impact_speed(scene, tooling);
   auto settings = engine_settings(scene, impact);
   settings.threads = options.threads;
-  settings.air_draught = draught_of(scene, tooling, settings.shape);
+  settings.air_draught = draught_of(scene, tooling, settings);
   critical_step_ = process::critical_time_step(settings, impact);
   simulation_ =
       std::make_unique<engine::Simulation>(settings, wall_bodies(scene, tooling, settings.grain_contact));

@@ -1,9 +1,28 @@
 #include "process/run/suction.h"
 
+#include <cstdio>
+
 #include "process/run/material.h"
 #include "process/scene/scene_error.h"
 
 namespace diefill::process {
+namespace {
+
+/// Share of the air's speed that a grain may take on in one step: well below the 2 at which it swings up.
+constexpr double kMostTakenAlong = 0.2;
+
+[[noreturn]] void refuse_fine_particles(const Scene& scene, double taken_along) {
+  char text[240];
+  std::snprintf(
+      text, sizeof text,
+      ": suction.particle_diameter: found %.3g mm: air hardly passes powder so fine, and grains would take "
+      "on %.2g of its speed in one time step, at most %.2g is allowed; make it larger or the time step "
+      "shorter",
+      1e3 * scene.suction->particle_diameter, taken_along, kMostTakenAlong);
+  throw SceneError(scene.file.string() + text);
+}
+
+}  // namespace
 
 double permeability(double diameter, double solid_fraction) {
   constexpr double kCarman = 180;
@@ -12,7 +31,7 @@ double permeability(double diameter, double solid_fraction) {
 }
 
 std::optional<engine::AirDraught> draught_of(const Scene& scene, const Tooling& tooling,
-                                             const engine::GrainShape& shape) {
+                                             const engine::SimulationSettings& settings) {
   if (!scene.suction) return std::nullopt;
   const SuctionSpec& suction = *scene.suction;
   if (!tooling.cavity.found)
@@ -24,8 +43,10 @@ std::optional<engine::AirDraught> draught_of(const Scene& scene, const Tooling& 
   engine::AirDraught draught;
   draught.body = tooling.index_of(suction.tool);
   draught.region = {tooling.cavity.box.lower, tooling.cavity.box.upper};
-  draught.resistance =
-      suction.viscosity / permeability(suction.particle_diameter, fraction) * shape.solid_volume / fraction;
+  draught.resistance = suction.viscosity / permeability(suction.particle_diameter, fraction) *
+                       settings.shape.solid_volume / fraction;
+  const double taken_along = draught.resistance * settings.time_step / settings.shape.mass;
+  if (taken_along > kMostTakenAlong) refuse_fine_particles(scene, taken_along);
   return draught;
 }
 

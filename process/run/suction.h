@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "engine/air_draught.h"
-#include "engine/grain_shape.h"
+#include "engine/simulation.h"
 #include "process/run/tooling.h"
 
 namespace diefill::process {
@@ -17,8 +17,8 @@ double permeability(double diameter, double solid_fraction);
 /// falls by viscosity / permeability times the flux against the grains, and pulls at every grain by that
 /// gradient times the volume the grain stands for, solid volume over solid fraction. Acts on powder in the
 /// cavity below the fill plane; the air in the shoe above stands at ambient pressure. Throws SceneError where
-/// there is no cavity.
+/// there is no cavity, or where the air would take grains along within a few time steps of `settings`.
 std::optional<engine::AirDraught> draught_of(const Scene& scene, const Tooling& tooling,
-                                             const engine::GrainShape& shape);
+                                             const engine::SimulationSettings& settings);
 
 }  // namespace diefill::process

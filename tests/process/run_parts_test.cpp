@@ -26,6 +26,25 @@ TEST(Permeability, IsThatOfKozenyAndCarman) {
   EXPECT_NEAR(permeability(2e-4, 0.4) / permeability(1e-4, 0.4), 4, 1e-12);
 }
 
+TEST(Suction, PullsByTheFallOfPressureAndRefusesPowderTooFineForTheStep) {
+  Scene scene;
+  scene.powder = powder_preset("ASC100.29 D2");
+  scene.suction = SuctionSpec{.tool = "punch", .particle_diameter = 1e-4, .solid_fraction = 0.4};
+  Tooling tooling;
+  tooling.cavity.found = true;
+  tooling.cavity.box.include(Eigen::Vector3d::Zero());
+  tooling.tools.emplace_back().spec.name = "punch";
+  const auto settings = engine_settings(scene, 1.0);
+  const auto draught = draught_of(scene, tooling, settings);
+  // 1.8e-5 Pa s over 7.5e-11 m^2, times the volume that a grain stands for.
+  EXPECT_NEAR(draught->resistance, 2.4e5 * settings.shape.solid_volume / 0.4, 1e-9 * draught->resistance);
+  scene.suction->particle_diameter = 1e-6;
+  EXPECT_THROW(draught_of(scene, tooling, settings), SceneError);
+  scene.suction->particle_diameter = 1e-4;
+  tooling.cavity.found = false;
+  EXPECT_THROW(draught_of(scene, tooling, settings), SceneError);
+}
+
 TEST(ComposedPose, TurnsAboutThePivotAndCarriesEarlierShifts) {
   ToolMotion quarter;
   quarter.rotation = Eigen::AngleAxisd(M_PI / 2, Eigen::Vector3d::UnitZ()).toRotationMatrix();
