@@ -29,7 +29,7 @@ struct Springs {
 class Probe {
  public:
   Probe(const laws::LawParameters& parameters, const ForceScaling& scaling, const PairProperties& pair)
-      : scaling_(scaling), law_(laws::make_law(parameters, scaling.original(pair))), scaled_(scaling, law_) {}
+      : law_(laws::make_law(parameters, scaling.original(pair))), scaled_(scaling, law_) {}
 
   /// N, of a first approach to `overlap` (m), damping left out.
   double loading_force(double overlap) const { return react(overlap, {}, {}, 0).force.z; }
@@ -54,7 +54,7 @@ class Probe {
                  dragged = react(overlap, along, {}, 0).force.x;
     const double rolled = react(overlap, {}, along, kShort).couple.x - react(overlap, {}, along, 0).couple.x;
     Springs springs;
-    springs.normal = normal_stiffness(overlap);
+    springs.normal = scaled_.stiffness(overlap);
     springs.tangential = (dragged - slid) / (kSlow * kShort);
     springs.rolling = -rolled / (kSlow * kShort);
     springs.damping = std::abs(react(overlap, {0, 0, 1}, {}, 0).viscous);
@@ -76,14 +76,6 @@ class Probe {
     return scaled_.react(state, memory.data());
   }
 
-  double normal_stiffness(double overlap) const {
-    const double length = std::pow(scaling_.scale, scaling_.overlap_exponent);
-    const Memory memory{};
-    return std::pow(scaling_.scale, scaling_.force_exponent) / length *
-           law_.normal.stiffness(overlap / length, memory.data());
-  }
-
-  ForceScaling scaling_;
   GeneralLaw law_;
   coarse_graining::ScaledLaw<GeneralLaw> scaled_;
 };
