@@ -30,11 +30,34 @@ Scatter scaled(Scatter value, double factor) {
   return value;
 }
 
-/// Strategies from the highest to the lowest fill ratio (filled mass where there is none), unknown ones last.
-std::vector<const Strategy*> ranked(const std::vector<Strategy>& strategies) {
-  const auto merit = [](const Strategy& strategy) {
-    const double ratio = strategy.of("fill_ratio").mean;
-    return std::isfinite(ratio) ? ratio : -std::numeric_limits<double>::infinity();
+/// What strategies are ranked by.
+struct Merit {
+  const char* figure;
+  double sign;  ///< -1: the lowest comes first
+  const char* words;
+};
+
+/// The first of these that all strategies have decides: even filling before much of it, since uneven density
+/// is what warps the sintered part.
+const Merit& merit_for(const std::vector<Strategy>& strategies) {
+  static constexpr std::array kMerits = {
+      Merit{"azimuthal_variation", -1, "By azimuthal variation, the most even filling first"},
+      Merit{"fill_ratio", 1, "By fill ratio, highest first"},
+      Merit{"fill_density_kg_m3", 1, "By fill density, highest first"},
+      Merit{"filled_mass_kg", 1, "By filled mass, highest first"}};
+  const auto* found = std::find_if(kMerits.begin(), kMerits.end(), [&](const Merit& merit) {
+    return std::all_of(strategies.begin(), strategies.end(), [&](const Strategy& strategy) {
+      return std::isfinite(strategy.of(merit.figure).mean);
+    });
+  });
+  return found == kMerits.end() ? kMerits.back() : *found;
+}
+
+/// Strategies by falling merit, those whose merit is not known last.
+std::vector<const Strategy*> ranked(const std::vector<Strategy>& strategies, const Merit& by) {
+  const auto merit = [&](const Strategy& strategy) {
+    const double value = by.sign * strategy.of(by.figure).mean;
+    return std::isfinite(value) ? value : -std::numeric_limits<double>::infinity();
   };
   std::vector<const Strategy*> order;
   for (const auto& strategy : strategies) order.push_back(&strategy);
@@ -45,11 +68,12 @@ std::vector<const Strategy*> ranked(const std::vector<Strategy>& strategies) {
 
 Section ranking(const std::vector<Strategy>& strategies) {
   Section section{"Ranking", 1, {}};
+  const Merit& merit = merit_for(strategies);
   Table table{
-      "By fill ratio, highest first; ± is the standard deviation over seeds", {"Strategy", "Runs"}, {}, true};
+      std::string(merit.words) + "; ± is the standard deviation over seeds", {"Strategy", "Runs"}, {}, true};
   for (const auto& column : kColumns) table.header.emplace_back(column.name);
   table.header.emplace_back("Solid fraction");
-  for (const Strategy* strategy : ranked(strategies)) {
+  for (const Strategy* strategy : ranked(strategies, merit)) {
     std::vector<std::string> row = {strategy->name, std::to_string(strategy->runs.size())};
     for (const auto& column : kColumns)
       row.push_back(as_text(scaled(strategy->of(column.figure), column.factor), 3));

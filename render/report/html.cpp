@@ -23,7 +23,7 @@ nav ul { columns: 18rem; padding-left: 1.2rem; margin: .5rem 0 0; }
 nav a { color: #22407a; }
 .wide { overflow-x: auto; margin: .75rem 0 1.25rem; }
 table { border-collapse: collapse; font-size: .9rem; width: 100%; font-variant-numeric: tabular-nums; }
-caption { text-align: left; color: #555; padding-bottom: .3rem; }
+p.caption { color: #555; font-size: .9rem; margin: 1rem 0 -.4rem; break-after: avoid; }
 th, td { text-align: left; vertical-align: top; padding: .3rem .7rem .3rem 0; border-bottom: 1px solid #ccc;
   overflow-wrap: normal; }
 thead th { border-bottom: 2px solid #777; vertical-align: bottom; }
@@ -52,8 +52,9 @@ class Writer {
   }
 
   void operator()(const Table& table) {
+    // Not a <caption>: on a narrow screen it would scroll out of sight with the table's columns.
+    if (!table.caption.empty()) page += "<p class=\"caption\">" + escaped(table.caption) + "</p>\n";
     page += table.numbers ? "<div class=\"wide\"><table class=\"numbers\">" : "<div class=\"wide\"><table>";
-    if (!table.caption.empty()) page += "<caption>" + escaped(table.caption) + "</caption>";
     if (!table.header.empty()) {
       page += "<thead><tr>";
       for (const auto& cell : table.header) page += "<th scope=\"col\">" + escaped(cell) + "</th>";

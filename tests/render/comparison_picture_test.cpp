@@ -52,6 +52,10 @@ TEST_F(ComparisonPictures, ShareOneScale) {
   }
 }
 
+TEST_F(ComparisonPictures, LookLikeTheirReference) {
+  expect_like_reference(compose_comparison(maps(4), kTitle).image, "comparison.png");
+}
+
 // A variant whose powder is heaped higher does not stretch the others: equal heights stand level.
 TEST_F(ComparisonPictures, PutEqualHeightsLevel) {
   auto fields = maps(2);

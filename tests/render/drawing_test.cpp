@@ -3,6 +3,7 @@
 #include <cstdlib>
 
 #include "render/pictures.h"
+#include "tests/support/image_compare.h"
 
 namespace diefill::render::test {
 
@@ -19,6 +20,20 @@ void Drawing::keep(const QImage& image, const std::string& name) {
   if (!folder) return;
   std::filesystem::create_directories(folder);
   image.save(QString::fromStdString((std::filesystem::path(folder) / name).string()), "PNG");
+}
+
+void Drawing::expect_like_reference(const QImage& image, const std::string& name) {
+  keep(image, "reference_" + name);
+  const auto path =
+      QString::fromStdString(std::string(DIEFILL_SOURCE_DIR) + "/tests/render/references/" + name);
+  if (std::getenv("DIEFILL_NEW_REFERENCES")) {
+    ASSERT_TRUE(support::as_reference(image).save(path, "PNG"));
+  }
+  const QImage reference(path);
+  ASSERT_FALSE(reference.isNull()) << path.toStdString();
+  const auto distance = support::image_distance(support::as_reference(image), reference);
+  EXPECT_LT(distance.mean, 0.5) << name;
+  EXPECT_LT(distance.worst, 8) << name;
 }
 
 Rgb pixel_at(const QImage& image, const QPointF& place) {

@@ -1,7 +1,4 @@
-// Pictures held against stored ones. DIEFILL_NEW_REFERENCES=1 stores them anew: look at every one before it
-// is kept.
-#include <cstdlib>
-
+// Pictures of fields, charts and views held against stored ones.
 #include "render/arrow_map.h"
 #include "render/chart_layout.h"
 #include "render/density_map.h"
@@ -18,22 +15,7 @@ namespace {
 
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
-class Reference : public Drawing {
- protected:
-  static void expect_like_reference(const QImage& image, const std::string& name) {
-    keep(image, "reference_" + name);
-    const auto path =
-        QString::fromStdString(std::string(DIEFILL_SOURCE_DIR) + "/tests/render/references/" + name);
-    if (std::getenv("DIEFILL_NEW_REFERENCES")) {
-      ASSERT_TRUE(support::as_reference(image).save(path, "PNG"));
-    }
-    const QImage reference(path);
-    ASSERT_FALSE(reference.isNull()) << path.toStdString();
-    const auto distance = support::image_distance(support::as_reference(image), reference);
-    EXPECT_LT(distance.mean, 0.5) << name;
-    EXPECT_LT(distance.worst, 8) << name;
-  }
-};
+using Reference = Drawing;
 
 results::ArrowField swirl() {
   results::ArrowField arrows;

@@ -127,11 +127,42 @@ TEST_F(ReportDrawing, TimelineHasABarFromStartToEnd) {
   EXPECT_THROW(compose_timeline({}), std::invalid_argument);
 }
 
+TEST_F(ReportDrawing, TimelineLooksLikeItsReference) {
+  expect_like_reference(compose_timeline({{"", "settling until at rest", 0, 0.2},
+                                          {"shoe", "2 passages at 0.2 m/s", 0.2, 0.9},
+                                          {"die", "vibration at 32 Hz, 1 mm", 0.3, 0.8},
+                                          {"", "settling until at rest", 0.9, 1.1}}),
+                        "timeline.png");
+}
+
+/// The table that a comparison opens with.
+Table ranking_of(const std::vector<report::Run>& runs) {
+  return std::get<Table>(comparison_sections(strategies_of(runs)).front().blocks.front());
+}
+
+TEST_F(ReportDrawing, EvenFillingRanksFirstWhereAllRunsTellHowEvenTheyAre) {
+  std::vector<report::Run> runs = {run_at("full", 0.2, 0.9), run_at("even", 0.4, 0.5)};
+  runs[0].result.figures["azimuthal_variation"] = 0.5;
+  EXPECT_EQ(ranking_of(runs).rows.front().front(), runs[0].result.strategy);
+  EXPECT_NE(ranking_of(runs).caption.find("By fill ratio"), std::string::npos);
+  runs[1].result.figures["azimuthal_variation"] = 0.1;
+  EXPECT_EQ(ranking_of(runs).rows.front().front(), runs[1].result.strategy);
+  EXPECT_NE(ranking_of(runs).caption.find("By azimuthal variation"), std::string::npos);
+}
+
+TEST_F(ReportDrawing, FillDensityRanksWhereARunHasNoFillRatio) {
+  std::vector<report::Run> runs = {run_at("cleared", 0.2, 0.9), run_at("other", 0.4, 0.5)};
+  runs[0].result.figures.erase("fill_ratio");
+  runs[0].result.figures["fill_density_kg_m3"] = 1500;
+  runs[1].result.figures["fill_density_kg_m3"] = 1400;
+  EXPECT_EQ(ranking_of(runs).rows.front().front(), runs[0].result.strategy);
+  EXPECT_NE(ranking_of(runs).caption.find("By fill density"), std::string::npos);
+}
+
 TEST_F(ReportDrawing, SeveralRunsAreRankedByFillRatioWithTheCriticalSpeed) {
   const std::vector<report::Run> runs = {run_at("fast", 0.4, 0.5), run_at("slow", 0.2, 1.0 / std::sqrt(2.0))};
   const auto sections = comparison_sections(strategies_of(runs));
-  const auto& ranking = std::get<Table>(sections.front().blocks.front());
-  EXPECT_EQ(ranking.rows.front().front(), runs[1].result.strategy);
+  EXPECT_EQ(ranking_of(runs).rows.front().front(), runs[1].result.strategy);
   bool told = false;
   for (const auto& section : sections)
     if (section.title == "Critical shoe speed")

@@ -112,6 +112,12 @@ TEST_F(TradeoffCharts, AKnobsChartHasACategoryForEachValue) {
   EXPECT_EQ(contents(file("knob.png")).substr(0, 8), "\x89PNG\r\n\x1a\n");
 }
 
+TEST_F(TradeoffCharts, LookLikeTheirReferences) {
+  const Tradeoff tradeoff = crowded();
+  expect_like_reference(compose_tradeoff(tradeoff).image, "tradeoff.png");
+  expect_like_reference(compose_knob(tradeoff, tradeoff.knobs.front()).image, "knob.png");
+}
+
 TEST(Labels, GoBesideTheirPointsWhereThereIsRoom) {
   const QRectF area(0, 0, 400, 300);
   const auto labels = place_labels({{{200, 150}, {80, 20}, 10}}, area);
