@@ -17,12 +17,14 @@ namespace diefill::app {
 namespace {
 
 using process::laboratory::RaceBed;
+using process::laboratory::read_race_bed;
+using process::laboratory::side_by_side;
 
 struct BenchOptions {
   std::string bed;
   std::optional<std::string> state, trace;
   double width = 0;  ///< mm, of the box that `state` fills; 0: that of its kind
-  int threads = 1, steps = 600, repeats = 1, every = 100;
+  int threads = 1, steps = 600, copies = 1, every = 100;
   std::size_t spheres = 50000;
   bool json = false;
 };
@@ -107,9 +109,9 @@ int bench(const BenchOptions& options) {
   const double before = resident_bytes();
   std::optional<engine::Simulation> simulation;
   {
-    const auto bed = options.state
-                         ? process::laboratory::read_race_bed(kind, *options.state, 1e-3 * options.width)
-                         : process::laboratory::loose_race_bed(kind, options.spheres);
+    const auto bed = options.state ? side_by_side(read_race_bed(kind, *options.state, 1e-3 * options.width),
+                                                  options.copies)
+                                   : process::laboratory::loose_race_bed(kind, options.spheres);
     simulation.emplace(assembled(bed, options.threads));
   }
   if (options.trace) {
@@ -140,6 +142,11 @@ void add_bench(CLI::App& program, Action& chosen) {
       ->check(CLI::ExistingFile);
   command->add_option("--width", options->width, "side in mm of the periodic box of --state")
       ->check(CLI::Range(1.0, 1000.0))
+      ->needs("--state");
+  command
+      ->add_option("--copies", options->copies,
+                   "N: start from N x N copies of --state side by side, to see what size costs")
+      ->check(CLI::Range(1, 100))
       ->needs("--state");
   command->add_option("--trace", options->trace,
                       "instead of timing, write kinetic energies and the final grains into this folder");

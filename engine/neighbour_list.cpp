@@ -63,6 +63,8 @@ void NeighbourList::build(const SphereField& spheres, const std::vector<WallBody
     block.sums.resize(block.grains() + block.foreign.size());
   });
   index_foreign_sums();
+  // Between searches they would be the largest thing in memory that nobody looks at.
+  for (auto& level : levels_) level.cells = {};
 }
 
 void NeighbourList::sort_into_cells(const SphereField& spheres, double skin) {
@@ -117,9 +119,7 @@ void NeighbourList::number_spheres(Block& block, const SphereField& spheres) con
     const std::uint32_t grain = sphere / per_grain;
     if (grain != last) {
       const bool real = grain < spheres.grains;
-      const GrainImage image =
-          real ? GrainImage{grain, Eigen::Vector3d::Zero()} : spheres.images[grain - spheres.grains];
-      block.foreign.push_back({image.owner, image.shift});
+      block.foreign.push_back({real ? grain : spheres.images[grain - spheres.grains].owner, grain});
       last = grain;
     }
     block.slot.push_back(static_cast<std::uint16_t>(block.grains() + block.foreign.size() - 1));

@@ -61,10 +61,10 @@ struct PairTable {
   const double* memory_of(std::size_t p) const { return memory.data() + p * width; }
 };
 
-/// A grain outside a block that pairs of the block push, seen where the pairs see it.
+/// A grain outside a block that pairs of the block push, and where the pairs see it.
 struct ForeignGrain {
   std::uint32_t owner;
-  Eigen::Vector3d shift;  ///< m, of the image that the pairs meet; 0 for the grain itself
+  std::uint32_t seen;  ///< the grain itself, or the image of it that the pairs meet (SphereField)
 };
 
 /// A run of grains that one thread works on at a time: its pairs, and the forces they cause. Sums 0 to

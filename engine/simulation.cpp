@@ -285,7 +285,8 @@ void Simulation::gather(std::size_t b, std::vector<ContactSum>& contacts) const 
     ContactSum sum = block.sums[place.slot];
     if (composed) {
       const ForeignGrain& seen = block.foreign[place.slot - block.grains()];
-      const Vector3 arm = plain(grains_.position[place.grain]) + plain(seen.shift) - plain(block.reference);
+      const Vector3 arm =
+          plain(grains_.position[place.grain]) + spheres_.shift(seen.seen) - plain(block.reference);
       sum.add_moment(-cross(arm, sum.force()));
     }
     contacts[place.grain - own.begin] += sum;

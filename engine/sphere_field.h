@@ -32,6 +32,10 @@ struct SphereField {
   void reorder_motion(const std::vector<std::uint32_t>& order);
 
   std::size_t size() const { return position.size(); }
+  /// m, from a grain's owner to the grain: 0 unless it is an image.
+  Vector3 shift(std::size_t grain) const {
+    return grain < grains ? Vector3{} : plain(images[grain - grains].shift);
+  }
   /// Real grain that sphere k belongs to.
   std::size_t owner(std::size_t k) const {
     const std::size_t grain = k / spheres_per_grain;

@@ -98,6 +98,21 @@ RaceBedState read_race_bed(RaceBed kind, const std::filesystem::path& file, doub
   return bed;
 }
 
+RaceBedState side_by_side(const RaceBedState& bed, int copies) {
+  RaceBedState all = bed;
+  all.grains.clear();
+  const double width_x = bed.settings.period[0].value(), width_y = bed.settings.period[1].value();
+  all.settings.period = {copies * width_x, copies * width_y};
+  for (int j = 0; j < copies; ++j)
+    for (int i = 0; i < copies; ++i)
+      for (engine::NewGrain grain : bed.grains) {
+        grain.position.x() += (i - 0.5 * (copies - 1)) * width_x;
+        grain.position.y() += (j - 0.5 * (copies - 1)) * width_y;
+        all.grains.push_back(grain);
+      }
+  return all;
+}
+
 RaceBedState loose_race_bed(RaceBed kind, std::size_t spheres) {
   const std::size_t per_grain = kind == RaceBed::spheres ? 1 : 7;
   const double radius = kind == RaceBed::spheres ? kSphereRadius : 3 * kClumpRadius;

@@ -28,6 +28,9 @@ RaceBedState empty_race_bed(RaceBed kind, double width);
 /// results::ResultError when the file cannot be read as such.
 RaceBedState read_race_bed(RaceBed kind, const std::filesystem::path& file, double width = 0);
 
+/// `copies` x `copies` of a periodic bed side by side in one box: a larger bed in the very same state.
+RaceBedState side_by_side(const RaceBedState& bed, int copies);
+
 /// A bed of about `spheres` spheres as they fall, on a lattice just above the ground: let it fall for
 /// `kRaceBedFall` steps before timing.
 RaceBedState loose_race_bed(RaceBed kind, std::size_t spheres);

@@ -1,5 +1,5 @@
-// Speed of the engine on beds that have fallen together: sphere-steps per second for grains of model A and D, on one and two
-// threads. Quote ratios within one run: machines are noisy.
+// Speed of the engine on beds that have fallen together: sphere-steps per second for grains of model A and D,
+// on one and two threads. Quote ratios within one run: machines are noisy.
 #include <benchmark/benchmark.h>
 
 #include <cmath>
@@ -20,8 +20,18 @@ WallBodySpec ground(double width) {
   return body;
 }
 
-/// Grains on a lattice of 1.05 d, let fall for 0.03 s so that they lie on each other.
-Simulation fallen_bed(const GrainShape& shape, int across, int layers, int threads) {
+/// `count` wall spheres of the same body, 50 mm below the ground: where no powder gets.
+void add_far_spheres(WallBodySpec& body, int count) {
+  const int across = static_cast<int>(std::sqrt(count));
+  const double spacing = 1.6 * body.sphere_radius;
+  for (int k = 0; k < count; ++k)
+    body.centres.emplace_back((k % across - 0.5 * across) * spacing, (k / across - 0.5 * across) * spacing,
+                              -0.05);
+}
+
+/// Grains on a lattice of 1.05 d, let fall for 0.03 s so that they lie on each other. `far_spheres`: on the
+/// ground's body, out of reach.
+Simulation fallen_bed(const GrainShape& shape, int across, int layers, int threads, int far_spheres = 0) {
   SimulationSettings settings;
   settings.shape = shape;
   const double radius = shape.sphere_radius;
@@ -31,7 +41,9 @@ Simulation fallen_bed(const GrainShape& shape, int across, int layers, int threa
   settings.threads = threads;
   const double constant = 2.1 * shape.bounding_radius(), width = across * constant;
   settings.period = {width, width};
-  Simulation simulation(settings, {ground(width)});
+  WallBodySpec body = ground(width);
+  add_far_spheres(body, far_spheres);
+  Simulation simulation(settings, {body});
   std::vector<NewGrain> grains;
   for (int k = 0; k < layers; ++k)
     for (int j = 0; j < across; ++j)
@@ -56,11 +68,25 @@ void steps(benchmark::State& state, const GrainShape& shape, int across, int lay
   state.counters["spheres"] = spheres;
 }
 
-void model_a_bed(benchmark::State& state) { steps(state, model_a(1.5e-4, 7.63e-8), 20, 20); }
-void model_d_bed(benchmark::State& state) { steps(state, model_d(7.84e-5, 7.63e-8), 12, 12); }
+void model_a_bed(benchmark::State& state) {
+  steps(state, model_a(1.5e-4, 7.63e-8), 20, 20);
+}
+void model_d_bed(benchmark::State& state) {
+  steps(state, model_d(7.84e-5, 7.63e-8), 12, 12);
+}
+
+/// What wall spheres cost that no powder reaches: to be held against the same bed with none.
+void bed_with_far_wall_spheres(benchmark::State& state) {
+  Simulation simulation = fallen_bed(model_d(7.84e-5, 7.63e-8), 48, 2, 1, static_cast<int>(state.range(0)));
+  for (auto _ : state) simulation.step();
+  std::size_t walls = 0;
+  for (const auto& body : simulation.bodies()) walls += body.size();
+  state.counters["wall_spheres"] = static_cast<double>(walls);
+}
 
 BENCHMARK(model_a_bed)->Arg(1)->Arg(2)->UseRealTime()->Unit(benchmark::kMillisecond);
 BENCHMARK(model_d_bed)->Arg(1)->Arg(2)->UseRealTime()->Unit(benchmark::kMillisecond);
+BENCHMARK(bed_with_far_wall_spheres)->Arg(0)->Arg(290000)->Unit(benchmark::kMillisecond);
 
 }  // namespace
 }  // namespace diefill::engine

@@ -1,0 +1,36 @@
+#include "process/laboratory/race_bed.h"
+
+#include <gtest/gtest.h>
+
+namespace diefill::process::laboratory {
+namespace {
+
+engine::Simulation simulation_of(const RaceBedState& bed) {
+  engine::Simulation simulation(bed.settings, bed.walls);
+  simulation.add_grains(bed.grains);
+  return simulation;
+}
+
+// Copies of a periodic bed touch one another as the bed touches its own images: every figure is that of one
+// bed times the number of copies.
+TEST(RaceBed, CopiesSideBySideAreTheSameBedManyTimes) {
+  RaceBedState bed = loose_race_bed(RaceBed::spheres, 200);
+  // Neighbours press on each other, over the period's border, too.
+  constexpr double kCloser = 0.94;
+  for (auto& grain : bed.grains) grain.position *= kCloser;
+  for (auto& period : bed.settings.period) *period *= kCloser;
+  engine::Simulation one = simulation_of(bed), nine = simulation_of(side_by_side(bed, 3));
+  ASSERT_EQ(nine.grains().size(), 9 * one.grains().size());
+  for (int step = 0; step < 20; ++step) {
+    one.step();
+    nine.step();
+  }
+  EXPECT_GT(one.touching_pairs(), 2 * one.grains().size());
+  EXPECT_EQ(nine.touching_pairs(), 9 * one.touching_pairs());
+  const double energy = one.energy().total();
+  EXPECT_NEAR(nine.energy().total(), 9 * energy, 1e-9 * std::abs(9 * energy));
+  EXPECT_NEAR(nine.deepest_overlap(), one.deepest_overlap(), 1e-9 * one.deepest_overlap());
+}
+
+}  // namespace
+}  // namespace diefill::process::laboratory
