@@ -95,6 +95,30 @@ void add_mesh_marks(const process::Tool& tool, std::vector<render::FindingMark>&
   }
 }
 
+void print_cavity(const char* name, const geometry::Cavity& cavity) {
+  const Eigen::Vector3d place = 1e3 * cavity.narrowest_place;
+  std::printf("%s: volume %.4g cm3, depth %.2f mm, narrowest width %.3f mm near (%.2f, %.2f, %.2f) mm", name,
+              1e6 * cavity.volume, 1e3 * cavity.box.size()[2], 1e3 * cavity.narrowest_width, place[0],
+              place[1], place[2]);
+  if (cavity.is_ring)
+    std::printf(", ring of %.2f to %.2f mm diameter", 2e3 * cavity.inner_radius, 2e3 * cavity.outer_radius);
+  std::printf("\n");
+}
+
+Json cavity_as_json(const geometry::Cavity& cavity) {
+  return {{"volume_m3", cavity.volume},
+          {"depth_m", cavity.box.size()[2]},
+          {"narrowest_width_m", cavity.narrowest_width},
+          {"narrowest_place_m", point(cavity.narrowest_place)},
+          {"is_ring", cavity.is_ring}};
+}
+
+render::FindingMark width_mark(const geometry::Cavity& cavity) {
+  char text[80];
+  std::snprintf(text, sizeof text, "narrowest width of the cavity, %.3f mm", 1e3 * cavity.narrowest_width);
+  return {render::MarkKind::kFact, text, {cavity.narrowest_place}};
+}
+
 }  // namespace
 
 void print_tool(const process::Tool& tool, const geometry::Symmetry* symmetry) {
@@ -136,18 +160,17 @@ void print_pairs(const process::Diagnosis& diagnosis) {
     std::printf("%s and %s: %s\n", pair.one.c_str(), pair.other.c_str(), pair.in_words.c_str());
 }
 
-void print_cavity(const geometry::Cavity& cavity) {
-  if (!cavity.found) {
+void print_cavities(const process::Tooling& tooling) {
+  if (!tooling.cavity.found) {
     std::printf("cavity: none below the fill plane\n");
     return;
   }
-  const Eigen::Vector3d place = 1e3 * cavity.narrowest_place;
-  std::printf("cavity: volume %.4g cm3, depth %.2f mm, narrowest width %.3f mm near (%.2f, %.2f, %.2f) mm",
-              1e6 * cavity.volume, 1e3 * cavity.box.size()[2], 1e3 * cavity.narrowest_width, place[0],
-              place[1], place[2]);
-  if (cavity.is_ring)
-    std::printf(", ring of %.2f to %.2f mm diameter", 2e3 * cavity.inner_radius, 2e3 * cavity.outer_radius);
-  std::printf("\n");
+  print_cavity("cavity", tooling.cavity);
+  for (const auto& other : tooling.other_cavities) print_cavity("smaller cavity", other);
+  if (!tooling.other_cavities.empty())
+    std::printf(
+        "figures and maps are of the largest of the %zu cavities; report.json says what the others hold\n",
+        tooling.other_cavities.size() + 1);
 }
 
 Json tools_as_json(const process::Tooling& tooling, const process::Diagnosis& diagnosis) {
@@ -158,13 +181,8 @@ Json tools_as_json(const process::Tooling& tooling, const process::Diagnosis& di
     json["tools"].push_back(std::move(tool));
   }
   for (const auto& pair : diagnosis.pairs) json["pairs"].push_back(pair_as_json(pair));
-  const auto& cavity = tooling.cavity;
-  if (cavity.found)
-    json["cavity"] = {{"volume_m3", cavity.volume},
-                      {"depth_m", cavity.box.size()[2]},
-                      {"narrowest_width_m", cavity.narrowest_width},
-                      {"narrowest_place_m", point(cavity.narrowest_place)},
-                      {"is_ring", cavity.is_ring}};
+  if (tooling.cavity.found) json["cavity"] = cavity_as_json(tooling.cavity);
+  for (const auto& other : tooling.other_cavities) json["smaller_cavities"].push_back(cavity_as_json(other));
   return json;
 }
 
@@ -179,12 +197,8 @@ std::vector<render::FindingMark> marks_of(const process::Tooling& tooling,
     else if (pair.overlap > 0)
       findings.push_back({render::MarkKind::kFact, names + pair.in_words, {pair.overlap_place}});
   }
-  if (tooling.cavity.found) {
-    char text[80];
-    std::snprintf(text, sizeof text, "narrowest width of the cavity, %.3f mm",
-                  1e3 * tooling.cavity.narrowest_width);
-    findings.push_back({render::MarkKind::kFact, text, {tooling.cavity.narrowest_place}});
-  }
+  if (tooling.cavity.found) findings.push_back(width_mark(tooling.cavity));
+  for (const auto& other : tooling.other_cavities) findings.push_back(width_mark(other));
   return findings;
 }
 

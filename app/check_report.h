@@ -13,7 +13,8 @@ namespace diefill::app {
 void print_tool(const process::Tool& tool, const geometry::Symmetry* symmetry);
 /// How neighbouring tools fit.
 void print_pairs(const process::Diagnosis& diagnosis);
-void print_cavity(const geometry::Cavity& cavity);
+/// What is to be filled.
+void print_cavities(const process::Tooling& tooling);
 
 /// All that the above print, lengths in m. `diagnosis` may be empty when tools were refused.
 nlohmann::ordered_json tools_as_json(const process::Tooling& tooling, const process::Diagnosis& diagnosis);

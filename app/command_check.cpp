@@ -82,7 +82,7 @@ int check(const CheckArguments& arguments) {
   }
   for (std::size_t k = 0; k < tooling.tools.size(); ++k) print_tool(tooling.tools[k], &diagnosis.symmetry[k]);
   print_pairs(diagnosis);
-  print_cavity(tooling.cavity);
+  print_cavities(tooling);
   print_simulation(scene, tooling, run);
   if (!arguments.picture.empty()) std::printf("picture: %s\n", arguments.picture.c_str());
   return kDone;

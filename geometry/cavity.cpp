@@ -53,23 +53,16 @@ VoxelGrid fine_grid(const CavityRegion& found, const Box& space) {
   return grid_from({found.box.lower.x(), found.box.lower.y(), space.upper.z()}, edge, box);
 }
 
-}  // namespace
-
-Cavity find_cavity(const std::vector<const Mesh*>& solids, double fill_plane) {
+// What the tools' outlines say of a region; not found where they say nothing.
+Cavity read_off(const CavityRegion& region, const std::vector<const Mesh*>& solids, double fill_plane) {
   Cavity cavity;
-  const Box space = space_below(solids, fill_plane);
-  if (solids.empty() || space.size().minCoeff() <= 0) return cavity;
-  auto region = find_cavity_region(solids, coarse_grid(space));
-  if (!region) return cavity;
-  if (auto finer = find_cavity_region(solids, fine_grid(*region, space))) region = std::move(finer);
-  const auto slices = cavity_slices(*region, solids);
+  const auto slices = cavity_slices(region, solids);
   if (slices.empty()) return cavity;
-
   cavity.found = true;
-  cavity.box = region->box;
-  cavity.volume = region->volume;
-  const auto ring = fit_ring(slices, region->grid.edge);
-  const auto narrowest = ring ? ring->narrowest : narrowest_width(*region, slices);
+  cavity.box = region.box;
+  cavity.volume = region.volume;
+  const auto ring = fit_ring(slices, region.grid.edge);
+  const auto narrowest = ring ? ring->narrowest : narrowest_width(region, slices);
   cavity.narrowest_width = narrowest.width;
   cavity.narrowest_place = narrowest.place;
   const Eigen::Vector2d axis =
@@ -81,6 +74,28 @@ Cavity find_cavity(const std::vector<const Mesh*>& solids, double fill_plane) {
     cavity.outer_radius = ring->outer_radius;
   }
   return cavity;
+}
+
+}  // namespace
+
+std::vector<Cavity> find_cavities(const std::vector<const Mesh*>& solids, double fill_plane) {
+  std::vector<Cavity> cavities;
+  const Box space = space_below(solids, fill_plane);
+  if (solids.empty() || space.size().minCoeff() <= 0) return cavities;
+  for (const auto& coarse : find_cavity_regions(solids, coarse_grid(space))) {
+    // Others that the finer grid meets have a way out through its sides.
+    const auto finer = find_cavity_regions(solids, fine_grid(coarse, space));
+    const Cavity cavity = read_off(finer.empty() ? coarse : finer.front(), solids, fill_plane);
+    if (cavity.found) cavities.push_back(cavity);
+  }
+  std::stable_sort(cavities.begin(), cavities.end(),
+                   [](const Cavity& a, const Cavity& b) { return a.volume > b.volume; });
+  return cavities;
+}
+
+Cavity find_cavity(const std::vector<const Mesh*>& solids, double fill_plane) {
+  const auto cavities = find_cavities(solids, fill_plane);
+  return cavities.empty() ? Cavity{} : cavities.front();
 }
 
 }  // namespace diefill::geometry

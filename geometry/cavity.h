@@ -28,9 +28,12 @@ struct Cavity {
   Eigen::Vector3d narrowest_place = Eigen::Vector3d::Zero();
 };
 
-/// Finds the cavity below height `fill_plane` (m) between `solids` (laboratory frame, closed, outward): the
-/// largest one if there are several. Space with a way out through the sides or below, as under a slit, is
-/// none.
+/// Finds the cavities below height `fill_plane` (m) between `solids` (laboratory frame, closed, outward), the
+/// largest first; none below a hundredth of it. Space with a way out through the sides or below, as under a
+/// slit, is none.
+std::vector<Cavity> find_cavities(const std::vector<const Mesh*>& solids, double fill_plane);
+
+/// The largest of them, or one that says that there is none.
 Cavity find_cavity(const std::vector<const Mesh*>& solids, double fill_plane);
 
 }  // namespace diefill::geometry

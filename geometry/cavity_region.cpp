@@ -1,6 +1,7 @@
 #include "geometry/cavity_region.h"
 
 #include <algorithm>
+#include <optional>
 
 namespace diefill::geometry {
 namespace {
@@ -9,8 +10,16 @@ namespace {
 // tools.
 constexpr double kLargestFit = 2e-4 * 1.4142;
 
+// A smaller share of the largest cavity is a pocket in a tool, and none that anybody fills.
+constexpr double kSmallestShare = 0.01;
+
 class Components {
  public:
+  struct Enclosed {
+    std::int32_t label;
+    std::size_t size;  // voxels
+  };
+
   Components(const VoxelGrid& grid, const std::vector<std::uint8_t>& blocked)
       : grid_(grid), labels_(blocked.size(), 0) {
     for (std::size_t i = 0; i < blocked.size(); ++i) labels_[i] = blocked[i] ? kBlocked : 0;
@@ -19,8 +28,13 @@ class Components {
     }
   }
 
-  // Of the largest component without a way out; 0 when there is none.
-  std::int32_t largest_enclosed() const { return largest_; }
+  // Components without a way out, by falling size.
+  std::vector<Enclosed> enclosed() const {
+    std::vector<Enclosed> sorted = enclosed_;
+    std::stable_sort(sorted.begin(), sorted.end(),
+                     [](const Enclosed& a, const Enclosed& b) { return a.size > b.size; });
+    return sorted;
+  }
   const std::vector<std::int32_t>& labels() const { return labels_; }
 
  private:
@@ -55,15 +69,13 @@ class Components {
         }
       }
     }
-    if (leaks || size <= largest_size_) return;
-    largest_size_ = size;
-    largest_ = last_;
+    if (!leaks) enclosed_.push_back({last_, size});
   }
 
   const VoxelGrid& grid_;
   std::vector<std::int32_t> labels_;
-  std::int32_t last_ = 0, largest_ = 0;
-  std::size_t largest_size_ = 0;
+  std::int32_t last_ = 0;
+  std::vector<Enclosed> enclosed_;
 };
 
 // Follows the lines of voxel centres along one axis through the cavity, from solid to solid.
@@ -137,18 +149,12 @@ class LineMeasure {
   std::vector<SolidRows::Row> rows_;
 };
 
-}  // namespace
-
-std::optional<CavityRegion> find_cavity_region(std::span<const Mesh* const> solids, const VoxelGrid& grid) {
+CavityRegion region_of(std::span<const Mesh* const> solids, const VoxelGrid& grid,
+                       const std::vector<std::int32_t>& labels, std::int32_t label) {
   CavityRegion region;
   region.grid = grid;
-  auto blocked = blocked_voxels(grid, solids, kLargestFit);
-  close_short_stretches(grid, kLargestFit, blocked);
-  const Components components(grid, blocked);
-  const auto label = components.largest_enclosed();
-  if (label == 0) return std::nullopt;
   region.inside.resize(grid.size());
-  std::transform(components.labels().begin(), components.labels().end(), region.inside.begin(),
+  std::transform(labels.begin(), labels.end(), region.inside.begin(),
                  [label](std::int32_t other) { return static_cast<std::uint8_t>(other == label); });
   for (int axis = 0; axis < 3; ++axis) {
     const LineMeasure lines(region, solids, axis);
@@ -158,6 +164,20 @@ std::optional<CavityRegion> find_cavity_region(std::span<const Mesh* const> soli
   }
   region.box.upper.z() = grid.origin.z() + grid.counts.z() * grid.edge;
   return region;
+}
+
+}  // namespace
+
+std::vector<CavityRegion> find_cavity_regions(std::span<const Mesh* const> solids, const VoxelGrid& grid) {
+  auto blocked = blocked_voxels(grid, solids, kLargestFit);
+  close_short_stretches(grid, kLargestFit, blocked);
+  const Components components(grid, blocked);
+  const auto enclosed = components.enclosed();
+  std::vector<CavityRegion> regions;
+  for (const auto& one : enclosed)
+    if (static_cast<double>(one.size) >= kSmallestShare * static_cast<double>(enclosed.front().size))
+      regions.push_back(region_of(solids, grid, components.labels(), one.label));
+  return regions;
 }
 
 }  // namespace diefill::geometry

@@ -52,13 +52,13 @@ double facing_area(const geometry::Mesh& mesh, const Eigen::Vector3d& direction)
 
 Needs needs_of(const Scene& scene, const Tooling& tooling) {
   Needs needs;
-  needs.cavity = tooling.cavity;
+  needs.cavity = tooling.all_cavities();
   needs.grain_diameter = scene.powder.grain_diameter;
   needs.calibrated_diameter = calibrated_diameter(scene.powder);
-  if (tooling.cavity.found && tooling.cavity.narrowest_width > 0) {
-    needs.coarsest_grain = kCoarsestToDecide * tooling.cavity.narrowest_width;
+  if (needs.cavity.found && needs.cavity.narrowest_width > 0) {
+    needs.coarsest_grain = kCoarsestToDecide * needs.cavity.narrowest_width;
     needs.width_as_felt =
-        tooling.cavity.narrowest_width - kNarrowing * (needs.grain_diameter - needs.calibrated_diameter);
+        needs.cavity.narrowest_width - kNarrowing * (needs.grain_diameter - needs.calibrated_diameter);
   }
   needs.impact_speed = foreseen_impact_speed(scene, tooling);
   const auto settings = engine_settings(scene, needs.impact_speed);

@@ -17,7 +17,7 @@ inline constexpr double kMostDamping = 3e6;
 
 /// Facts about one scene. SI units.
 struct Needs {
-  geometry::Cavity cavity;
+  geometry::Cavity cavity;  ///< Tooling::all_cavities()
   double grain_diameter = 0, calibrated_diameter = 0;  ///< m
   double coarsest_grain = 0;                           ///< m, a third of the narrowest width; 0: no cavity
   double width_as_felt = 0;                 ///< m, narrowest width less 1.4 (d - calibrated d); 0: no cavity

@@ -92,8 +92,9 @@ class Books {
 double largest_diameter(const Scene& scene, const Tooling& tooling) {
   constexpr double kGrainsAcross = 4, kLargestFactor = 20;
   double largest = kLargestFactor * calibrated_diameter(scene.powder);
-  if (tooling.cavity.found && tooling.cavity.narrowest_width > 0)
-    largest = std::min(largest, kCoarsestPilot * tooling.cavity.narrowest_width);
+  const geometry::Cavity cavity = tooling.all_cavities();
+  if (cavity.found && cavity.narrowest_width > 0)
+    largest = std::min(largest, kCoarsestPilot * cavity.narrowest_width);
   for (std::size_t axis = 0; axis < 2; ++axis) {
     const auto i = static_cast<Eigen::Index>(axis);
     if (scene.numerics.period[axis])

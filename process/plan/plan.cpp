@@ -33,7 +33,8 @@ Choice choice_of(const std::string& name, const Scene& scene, const Tooling& too
   Choice choice;
   choice.name = name;
   choice.forecast = pilot ? forecast(scene, tooling, *pilot) : forecast(scene, tooling);
-  choice.error = expected_error(scene.powder, scene.powder.grain_diameter, tooling.cavity.narrowest_width);
+  choice.error =
+      expected_error(scene.powder, scene.powder.grain_diameter, tooling.all_cavities().narrowest_width);
   return choice;
 }
 
@@ -72,13 +73,13 @@ void add_choices(Plan& plan) {
   plan.choices.push_back(choice_of("as the scene has it", plan.scene, plan.tooling, plan.pilot));
   for (const Setting setting : {Setting::quick, Setting::working, Setting::reference})
     plan.choices.push_back(choice_with(in_words(setting),
-                                       numbers_of(setting, plan.scene, plan.tooling.cavity), plan.scene,
-                                       plan.tooling, plan.pilot));
+                                       numbers_of(setting, plan.scene, plan.tooling.all_cavities()),
+                                       plan.scene, plan.tooling, plan.pilot));
 }
 
 std::optional<Choice> finest_within(const Plan& plan, double minutes) {
   if (!plan.pilot) return std::nullopt;
-  SettingNumbers numbers = numbers_of(Setting::working, plan.scene, plan.tooling.cavity);
+  SettingNumbers numbers = numbers_of(Setting::working, plan.scene, plan.tooling.all_cavities());
   const auto with = [&](double diameter) {
     numbers.grain_diameter = diameter;
     return choice_with("fits the time", numbers, plan.scene, plan.tooling, plan.pilot);
@@ -87,8 +88,8 @@ std::optional<Choice> finest_within(const Plan& plan, double minutes) {
     return choice.forecast.wall_seconds && *choice.forecast.wall_seconds <= 60 * minutes;
   };
   const Setting ends[] = {Setting::reference, Setting::quick};
-  double finest = numbers_of(ends[0], plan.scene, plan.tooling.cavity).grain_diameter;
-  double coarsest = numbers_of(ends[1], plan.scene, plan.tooling.cavity).grain_diameter;
+  double finest = numbers_of(ends[0], plan.scene, plan.tooling.all_cavities()).grain_diameter;
+  double coarsest = numbers_of(ends[1], plan.scene, plan.tooling.all_cavities()).grain_diameter;
   if (fits(with(finest))) return with(finest);
   if (!fits(with(coarsest))) return std::nullopt;
   constexpr double kClose = 1.005;

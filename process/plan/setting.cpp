@@ -177,7 +177,8 @@ Scene settled_scene(const Scene& scene, const std::optional<Setting>& wanted) {
   const auto setting = wanted ? wanted : setting_of(scene);
   if (!setting) return scene;
   const auto tooling = read_tooling(scene);
-  return with_numbers(scene, numbers_of(*setting, scene, tooling.cavity), "setting " + in_words(*setting));
+  return with_numbers(scene, numbers_of(*setting, scene, tooling.all_cavities()),
+                      "setting " + in_words(*setting));
 }
 
 }  // namespace diefill::process::plan

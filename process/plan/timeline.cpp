@@ -16,10 +16,11 @@ bool is_on(const StepState& state, double time) {
   return !state.waits() && state.started <= time && (state.ended < 0 || time < state.ended);
 }
 
-/// Grains that the cavity holds when it is full.
+/// Grains that the cavities hold when they are full.
 double grains_in_cavity(const Scene& scene, const Tooling& tooling, const engine::GrainShape& shape) {
-  return tooling.cavity.found ? tooling.cavity.volume * expected_solid_fraction(scene) / shape.solid_volume
-                              : 0;
+  return tooling.cavity.found
+             ? tooling.all_cavities().volume * expected_solid_fraction(scene) / shape.solid_volume
+             : 0;
 }
 
 /// Grains over those poured at `time`: steps let some in and take some away.

@@ -13,6 +13,7 @@
 #include "process/measure/measure.h"
 #include "process/run/die_frame.h"
 #include "process/run/half_model.h"
+#include "process/run/other_cavities.h"
 #include "process/run/topics.h"
 
 #ifndef DIEFILL_VERSION
@@ -365,6 +366,7 @@ results::FillResult assemble(const Scene& scene, const Tooling& tooling, const F
     result.warnings.push_back(std::move(warning));
   measure_fields(result, {scene.measure.averaging_width, wanted_sections(scene)}, scene.measure.azimuth_bins);
   add_filling_figures(result, scene);
+  add_other_cavities(result, tooling.other_cavities);
   result.tool_checks = tool_checks(tooling);
   result.stages = run.schedule().past();
   result.topics = topics(scene, run);

@@ -116,7 +116,7 @@ FillRun::FillRun(const Scene& scene, const Tooling& tooling, const RunOptions& o
       domain_.lower[axis] = -kFarAway;
       domain_.upper[axis] = kFarAway;
     }
-  const double width = tooling.cavity.narrowest_width;
+  const double width = tooling.all_cavities().narrowest_width;
   if (tooling.cavity.found && width > 0 && grain_diameter_ > width / 3) {
     char text[240];
     std::snprintf(text, sizeof text,
@@ -226,10 +226,15 @@ void FillRun::clear_powder() {
   for (std::size_t k = 0; k < scene_.steps.size(); ++k) {
     const PowderRemoval* removal = scene_.steps[k]->removal();
     if (removal == nullptr || schedule_.of_step(k).started != simulation_->time()) continue;
-    results::CavityState cavity = cavity_state(tooling_.cavity);
-    cavity.upper_corner[2] += removal->heap;
+    std::vector<results::CavityState> cavities = {cavity_state(tooling_.cavity)};
+    for (const auto& other : tooling_.other_cavities) cavities.push_back(cavity_state(other));
+    for (auto& cavity : cavities) cavity.upper_corner[2] += removal->heap;
     const DieFrame die(simulation_->body_motion(tooling_.die));
-    remove_grains([&](const Eigen::Vector3d& place) { return !lies_in_cavity(cavity, die.point(place)); });
+    remove_grains([&](const Eigen::Vector3d& place) {
+      return std::none_of(cavities.begin(), cavities.end(), [&](const results::CavityState& cavity) {
+        return lies_in_cavity(cavity, die.point(place));
+      });
+    });
   }
 }
 

@@ -216,8 +216,8 @@ ToolPose compose(const ToolMotion& motion, const ToolPose& before) {
   return pose;
 }
 
-geometry::Cavity cavity_between(const Scene& scene, const Tooling& tooling,
-                                const std::vector<ToolPose>& poses) {
+std::vector<geometry::Cavity> cavities_between(const Scene& scene, const Tooling& tooling,
+                                               const std::vector<ToolPose>& poses) {
   const ToolPose& die = poses[tooling.die];
   std::vector<geometry::Mesh> moved;
   std::vector<const geometry::Mesh*> solids;
@@ -233,7 +233,24 @@ geometry::Cavity cavity_between(const Scene& scene, const Tooling& tooling,
     moved.push_back(geometry::transformed(tooling.tools[k].mesh, rotation, translation));
     solids.push_back(&moved.back());
   }
-  return geometry::find_cavity(solids, scene.measure.fill_plane);
+  return geometry::find_cavities(solids, scene.measure.fill_plane);
+}
+
+geometry::Cavity cavity_between(const Scene& scene, const Tooling& tooling,
+                                const std::vector<ToolPose>& poses) {
+  const auto cavities = cavities_between(scene, tooling, poses);
+  return cavities.empty() ? geometry::Cavity{} : cavities.front();
+}
+
+geometry::Cavity Tooling::all_cavities() const {
+  geometry::Cavity together = cavity;
+  for (const auto& other : other_cavities) {
+    together.volume += other.volume;
+    if (other.narrowest_width >= together.narrowest_width) continue;
+    together.narrowest_width = other.narrowest_width;
+    together.narrowest_place = other.narrowest_place;
+  }
+  return together;
 }
 
 Tooling read_tooling(const Scene& scene) {
@@ -244,7 +261,11 @@ Tooling read_tooling(const Scene& scene) {
   for (const auto& tool : tooling.tools) tooling.all.include(tool.mesh.bounding_box());
   tooling.die = die_of(scene);
   prepare_steps(scene, tooling, false);
-  tooling.cavity = cavity_between(scene, tooling, poses_at_end(scene, tooling));
+  auto cavities = cavities_between(scene, tooling, poses_at_end(scene, tooling));
+  if (!cavities.empty()) {
+    tooling.cavity = cavities.front();
+    tooling.other_cavities.assign(cavities.begin() + 1, cavities.end());
+  }
   prepare_steps(scene, tooling, true);
   tooling.mirror = scene.economy.mirror;
   refuse_asymmetry(scene, tooling);

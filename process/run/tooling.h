@@ -34,13 +34,16 @@ struct Tool {
 
 struct Tooling {
   std::vector<Tool> tools;
-  std::size_t die = 0;        ///< index of the part whose frame results are in
-  geometry::Cavity cavity;    ///< in the die's frame, as the scene's steps leave the tools
+  std::size_t die = 0;      ///< index of the part whose frame results are in
+  geometry::Cavity cavity;  ///< the largest, in the die's frame, as the scene's steps leave the tools
+  std::vector<geometry::Cavity> other_cavities;  ///< by falling volume
   geometry::Box standing;     ///< m, box round the tools that stay at their place and the room they need
   geometry::Box all;          ///< m, box round all tools at the start
   std::optional<int> mirror;  ///< axis at right angles to the mirror plane of a half model
 
   std::size_t wall_spheres() const;
+  /// All cavities as one, for planning: the largest with the volume of all and the narrowest place of any.
+  geometry::Cavity all_cavities() const;
   /// What was done to the tools' CAD, a line for each repair, and which files were taken as a whole.
   std::vector<std::string> remarks() const;
   /// Index of the tool of that name. Throws std::out_of_range.
@@ -70,8 +73,11 @@ struct ToolPose {
 /// `motion` on top of `before`, where other steps take the tool at the same time.
 ToolPose compose(const ToolMotion& motion, const ToolPose& before);
 
-/// The cavity below the fill plane between the tools in the given poses, in the frame of the die: as if that
-/// stood where the scene puts it.
+/// The cavities below the fill plane between the tools in the given poses, in the frame of the die, as if
+/// that stood where the scene puts it; the largest first.
+std::vector<geometry::Cavity> cavities_between(const Scene& scene, const Tooling& tooling,
+                                               const std::vector<ToolPose>& poses);
+/// The largest of them, or one that says that there is none.
 geometry::Cavity cavity_between(const Scene& scene, const Tooling& tooling,
                                 const std::vector<ToolPose>& poses);
 

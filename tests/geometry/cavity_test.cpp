@@ -71,6 +71,27 @@ TEST(Cavity, FindsOpenBoxOfSeveralBlocks) {
   EXPECT_NEAR(cavity.narrowest_place.y(), 3e-3, 1e-9);
 }
 
+// A block of 40 x 20 mm with a pocket of 10 x 6 mm, 5 mm deep, and a shaft of 4 x 4 mm, 8 mm deep.
+std::vector<Mesh> two_pockets() {
+  return {box_mm({-10, -10, -10}, {30, 10, -8}), box_mm({-10, -10, -8}, {-5, 10, 0}),
+          box_mm({-5, 3, -8}, {20, 10, 0}),      box_mm({-5, -10, -8}, {20, -3, 0}),
+          box_mm({5, -3, -8}, {20, 3, 0}),       box_mm({-5, -3, -8}, {5, 3, -5}),
+          box_mm({24, -10, -8}, {30, 10, 0}),    box_mm({20, 2, -8}, {24, 10, 0}),
+          box_mm({20, -10, -8}, {24, -2, 0})};
+}
+
+TEST(Cavity, SeveralAreFoundTheLargestFirst) {
+  const auto tools = two_pockets();
+  const auto cavities = find_cavities(pointers(tools), 0);
+  ASSERT_EQ(cavities.size(), 2U);
+  EXPECT_NEAR(cavities[0].volume, 300e-9, 0.01 * 300e-9);
+  EXPECT_NEAR(cavities[1].volume, 128e-9, 0.01 * 128e-9);
+  EXPECT_NEAR(cavities[0].narrowest_width, 6e-3, 1e-8);
+  EXPECT_NEAR(cavities[1].narrowest_width, 4e-3, 1e-8);
+  EXPECT_NEAR(cavities[1].axis_origin.x(), 22e-3, 1e-7);
+  EXPECT_EQ(cavity_of(tools).volume, cavities[0].volume);
+}
+
 TEST(Cavity, FillPlaneLimitsItsTop) {
   const auto cavity = cavity_of(open_box(), -2e-3);
   ASSERT_TRUE(cavity.found);

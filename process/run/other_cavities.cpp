@@ -1,0 +1,37 @@
+#include "process/run/other_cavities.h"
+
+#include <cstdio>
+
+#include "process/measure/cavity_position.h"
+#include "process/measure/measure.h"
+#include "process/run/die_frame.h"
+
+namespace diefill::process {
+
+void add_other_cavities(results::FillResult& result, const std::vector<geometry::Cavity>& others) {
+  results::GrainSolidFraction fraction = result.solid_fraction;
+  std::string warning;
+  for (std::size_t n = 0; n < others.size(); ++n) {
+    const results::CavityState cavity = cavity_state(others[n]);
+    for (std::size_t k = 0; k < result.powder.position.size(); ++k)
+      fraction.in_cavity[k] = lies_in_cavity(cavity, result.powder.position[k]) ? 1 : 0;
+    const auto summary = summarise(result.powder, fraction, cavity);
+    const double mass = filled_mass(result.powder, fraction);
+    const std::string number = std::to_string(n + 2), name = "cavity_" + number;
+    result.figures[name + "_volume_m3"] = cavity.volume;
+    result.figures[name + "_filled_mass_kg"] = mass;
+    result.figures[name + "_solid_fraction"] = summary.mean;
+    result.figures[name + "_solid_fraction_std"] = summary.std;
+    const Eigen::Vector3d place = 1e3 * cavity.axis_origin;
+    char text[200];
+    std::snprintf(text, sizeof text,
+                  "; cavity %s at (%.1f, %.1f) mm, %.4g cm3, holds %.4g g, mean solid fraction %.3f",
+                  number.c_str(), place.x(), place.y(), 1e6 * cavity.volume, 1e3 * mass, summary.mean);
+    warning += text;
+  }
+  if (others.empty()) return;
+  result.warnings.push_back("the tools have " + std::to_string(others.size() + 1) +
+                            " cavities: figures and maps are of the largest" + warning);
+}
+
+}  // namespace diefill::process

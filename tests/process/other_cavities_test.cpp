@@ -1,0 +1,59 @@
+#include "process/run/other_cavities.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+namespace diefill::process {
+namespace {
+
+geometry::Cavity box_cavity(double x) {
+  geometry::Cavity cavity;
+  cavity.found = true;
+  cavity.box.include(Eigen::Vector3d(x, 0, -0.01));
+  cavity.box.include(Eigen::Vector3d(x + 0.01, 0.01, 0));
+  cavity.volume = 1e-6;
+  cavity.axis_origin = {x + 0.005, 0.005, 0};
+  return cavity;
+}
+
+/// Columns of six grains in boxes at x = 0 (two columns) and x = 0.02 (one), each cell eight times its grain.
+results::FillResult filled_boxes() {
+  results::FillResult result;
+  result.powder.grain_diameter = 1e-3;
+  result.powder.grain_mass = 2e-6;
+  result.powder.grain_solid_volume = 1e-9;
+  for (const double x : {0.003, 0.007, 0.025})
+    for (int k = 0; k < 6; ++k) result.powder.position.emplace_back(x, 0.005, -0.0095 + 1e-3 * k);
+  const std::size_t grains = result.powder.position.size();
+  result.solid_fraction.solid_fraction.assign(grains, 0.125);
+  result.solid_fraction.cell_volume.assign(grains, 8e-9);
+  result.solid_fraction.open.assign(grains, 0);
+  result.solid_fraction.in_cavity.assign(grains, 0);
+  std::fill_n(result.solid_fraction.in_cavity.begin(), 12, 1);
+  return result;
+}
+
+TEST(OtherCavities, TellWhatTheyHold) {
+  results::FillResult result = filled_boxes();
+  add_other_cavities(result, {box_cavity(0.02)});
+  EXPECT_NEAR(result.figures.at("cavity_2_filled_mass_kg"), 6 * 2e-6, 1e-18);
+  EXPECT_NEAR(result.figures.at("cavity_2_solid_fraction"), 0.125, 1e-12);
+  EXPECT_EQ(result.figures.at("cavity_2_volume_m3"), 1e-6);
+  ASSERT_EQ(result.warnings.size(), 1U);
+  EXPECT_NE(result.warnings[0].find("2 cavities"), std::string::npos);
+  EXPECT_NE(result.warnings[0].find("(25.0, 5.0) mm"), std::string::npos);
+  // Figures of the cavity that maps are of stay as they are.
+  EXPECT_EQ(std::count(result.solid_fraction.in_cavity.begin(), result.solid_fraction.in_cavity.end(), 1),
+            12);
+}
+
+TEST(OtherCavities, OneCavityIsNotWorthAWord) {
+  results::FillResult result = filled_boxes();
+  add_other_cavities(result, {});
+  EXPECT_TRUE(result.warnings.empty());
+  EXPECT_TRUE(result.figures.empty());
+}
+
+}  // namespace
+}  // namespace diefill::process
