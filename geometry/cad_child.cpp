@@ -94,6 +94,13 @@ class Receiver {
   bool whole_ = true;
 };
 
+// A sanitizer's shadow memory takes terabytes of address space.
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+constexpr bool kLimitsMemory = false;
+#else
+constexpr bool kLimitsMemory = true;
+#endif
+
 std::size_t memory_in_use() {
   std::size_t pages = 0;
   std::ifstream("/proc/self/statm") >> pages;
@@ -106,11 +113,7 @@ void limit(int what, rlim_t most) {
 }
 
 void set_limits(const ChildLimits& limits) {
-#ifndef __SANITIZE_ADDRESS__  // the sanitizer's shadow memory takes terabytes of address space
-#ifndef __SANITIZE_THREAD__
-  limit(RLIMIT_AS, memory_in_use() + kMemory + kMemoryOfByte * limits.file_bytes);
-#endif
-#endif
+  if (kLimitsMemory) limit(RLIMIT_AS, memory_in_use() + kMemory + kMemoryOfByte * limits.file_bytes);
   limit(RLIMIT_CPU, limits.seconds + limits.file_bytes / kBytesOfSecond);
   limit(RLIMIT_CORE, 0);
 }
