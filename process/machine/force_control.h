@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "process/machine/rotational_oscillation.h"
+#include "process/machine/rotation_axis.h"
 #include "process/machine/step.h"
 #include "process/scene/scene.h"
 #include "process/scene/table_reader.h"

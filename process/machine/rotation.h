@@ -3,38 +3,28 @@
 
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
-#include "process/machine/rotational_oscillation.h"
+#include "process/machine/rotation_axis.h"
+#include "process/machine/swelling_motion.h"
+#include "process/scene/scene.h"
 
 namespace diefill::process {
 
-/// What a rotation is told by the scene. SI units.
-struct RotationSpec {
-  std::vector<std::string> tools;
-  RotationAxis axis;
-  double speed = 0;                ///< rad/s, right-handed; negative: the other way round
-  double ramp = 0.1;               ///< s of starting and of stopping
-  std::optional<double> duration;  ///< s, ramps included; nothing: until told to stop
-};
-
-class Rotation final : public Step {
+class Rotation final : public SwellingMotion {
  public:
-  explicit Rotation(RotationSpec spec) : spec_(std::move(spec)) {}
+  /// `speed` in rad/s, right-handed; negative: the other way round.
+  Rotation(std::vector<std::string> tools, const RotationAxis& axis, double speed, const Swelling& swelling)
+      : SwellingMotion(std::move(tools), swelling), axis_(axis), speed_(speed) {}
 
-  std::vector<std::string> tools() const override { return spec_.tools; }
-  bool open_ended() const override { return !spec_.duration; }
-  std::optional<double> duration() const override { return spec_.duration; }
-  bool stays() const override { return true; }
-  ToolMotion motion(double time) const override;
-  double stopping_time(double stop) const override;
-  ToolMotion motion_stopped(double time, double stop) const override;
   std::string in_words() const override;
 
  private:
-  Envelope envelope(double stop) const;
+  ToolMotion at(double time, const Envelope& envelope) const override;
 
-  RotationSpec spec_;
+  RotationAxis axis_;
+  double speed_;
 };
 
 /// Reads a step of kind "rotation".

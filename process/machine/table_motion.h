@@ -6,7 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "process/machine/rotational_oscillation.h"
+#include "process/machine/rotation_axis.h"
+#include "process/scene/scene.h"
 
 namespace diefill::process {
 

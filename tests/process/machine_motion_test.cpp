@@ -61,8 +61,7 @@ Oscillation shaking(double amplitude, double frequency) {
   oscillation.amplitude = amplitude;
   oscillation.frequency = frequency;
   oscillation.phase = 0.7;
-  oscillation.ramp = 0.1;
-  oscillation.duration = 1.0;
+  oscillation.swelling = {.ramp = 0.1, .duration = 1.0};
   return oscillation;
 }
 
@@ -121,7 +120,7 @@ TEST(Vibration, MovesSmoothlyFromRestToRest) {
 
 TEST(Vibration, DiesAwayWhenItIsToldToStop) {
   Oscillation endless = shaking(1e-3, 8);
-  endless.duration.reset();
+  endless.swelling.duration.reset();
   const Vibration vibration({"shoe"}, Eigen::Vector3d::UnitX(), endless);
   EXPECT_TRUE(vibration.open_ended());
   const double stop = 3.21;
@@ -147,11 +146,7 @@ TEST(RotationalOscillation, TurnsAboutItsAxisByEquation61) {
 }
 
 TEST(Rotation, TurnsAtItsSpeedAndStopsWhenTold) {
-  RotationSpec spec;
-  spec.tools = {"stirrer"};
-  spec.speed = 2 * pi;
-  spec.ramp = 0.2;
-  const Rotation rotation(spec);
+  const Rotation rotation({"stirrer"}, RotationAxis{}, 2 * pi, {.ramp = 0.2, .duration = {}});
   EXPECT_NEAR(rotation.motion(0.7).angular_velocity.z(), 2 * pi, 1e-12);
   const auto stopped = [&](double time) { return rotation.motion_stopped(time, 1.0); };
   expect_derivative(stopped, 1.2, 0.2);

@@ -1,0 +1,33 @@
+#include "process/machine/oscillation.h"
+
+#include <cmath>
+#include <numbers>
+
+namespace diefill::process {
+namespace {
+
+constexpr QuantityRule kFrequency = {Dimension::frequency, "32 Hz", "0 Hz", "10000 Hz", true};
+constexpr QuantityRule kPhase = {Dimension::angle, "90 deg", "-360 deg", "360 deg"};
+
+}  // namespace
+
+double Oscillation::value(double time, const Envelope& envelope) const {
+  return amplitude * envelope.value(time) * std::sin(2 * std::numbers::pi * frequency * time + phase);
+}
+
+double Oscillation::rate(double time, const Envelope& envelope) const {
+  const double omega = 2 * std::numbers::pi * frequency, angle = omega * time + phase;
+  return amplitude *
+         (envelope.slope(time) * std::sin(angle) + envelope.value(time) * omega * std::cos(angle));
+}
+
+Oscillation read_oscillation(TableReader& table, const QuantityRule& rule) {
+  Oscillation oscillation;
+  oscillation.amplitude = table.required_quantity("amplitude", rule);
+  oscillation.frequency = table.required_quantity("frequency", kFrequency);
+  oscillation.phase = table.quantity("phase", kPhase).value_or(0);
+  oscillation.swelling = read_swelling(table, 1 / oscillation.frequency);
+  return oscillation;
+}
+
+}  // namespace diefill::process

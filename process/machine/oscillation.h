@@ -1,0 +1,24 @@
+// An oscillation in time, of whatever quantity: e(t) A sin(2 pi f t + phi) with an envelope e that swells and
+// dies away (Bierwisch 2009, Eq. 6.1 and section 6.5.2).
+#pragma once
+
+#include "process/machine/swelling_motion.h"
+
+namespace diefill::process {
+
+/// SI units.
+struct Oscillation {
+  double amplitude = 0;  ///< m or rad
+  double frequency = 0;  ///< Hz
+  double phase = 0;      ///< rad
+  Swelling swelling;
+
+  double value(double time, const Envelope& envelope) const;  ///< m or rad
+  double rate(double time, const Envelope& envelope) const;   ///< m/s or rad/s
+};
+
+/// Reads `amplitude` by `rule`, `frequency`, `phase`, `ramp` (one period unless given) and `duration`. Throws
+/// SceneError.
+Oscillation read_oscillation(TableReader& table, const QuantityRule& rule);
+
+}  // namespace diefill::process

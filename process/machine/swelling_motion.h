@@ -1,0 +1,50 @@
+// What vibrations, oscillations and rotations have in common: tools that move about one place, and a motion
+// that swells when it begins and dies away when it ends or is told to stop.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "process/machine/smooth_ramp.h"
+#include "process/machine/step.h"
+#include "process/scene/table_reader.h"
+
+namespace diefill::process {
+
+/// How long such a motion lasts. SI units.
+struct Swelling {
+  double ramp = 0;                 ///< s of swelling and of dying away
+  std::optional<double> duration;  ///< s, ramps included; nothing: until told to stop
+
+  /// Envelope of a motion told to stop at `stop` s; infinite: never.
+  Envelope envelope(double stop) const;
+};
+
+/// Reads `ramp` (s, `ramp` unless given) and `duration`. Throws SceneError where a duration is too short for
+/// both ramps.
+Swelling read_swelling(TableReader& table, double ramp);
+
+class SwellingMotion : public Step {
+ public:
+  SwellingMotion(std::vector<std::string> tools, const Swelling& swelling)
+      : tools_(std::move(tools)), swelling_(swelling) {}
+
+  std::vector<std::string> tools() const override { return tools_; }
+  bool open_ended() const override { return !swelling_.duration; }
+  std::optional<double> duration() const override { return swelling_.duration; }
+  bool stays() const override { return true; }
+  ToolMotion motion(double time) const override;
+  double stopping_time(double stop) const override;
+  ToolMotion motion_stopped(double time, double stop) const override;
+
+ private:
+  /// Motion at `time` (s since the step began) under `envelope`.
+  virtual ToolMotion at(double time, const Envelope& envelope) const = 0;
+
+  std::vector<std::string> tools_;
+  Swelling swelling_;
+};
+
+}  // namespace diefill::process
