@@ -21,7 +21,8 @@ constexpr NumberRule kGain = {0, 1000, true, "0.5"};
 /// What line and turn have in common; target and speed limit are known.
 std::shared_ptr<Step> finished(TableReader& table, const std::vector<std::string>& tools,
                                ForceControl control) {
-  // At rest against nothing the speed limit is asked for by twice the default gain's part.
+  // At rest against nothing the speed limit is asked for by twice the default gain's part; a seventh of what
+  // rings (engine/STABILITY.md, force-controlled pistons).
   control.gain = table.number("gain", kGain).value_or(0.5) * control.speed_limit / control.target;
   control.integral_time = table.quantity("integral_time", kIntegralTime).value_or(0.02);
   return std::make_shared<ControlledTool>(tools, control, table.quantity("duration", kDuration));

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "process/machine/moving_tool.h"
 #include "process/machine/powder_inflow.h"
 #include "process/run/die_frame.h"
 #include "process/run/half_model.h"
@@ -149,6 +150,14 @@ double Schedule::mean_resistance(const Step& step, const engine::Simulation& sim
   return sum / static_cast<double>(state_.loads_summed);
 }
 
+bool Schedule::prescribed_motion_is_on() const {
+  for (std::size_t k = 0; k < stages_.size(); ++k)
+    if (state_.steps[k].is_on() && !stages_.steps[k]->tools().empty() &&
+        stages_.steps[k]->control() == nullptr)
+      return true;
+  return false;
+}
+
 bool Schedule::control(engine::Simulation& simulation) {
   const double now = simulation.time();
   const double interval = now - state_.last_update;
@@ -157,7 +166,12 @@ bool Schedule::control(engine::Simulation& simulation) {
     const ForceControl* law = stages_.steps[k]->control();
     StepState& state = state_.steps[k];
     if (law == nullptr || !state.is_on() || state.started >= now || !(interval > 0)) continue;
-    law->update(state.control, mean_resistance(*stages_.steps[k], simulation), now, interval);
+    const double resistance = mean_resistance(*stages_.steps[k], simulation);
+    law->update(state.control, resistance, now, interval);
+    if (prescribed_motion_is_on())
+      state.ringing = {};
+    else
+      watch_for_ringing(state.ringing, *law, resistance, now, names_in_words(stages_.steps[k]->tools()));
     any = true;
   }
   return any;

@@ -42,7 +42,7 @@ class Schedule {
   /// To be called after every time step: sums the loads on tools, where a step or condition asks for them.
   void observe(const engine::Simulation& simulation);
   /// Ends steps that are over and starts those whose time has come, each once; true if there were any. Gives
-  /// tools under force control their speed until the next call.
+  /// tools under force control their speed until the next call; throws engine::OutOfRange when one rings.
   bool update(engine::Simulation& simulation);
   /// Whether `condition` holds now; `watch` keeps what it has seen. For snapshots.
   bool holds(const Condition& condition, ConditionState& watch, const engine::Simulation& simulation) const;
@@ -74,6 +74,7 @@ class Schedule {
   double mean_force(const std::string& tool) const;
   double mean_resistance(const Step& step, const engine::Simulation& simulation) const;
   bool control(engine::Simulation& simulation);
+  bool prescribed_motion_is_on() const;
 
   const Tooling& tooling_;
   double grain_diameter_;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "process/machine/force_control.h"
+#include "process/machine/ringing_watch.h"
 #include "process/machine/step.h"
 #include "process/run/rest.h"
 #include "process/run/tooling.h"
@@ -25,6 +26,7 @@ struct StepState {
   double ended = -1;       ///< s; negative: not yet
   ConditionState start, until;
   ControlState control;           ///< of a step under force control
+  RingingWatch ringing;           ///< the same
   std::uint64_t grains_come = 0;  ///< of a step that lets powder in
 
   bool waits() const { return started < 0; }

@@ -40,6 +40,56 @@ TEST(ValidRange, AStepOfTwiceTheMeasuredLimitStopsTheRun) {
   EXPECT_FALSE(std::filesystem::exists(die.out() / "results.h5"));
 }
 
+TEST(ValidRange, AStepOfOneAndAHalfTimesTheMeasuredLimitStopsTheRun) {
+  const SmallDie die;
+  die.exchange("time_step_fraction = 0.15", "time_step_fraction = 0.75");
+  die.exchange("damping_over_radius = \"3e5 Pa s/m\"", "damping_over_radius = \"1e3 Pa s/m\"");
+  const Outcome outcome = die.run({"--quiet"});
+  EXPECT_EQ(outcome.exit_code, 3);
+  EXPECT_EQ(outcome.complaints(), 1U) << outcome.err;
+  EXPECT_NE(outcome.err.find("STABILITY.md, time step"), std::string::npos) << outcome.err;
+  EXPECT_FALSE(std::filesystem::exists(die.out() / "results.h5"));
+}
+
+/// The pocket full of powder, pressed by a piston with `gain`.
+void press(const SmallDie& die, const std::string& gain) {
+  die.write("piston.stl", cad::binary_stl(cad::prism(cad::rectangle(-4.8, -1.2, -1.8, 1.8), 2, 4)));
+  die.exchange(
+      "from = [\"0.5 mm\", \"-2.5 mm\", \"0 mm\"]\nto = [\"5.5 mm\", \"2.5 mm\", \"9 mm\"]\nfill_height = "
+      "\"5 mm\"",
+      "from = [\"-4.95 mm\", \"-1.95 mm\", \"-4 mm\"]\nto = [\"-1.05 mm\", \"1.95 mm\", \"2 "
+      "mm\"]\nfill_height = \"2.5 mm\"\nlattice_constant = 1.25");
+  die.exchange("[pour]", R"([[tool]]
+name = "piston"
+role = "punch"
+file = "piston.stl"
+length_unit = "mm"
+position = ["0 mm", "0 mm", "1 mm"]
+
+[pour])");
+  die.exchange("kind = \"passage\"\ntool = \"shoe\"\ndirection = \"-x\"\nvelocity = \"0.1 m/s\"\n",
+               R"(kind = "piston"
+tool = "piston"
+direction = "-z"
+force = "0.05 N"
+speed_limit = "0.05 m/s"
+travel = "6.5 mm"
+duration = "0.6 s"
+gain = )" + gain + "\n");
+}
+
+TEST(ValidRange, AGainTenTimesTooHighStopsTheRun) {
+  const SmallDie die;
+  press(die, "300");  // 20 still holds the force
+  const Outcome outcome = die.run({"--quiet"});
+  EXPECT_EQ(outcome.exit_code, 3);
+  EXPECT_EQ(outcome.complaints(), 1U) << outcome.err;
+  EXPECT_NE(outcome.err.find("force control of piston rings"), std::string::npos) << outcome.err;
+  EXPECT_NE(outcome.err.find("STABILITY.md, force-controlled pistons"), std::string::npos) << outcome.err;
+  EXPECT_NE(outcome.err.find("lower gain (now 300)"), std::string::npos) << outcome.err;
+  EXPECT_FALSE(std::filesystem::exists(die.out() / "results.h5"));
+}
+
 TEST(ValidRange, AWallWithHolesStopsTheRun) {
   const SmallDie die;
   die.exchange("sphere_radius = \"0.25 mm\"", "sphere_radius = \"0.25 mm\"\nspacing = 4.0");

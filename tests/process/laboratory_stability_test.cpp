@@ -3,10 +3,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "process/laboratory/stability/contact_network.h"
 #include "process/laboratory/stability/elastic_gas.h"
+#include "process/laboratory/stability/profile_walls.h"
 #include "process/laboratory/stability/registry.h"
+#include "process/laboratory/stability/rolling_in_groove.h"
 #include "process/laboratory/stability/trial.h"
 
 namespace diefill::process::laboratory {
@@ -68,6 +71,64 @@ TEST(ElasticGas, KeepsItsEnergyInShortStepsAndLosesAllBoundsInLongOnes) {
   const double collision = collision_time(sphere, elastic_contact(), 1.0);
   EXPECT_NEAR(energy_growth(gas, 0.02 * collision, 50 * collision), 0, 1e-3);
   EXPECT_GT(energy_growth(gas, 0.7 * collision, 200 * collision), 0.1);
+}
+
+constexpr double kDegree = std::numbers::pi / 180;
+
+TEST(RollingInGroove, ClosedFormIsThatOfAPendulum) {
+  // Near the top an inverted pendulum grows by cosh(t / tau); R_L = 20 R: rho = 6.403 R, and it turns.
+  const GrooveCase groove{.ratio = 20, .start = 1e-4};
+  const double round = kFineRadius * std::sqrt(41.0);
+  const double tau = std::sqrt(round * (1 + 0.4 * 441 / 41.0) / 9.81);
+  EXPECT_NEAR(rolling_time(groove, 1e-2), tau * std::acosh(100.0), 1e-5 * tau);
+  // The equation of motion, step by step, up to an angle that is not small.
+  double angle = kDegree, rate = 0, time = 0;
+  constexpr double kStep = 1e-6;
+  while (angle < 30 * kDegree) {
+    rate += 0.5 * kStep * std::sin(angle) / (tau * tau);
+    angle += kStep * rate;
+    rate += 0.5 * kStep * std::sin(angle) / (tau * tau);
+    time += kStep;
+  }
+  EXPECT_NEAR(rolling_time({.ratio = 20, .start = kDegree}, 30 * kDegree), time, 2e-6);
+}
+
+TEST(RollingInGroove, FineSphereRollsAsTheClosedFormSaysAtAllRatios) {
+  for (const double ratio : {1.0, 3.0, 20.0, 50.0}) {
+    const GrooveCase groove{.ratio = ratio, .start = kDegree};
+    const double time = rolling_time(groove, 30 * kDegree);
+    EXPECT_NEAR(place_by_engine(groove, time, 1e-6).angle, 30 * kDegree, 0.02 * kDegree) << ratio;
+  }
+}
+
+TEST(RollingInGroove, FineSphereFallsWhereVelocitiesHalfAStepOldHoldItFast) {
+  for (const double ratio : {3.0, 10.0, 20.0, 30.0}) {
+    const GrooveCase groove{.ratio = ratio, .start = kDegree};
+    const double time = 1.6 * rolling_time(groove, 30 * kDegree);
+    const double exact = place_by_engine(groove, time, 2.5e-7).distance;
+    EXPECT_GT(exact, 4) << ratio;
+    EXPECT_NEAR(place_by_engine(groove, time, 1e-6).distance, exact, 0.01 * exact) << ratio;
+    // What the experiment is for: the known error shows in it.
+    const double half_steps = place_by_half_steps(groove, time, 1e-6).distance;
+    EXPECT_NEAR(half_steps, ratio < 10 ? exact : 1, 0.01 * exact) << ratio;
+  }
+}
+
+TEST(ProfileWalls, PowderIsOnTheLeftAndTrianglesCoverTheProfile) {
+  engine::WallBodySpec trough;
+  add_along_y(trough, {{0, 2}, {0, 0}, {3, 0}}, 5);
+  ASSERT_EQ(trough.triangles.size(), 4U);
+  EXPECT_NEAR((trough.triangles[0].normal() - Eigen::Vector3d::UnitX()).norm(), 0, 1e-15);
+  EXPECT_NEAR((trough.triangles[3].normal() - Eigen::Vector3d::UnitZ()).norm(), 0, 1e-15);
+  engine::WallBodySpec disc;
+  add_about_z(disc, {{0, 0}, {2, 0}});
+  double area = 0;
+  for (const auto& triangle : disc.triangles) {
+    const auto& [a, b, c] = triangle.corner;
+    area += 0.5 * (b - a).cross(c - a).norm();
+    EXPECT_NEAR((triangle.normal() - Eigen::Vector3d::UnitZ()).norm(), 0, 1e-12);
+  }
+  EXPECT_NEAR(area, 0.5 * 48 * 4 * std::sin(2 * std::numbers::pi / 48), 1e-12);
 }
 
 TEST(StabilityRegistry, NamesAreUniqueAndQuestionsAsked) {

@@ -18,5 +18,13 @@ void find_rolling_limit(const ExperimentOptions& options, results::ExperimentRes
 void find_attraction_limit(const ExperimentOptions& options, results::ExperimentResult& result);
 void find_stiffness_limit(const ExperimentOptions& options, results::ExperimentResult& result);
 void find_effect_of_step(const ExperimentOptions& options, results::ExperimentResult& result);
+void find_effect_of_step_on_flow(const ExperimentOptions& options, results::ExperimentResult& result);
+
+void find_size_ratio_limit(const ExperimentOptions& options, results::ExperimentResult& result);
+void find_piston_limit(const ExperimentOptions& options, results::ExperimentResult& result);
+void find_capillary_limit(const ExperimentOptions& options, results::ExperimentResult& result);
+void find_creep_limit(const ExperimentOptions& options, results::ExperimentResult& result);
+void find_wall_friction_limit(const ExperimentOptions& options, results::ExperimentResult& result);
+void find_cavity_limit(const ExperimentOptions& options, results::ExperimentResult& result);
 
 }  // namespace diefill::process::laboratory

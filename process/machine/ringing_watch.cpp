@@ -1,0 +1,40 @@
+#include "process/machine/ringing_watch.h"
+
+#include <algorithm>
+#include <cstdio>
+
+#include "engine/out_of_range.h"
+#include "process/machine/force_control.h"
+
+namespace diefill::process {
+
+void RingingWatch::look(double share, double now, double longest) {
+  if (swings > 0 && now - last > longest) *this = {};
+  lowest = swings > 0 ? std::min(lowest, share) : share;
+  highest = swings > 0 ? std::max(highest, share) : share;
+  // The first swing is the one that goes up.
+  const bool ends = high ? share < kLow : share > kHigh;
+  if (!ends) return;
+  high = !high;
+  last = now;
+  ++swings;
+}
+
+void watch_for_ringing(RingingWatch& watch, const ForceControl& control, double measured, double now,
+                       const std::string& tools) {
+  // A tool that bounces as fast as it may takes this long to turn about.
+  const double longest = control.integral_time + 4 * control.speed_limit / control.acceleration;
+  watch.look(measured / control.target, now, longest);
+  if (!watch.rings()) return;
+  char text[400];
+  std::snprintf(text, sizeof text,
+                "the force control of %s rings: the powder's resistance swung %u times in a row between "
+                "%.2f and %.2f times the wanted %.3g %s by t = %.6g s with nothing else moving "
+                "(STABILITY.md, force-controlled pistons); lower gain (now %.3g)",
+                tools.c_str(), static_cast<unsigned>(watch.swings), watch.lowest, watch.highest,
+                control.target, control.turns ? "N m" : "N", now,
+                control.gain * control.target / control.speed_limit);
+  throw engine::OutOfRange(text);
+}
+
+}  // namespace diefill::process
