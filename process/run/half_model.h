@@ -36,8 +36,8 @@ void visit_images(const Tooling& tooling, const Eigen::Vector3d& place, const Vi
   visit(image);
 }
 
-/// Both halves of the powder, of its stress, of an instant kept on the way, of centres of wall spheres. Images follow the
-/// grains; their ids are those of the grains and 2^32.
+/// Both halves of the powder, of its stress, of an instant kept on the way, of centres of wall spheres.
+/// Images follow the grains; their ids are those of the grains and 2^32.
 void add_images(const Tooling& tooling, results::PowderState& powder);
 void add_images(const Tooling& tooling, results::ContactStress& stress);
 void add_images(const Tooling& tooling, results::Instant& instant);
