@@ -66,6 +66,8 @@ std::vector<BrokenFile> broken_bytes() {
       {"unit_that_is_none", "a.amf", amf(fine_tube(), "furlong"), "\"furlong\" in node <unit>"},
       {"huge_ply", "a.ply", replaced(ply(fine_tube()), "vertex 360", "vertex 4000000000"),
        "header promises 4000000000 vertex elements"},
+      {"ply_without_end", "a.ply", replaced(ply(fine_tube()), "end_header", "end_heade"),
+       "no line 'end_header'"},
       {"huge_off", "a.off", replaced(off(fine_tube()), "360 720", "360 4000000000"),
        "header promises 4000000000 faces"},
       {"points_only", "a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\n", "a.obj"},
