@@ -7,6 +7,7 @@
 #include <fstream>
 #include <iterator>
 #include <limits>
+#include <map>
 #include <sstream>
 #include <vector>
 
@@ -81,19 +82,51 @@ void refuse_count(const std::string& name, std::uint64_t count, const std::strin
                   ", more than its " + std::to_string(bytes) + " bytes can hold; export or copy it again");
 }
 
-/// Every vertex and face takes two bytes at least.
-void check_ply(const std::string& name, const std::string& bytes) {
-  const std::string header = bytes.substr(0, bytes.find("end_header"));
-  std::istringstream lines(header);
+/// Bytes of one value in a PLY file; types that PLY does not have are left to the importer.
+std::size_t bytes_of(const std::string& type) {
+  static const std::map<std::string, std::size_t> sizes = {
+      {"short", 2}, {"ushort", 2}, {"int16", 2},   {"uint16", 2}, {"int", 4},     {"uint", 4},
+      {"int32", 4}, {"uint32", 4}, {"float32", 4}, {"float", 4},  {"float64", 8}, {"double", 8}};
+  const auto known = sizes.find(type);
+  return known == sizes.end() ? 1 : known->second;
+}
+
+/// An element of a PLY header: how many there are, and how many bytes each takes at least.
+struct PlyElement {
+  std::string name;
+  std::uint64_t count = 0;
+  std::size_t least_bytes = 0;
+};
+
+/// Throws where there is no end of the header, behind which importers would look for ever.
+std::vector<PlyElement> ply_elements(const std::string& name, const std::string& bytes) {
+  std::vector<PlyElement> elements;
+  std::istringstream lines(bytes);
+  bool is_text = true;
   for (std::string line; std::getline(lines, line);) {
     std::istringstream words(line);
-    std::string word, what;
-    std::uint64_t count = 0;
-    if (!(words >> word >> what) || word != "element") continue;
-    if (!(words >> count) || count > bytes.size() / 2)
-      refuse_count(name, words.fail() ? std::numeric_limits<std::uint64_t>::max() : count, what + " elements",
-                   bytes.size());
+    std::string word, type;
+    words >> word >> type;
+    if (word == "end_header" && line.find_first_not_of(" \t\r", word.size()) == std::string::npos)
+      return elements;
+    if (word == "format") is_text = type == "ascii";
+    if (word == "element") {
+      elements.push_back({type, 0, 0});
+      if (!(words >> elements.back().count))
+        elements.back().count = std::numeric_limits<std::uint64_t>::max();
+    }
+    if (word != "property" || elements.empty()) continue;
+    if (type == "list") words >> type;                            // a list may hold nothing but its length
+    elements.back().least_bytes += is_text ? 2 : bytes_of(type);  // a digit and a blank
   }
+  throw MeshError(name + " is cut short: its header has no line 'end_header'; export or copy it again");
+}
+
+void check_ply(const std::string& name, const std::string& bytes) {
+  if (!bytes.starts_with("ply")) return;  // the importer says so
+  for (const PlyElement& element : ply_elements(name, bytes))
+    if (element.count > bytes.size() / std::max<std::size_t>(1, element.least_bytes))
+      refuse_count(name, element.count, element.name + " elements", bytes.size());
 }
 
 void check_off(const std::string& name, const std::string& bytes) {

@@ -6,7 +6,6 @@
 #include <limits>
 
 #include "geometry/surface_samples.h"
-#include "geometry/topology.h"
 #include "geometry/triangle_tree.h"
 
 namespace diefill::geometry {
@@ -14,15 +13,6 @@ namespace diefill::geometry {
 namespace {
 
 const double kFacing = std::cos(0.5235987755982988);  // 30 degrees
-
-std::vector<Corners> corners_with_area(const Mesh& mesh) {
-  std::vector<Corners> triangles;
-  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-    const Corners corners = corners_of(mesh, t);
-    if (!is_degenerate(corners)) triangles.push_back(corners);
-  }
-  return triangles;
-}
 
 bool touches(const Box& box, const Corners& corners) {
   Box own;
@@ -32,12 +22,10 @@ bool touches(const Box& box, const Corners& corners) {
 
 }  // namespace
 
-Gap measure_gap(const Mesh& one, const Mesh& other, double reach, double spacing,
+Gap measure_gap(const SolidQuery& one, const SolidQuery& other, double reach, double spacing,
                 const std::function<bool(const Eigen::Vector3d&)>& elsewhere) {
   Gap gap;
-  const auto others = corners_with_area(other);
-  if (others.empty()) return gap;
-  const TriangleTree tree(others);
+  const TriangleTree& tree = other.tree();
   Box near = tree.box();
   near.lower.array() -= reach;
   near.upper.array() += reach;
@@ -60,7 +48,7 @@ Gap measure_gap(const Mesh& one, const Mesh& other, double reach, double spacing
     gap.widest = width;
     gap.widest_place = place;
   };
-  for (const Corners& corners : corners_with_area(one))
+  for (const Corners& corners : one.tree().triangles())
     if (touches(near, corners)) sample_triangle(corners, spacing, look);
   if (gap.found) gap.narrowest = narrowest;
   return gap;

@@ -3,7 +3,7 @@
 
 #include <functional>
 
-#include "geometry/mesh.h"
+#include "geometry/solid_query.h"
 
 namespace diefill::geometry {
 
@@ -19,7 +19,7 @@ struct Gap {
 /// far `other` is where it faces them within 30 degrees and at most `reach` (m) away. Points for which
 /// `elsewhere` holds are passed over, such as those inside a cavity; empty: none are. Solids may overlap;
 /// there the width counts as 0.
-Gap measure_gap(const Mesh& one, const Mesh& other, double reach, double spacing,
+Gap measure_gap(const SolidQuery& one, const SolidQuery& other, double reach, double spacing,
                 const std::function<bool(const Eigen::Vector3d&)>& elsewhere);
 
 }  // namespace diefill::geometry

@@ -53,8 +53,8 @@ void check_corners(const Mesh& mesh, const std::filesystem::path& file) {
   const auto count = static_cast<int>(mesh.vertices.size());
   for (const Eigen::Vector3i& triangle : mesh.triangles)
     if (triangle.minCoeff() < 0 || triangle.maxCoeff() >= count)
-      throw MeshError("CAD file '" + file.string() + "' has a triangle whose corner " +
-                      std::to_string(triangle.maxCoeff() + 1) + " does not exist: export it again");
+      throw MeshError("CAD file '" + file.string() +
+                      "' has a triangle with a corner that does not exist: export it again");
 }
 
 std::string in_quotes(const std::filesystem::path& file) {

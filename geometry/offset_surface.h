@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <utility>
 
 #include "geometry/solid_query.h"
 
@@ -10,7 +11,7 @@ namespace diefill::geometry {
 /// Finds places of depth R in one solid. All lengths in m.
 class OffsetSurface {
  public:
-  OffsetSurface(const Mesh& mesh, double depth) : query_(mesh), depth_(depth) {}
+  OffsetSurface(SolidQuery solid, double depth) : query_(std::move(solid)), depth_(depth) {}
 
   /// A place at depth R and the nearest point of the boundary.
   struct Place {

@@ -123,10 +123,7 @@ bool SolidQuery::Implementation::is_behind(std::size_t triangle, const TriangleF
 }
 
 SolidQuery::SolidQuery(const Mesh& mesh)
-    : implementation_(std::make_unique<Implementation>(mesh, find_topology(mesh))) {}
-SolidQuery::~SolidQuery() = default;
-SolidQuery::SolidQuery(SolidQuery&&) noexcept = default;
-SolidQuery& SolidQuery::operator=(SolidQuery&&) noexcept = default;
+    : implementation_(std::make_shared<const Implementation>(mesh, find_topology(mesh))) {}
 
 SolidQuery::Nearest SolidQuery::nearest(const Eigen::Vector3d& point) const {
   const TriangleTree::Hit hit = implementation_->tree.nearest(point);
@@ -143,6 +140,10 @@ SolidQuery::SignedNearest SolidQuery::signed_nearest(const Eigen::Vector3d& poin
   const TriangleTree::Hit hit = implementation_->tree.nearest(point);
   return {{hit.foot.point, std::sqrt(hit.distance_squared), implementation_->mesh_triangle[hit.triangle]},
           implementation_->is_behind(hit.triangle, hit.foot, point)};
+}
+
+const TriangleTree& SolidQuery::tree() const {
+  return implementation_->tree;
 }
 
 double SolidQuery::signed_distance(const Eigen::Vector3d& point) const {

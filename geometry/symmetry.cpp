@@ -7,7 +7,6 @@
 #include <cstdio>
 #include <numbers>
 
-#include "geometry/topology.h"
 #include "geometry/triangle_tree.h"
 
 namespace diefill::geometry {
@@ -52,8 +51,8 @@ Spread spread_of(const std::vector<Corners>& triangles) {
 /// Probes a solid with images of its own corners.
 class Images {
  public:
-  Images(std::vector<Corners> triangles, double tolerance)
-      : tree_(std::move(triangles)), tolerance_(tolerance), spread_(spread_of(tree_.triangles())) {
+  Images(const TriangleTree& tree, double tolerance)
+      : tree_(tree), tolerance_(tolerance), spread_(spread_of(tree.triangles())) {
     const std::size_t stride = std::max<std::size_t>(1, tree_.triangles().size() / kMostProbes);
     for (std::size_t t = 0; t < tree_.triangles().size(); t += stride) {
       // Corners of holes lie in the faces that the holes pierce; only middles of walls tell a hole is
@@ -90,7 +89,7 @@ class Images {
   }
 
  private:
-  TriangleTree tree_;
+  const TriangleTree& tree_;
   double tolerance_;
   Spread spread_;
   std::vector<Eigen::Vector3d> probes_;
@@ -138,13 +137,9 @@ std::string Symmetry::in_words() const {
   return text + place;
 }
 
-Symmetry find_symmetry(const Mesh& mesh, double tolerance) {
-  std::vector<Corners> triangles;
-  for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
-    if (!is_degenerate(corners_of(mesh, t))) triangles.push_back(corners_of(mesh, t));
+Symmetry find_symmetry(const SolidQuery& solid, double tolerance) {
   Symmetry symmetry;
-  if (triangles.empty()) return symmetry;
-  const Images images(std::move(triangles), tolerance);
+  const Images images(solid.tree(), tolerance);
   symmetry.centre = images.spread().centre;
   for (const Eigen::Vector3d& direction : candidates(images.spread().axes)) {
     if (images.mirrored(direction)) symmetry.planes.push_back(direction);

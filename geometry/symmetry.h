@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "geometry/mesh.h"
+#include "geometry/solid_query.h"
 
 namespace diefill::geometry {
 
@@ -26,6 +26,6 @@ struct Symmetry {
 /// Looks along x, y, z and the principal axes of the surface. A mirror image counts as the same when no point
 /// of the surface is farther than `tolerance` (m) from it; rotations up to 60-fold are told apart.
 /// Deterministic.
-Symmetry find_symmetry(const Mesh& mesh, double tolerance);
+Symmetry find_symmetry(const SolidQuery& solid, double tolerance);
 
 }  // namespace diefill::geometry

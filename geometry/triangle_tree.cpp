@@ -1,5 +1,7 @@
 #include "geometry/triangle_tree.h"
 
+#include <tbb/parallel_invoke.h>
+
 #include <algorithm>
 #include <array>
 #include <numeric>
@@ -10,6 +12,7 @@ namespace diefill::geometry {
 namespace {
 
 constexpr std::uint32_t kLeafSize = 4;
+constexpr std::uint32_t kWorthAThread = 20000;  // triangles
 /// Halving 2^32 triangles down to leaves needs at most 32 levels, and each leaves one node waiting.
 constexpr std::size_t kStackSize = 64;
 
@@ -23,35 +26,69 @@ Eigen::Vector3d middle(const Corners& corners) {
 
 }  // namespace
 
-TriangleTree::TriangleTree(std::vector<Corners> triangles)
-    : triangles_(std::move(triangles)), order_(triangles_.size()), nodes_(1) {
-  std::iota(order_.begin(), order_.end(), 0U);
-  split(0, 0, static_cast<std::uint32_t>(order_.size()));
-}
+/// Splits the triangles of a tree in halves, large ones on all cores: places in the list of nodes follow from
+/// numbers of triangles alone, so that the tree is the same on any number of threads.
+class TriangleTree::Builder {
+ public:
+  explicit Builder(TriangleTree& tree) : tree_(tree) {
+    middles_.reserve(tree.triangles_.size());
+    for (const Corners& corners : tree.triangles_) middles_.push_back(middle(corners));
+    const auto count = static_cast<std::uint32_t>(tree.order_.size());
+    tree.nodes_.resize(1 + nodes_below(count));
+    split(0, {0, count}, 1);
+  }
 
-void TriangleTree::split(std::uint32_t node, std::uint32_t first, std::uint32_t count) {
-  Box middles;
-  for (std::uint32_t i = first; i < first + count; ++i) {
-    const Corners& corners = triangles_[order_[i]];
-    for (const Eigen::Vector3d& corner : corners) nodes_[node].box.include(corner);
-    middles.include(middle(corners));
+ private:
+  struct Part {
+    std::uint32_t first, count;  ///< places in order_
+  };
+
+  static std::uint32_t nodes_below(std::uint32_t count) {
+    return count <= kLeafSize ? 0 : 2 + nodes_below(count / 2) + nodes_below(count - count / 2);
   }
-  if (count <= kLeafSize) {
-    nodes_[node].first = first;
-    nodes_[node].count = count;
-    return;
+
+  /// `free`: place of the first node that is not taken.
+  void split(std::uint32_t place, Part part, std::uint32_t free) {
+    Node& node = tree_.nodes_[place];
+    const auto begin = tree_.order_.begin() + part.first, end = begin + part.count;
+    if (part.count <= kLeafSize) {
+      for (auto own = begin; own != end; ++own)
+        for (const Eigen::Vector3d& corner : tree_.triangles_[*own]) node.box.include(corner);
+      node.first = part.first;
+      node.count = part.count;
+      return;
+    }
+    Box middles;
+    for (auto own = begin; own != end; ++own) middles.include(middles_[*own]);
+    Eigen::Index axis = 0;
+    middles.size().maxCoeff(&axis);
+    const Part left = {part.first, part.count / 2};
+    const Part right = {part.first + left.count, part.count - left.count};
+    std::nth_element(begin, begin + left.count, end, [&](std::uint32_t a, std::uint32_t b) {
+      return std::pair(middles_[a][axis], a) < std::pair(middles_[b][axis], b);
+    });
+    node.first = free;
+    const std::uint32_t free_of_right = free + 2 + nodes_below(left.count);
+    const auto split_left = [&] { split(free, left, free + 2); };
+    const auto split_right = [&] { split(free + 1, right, free_of_right); };
+    if (part.count > kWorthAThread) {
+      tbb::parallel_invoke(split_left, split_right);
+    } else {
+      split_left();
+      split_right();
+    }
+    node.box.include(tree_.nodes_[free].box);
+    node.box.include(tree_.nodes_[free + 1].box);
   }
-  Eigen::Index axis = 0;
-  middles.size().maxCoeff(&axis);
-  const auto begin = order_.begin() + first;
-  std::nth_element(begin, begin + count / 2, begin + count, [&](std::uint32_t a, std::uint32_t b) {
-    return std::pair(middle(triangles_[a])[axis], a) < std::pair(middle(triangles_[b])[axis], b);
-  });
-  const auto left = static_cast<std::uint32_t>(nodes_.size());
-  nodes_[node].first = left;
-  nodes_.resize(nodes_.size() + 2);
-  split(left, first, count / 2);
-  split(left + 1, first + count / 2, count - count / 2);
+
+  TriangleTree& tree_;
+  std::vector<Eigen::Vector3d> middles_;
+};
+
+TriangleTree::TriangleTree(std::vector<Corners> triangles)
+    : triangles_(std::move(triangles)), order_(triangles_.size()) {
+  std::iota(order_.begin(), order_.end(), 0U);
+  Builder{*this};
 }
 
 TriangleTree::Hit TriangleTree::nearest(const Eigen::Vector3d& point) const {

@@ -37,7 +37,7 @@ class TriangleTree {
         0;  ///< leaf: first place in order_; otherwise: the left child, the right one follows it
     std::uint32_t count = 0;  ///< triangles in a leaf, 0 for an inner node
   };
-  void split(std::uint32_t node, std::uint32_t first, std::uint32_t count);
+  class Builder;
 
   std::vector<Corners> triangles_;
   std::vector<std::uint32_t> order_;

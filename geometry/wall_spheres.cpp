@@ -24,10 +24,15 @@ void check(const WallSphereOptions& options) {
 
 WallSpheres make_wall_spheres(const Mesh& mesh, const WallSphereOptions& options) {
   check(options);
+  return make_wall_spheres(mesh, SolidQuery(mesh), options);
+}
+
+WallSpheres make_wall_spheres(const Mesh& mesh, const SolidQuery& solid, const WallSphereOptions& options) {
+  check(options);
   const double spacing = options.spacing * options.radius;
   const Facets facets = find_facets(mesh, find_topology(mesh));
   CoverTarget target{mesh, facets, options.reachable, PointGrid(spacing), PointGrid(spacing)};
-  const OffsetSurface offset(mesh, options.radius);
+  const OffsetSurface offset(solid, options.radius);
 
   std::function<bool(const Eigen::Vector3d&)> wanted = [](const Eigen::Vector3d&) { return true; };
   if (options.reachable) {

@@ -5,7 +5,7 @@
 
 #include <functional>
 
-#include "geometry/mesh.h"
+#include "geometry/solid_query.h"
 
 namespace diefill::geometry {
 
@@ -50,5 +50,8 @@ struct WallSpheres {
 /// narrower than R_w may be missed. Throws MeshError when the solid is thinner than 2 R_w where it is
 /// reachable, or for options out of range.
 WallSpheres make_wall_spheres(const Mesh& mesh, const WallSphereOptions& options);
+
+/// The same where there is a query of that mesh already.
+WallSpheres make_wall_spheres(const Mesh& mesh, const SolidQuery& solid, const WallSphereOptions& options);
 
 }  // namespace diefill::geometry

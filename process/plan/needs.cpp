@@ -72,7 +72,7 @@ Needs needs_of(const Scene& scene, const Tooling& tooling) {
   needs.fill_height = scene.pour.fill_height;
   const double tolerance = kSymmetryOverRadius * scene.walls.sphere_radius;
   std::vector<geometry::Symmetry> symmetry;
-  for (const Tool& tool : tooling.tools) symmetry.push_back(geometry::find_symmetry(tool.mesh, tolerance));
+  for (const Tool& tool : tooling.tools) symmetry.push_back(geometry::find_symmetry(tool.solid(), tolerance));
   needs.planes = common_planes(scene, tooling, symmetry, tolerance);
   needs.laws = law_terms(scene, settings);
   return needs;

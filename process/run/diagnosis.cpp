@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cstdio>
 
-#include "geometry/solid_query.h"
 #include "process/run/tool_fit.h"
 
 namespace diefill::process {
@@ -30,28 +29,25 @@ std::string millimetres(double length) {
 }
 
 /// Inside the cavity, or where a third tool fills the space between two.
-bool elsewhere(const Scene& scene, const Tooling& tooling, const std::vector<geometry::SolidQuery>& solids,
-               const Tool& one, const Tool& other, const Eigen::Vector3d& place) {
-  for (std::size_t k = 0; k < solids.size(); ++k) {
-    const Tool& third = tooling.tools[k];
+bool elsewhere(const Scene& scene, const Tooling& tooling, const Tool& one, const Tool& other,
+               const Eigen::Vector3d& place) {
+  for (const Tool& third : tooling.tools)
     if (&third != &one && &third != &other && third.mesh.bounding_box().contains(place) &&
-        solids[k].inside(place))
+        third.solid().inside(place))
       return true;
-  }
   return tooling.cavity.found && tooling.cavity.box.contains(place) &&
          place.z() > tooling.cavity.box.lower.z() + kNothing &&
          place.z() < scene.measure.fill_plane - kNothing;
 }
 
-geometry::Gap gap_between(const Scene& scene, const Tooling& tooling,
-                          const std::vector<geometry::SolidQuery>& solids, const Tool& one,
-                          const Tool& other) {
+geometry::Gap gap_between(const Scene& scene, const Tooling& tooling, const Tool& one, const Tool& other) {
   const double reach = std::max(kLeastReach, kReachOverDiameter * scene.powder.grain_diameter);
   const auto passed_over = [&](const Eigen::Vector3d& place) {
-    return elsewhere(scene, tooling, solids, one, other, place);
+    return elsewhere(scene, tooling, one, other, place);
   };
-  geometry::Gap gap = geometry::measure_gap(one.mesh, other.mesh, reach, kSampleSpacing, passed_over);
-  const geometry::Gap back = geometry::measure_gap(other.mesh, one.mesh, reach, kSampleSpacing, passed_over);
+  geometry::Gap gap = geometry::measure_gap(one.solid(), other.solid(), reach, kSampleSpacing, passed_over);
+  const geometry::Gap back =
+      geometry::measure_gap(other.solid(), one.solid(), reach, kSampleSpacing, passed_over);
   if (!gap.found) return back;
   if (!back.found) return gap;
   const double narrowest = std::min(gap.narrowest, back.narrowest);
@@ -79,16 +75,15 @@ std::string in_words(const PairDiagnosis& pair, const Scene& scene, double spher
   return text + ": closed to the powder";
 }
 
-PairDiagnosis pair_of(const Scene& scene, const Tooling& tooling,
-                      const std::vector<geometry::SolidQuery>& solids, const Tool& one, const Tool& other,
+PairDiagnosis pair_of(const Scene& scene, const Tooling& tooling, const Tool& one, const Tool& other,
                       double sphere_radius) {
   PairDiagnosis pair;
   pair.one = one.spec.name;
   pair.other = other.spec.name;
-  const Overlap overlap = deepest_overlap(one.mesh, other.mesh);
+  const Overlap overlap = deepest_overlap(one, other);
   pair.overlap = overlap.depth;
   pair.overlap_place = overlap.place;
-  pair.gap = gap_between(scene, tooling, solids, one, other);
+  pair.gap = gap_between(scene, tooling, one, other);
   pair.powder_enters = pair.gap.found && pair.gap.widest > 2 * sphere_radius;
   pair.real_powder_enters = pair.gap.found && pair.gap.widest > 2 * scene.powder.sphere_radius;
   pair.in_words = in_words(pair, scene, sphere_radius);
@@ -99,14 +94,12 @@ PairDiagnosis pair_of(const Scene& scene, const Tooling& tooling,
 
 Diagnosis diagnose(const Scene& scene, const Tooling& tooling, double sphere_radius) {
   Diagnosis diagnosis;
-  std::vector<geometry::SolidQuery> solids;
-  for (const Tool& tool : tooling.tools) solids.emplace_back(tool.mesh);
   for (std::size_t k = 0; k < tooling.tools.size(); ++k) {
     const Tool& tool = tooling.tools[k];
     const double radius = tool.spec.sphere_radius.value_or(scene.walls.sphere_radius);
-    diagnosis.symmetry.push_back(geometry::find_symmetry(tool.mesh, kSymmetryOverRadius * radius));
+    diagnosis.symmetry.push_back(geometry::find_symmetry(tool.solid(), kSymmetryOverRadius * radius));
     for (std::size_t other = 0; other < k; ++other) {
-      PairDiagnosis pair = pair_of(scene, tooling, solids, tooling.tools[other], tool, sphere_radius);
+      PairDiagnosis pair = pair_of(scene, tooling, tooling.tools[other], tool, sphere_radius);
       if (!pair.in_words.empty()) diagnosis.pairs.push_back(std::move(pair));
     }
   }

@@ -38,7 +38,7 @@ std::string plane_in_words(int axis) {
 
 void refuse_asymmetric_tool(const Scene& scene, const Tool& tool, int axis) {
   const double tolerance = kSymmetryOverRadius * tool.spec.sphere_radius.value_or(scene.walls.sphere_radius);
-  const auto symmetry = geometry::find_symmetry(tool.mesh, tolerance);
+  const auto symmetry = geometry::find_symmetry(tool.solid(), tolerance);
   const bool across = std::any_of(symmetry.planes.begin(), symmetry.planes.end(), [&](const auto& normal) {
     return std::abs(std::abs(normal[axis]) - 1) < 1e-6;
   });

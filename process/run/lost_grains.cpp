@@ -38,8 +38,7 @@ LostGrains::LostGrains(const Tooling& tooling, double grain_diameter)
     for (const auto& centre : tool.spheres.centres) spheres.insert(centre);
     // A covered point is no farther from a centre than this: half a gap between spheres, and their depth.
     const double cover_reach = 2 * tool.spheres.radius + tool.spheres.largest_gap;
-    tools_.push_back(
-        {geometry::SolidQuery(tool.mesh), grid, std::move(blocked), std::move(spheres), cover_reach});
+    tools_.push_back({tool.solid(), grid, std::move(blocked), std::move(spheres), cover_reach});
   }
 }
 

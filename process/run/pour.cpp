@@ -84,7 +84,7 @@ constexpr double kTolerated = 0.9;
 class Room {
  public:
   Room(const Tooling& tooling, double radius) : radius_(radius) {
-    for (const Tool& tool : tooling.tools) solids_.emplace_back(tool.mesh);
+    for (const Tool& tool : tooling.tools) solids_.push_back(tool.solid());
   }
   /// Whether a grain can stand at `place` (m).
   bool at(const Eigen::Vector3d& place) const {
@@ -129,7 +129,7 @@ std::vector<engine::NewGrain> stack_around_tools(const Scene& scene, const engin
 void refuse_overlap(const Scene& scene, const Tooling& tooling, const std::vector<engine::NewGrain>& grains,
                     double radius) {
   for (const Tool& tool : tooling.tools) {
-    const geometry::SolidQuery solid(tool.mesh);
+    const geometry::SolidQuery& solid = tool.solid();
     for (const auto& grain : grains) {
       const double distance = solid.signed_distance(grain.position);
       if (distance > kTolerated * radius) continue;

@@ -20,7 +20,7 @@ PowderSource::PowderSource(const Scene& scene, const Tooling& tooling) : scene_(
   for (std::size_t k = 0; k < scene.steps.size(); ++k)
     if (scene.steps[k]->inflow() != nullptr) sources_.push_back(k);
   if (!any()) return;
-  for (const Tool& tool : tooling.tools) solids_.push_back(std::make_unique<geometry::SolidQuery>(tool.mesh));
+  for (const Tool& tool : tooling.tools) solids_.push_back(tool.solid());
 }
 
 std::size_t PowderSource::feed(engine::Simulation& simulation, Schedule& schedule) const {
@@ -89,7 +89,7 @@ bool PowderSource::free_of_tools(const Eigen::Vector3d& place, double radius,
   for (std::size_t k = 0; k < solids_.size(); ++k) {
     const engine::BodyMotion& pose = simulation.body_motion(k);
     const Eigen::Vector3d in_body = pose.rotation.transpose() * (place - pose.translation);
-    if (solids_[k]->signed_distance(in_body) < radius) return false;
+    if (solids_[k].signed_distance(in_body) < radius) return false;
   }
   return true;
 }

@@ -2,7 +2,6 @@
 // comes free.
 #pragma once
 
-#include <memory>
 #include <vector>
 
 #include "engine/simulation.h"
@@ -34,7 +33,7 @@ class PowderSource {
   const Scene& scene_;
   const Tooling& tooling_;
   std::vector<std::size_t> sources_;  ///< numbers of the steps
-  std::vector<std::unique_ptr<geometry::SolidQuery>> solids_;
+  std::vector<geometry::SolidQuery> solids_;
 };
 
 }  // namespace diefill::process

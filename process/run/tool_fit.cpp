@@ -3,8 +3,6 @@
 #include <cstdio>
 #include <utility>
 
-#include "geometry/solid_query.h"
-
 namespace diefill::process {
 
 namespace {
@@ -12,12 +10,11 @@ namespace {
 constexpr double kLargestTool = 2;                            // m
 constexpr double kSmallestUsual = 0.01, kLargestUsual = 0.8;  // m, extents of tools that presses have
 
-void deepen(Overlap& deepest, const geometry::Mesh& part, const geometry::Mesh& solid) {
-  const geometry::Box box = solid.bounding_box();
-  const geometry::SolidQuery query(solid);
+void deepen(Overlap& deepest, const geometry::Mesh& part, const Tool& other) {
+  const geometry::Box box = other.mesh.bounding_box();
   for (const auto& corner : part.vertices) {
     if (!box.contains(corner)) continue;
-    const double depth = -query.signed_distance(corner);
+    const double depth = -other.solid().signed_distance(corner);
     if (depth > deepest.depth) deepest = {depth, corner};
   }
 }
@@ -51,15 +48,15 @@ void check_size(const geometry::Mesh& mesh, double sphere_radius, double metres_
   throw SceneError(where + text + likely_unit(size.maxCoeff() / metres_per_unit));
 }
 
-Overlap deepest_overlap(const geometry::Mesh& one, const geometry::Mesh& other) {
+Overlap deepest_overlap(const Tool& one, const Tool& other) {
   Overlap deepest;
-  deepen(deepest, one, other);
-  deepen(deepest, other, one);
+  deepen(deepest, one.mesh, other);
+  deepen(deepest, other.mesh, one);
   return deepest;
 }
 
 void check_fit(const Tool& tool, const Tool& other, double sphere_radius, const std::string& where) {
-  const Overlap deepest = deepest_overlap(tool.mesh, other.mesh);
+  const Overlap deepest = deepest_overlap(tool, other);
   if (deepest.depth <= sphere_radius) return;
   char text[120];
   std::snprintf(text, sizeof text,

@@ -21,7 +21,7 @@ struct Overlap {
   double depth = 0;  ///< m
   Eigen::Vector3d place = Eigen::Vector3d::Zero();
 };
-Overlap deepest_overlap(const geometry::Mesh& one, const geometry::Mesh& other);
+Overlap deepest_overlap(const Tool& one, const Tool& other);
 
 /// Throws SceneError (beginning with `where`, which is of `tool`) when a corner of one of the two parts lies
 /// deeper inside the other than a wall sphere's radius, as they stand at the start. Fits and facets overlap

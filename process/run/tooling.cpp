@@ -6,7 +6,6 @@
 #include <future>
 #include <stdexcept>
 
-#include "geometry/solid_query.h"
 #include "process/run/half_model.h"
 #include "process/run/periodic_tool.h"
 #include "process/run/reachable_surface.h"
@@ -131,8 +130,7 @@ void refuse_misplaced(const Scene& scene, const Tooling& tooling) {
 
 /// Openings measured between centres (OP-12): the spheres' centres, not their surfaces, lie on the CAD
 /// surface.
-void move_to_surface(geometry::WallSpheres& spheres, const geometry::Mesh& mesh) {
-  const geometry::SolidQuery solid(mesh);
+void move_to_surface(geometry::WallSpheres& spheres, const geometry::SolidQuery& solid) {
   for (auto& centre : spheres.centres) centre = solid.nearest(centre).point;
   spheres.mean_deviation += spheres.radius;
   spheres.largest_deviation += spheres.radius;
@@ -147,9 +145,11 @@ geometry::WallSpheres cover(const Scene& scene, const Tool& tool, double grain_d
   options.spacing = tool.spec.spacing.value_or(scene.walls.spacing);
   options.reachable = std::move(reachable);
   try {
-    auto spheres =
-        make_periodic_wall_spheres(tool.mesh, options, scene.numerics.period, 2 * grain_diameter, where);
-    if (scene.numerics.opening == OpeningMeasure::centres) move_to_surface(spheres, tool.mesh);
+    const auto& period = scene.numerics.period;
+    auto spheres = period[0] || period[1]
+                       ? make_periodic_wall_spheres(tool.mesh, options, period, 2 * grain_diameter, where)
+                       : geometry::make_wall_spheres(tool.mesh, tool.solid(), options);
+    if (scene.numerics.opening == OpeningMeasure::centres) move_to_surface(spheres, tool.solid());
     keep_near_half(scene, spheres);
     return spheres;
   } catch (const geometry::MeshError& error) {
@@ -180,6 +180,11 @@ void refuse_leaks(const Scene& scene, const Tool& tool, double smallest_radius) 
 }
 
 }  // namespace
+
+const geometry::SolidQuery& Tool::solid() const {
+  if (!solid_) solid_.emplace(mesh);
+  return *solid_;
+}
 
 std::size_t Tooling::wall_spheres() const {
   std::size_t count = 0;

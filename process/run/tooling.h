@@ -8,6 +8,7 @@
 
 #include "geometry/cavity.h"
 #include "geometry/mesh_check.h"
+#include "geometry/solid_query.h"
 #include "geometry/wall_spheres.h"
 #include "process/scene/scene.h"
 
@@ -30,6 +31,12 @@ struct Tool {
   geometry::WallSpheres spheres;
   /// The wall itself, where that is the mesh; `spheres` then only cut the cells of grains that measures take.
   std::optional<geometry::Mesh> wall_mesh;
+
+  /// Answers about `mesh`, built when first asked for: millions of triangles take seconds and a gigabyte.
+  const geometry::SolidQuery& solid() const;
+
+ private:
+  mutable std::optional<geometry::SolidQuery> solid_;  // two threads may not ask one tool first at once
 };
 
 struct Tooling {

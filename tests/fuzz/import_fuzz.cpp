@@ -1,69 +1,21 @@
-// Feeds damaged CAD files to the importers, the check and the repair, and reports what happened: anything but
-// a mesh or one MeshError is a failure. Not a test of CI: `bin/import_fuzz SECONDS [SEED]`. Built with
-// clang's -fsanitize=fuzzer and -DDIEFILL_LIBFUZZER it is guided by coverage instead (fuzz/build_guided.sh),
-// and begins with the same seeds.
+// Feeds damaged CAD files to the importers as the program runs them, in child processes, and to the check and
+// the repair, and reports what happened (README.md): anything but a mesh or one MeshError is a failure.
+//   bin/import_fuzz SECONDS [SEED]      damaged files of every kind
+//   bin/import_fuzz --replay FILES...   inputs that the guided fuzzer kept
 #include <sys/resource.h>
 
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
-#include <filesystem>
-#include <fstream>
 #include <map>
 #include <random>
 
-#include "geometry/mesh_import.h"
-#include "geometry/mesh_repair.h"
-#include "tests/geometry/mesh_files.h"
-#include "tests/geometry/sample_meshes.h"
+#include "tests/fuzz/fuzz_input.h"
 #include "tests/support/temporary_folder.h"
 
-namespace diefill::geometry {
+namespace diefill::geometry::fuzz {
 namespace {
-
-constexpr std::size_t kMostToRepair = 20000;  // triangles: beyond it an input only costs time
-
-struct Seed {
-  std::string ending, bytes;
-};
-
-std::vector<Seed> seeds() {
-  const Mesh tube = sample::tube(8, 12, 10, 12), box = sample::box({0, 0, 0}, {1, 2, 3});
-  const std::vector<sample::NamedMesh> parts = {{"die", box}, {"punch", tube}};
-  return {{"stl", sample::binary_stl(tube)},
-          {"stl", sample::stl_of_parts(parts)},
-          {"obj", sample::obj_of_parts(parts)},
-          {"ply", sample::ply(box)},
-          {"off", sample::off(tube)},
-          {"3mf", sample::three_mf(parts, "millimeter")},
-          {"amf", sample::amf(box, "inch")},
-          {"dae", sample::collada(box, 1e-3)},
-          {"gltf", sample::gltf(box, "die")},
-          {"step", support::contents(DIEFILL_SOURCE_DIR "/sample_tools/shoe/shoe.step")},
-          {"igs", support::contents(DIEFILL_SOURCE_DIR "/sample_tools/shoe/shoe.igs")}};
-}
-
-/// What is left of the file name in messages, so that like failures count as one.
-std::string outcome_of(const std::filesystem::path& file) {
-  ImportOptions options;
-  const std::string ending = file.extension().string();
-  if (ending == ".stl" || ending == ".obj" || ending == ".ply" || ending == ".off")
-    options.metres_per_unit = 1e-3;
-  try {
-    const Mesh mesh = import_part(file, options).mesh;
-    const MeshFindings findings = check_mesh(mesh);
-    if (mesh.triangles.size() > kMostToRepair) return "read, too large to repair";
-    const RepairedMesh repaired = repair_mesh(mesh, findings, {});
-    if (findings.usable()) return "read, usable";
-    return repaired.findings.usable() ? "read, repaired" : "read, not usable";
-  } catch (const MeshError& error) {
-    const std::string words = error.what();
-    for (const char* kind : {"crashed", "does not come to an end", "more memory"})
-      if (words.find(kind) != std::string::npos) return std::string("refused, importer ") + kind;
-    return "refused";
-  }
-}
 
 /// Damages files as transport, editors and attackers do.
 class Damage {
@@ -124,72 +76,64 @@ class Damage {
   std::mt19937_64 random_;
 };
 
-}  // namespace
-}  // namespace diefill::geometry
-
-#ifdef DIEFILL_LIBFUZZER
-
-namespace {
-
-/// The first byte of an input says what kind of file the rest is.
-const char* const kEndings[] = {"stl", "obj", "ply", "off", "3mf", "amf", "dae", "gltf", "step", "igs"};
-
-}  // namespace
-
-/// Puts the seeds into the corpus: the folder named last.
-extern "C" int LLVMFuzzerInitialize(int* count, char*** arguments) {
-  using namespace diefill;
-  const std::filesystem::path corpus = (*arguments)[*count - 1];
-  if (*count < 2 || !std::filesystem::is_directory(corpus)) return 0;
-  std::size_t number = 0;
-  for (const auto& seed : geometry::seeds()) {
-    const auto kind = std::find(std::begin(kEndings), std::end(kEndings), seed.ending) - std::begin(kEndings);
-    std::ofstream file(corpus / ("seed" + std::to_string(number++)), std::ios::binary);
-    file << static_cast<char>(kind) << seed.bytes;
+/// Counts how inputs ended, and what they took.
+class Outcomes {
+ public:
+  void take(const FuzzInput& input) {
+    const auto file = folder_.write("input." + input.ending, input.bytes);
+    const auto begun = Clock::now();
+    ++times_[input.ending + ": " + outcome_of(file)];
+    longest_ = std::max(longest_, seconds_since(begun));
+    ++inputs_;
   }
-  return 0;
+  double seconds() const { return seconds_since(start_); }
+  void print() const {
+    for (const auto& [outcome, times] : times_) std::printf("%8zu  %s\n", times, outcome.c_str());
+    rusage self{}, children{};
+    getrusage(RUSAGE_SELF, &self);
+    getrusage(RUSAGE_CHILDREN, &children);
+    std::printf("%zu inputs in %.0f s; longest %.2f s; largest memory %.0f MB here, %.0f MB in a child\n",
+                inputs_, seconds(), longest_, 1e-3 * static_cast<double>(self.ru_maxrss),
+                1e-3 * static_cast<double>(children.ru_maxrss));
+  }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  static double seconds_since(Clock::time_point then) {
+    return std::chrono::duration<double>(Clock::now() - then).count();
+  }
+
+  support::TemporaryFolder folder_;
+  Clock::time_point start_ = Clock::now();
+  std::map<std::string, std::size_t> times_;
+  std::size_t inputs_ = 0;
+  double longest_ = 0;
+};
+
+void damage_for(double seconds, std::uint64_t seed, Outcomes& outcomes) {
+  const auto all = seeds();
+  Damage damage(seed);
+  while (outcomes.seconds() < seconds) {
+    const FuzzInput& input = all[damage.pick(all.size())];
+    outcomes.take({input.ending, damage.of(input.bytes)});
+  }
 }
 
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  using namespace diefill;
-  static const support::TemporaryFolder folder;
-  if (size < 2) return 0;
-  const std::string bytes(reinterpret_cast<const char*>(data + 1), size - 1);
-  geometry::outcome_of(folder.write(std::string("input.") + kEndings[data[0] % std::size(kEndings)], bytes));
-  return 0;
-}
-
-#else
+}  // namespace
+}  // namespace diefill::geometry::fuzz
 
 int main(int count, char** arguments) {
-  using namespace diefill;
-  using Clock = std::chrono::steady_clock;
-  const double seconds = count > 1 ? std::atof(arguments[1]) : 60;
-  geometry::Damage damage(count > 2 ? std::strtoull(arguments[2], nullptr, 10) : 1);
-  const support::TemporaryFolder folder;
-  const auto seeds = geometry::seeds();
-  std::map<std::string, std::size_t> outcomes;
-  const auto start = Clock::now();
-  const auto since = [](Clock::time_point then) {
-    return std::chrono::duration<double>(Clock::now() - then).count();
-  };
-  double longest = 0;
-  std::size_t inputs = 0;
-  for (; since(start) < seconds; ++inputs) {
-    const auto& seed = seeds[damage.pick(seeds.size())];
-    const auto file = folder.write("input." + seed.ending, damage.of(seed.bytes));
-    const auto begun = Clock::now();
-    ++outcomes[seed.ending + ": " + geometry::outcome_of(file)];
-    longest = std::max(longest, since(begun));
+  using namespace diefill::geometry::fuzz;
+  Outcomes outcomes;
+  if (count > 2 && std::string(arguments[1]) == "--replay") {
+    for (int k = 2; k < count; ++k) {
+      const std::string bytes = diefill::support::contents(arguments[k]);
+      if (!bytes.empty()) outcomes.take(unpacked(bytes));
+    }
+  } else {
+    damage_for(count > 1 ? std::atof(arguments[1]) : 60,
+               count > 2 ? std::strtoull(arguments[2], nullptr, 10) : 1, outcomes);
   }
-  for (const auto& [outcome, times] : outcomes) std::printf("%8zu  %s\n", times, outcome.c_str());
-  rusage self{}, children{};
-  getrusage(RUSAGE_SELF, &self);
-  getrusage(RUSAGE_CHILDREN, &children);
-  std::printf("%zu inputs in %.0f s; longest %.2f s; largest memory %.0f MB here, %.0f MB in a child\n",
-              inputs, since(start), longest, 1e-3 * static_cast<double>(self.ru_maxrss),
-              1e-3 * static_cast<double>(children.ru_maxrss));
+  outcomes.print();
   return 0;
 }
-
-#endif

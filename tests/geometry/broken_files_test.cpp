@@ -1,162 +1,25 @@
 // Broken CAD files, one named defect each: every one gives its own clear finding, and none a crash.
-#include <gtest/gtest.h>
+#include "tests/geometry/broken_files.h"
 
-#include <cmath>
-#include <cstdint>
-#include <functional>
-#include <limits>
+#include <gtest/gtest.h>
 
 #include "geometry/mesh_import.h"
 #include "geometry/mesh_repair.h"
-#include "tests/geometry/mesh_files.h"
-#include "tests/geometry/sample_meshes.h"
 #include "tests/support/temporary_folder.h"
 
 namespace diefill::geometry {
-namespace {
 
-/// A file, and the words that must stand in what is said about it: why it cannot be read, or what its mesh
-/// lacks and how it was repaired.
-struct BrokenFile {
-  std::string defect, file, bytes;
-  std::string words;
-  std::string repair = "";  ///< words of the repair; empty: none may be made
-};
+namespace sample {
 
 std::ostream& operator<<(std::ostream& stream, const BrokenFile& broken) {
   return stream << broken.defect;
 }
 
-Mesh block() {
-  return sample::box({0, 0, 0}, {20, 30, 10});
-}
+}  // namespace sample
 
-Mesh tube() {
-  return sample::tube(8, 12, 10, 90);
-}
+namespace {
 
-Mesh with(Mesh mesh, const std::function<void(Mesh&)>& spoil) {
-  spoil(mesh);
-  return mesh;
-}
-
-std::string replaced(std::string text, const std::string& old, const std::string& by) {
-  text.replace(text.find(old), old.size(), by);
-  return text;
-}
-
-std::string sample_step() {
-  return support::contents(DIEFILL_SOURCE_DIR "/sample_tools/shoe/shoe.step");
-}
-
-std::string with_count(std::string stl, std::uint32_t count) {
-  for (std::size_t k = 0; k < 4; ++k) stl[80 + k] = static_cast<char>(count >> (8 * k) & 255U);
-  return stl;
-}
-
-std::vector<BrokenFile> broken_bytes() {
-  const std::string stl = sample::binary_stl(tube()), text = sample::ascii_stl(tube());
-  const std::string archive = sample::three_mf({{"tube", tube()}}, "millimeter");
-  return {
-      {"no_bytes", "a.stl", "", "is empty"},
-      {"binary_cut_short", "a.stl", stl.substr(0, stl.size() / 2), "is cut short: its header promises 720"},
-      {"text_cut_short", "a.stl", text.substr(0, text.size() / 2), "without a closing 'endsolid'"},
-      {"huge_count", "a.stl", with_count(stl, 0xffffffff), "header promises 4294967295 triangles"},
-      {"count_of_nothing", "a.stl", with_count(stl.substr(0, 84), 0), "a.stl"},
-      {"letter", "a.stl", "Dear Sir,\nenclosed is the drawing of the die.\n", "is text, but no STL"},
-      {"picture", "a.stl", "\x89PNG\r\n\x1a\n" + std::string(200, '\1'), "in truth a PNG picture"},
-      {"document", "a.stl", "%PDF-1.4\n" + std::string(200, ' '), "in truth a PDF document"},
-      {"archive", "a.stl", archive, "in truth a ZIP archive"},
-      {"step_named_stl", "a.stl", sample_step(), "in truth a STEP file"},
-      {"web_page", "a.step", "<!DOCTYPE html><html></html>", "in truth a web page"},
-      {"step_cut_short", "a.step", sample_step().substr(0, 3000), "cannot be read as step"},
-      {"step_of_nothing", "a.step", "ISO-10303-21;\nHEADER;\nENDSEC;\nDATA;\nENDSEC;\nEND-ISO-10303-21;\n",
-       "cannot be read as step"},
-      {"iges_of_noise", "a.igs", std::string(800, 'S'), "cannot be read as igs"},
-      {"archive_cut_short", "a.3mf", archive.substr(0, archive.size() / 2), "cannot be read as 3mf"},
-      {"archive_of_nothing", "a.3mf", sample::zip({{"readme.txt", "nothing"}}), "cannot be read as 3mf"},
-      {"unit_that_is_none", "a.amf", sample::amf(tube(), "furlong"), "\"furlong\" in node <unit>"},
-      {"huge_ply", "a.ply", replaced(sample::ply(tube()), "vertex 360", "vertex 4000000000"),
-       "header promises 4000000000 vertex elements"},
-      {"huge_off", "a.off", replaced(sample::off(tube()), "360 720", "360 4000000000"),
-       "header promises 4000000000 faces"},
-      {"points_only", "a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\n", "a.obj"},
-      {"corner_that_is_not_there", "a.off", replaced(sample::off(block()), "3 0 2 3", "3 0 2 99"),
-       "3 open edges"},
-      {"gltf_without_its_buffer", "a.gltf",
-       replaced(sample::gltf(tube(), "t"), "data:application/octet-stream;base64,", "missing.bin?"),
-       "cannot be read as gltf"},
-      {"collada_cut_short", "a.dae", sample::collada(tube(), 1e-3).substr(0, 2000), "cannot be read as dae"},
-      {"not_a_number", "a.stl",
-       sample::binary_stl(with(tube(), [](Mesh& m) { m.vertices[3].y() = std::nan(""); })),
-       "corner that is no finite number"},
-      {"infinite", "b.stl",
-       sample::binary_stl(
-           with(tube(), [](Mesh& m) { m.vertices[9].x() = std::numeric_limits<double>::infinity(); })),
-       "corner that is no finite number"},
-  };
-}
-
-std::vector<BrokenFile> broken_meshes() {
-  const auto stl = [](const Mesh& mesh) { return sample::binary_stl(mesh); };
-  const Mesh far = sample::box({40, 0, 0}, {50, 10, 10});
-  return {
-      {"small_hole", "a.stl", stl(with(tube(), [](Mesh& m) { m.triangles.erase(m.triangles.begin() + 40); })),
-       "the surface has a hole", "a hole of"},
-      {"open_shell", "a.stl", stl(with(block(), [](Mesh& m) { m.triangles.resize(10); })),
-       "the surface has a hole"},
-      {"sheet", "a.obj", "v 0 0 0\nv 9 0 0\nv 9 9 0\nv 0 9 0\nf 1 2 3\nf 1 3 4\n", "4 open edges"},
-      {"flipped_face", "a.stl",
-       stl(with(tube(), [](Mesh& m) { std::swap(m.triangles[10][0], m.triangles[10][1]); })),
-       "triangles are turned over", "neighbours agree"},
-      {"inside_out", "a.stl", stl(sample::inside_out(tube())), "whole surface is inside out",
-       "right side out"},
-      {"one_shell_inside_out", "a.stl", stl(sample::joined(tube(), sample::inside_out(far))),
-       "1 shell faces the wrong way", "1 shell turned round"},
-      {"edge_of_four_triangles", "a.stl",
-       stl(sample::joined(block(), sample::box({20, 30, 0}, {25, 35, 10}))),
-       "1 edge shared by more than two triangles"},
-      {"fin", "a.stl",
-       stl(with(block(),
-                [](Mesh& m) {
-                  m.vertices.emplace_back(-9, -9, 5);
-                  m.triangles.emplace_back(0, 1, 8);
-                })),
-       "shared by more than two triangles"},
-      {"through_itself", "a.stl", stl(sample::prism({{0, 0}, {10, 10}, {10, 0}, {0, 10}}, {5, 5}, 10)),
-       "triangles that cross"},
-      {"overlapping_shells", "a.stl",
-       stl(sample::joined(block(), sample::box({5.1, 5.2, 5.3}, {9.4, 9.5, 20}))),
-       "the surface passes through itself", "2 shells that overlap united"},
-      {"same_shell_twice", "a.stl", stl(sample::joined(block(), block())), "12 triangles twice"},
-      {"coincident_shells", "a.stl", stl(sample::joined(block(), sample::box({0, 0, 0}, {20, 30, 10.0001}))),
-       "triangles that cross"},
-      {"sliver", "a.stl",
-       stl(with(block(),
-                [](Mesh& m) {
-                  m.vertices.emplace_back(10, 0, 0);  // in the middle of an edge
-                  m.triangles[4] = {0, 8, 5};         // split on one side only
-                  m.triangles.emplace_back(8, 1, 5);
-                  m.triangles.emplace_back(0, 1, 8);
-                })),
-       "1 triangle without area"},
-      {"loose_corners", "a.obj",
-       [] {
-         Mesh soup;
-         for (const auto& t : tube().triangles) {
-           const int first = static_cast<int>(soup.vertices.size());
-           for (int k = 0; k < 3; ++k)
-             soup.vertices.push_back(tube().vertices[static_cast<std::size_t>(t[k])] +
-                                     Eigen::Vector3d(0, 0, 3e-5 * (first / 3 % 4)));
-           soup.triangles.emplace_back(first, first + 1, first + 2);
-         }
-         return sample::obj(soup);
-       }(),
-       "open edges", "welded"},
-  };
-}
-
-class BrokenFiles : public testing::TestWithParam<BrokenFile> {};
+class BrokenFiles : public testing::TestWithParam<sample::BrokenFile> {};
 
 std::string everything_said(const std::filesystem::path& file, RepairedMesh& repaired) {
   ImportOptions options;
@@ -178,7 +41,7 @@ std::string everything_said(const std::filesystem::path& file, RepairedMesh& rep
 
 TEST_P(BrokenFiles, GiveTheirOwnFinding) {
   const support::TemporaryFolder directory;
-  const BrokenFile& broken = GetParam();
+  const sample::BrokenFile& broken = GetParam();
   RepairedMesh repaired;
   const std::string said = everything_said(directory.write(broken.file, broken.bytes), repaired);
   EXPECT_NE(said.find(broken.words), std::string::npos) << "said: " << said;
@@ -192,15 +55,15 @@ TEST_P(BrokenFiles, GiveTheirOwnFinding) {
   }
 }
 
-std::string name_of(const testing::TestParamInfo<BrokenFile>& instance) {
+std::string name_of(const testing::TestParamInfo<sample::BrokenFile>& instance) {
   return instance.param.defect;
 }
 
-INSTANTIATE_TEST_SUITE_P(Bytes, BrokenFiles, testing::ValuesIn(broken_bytes()), name_of);
-INSTANTIATE_TEST_SUITE_P(Meshes, BrokenFiles, testing::ValuesIn(broken_meshes()), name_of);
+INSTANTIATE_TEST_SUITE_P(Bytes, BrokenFiles, testing::ValuesIn(sample::broken_bytes()), name_of);
+INSTANTIATE_TEST_SUITE_P(Meshes, BrokenFiles, testing::ValuesIn(sample::broken_meshes()), name_of);
 
 TEST(BrokenFilesList, AreThirtyAtLeast) {
-  EXPECT_GE(broken_bytes().size() + broken_meshes().size(), 30U);
+  EXPECT_GE(sample::broken_bytes().size() + sample::broken_meshes().size(), 30U);
 }
 
 }  // namespace

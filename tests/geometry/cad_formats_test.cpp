@@ -33,6 +33,7 @@ std::vector<FileOfAFormat> tube_in_every_format() {
           {"binary.STL", sample::binary_stl(tube), 0},
           {"tube.obj", sample::obj(tube), 0},
           {"tube.ply", sample::ply(tube), 0},
+          {"binary.ply", sample::binary_ply(tube), 0},
           {"tube.off", sample::off(tube), 0},
           {"tube.amf", sample::amf(tube, "millimeter"), 1e-3},
           {"inch.amf", sample::amf(scaled(tube, 1 / 25.4), "inch"), 0.0254},

@@ -88,6 +88,19 @@ std::string ply(const Mesh& mesh) {
   return out.str();
 }
 
+std::string binary_ply(const Mesh& mesh) {
+  std::string bytes = ply(mesh);
+  bytes.resize(bytes.find("end_header\n") + std::strlen("end_header\n"));
+  bytes.replace(bytes.find("ascii"), 5, "binary_little_endian");
+  for (const Eigen::Vector3d& v : mesh.vertices)
+    for (int axis = 0; axis < 3; ++axis) append(bytes, static_cast<float>(v[axis]));
+  for (const Eigen::Vector3i& t : mesh.triangles) {
+    append(bytes, std::uint8_t{3});
+    for (int k = 0; k < 3; ++k) append(bytes, static_cast<std::int32_t>(t[k]));
+  }
+  return bytes;
+}
+
 std::string off(const Mesh& mesh) {
   std::ostringstream out;
   out << std::setprecision(9) << "OFF\n" << mesh.vertices.size() << " " << mesh.triangles.size() << " 0\n";

@@ -14,6 +14,7 @@ std::string ascii_stl(const Mesh& mesh);
 std::string binary_stl(const Mesh& mesh);
 std::string obj(const Mesh& mesh);
 std::string ply(const Mesh& mesh);
+std::string binary_ply(const Mesh& mesh);
 std::string off(const Mesh& mesh);
 /// `unit` as AMF names it, such as "millimeter".
 std::string amf(const Mesh& mesh, const std::string& unit);

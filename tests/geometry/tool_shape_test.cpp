@@ -18,7 +18,7 @@ Mesh turned(const Mesh& mesh, double degrees) {
 
 TEST(FindSymmetry, OfABoxThatStandsAskew) {
   const Mesh box = sample::box({0, 0, 0}, {0.01, 0.02, 0.03});
-  const Symmetry straight = find_symmetry(box, 1e-6);
+  const Symmetry straight = find_symmetry(SolidQuery(box), 1e-6);
   EXPECT_EQ(straight.planes.size(), 3U);
   ASSERT_EQ(straight.axes.size(), 3U);
   for (const auto& axis : straight.axes) EXPECT_EQ(axis.order, 2);
@@ -26,22 +26,22 @@ TEST(FindSymmetry, OfABoxThatStandsAskew) {
   EXPECT_EQ(straight.in_words(),
             "mirror planes across x, y and z; 2-fold about x; 2-fold about y; 2-fold about z, through (5.00, "
             "10.00, 15.00) mm");
-  const Symmetry askew = find_symmetry(turned(box, 20), 1e-6);
+  const Symmetry askew = find_symmetry(SolidQuery(turned(box, 20)), 1e-6);
   EXPECT_EQ(askew.planes.size(), 3U);
   EXPECT_EQ(askew.axes.size(), 3U);
 }
 
 TEST(FindSymmetry, TellsAPolygonFromACircle) {
   const Mesh hexagon = sample::cylinder(8e-3, 5e-3, 6);
-  const Symmetry six = find_symmetry(hexagon, 1e-6);
+  const Symmetry six = find_symmetry(SolidQuery(hexagon), 1e-6);
   EXPECT_NE(six.in_words().find("6-fold about z"), std::string::npos) << six.in_words();
-  const Symmetry round = find_symmetry(sample::cylinder(8e-3, 5e-3, 500), 1e-6);
+  const Symmetry round = find_symmetry(SolidQuery(sample::cylinder(8e-3, 5e-3, 500)), 1e-6);
   EXPECT_NE(round.in_words().find("round about z"), std::string::npos) << round.in_words();
 }
 
 TEST(FindSymmetry, SeesHolesThatPierceAGear) {
   for (const char* file : {"gear/core_rods.stl", "gear/punch.stl"}) {  // 20 teeth, but four holes
-    const Symmetry symmetry = find_symmetry(sample::tool(file), 3e-5);
+    const Symmetry symmetry = find_symmetry(SolidQuery(sample::tool(file)), 3e-5);
     EXPECT_NE(symmetry.in_words().find("4-fold about z"), std::string::npos) << symmetry.in_words();
   }
 }
@@ -49,12 +49,12 @@ TEST(FindSymmetry, SeesHolesThatPierceAGear) {
 TEST(FindSymmetry, OfSomethingWithout) {
   Mesh mesh = sample::box({0, 0, 0}, {0.01, 0.02, 0.03});
   mesh.vertices[7] += Eigen::Vector3d(1e-3, 2e-3, -1e-3);
-  EXPECT_EQ(find_symmetry(mesh, 1e-6).in_words(), "none found");
+  EXPECT_EQ(find_symmetry(SolidQuery(mesh), 1e-6).in_words(), "none found");
 }
 
 TEST(MeasureGap, BetweenAPunchAndItsBore) {
   const Mesh bore = sample::tube(10e-3, 20e-3, 20e-3, 256), punch = sample::cylinder(9.98e-3, 10e-3, 256);
-  const Gap gap = measure_gap(punch, bore, 1e-3, 5e-4, {});
+  const Gap gap = measure_gap(SolidQuery(punch), SolidQuery(bore), 1e-3, 5e-4, {});
   ASSERT_TRUE(gap.found);
   EXPECT_NEAR(gap.widest, 2e-5, 1e-6);
   EXPECT_NEAR(gap.narrowest, 2e-5, 1e-6);
@@ -64,7 +64,7 @@ TEST(MeasureGap, FindsTheWidePlaceOfAPunchOffCentre) {
   const Mesh bore = sample::tube(10e-3, 20e-3, 20e-3, 256);
   const Mesh punch = transformed(sample::cylinder(9.8e-3, 10e-3, 256), Eigen::Matrix3d::Identity(),
                                  Eigen::Vector3d(0.15e-3, 0, 5e-3));
-  const Gap gap = measure_gap(punch, bore, 1e-3, 2e-4, {});
+  const Gap gap = measure_gap(SolidQuery(punch), SolidQuery(bore), 1e-3, 2e-4, {});
   ASSERT_TRUE(gap.found);
   EXPECT_NEAR(gap.narrowest, 0.05e-3, 2e-6);
   EXPECT_NEAR(gap.widest, 0.35e-3, 2e-6);
@@ -73,13 +73,13 @@ TEST(MeasureGap, FindsTheWidePlaceOfAPunchOffCentre) {
 
 TEST(MeasureGap, OverlapsCountAsNoneAndCavitiesArePassedOver) {
   const Mesh bore = sample::tube(10e-3, 20e-3, 20e-3, 256), rubbing = sample::cylinder(10.02e-3, 20e-3, 256);
-  const Gap gap = measure_gap(rubbing, bore, 1e-3, 5e-4, {});
+  const Gap gap = measure_gap(SolidQuery(rubbing), SolidQuery(bore), 1e-3, 5e-4, {});
   ASSERT_TRUE(gap.found);
   EXPECT_EQ(gap.widest, 0);
   const auto everywhere = [](const Eigen::Vector3d&) { return true; };
-  EXPECT_FALSE(measure_gap(rubbing, bore, 1e-3, 5e-4, everywhere).found);
+  EXPECT_FALSE(measure_gap(SolidQuery(rubbing), SolidQuery(bore), 1e-3, 5e-4, everywhere).found);
   const Mesh far = sample::box({0.1, 0, 0}, {0.2, 0.1, 0.1});
-  EXPECT_FALSE(measure_gap(far, bore, 1e-3, 5e-4, {}).found);
+  EXPECT_FALSE(measure_gap(SolidQuery(far), SolidQuery(bore), 1e-3, 5e-4, {}).found);
 }
 
 }  // namespace
