@@ -54,6 +54,8 @@ void print_simulation(const process::Scene& scene, const process::Tooling& tooli
   std::printf("powder: %s, %zu grains of d = %.4g mm, %zu spheres; %zu wall spheres\n",
               scene.powder.name.c_str(), simulation.grains().size(), 1e3 * scene.powder.grain_diameter,
               simulation.grains().size() * simulation.settings().shape.spheres(), tooling.wall_spheres());
+  if (!scene.powder.sizes.empty())
+    std::printf("sizes: %s; d is that of mean mass\n", scene.powder.sizes_in_words.c_str());
   std::printf("time step: %.3g s, %.2f of the critical %.3g s\n", simulation.settings().time_step,
               simulation.settings().time_step / run.critical_time_step(), run.critical_time_step());
   std::printf("laws in use: %s\n",
@@ -67,13 +69,13 @@ void print_simulation(const process::Scene& scene, const process::Tooling& tooli
 int check(const CheckArguments& arguments) {
   const process::Scene scene = wanted_scene(arguments.scene, arguments.setting);
   if (arguments.json || !arguments.picture.empty()) refuse_unusable(arguments, scene);
-  const auto shape = process::engine_settings(scene, 1.0).shape;
-  const auto tooling = process::build_tooling(scene, shape.sphere_radius, scene.powder.grain_diameter);
+  const double sphere = process::smallest_sphere(process::engine_settings(scene, 1.0));
+  const auto tooling = process::build_tooling(scene, sphere, process::largest_grain(scene.powder));
   process::RunOptions options;
   options.threads = 1;
   options.show_progress = false;
   const process::FillRun run(scene, tooling, options);
-  const auto diagnosis = process::diagnose(scene, tooling, shape.sphere_radius);
+  const auto diagnosis = process::diagnose(scene, tooling, sphere);
 
   draw_picture(arguments.picture, scene, tooling, diagnosis);
   if (arguments.json) {

@@ -41,7 +41,7 @@ std::vector<PointArray> grain_arrays(const results::FillResult& result) {
   const std::size_t grains = powder.position.size();
   std::vector<PointArray> arrays = {
       scalars("id", grains, [&](std::size_t k) { return static_cast<double>(powder.id[k]); }),
-      scalars("diameter [m]", grains, [&](std::size_t) { return powder.grain_diameter; }),
+      scalars("diameter [m]", grains, [&](std::size_t k) { return powder.diameter_of(k); }),
       vectors("velocity [m/s]", powder.velocity)};
   if (fraction.solid_fraction.size() == grains) {
     const auto closed = [&](std::size_t k, double value) { return fraction.open[k] != 0 ? kNone : value; };

@@ -242,7 +242,7 @@ void add_look_options(CLI::App& command, MapArguments& arguments) {
                   "sides")
       ->expected(2);
   command.add_option("--colour-by", arguments.colour_by, "of views and frames")
-      ->check(CLI::IsMember({"solid-fraction", "speed", "layer", "coordination"}))
+      ->check(CLI::IsMember({"solid-fraction", "speed", "layer", "coordination", "diameter"}))
       ->capture_default_str();
   command.add_option("--tools", arguments.tools, "of views and frames")
       ->check(CLI::IsMember({"cut", "translucent", "hidden"}))

@@ -53,9 +53,9 @@ void print_summary(const results::FillResult& result) {
     std::printf("no cavity; %.0f grains (%.4g g) left the tools\n", figures.at("grains_left"),
                 1e3 * figures.at("mass_left_kg"));
   std::printf(
-      "%.0f grains of d = %.3g mm, %.0f steps of %.3g s, %.3g s of powder time in %s, %.2f million "
+      "%.0f grains of d = %s, %.0f steps of %.3g s, %.3g s of powder time in %s, %.2f million "
       "sphere-steps/s\n",
-      figures.at("grains"), 1e3 * result.powder.grain_diameter, figures.at("steps"),
+      figures.at("grains"), result.powder.sizes_in_words().c_str(), figures.at("steps"),
       figures.at("time_step_s"), figures.at("simulated_s"),
       process::duration_in_words(figures.at("wall_seconds")).c_str(),
       1e-6 * figures.at("sphere_steps_per_second"));
@@ -66,8 +66,8 @@ void print_summary(const results::FillResult& result) {
 
 int run(const RunArguments& arguments) {
   const process::Scene scene = wanted_scene(arguments.scene, arguments.setting);
-  const auto shape = process::engine_settings(scene, 1.0).shape;
-  const auto tooling = process::build_tooling(scene, shape.sphere_radius, scene.powder.grain_diameter);
+  const double sphere = process::smallest_sphere(process::engine_settings(scene, 1.0));
+  const auto tooling = process::build_tooling(scene, sphere, process::largest_grain(scene.powder));
 
   process::RunOptions options;
   options.directory = arguments.directory.empty() ? default_directory(scene.file)

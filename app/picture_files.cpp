@@ -20,9 +20,8 @@ std::string title_of(const PictureRequest& request, const PictureSource& source)
 }
 
 std::string subtitle_of(const PictureSource& source) {
-  char text[80];
-  std::snprintf(text, sizeof text, ", grain size %.3g mm, ", 1e3 * source.result.powder.grain_diameter);
-  return source.result.powder_name + text + source.when;
+  const auto& powder = source.result.powder;
+  return source.result.powder_name + ", grain size " + powder.sizes_in_words() + ", " + source.when;
 }
 
 std::filesystem::path file_of(const PictureRequest& request, const std::string& kind,

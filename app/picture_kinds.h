@@ -63,6 +63,8 @@ Pictures make_velocity_map(const PictureRequest& request);
 Pictures make_velocity_section(const PictureRequest& request);
 Pictures make_pressure_map(const PictureRequest& request);
 Pictures make_pressure_section(const PictureRequest& request);
+Pictures make_size_map(const PictureRequest& request);
+Pictures make_size_section(const PictureRequest& request);
 Pictures make_height_profile(const PictureRequest& request);
 Pictures make_azimuth_profile(const PictureRequest& request);
 Pictures make_histogram(const PictureRequest& request);

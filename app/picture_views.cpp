@@ -43,6 +43,11 @@ void colour(render::ViewOptions& options, const std::string& by, const results::
     options.quantity = "speed";
     options.unit = "m/s";
     for (const auto& velocity : result.powder.velocity) options.values.push_back(velocity.norm());
+  } else if (by == "diameter") {
+    options.quantity = "grain diameter";
+    options.unit = "mm";
+    for (std::size_t k = 0; k < result.powder.position.size(); ++k)
+      options.values.push_back(1e3 * result.powder.diameter_of(k));
   } else if (by == "coordination") {
     options.quantity = "grains touched";
     for (const int number : process::coordination_numbers(result.powder)) options.values.push_back(number);

@@ -4,6 +4,7 @@
 #include <cstdio>
 
 #include "engine/general_time_step.h"
+#include "engine/mix_time_step.h"
 #include "engine/time_step.h"
 #include "engine/worst_places.h"
 
@@ -34,15 +35,25 @@ std::string fastest_in_words(const Simulation& simulation) {
               grain_in_words(simulation.grains(), fastest.grain).c_str(), fastest.speed);
 }
 
-/// Critical time step (s) of a pair of grains at `overlap` (m), by whichever law is in use.
+/// Critical time step (s) of a pair of grains of one kind at `overlap` (m), by whichever law is in use.
 double critical_at_overlap(const SimulationSettings& settings, double overlap) {
   return settings.general_contact
              ? critical_time_step_at_overlap(settings.shape, *settings.general_contact, overlap)
              : critical_time_step_at_overlap(settings.shape, settings.grain_contact, overlap);
 }
 
+/// The same at the overlaps that grains have now, whatever their kinds.
+double critical_now(const Simulation& simulation) {
+  const auto& settings = simulation.settings();
+  const DeepestOverlap& deepest = simulation.overlaps();
+  if (settings.mix)
+    return critical_time_step_at_overlap(*settings.mix, deepest.grains, deepest.grains_over_radius);
+  return critical_at_overlap(settings, deepest.grains);
+}
+
 /// The same of a collision at `speed` (m/s).
 double critical_of_impact(const SimulationSettings& settings, double speed) {
+  if (settings.mix) return critical_time_step(*settings.mix, {}, speed);
   return critical_at_overlap(settings, settings.general_contact
                                            ? impact_overlap(settings.shape, *settings.general_contact, speed)
                                            : impact_overlap(settings.shape, settings.grain_contact, speed));
@@ -108,8 +119,8 @@ void Health::warn_of_overlap(double grains, double walls, double time) {
 
 void Health::check_time_step(const Simulation& simulation) const {
   const auto& settings = simulation.settings();
-  if (settings.mix || simulation.overlaps().grains <= 0) return;
-  const double critical = critical_at_overlap(settings, simulation.overlaps().grains);
+  if (simulation.overlaps().grains <= 0) return;
+  const double critical = critical_now(simulation);
   if (settings.time_step > critical)
     throw OutOfRange(
         line("the time step of %.3g s is above the critical one of %.3g s for the overlap of %.3g m "
@@ -130,7 +141,6 @@ void Health::check_speed(const Simulation& simulation) {
         "others without meeting them; the run is unstable or the time step of %.3g s too long: take a "
         "shorter one",
         who.c_str(), fastest.speed, simulation.time(), way, limits_.forbidden_way, settings.time_step));
-  if (settings.mix) return;
   const double critical = critical_of_impact(settings, 2 * fastest.speed);
   if (settings.time_step > limits_.comfortable_step * critical)
     warn_once(warned_of_speed_,

@@ -19,4 +19,9 @@ struct MixWall {
 /// Throws what making the laws throws.
 double critical_time_step(const GrainMix& mix, const std::vector<MixWall>& walls, double impact_speed);
 
+/// The same among grains alone at overlaps of up to `overlap` (m) and `overlap_over_radius`, of the radius of
+/// the smaller sphere: what a run checks itself against. Which pair reached them does not matter: no pair has
+/// reached more.
+double critical_time_step_at_overlap(const GrainMix& mix, double overlap, double overlap_over_radius);
+
 }  // namespace diefill::engine

@@ -79,7 +79,7 @@ class Simulation {
   /// Adds grains at rest or moving; ids continue from the last one given. Throws std::invalid_argument for a
   /// kind that there is not.
   void add_grains(const std::vector<NewGrain>& grains);
-  /// Takes out every grain for which `leaves(position)` is true; returns how many.
+  /// Takes out every grain for which `leaves(position)` is true, asked in their order; returns how many.
   std::size_t remove_grains(const std::function<bool(const Eigen::Vector3d&)>& leaves);
   /// Takes out the grains of these ids; returns how many there were.
   std::size_t remove_grains(const std::vector<std::uint64_t>& ids);

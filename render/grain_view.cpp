@@ -3,6 +3,7 @@
 #include <vtkActor.h>
 #include <vtkCamera.h>
 #include <vtkCellArray.h>
+#include <vtkFloatArray.h>
 #include <vtkLightKit.h>
 #include <vtkOpenGLRenderer.h>
 #include <vtkOpenGLSphereMapper.h>
@@ -27,6 +28,7 @@ namespace diefill::render {
 namespace {
 
 constexpr int kOversampling = 2;
+constexpr const char* kRadius = "radius";
 constexpr double kTranslucency = 0.13;  // opacity of tools seen through
 
 // Spheres of the grains whose centre lies behind the cut; whole grains, so that none is drawn in part.
@@ -36,6 +38,8 @@ vtkSmartPointer<vtkPolyData> spheres_behind_cut(const results::PowderState& powd
   const auto colours = vtkSmartPointer<vtkUnsignedCharArray>::New();
   colours->SetName("colour");
   colours->SetNumberOfComponents(3);
+  const auto radii = vtkSmartPointer<vtkFloatArray>::New();
+  radii->SetName(kRadius);
   const auto centres = powder.sphere_centres();
   const std::size_t spheres = powder.sphere_offsets.size();
   for (std::size_t grain = 0; grain < powder.position.size(); ++grain) {
@@ -45,11 +49,13 @@ vtkSmartPointer<vtkPolyData> spheres_behind_cut(const results::PowderState& powd
       const Eigen::Vector3d centre = kMillimetres * centres[grain * spheres + s];
       points->InsertNextPoint(centre.data());
       colours->InsertNextTypedTuple(&colour.red);
+      radii->InsertNextValue(static_cast<float>(kMillimetres * powder.sphere_radius_of(grain)));
     }
   }
   auto data = vtkSmartPointer<vtkPolyData>::New();
   data->SetPoints(points);
   data->GetPointData()->SetScalars(colours);
+  data->GetPointData()->AddArray(radii);
   // Without cells VTK takes the data for empty, and draws nothing.
   const auto all_points = vtkSmartPointer<vtkCellArray>::New();
   all_points->InsertNextCell(static_cast<int>(points->GetNumberOfPoints()));
@@ -64,7 +70,10 @@ void add_powder(vtkRenderer* renderer, const results::PowderState& powder,
   if (data->GetNumberOfPoints() == 0) return;
   const auto mapper = vtkSmartPointer<vtkOpenGLSphereMapper>::New();
   mapper->SetInputData(data);
-  mapper->SetRadius(static_cast<float>(kMillimetres * powder.sphere_radius));
+  if (powder.alike())
+    mapper->SetRadius(static_cast<float>(kMillimetres * powder.sphere_radius));
+  else
+    mapper->SetScaleArray(kRadius);
   mapper->SetScalarModeToUsePointData();
   const auto actor = vtkSmartPointer<vtkActor>::New();
   actor->SetMapper(mapper);

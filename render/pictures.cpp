@@ -16,9 +16,7 @@ constexpr double kFromData = std::numeric_limits<double>::quiet_NaN();
 std::string subtitle_of(const results::FillResult& result) {
   std::string text = result.powder_name;
   if (result.powder.grain_diameter > 0) {
-    const QString size =
-        QStringLiteral("grain size %1 mm").arg(result.powder.grain_diameter * 1e3, 0, 'g', 3);
-    text += (text.empty() ? "" : ", ") + size.toStdString();
+    text += (text.empty() ? "" : ", ") + ("grain size " + result.powder.sizes_in_words());
   }
   return text;
 }

@@ -112,7 +112,7 @@ std::string subtitle_of(const results::FillResult& result) {
   std::string text = result.powder_name;
   const auto add = [&text](const QString& part) { text += (text.empty() ? "" : ", ") + part.toStdString(); };
   if (result.powder.grain_diameter > 0)
-    add(QStringLiteral("grain size %1 mm").arg(result.powder.grain_diameter * 1e3, 0, 'g', 3));
+    add(QStringLiteral("grain size ") + QString::fromStdString(result.powder.sizes_in_words()));
   if (!result.powder.position.empty()) add(QStringLiteral("%1 grains").arg(result.powder.position.size()));
   add(QStringLiteral("t = %1 s").arg(result.powder.time, 0, 'f', 3));
   return text;

@@ -17,7 +17,7 @@ constexpr double kFrame = 1.06;       // air around what is framed
 
 Box powder_box(const results::PowderState& powder) {
   Box box;
-  const Eigen::Vector3d half = Eigen::Vector3d::Constant(0.5 * powder.grain_diameter);
+  const Eigen::Vector3d half = Eigen::Vector3d::Constant(0.5 * powder.largest_diameter());
   for (const auto& position : powder.position) box.extend(Box(position - half, position + half));
   return box;
 }

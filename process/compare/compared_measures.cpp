@@ -18,6 +18,11 @@ const std::vector<MeasureOfComparison>& compared_measures() {
        180},
       {"solid_fraction_along_travel_1", "arrival end denser than far end, half the difference", "1", 1, 0},
       {"solid_fraction_along_travel_2", "ends denser than the middle, half the difference", "1", 1, 0},
+      {"mean_grain_diameter_filled_mm", "mean grain diameter in the cavity, by mass", "mm", 1, 0},
+      {"mean_grain_diameter_top_minus_bottom_mm", "mean grain diameter, top less bottom third", "mm", 1, 0},
+      {"mixing_index_height", "mixing index over height", "1", 1, 0},
+      {"mixing_index_azimuth", "mixing index over azimuth", "1", 1, 0},
+      {"mixing_index_travel", "mixing index along the travel", "1", 1, 0},
       {"fill_height_mm", "fill height", "mm", 1, 0},
       {"cycle_time_s", "cycle time", "s", 1, 0},
   };

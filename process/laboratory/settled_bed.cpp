@@ -178,15 +178,16 @@ BedFigures settle_bed(const BedSpec& spec) {
   probe.powder = spec.powder;
   const Scene scene = scene_of(spec, engine_settings(probe, 1.0).shape);
   const double d = spec.powder.grain_diameter;
-  const auto shape = engine_settings(scene, 1.0).shape;
-  auto settings = engine_settings(scene, expected_impact_speed(scene, pour_height(scene, shape)));
+  const double poured = pour_height(scene, engine_settings(scene, 1.0));
+  auto settings = engine_settings(scene, expected_impact_speed(scene, poured));
+  const auto& shape = settings.shape;
   settings.threads = spec.threads;
   std::vector<engine::WallBodySpec> walls = {ground(spec, 2 * d)};
-  if (spec.side_walls) walls.push_back(side_walls(spec, pour_height(scene, shape) + d, 2 * d));
+  if (spec.side_walls) walls.push_back(side_walls(spec, poured + d, 2 * d));
   auto met = walls;
   if (spec.mesh_ground) met.front() = mesh_ground(spec, 4 * d);
   engine::Simulation simulation(settings, met);
-  simulation.add_grains(pour(scene, shape, endless_ground(scene)));
+  simulation.add_grains(pour(scene, settings, endless_ground(scene)));
 
   RestWatch rest;
   engine::Health health;

@@ -9,15 +9,22 @@ namespace diefill::process {
 std::vector<int> coordination_numbers(const results::PowderState& powder, double tolerance) {
   const auto centres = powder.sphere_centres();
   const std::size_t spheres = powder.sphere_offsets.size();
-  const double reach = 2 * powder.sphere_radius * (1 + tolerance);
+  double largest = powder.sphere_radius;
+  for (const double radius : powder.kinds.sphere_radius) largest = std::max(largest, radius);
+  const double reach = 2 * largest * (1 + tolerance);
   const geometry::NeighbourGrid grid(centres, reach);
   std::vector<int> numbers;
   std::vector<std::size_t> touched;
+  const auto touches = [&](std::size_t grain, std::size_t other, double squared) {
+    const double apart = (powder.sphere_radius_of(grain) + powder.sphere_radius_of(other)) * (1 + tolerance);
+    return powder.alike() || squared <= apart * apart;
+  };
   for (std::size_t grain = 0; grain < powder.position.size(); ++grain) {
     touched.clear();
     for (std::size_t s = grain * spheres; s < (grain + 1) * spheres; ++s)
-      grid.for_each_within(centres[s], reach, [&](std::uint32_t other, const auto&, double) {
-        if (other / spheres != grain) touched.push_back(other / spheres);
+      grid.for_each_within(centres[s], reach, [&](std::uint32_t other, const auto&, double squared) {
+        if (other / spheres != grain && touches(grain, other / spheres, squared))
+          touched.push_back(other / spheres);
       });
     std::sort(touched.begin(), touched.end());
     const auto last = std::unique(touched.begin(), touched.end());

@@ -57,6 +57,7 @@ results::FillResult result_at(const results::FillResult& result, double time, bo
   earlier.profiles.clear();
   earlier.powder.time = nearest->time;
   earlier.powder.id = nearest->id;
+  earlier.powder.kind = nearest->kind;
   earlier.powder.position = nearest->position;
   earlier.powder.orientation = nearest->orientation;
   earlier.powder.velocity = nearest->velocity;

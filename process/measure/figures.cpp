@@ -4,7 +4,7 @@ namespace diefill::process {
 
 const std::vector<FigureMeasure>& figure_measures() {
   static const std::vector<FigureMeasure> all = {
-      top_to_bottom, azimuthal_harmonics, travel_harmonics, field_evenness, fill_height,
+      top_to_bottom, azimuthal_harmonics, travel_harmonics, field_evenness, fill_height, size_segregation,
   };
   return all;
 }

@@ -50,4 +50,11 @@ void field_evenness(const results::FillResult& result, Figures& figures);
 /// top of the highest sphere in each. Where there is no powder the height is zero.
 void fill_height(const results::FillResult& result, Figures& figures);
 
+/// Where grains are of several sizes (segregation.h), of those in the cavity, means weighted by mass:
+/// `mean_grain_diameter_filled_mm`, and `mean_grain_diameter_all_mm` of all powder there is;
+/// `mean_grain_diameter_top_minus_bottom_mm`, upper less lower third of the grains; `mixing_index_height` and
+/// `mixing_index_azimuth` (rings) or `mixing_index_travel`: about 1 for powder as well mixed as by chance, 0
+/// where each size lies on its own.
+void size_segregation(const results::FillResult& result, Figures& figures);
+
 }  // namespace diefill::process

@@ -21,7 +21,10 @@ std::vector<double> levels_along_travel(const results::FillResult& result) {
   const double length = travel_length(result.cavity);
   const int slices = std::max(1, static_cast<int>(length / (kSliceWidth * powder.grain_diameter)));
   std::vector<double> level(static_cast<std::size_t>(slices), 0.0);
-  for (const auto& centre : powder.sphere_centres()) {
+  const auto centres = powder.sphere_centres();
+  const std::size_t spheres = powder.sphere_offsets.size();
+  for (std::size_t n = 0; n < centres.size(); ++n) {
+    const auto& centre = centres[n];
     const double height = centre.z() - result.cavity.lower_corner.z();
     const bool within = (centre.head<2>().array() >= result.cavity.lower_corner.head<2>().array()).all() &&
                         (centre.head<2>().array() <= result.cavity.upper_corner.head<2>().array()).all();
@@ -29,7 +32,7 @@ std::vector<double> levels_along_travel(const results::FillResult& result) {
     const int slice =
         std::clamp(static_cast<int>(along_travel(result.cavity, centre) * slices), 0, slices - 1);
     double& top = level[static_cast<std::size_t>(slice)];
-    top = std::max(top, 1e3 * (height + powder.sphere_radius));
+    top = std::max(top, 1e3 * (height + powder.sphere_radius_of(n / spheres)));
   }
   return level;
 }

@@ -15,12 +15,15 @@ results::Profile fill_level(const results::PowderState& powder, const results::C
   results::Profile level{"fill level", "mm", "azimuth", "deg", {}, {}};
   for (int bin = 0; bin < bins; ++bin) level.x.push_back((bin + 0.5) * 360 / bins);
   level.y.assign(level.x.size(), std::numeric_limits<double>::quiet_NaN());
-  for (const auto& centre : powder.sphere_centres()) {
+  const auto centres = powder.sphere_centres();
+  const std::size_t spheres = powder.sphere_offsets.size();
+  for (std::size_t n = 0; n < centres.size(); ++n) {
+    const auto& centre = centres[n];
     const RingPosition place = ring_position(cavity, centre);
     if (place.radius < cavity.inner_radius || place.radius > cavity.outer_radius || place.height < 0)
       continue;
     const int bin = std::min(static_cast<int>(place.azimuth / 360 * bins), bins - 1);
-    const double top = (place.height + powder.sphere_radius) * 1e3;
+    const double top = (place.height + powder.sphere_radius_of(n / spheres)) * 1e3;
     if (!(level.y[bin] >= top)) level.y[bin] = top;  // also where there was none (NaN)
   }
   return level;

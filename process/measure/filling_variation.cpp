@@ -16,12 +16,11 @@ results::Profile sector_filling(const results::PowderState& powder,
   results::Profile filling{"filled fraction", "", "azimuth", "deg", {}, {}};
   for (int sector = 0; sector < sectors; ++sector) filling.x.push_back((sector + 0.5) * 360 / sectors);
   filling.y.assign(filling.x.size(), 0);
-  const double share = powder.grain_solid_volume * sectors / cavity.volume;
   for (std::size_t k = 0; k < powder.position.size(); ++k) {
     if (fraction.in_cavity[k] == 0) continue;
     const double azimuth = ring_position(cavity, powder.position[k]).azimuth;
     const int sector = std::min(static_cast<int>(azimuth / 360 * sectors), sectors - 1);
-    filling.y[static_cast<std::size_t>(sector)] += share;
+    filling.y[static_cast<std::size_t>(sector)] += powder.solid_volume_of(k) * sectors / cavity.volume;
   }
   return filling;
 }

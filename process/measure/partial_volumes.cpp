@@ -31,6 +31,11 @@ double sphere_weight(const results::PowderState& powder) {
   return powder.grain_solid_volume > 0 ? powder.grain_solid_volume / (spheres * sphere) : 1;
 }
 
+/// m, of sphere n of all.
+double radius_of_sphere(const results::PowderState& powder, std::size_t n) {
+  return powder.sphere_radius_of(n / powder.sphere_offsets.size());
+}
+
 double cell_volume(const results::CellField& field, std::size_t i, std::size_t j, std::size_t k) {
   const auto length = [&](std::size_t axis, std::size_t n) {
     return field.edges[axis][n + 1] - field.edges[axis][n];
@@ -52,8 +57,10 @@ results::CellField cartesian_volumes(const results::PowderState& powder,
                                      const std::array<std::vector<double>, 3>& edges) {
   results::CellField field = empty_field(edges);
   const double weight = sphere_weight(powder);
-  for (const auto& centre : powder.sphere_centres())
-    share_sphere(field, {centre.x(), centre.y(), centre.z()}, powder.sphere_radius, weight);
+  const auto centres = powder.sphere_centres();
+  for (std::size_t n = 0; n < centres.size(); ++n)
+    share_sphere(field, {centres[n].x(), centres[n].y(), centres[n].z()}, radius_of_sphere(powder, n),
+                 weight);
   return field;
 }
 
@@ -65,10 +72,11 @@ results::CellField cylindrical_volumes(const results::PowderState& powder, const
   field.cylindrical = true;
   for (double& angle : field.edges[1]) angle *= kRadians;
   const double weight = sphere_weight(powder);
-  for (const auto& centre : powder.sphere_centres()) {
-    const RingPosition place = ring_position(cavity, centre);
-    share_sphere_round(field, place.radius, place.azimuth * kRadians, place.height, powder.sphere_radius,
-                       weight);
+  const auto centres = powder.sphere_centres();
+  for (std::size_t n = 0; n < centres.size(); ++n) {
+    const RingPosition place = ring_position(cavity, centres[n]);
+    share_sphere_round(field, place.radius, place.azimuth * kRadians, place.height,
+                       radius_of_sphere(powder, n), weight);
   }
   field.edges = edges;
   return field;

@@ -16,8 +16,12 @@ geometry::VoronoiRequest voronoi_request(const results::PowderState& powder,
   request.sphere_centres = powder.sphere_centres();
   request.spheres_per_grain = powder.sphere_offsets.size();
   request.sphere_radius = powder.sphere_radius;
+  if (!powder.alike())
+    for (std::size_t k = 0; k < powder.position.size(); ++k)
+      request.sphere_radii.insert(request.sphere_radii.end(), powder.sphere_offsets.size(),
+                                  powder.sphere_radius_of(k));
   request.period = period_of(powder);
-  request.largest_reach = kReachOverDiameter * powder.grain_diameter;
+  request.largest_reach = kReachOverDiameter * powder.largest_diameter();
   for (const auto& tool : tools) {
     request.wall_centres.insert(request.wall_centres.end(), tool.wall_sphere_centres.begin(),
                                 tool.wall_sphere_centres.end());
@@ -37,7 +41,7 @@ results::GrainSolidFraction measure_solid_fraction(const results::PowderState& p
   fraction.solid_fraction.reserve(cells.volume.size());
   for (std::size_t k = 0; k < cells.volume.size(); ++k) {
     const bool empty = !(cells.volume[k] > 0);
-    fraction.solid_fraction.push_back(empty ? 0 : powder.grain_solid_volume / cells.volume[k]);
+    fraction.solid_fraction.push_back(empty ? 0 : powder.solid_volume_of(k) / cells.volume[k]);
     fraction.open.push_back(empty || cells.open[k] != 0);
     fraction.in_cavity.push_back(lies_in_cavity(cavity, powder.position[k]));
   }

@@ -27,7 +27,7 @@ std::vector<Eigen::Vector3d> motion_stress_times_volume(const results::PowderSta
     const auto mean = mean_velocity(powder, axis, averaging_width);
     for (std::size_t k = 0; k < stress.size(); ++k) {
       const double against_mean = powder.velocity[k][axis] - mean[k];
-      stress[k][axis] = -powder.grain_mass * against_mean * against_mean;
+      stress[k][axis] = -powder.mass_of(k) * against_mean * against_mean;
     }
   }
   return stress;

@@ -4,6 +4,7 @@
 
 #include "process/measure/counted_grains.h"
 #include "process/measure/measure.h"
+#include "process/measure/weights.h"
 
 namespace diefill::process {
 namespace {
@@ -12,7 +13,7 @@ double solid_over_cells(const results::PowderState& powder, const results::Grain
                         const std::vector<std::size_t>& grains) {
   double cells = 0;
   for (const std::size_t k : grains) cells += fraction.cell_volume[k];
-  return static_cast<double>(grains.size()) * powder.grain_solid_volume / cells;
+  return solid_volume(powder, grains) / cells;
 }
 
 }  // namespace

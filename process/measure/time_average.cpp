@@ -34,6 +34,7 @@ void append(std::vector<Value>& all, const std::vector<Value>& more) {
 /// Adds the grains of `one` to those of `all`.
 void pool(results::FillResult& all, const results::FillResult& one) {
   append(all.powder.id, one.powder.id);
+  append(all.powder.kind, one.powder.kind);
   append(all.powder.position, one.powder.position);
   append(all.powder.orientation, one.powder.orientation);
   append(all.powder.velocity, one.powder.velocity);

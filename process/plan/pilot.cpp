@@ -132,9 +132,10 @@ Scene pilot_scene(const Scene& scene, const Tooling& tooling, double sphere_step
   pilot.pour.fill_height = kLeastPowder * scene.pour.fill_height;
   const double largest = largest_diameter(scene, tooling);
   while (!cheap() && pilot.powder.grain_diameter * kFiner <= largest) {
-    pilot.powder.grain_diameter *= kFiner;
+    const PowderSpec before = pilot.powder;
+    enlarge(pilot.powder, kFiner);
     if (forecast(pilot, tooling).grains >= kFewestGrains) continue;
-    pilot.powder.grain_diameter /= kFiner;
+    pilot.powder = before;
     break;
   }
   return pilot;

@@ -58,9 +58,9 @@ double seconds_since(std::chrono::steady_clock::time_point then) {
 Plan make_plan(const Scene& scene, const PlanOptions& options) {
   Plan plan;
   plan.scene = settled_scene(scene, std::nullopt);
-  const auto shape = engine_settings(plan.scene, 1.0).shape;
+  const double sphere = smallest_sphere(engine_settings(plan.scene, 1.0));
   const auto began = std::chrono::steady_clock::now();
-  plan.tooling = build_tooling(plan.scene, shape.sphere_radius, plan.scene.powder.grain_diameter);
+  plan.tooling = build_tooling(plan.scene, sphere, largest_grain(plan.scene.powder));
   plan.tooling_seconds = seconds_since(began);
   plan.needs = needs_of(plan.scene, plan.tooling);
   plan.statements = in_words(plan.needs, plan.scene, plan.tooling);
@@ -71,6 +71,7 @@ Plan make_plan(const Scene& scene, const PlanOptions& options) {
 
 void add_choices(Plan& plan) {
   plan.choices.push_back(choice_of("as the scene has it", plan.scene, plan.tooling, plan.pilot));
+  if (!plan.scene.powder.sizes.empty()) return;  // settings choose one size for all grains
   for (const Setting setting : {Setting::quick, Setting::working, Setting::reference})
     plan.choices.push_back(choice_with(in_words(setting),
                                        numbers_of(setting, plan.scene, plan.tooling.all_cavities()),
@@ -79,6 +80,7 @@ void add_choices(Plan& plan) {
 
 std::optional<Choice> finest_within(const Plan& plan, double minutes) {
   if (!plan.pilot) return std::nullopt;
+  refuse_sizes(plan.scene, "a choice of the grain size that fits a time");
   SettingNumbers numbers = numbers_of(Setting::working, plan.scene, plan.tooling.all_cavities());
   const auto with = [&](double diameter) {
     numbers.grain_diameter = diameter;

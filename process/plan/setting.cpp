@@ -135,6 +135,12 @@ double calibrated_diameter(const PowderSpec& powder) {
   return powder.grain_diameter / coarse_graining_factor(powder);
 }
 
+void refuse_sizes(const Scene& scene, const std::string& what) {
+  if (scene.powder.sizes.empty()) return;
+  throw SceneError(scene.file.string() + ": [powder.sizes]: found " + scene.powder.sizes_in_words + ", but " +
+                   what + " gives all grains one size; leave one of the two out");
+}
+
 SettingNumbers numbers_of(Setting setting, const Scene& scene, const geometry::Cavity& cavity) {
   SettingNumbers numbers;
   const Bound bound = coarsest(setting, scene, cavity);
@@ -176,6 +182,7 @@ Scene with_numbers(const Scene& scene, const SettingNumbers& numbers, const std:
 Scene settled_scene(const Scene& scene, const std::optional<Setting>& wanted) {
   const auto setting = wanted ? wanted : setting_of(scene);
   if (!setting) return scene;
+  refuse_sizes(scene, "setting \"" + in_words(*setting) + "\"");
   const auto tooling = read_tooling(scene);
   return with_numbers(scene, numbers_of(*setting, scene, tooling.all_cavities()),
                       "setting " + in_words(*setting));

@@ -56,8 +56,8 @@ const char* in_words(PhaseKind kind) {
 }
 
 double fall_time(const Scene& scene, const Tooling&) {
-  const auto shape = engine_settings(scene, 1.0).shape;
-  const double height = std::max(0.0, pour_height(scene, shape) - scene.pour.fill_height);
+  const double height =
+      std::max(0.0, pour_height(scene, engine_settings(scene, 1.0)) - scene.pour.fill_height);
   return std::sqrt(2 * height / scene.gravity.norm());
 }
 

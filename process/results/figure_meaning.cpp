@@ -44,6 +44,14 @@ constexpr std::array kKnown = {
     Meaning{"solid_fraction_harmonic_2_azimuth_deg", "deg", "where the second harmonic is largest"},
     Meaning{"solid_fraction_along_travel_1", "1", "arrival end denser than far end, half the difference"},
     Meaning{"solid_fraction_along_travel_2", "1", "ends denser than the middle, half the difference"},
+    Meaning{"smallest_grain_diameter_m", "m", "size of the smallest grains of the powder"},
+    Meaning{"largest_grain_diameter_m", "m", "size of the largest grains of the powder"},
+    Meaning{"mean_grain_diameter_filled_mm", "mm", "mean by mass of the grains in the cavity"},
+    Meaning{"mean_grain_diameter_all_mm", "mm", "mean by mass of all grains"},
+    Meaning{"mean_grain_diameter_top_minus_bottom_mm", "mm", "mean by mass, upper less lower third"},
+    Meaning{"mixing_index_height", "1", "1: sizes mixed over height as by chance; 0: separated"},
+    Meaning{"mixing_index_azimuth", "1", "1: sizes mixed over azimuth as by chance; 0: separated"},
+    Meaning{"mixing_index_travel", "1", "1: sizes mixed along the travel as by chance; 0: separated"},
 };
 
 constexpr const char* kUnknown = "figure of the run, as in report.json";

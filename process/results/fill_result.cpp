@@ -1,8 +1,25 @@
 #include "process/results/fill_result.h"
 
 #include <Eigen/Geometry>
+#include <algorithm>
+#include <cstdio>
 
 namespace diefill::results {
+
+double PowderState::largest_diameter() const {
+  return alike() ? grain_diameter : *std::max_element(kinds.diameter.begin(), kinds.diameter.end());
+}
+
+std::string PowderState::sizes_in_words() const {
+  char text[80];
+  if (alike())
+    std::snprintf(text, sizeof text, "%.3g mm", 1e3 * grain_diameter);
+  else
+    std::snprintf(text, sizeof text, "%.3g to %.3g mm",
+                  1e3 * *std::min_element(kinds.diameter.begin(), kinds.diameter.end()),
+                  1e3 * largest_diameter());
+  return text;
+}
 
 std::vector<Eigen::Vector3d> PowderState::sphere_centres() const {
   std::vector<Eigen::Vector3d> centres;
@@ -10,7 +27,12 @@ std::vector<Eigen::Vector3d> PowderState::sphere_centres() const {
   for (std::size_t k = 0; k < position.size(); ++k) {
     const Eigen::Vector4d& q = orientation[k];
     const Eigen::Matrix3d body_to_lab = Eigen::Quaterniond(q[0], q[1], q[2], q[3]).toRotationMatrix();
-    for (const auto& offset : sphere_offsets) centres.push_back(position[k] + body_to_lab * offset);
+    if (alike()) {
+      for (const auto& offset : sphere_offsets) centres.push_back(position[k] + body_to_lab * offset);
+      continue;
+    }
+    const double size = sphere_radius_of(k) / sphere_radius;
+    for (const auto& offset : sphere_offsets) centres.push_back(position[k] + body_to_lab * (size * offset));
   }
   return centres;
 }

@@ -12,7 +12,19 @@
 
 namespace diefill::results {
 
-/// The powder at one instant. Arrays run over grains (n) unless said otherwise.
+/// Kinds of grains of a powder whose grains are not all alike; arrays over kinds. Grains of all kinds are of
+/// one shape.
+struct GrainKinds {
+  std::vector<double> diameter;       ///< m, d
+  std::vector<double> sphere_radius;  ///< m, R
+  std::vector<double> mass;           ///< kg
+  std::vector<double> solid_volume;   ///< m^3
+  std::vector<std::string> material;
+  std::size_t size() const { return diameter.size(); }
+};
+
+/// The powder at one instant. Arrays run over grains (n) unless said otherwise. Where grains are of several
+/// kinds, the four numbers of one grain are those of the grain of mean mass that was asked for.
 struct PowderState {
   double time = 0;                ///< s since the start of the scene
   double grain_diameter = 0;      ///< m, model grain size d (2R, 4R or 6R after the grain model)
@@ -28,6 +40,21 @@ struct PowderState {
   std::vector<Eigen::Vector4d> orientation;  ///< unit quaternion (w, x, y, z), body to laboratory
   std::vector<Eigen::Vector3d> velocity;     ///< m/s
   std::vector<Eigen::Vector3d> angular_velocity;  ///< rad/s, laboratory frame
+  GrainKinds kinds;                               ///< empty where all grains are alike
+  std::vector<std::uint8_t> kind;  ///< of every grain, its number in `kinds`; empty where all are alike
+
+  bool alike() const { return kind.empty(); }
+  double diameter_of(std::size_t k) const { return alike() ? grain_diameter : kinds.diameter[kind[k]]; }
+  double sphere_radius_of(std::size_t k) const {
+    return alike() ? sphere_radius : kinds.sphere_radius[kind[k]];
+  }
+  double mass_of(std::size_t k) const { return alike() ? grain_mass : kinds.mass[kind[k]]; }
+  double solid_volume_of(std::size_t k) const {
+    return alike() ? grain_solid_volume : kinds.solid_volume[kind[k]];
+  }
+  double largest_diameter() const;  ///< m
+  /// "1.88 mm", or "1.5 to 2.1 mm".
+  std::string sizes_in_words() const;
 
   /// Lab-frame centres of all basic spheres, grain after grain: sphere s of grain k is entry k * spheres + s.
   std::vector<Eigen::Vector3d> sphere_centres() const;
@@ -164,6 +191,7 @@ struct Instant {
   std::vector<Eigen::Vector3d> velocity;           ///< m/s
   std::vector<Eigen::Vector4d> tool_orientation;   ///< unit quaternion from the tool's place in FillResult
   std::vector<Eigen::Vector3d> tool_displacement;  ///< m, added after turning about the laboratory's origin
+  std::vector<std::uint8_t> kind = {};             ///< as PowderState::kind
 };
 
 /// Everything that describes one run. `figures` are the numbers of report.json at the top level; `texts` its

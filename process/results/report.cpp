@@ -75,7 +75,10 @@ Json report(const FillResult& result) {
     json["phase_seconds"][phase] = json_number(seconds);
   for (const auto& [name, value] : figures) json.emplace(name, figure(name, value));
   for (const Profile& curve : result.profiles)
-    if (curve.quantity == "fill level") json["fill_level"] = profile(curve);
+    if (curve.quantity == "fill level")
+      json["fill_level"] = profile(curve);
+    else if (curve.quantity.starts_with("mean grain diameter"))
+      json["size_profiles"].push_back(profile(curve));
   return json;
 }
 

@@ -11,6 +11,18 @@ void same_or_none(const std::string& what, std::size_t found, std::size_t grains
                     " grains");
 }
 
+void check_kinds(const GrainKinds& kinds, const std::vector<std::uint8_t>& kind, std::size_t grains) {
+  same_or_none("kinds of grains", kind.size(), grains);
+  const std::size_t count = kinds.size();
+  if (kinds.sphere_radius.size() != count || kinds.mass.size() != count ||
+      kinds.solid_volume.size() != count || kinds.material.size() != count)
+    throw ResultError("the table of kinds of grains has columns of unequal lengths");
+  for (const std::uint8_t number : kind)
+    if (number >= count)
+      throw ResultError("a grain is of kind " + std::to_string(number) + ", but there are " +
+                        std::to_string(count) + " kinds, counted from 0");
+}
+
 void check_field(const Field2D& field, const std::string& where) {
   if (field.value.size() != field.first.size() * field.second.size())
     throw ResultError(where + " \"" + field.quantity + "\" has " + std::to_string(field.value.size()) +
@@ -34,6 +46,7 @@ void check_lengths(const FillResult& result) {
   same_or_none("powder orientation", powder.orientation.size(), grains);
   same_or_none("powder velocity", powder.velocity.size(), grains);
   same_or_none("powder angular velocity", powder.angular_velocity.size(), grains);
+  check_kinds(powder.kinds, powder.kind, grains);
   same_or_none("cell volume", result.solid_fraction.cell_volume.size(), grains);
   same_or_none("solid fraction", result.solid_fraction.solid_fraction.size(), grains);
   same_or_none("open cells", result.solid_fraction.open.size(), grains);
@@ -46,6 +59,7 @@ void check_lengths(const FillResult& result) {
       throw ResultError("topic \"" + topic.topic + "\" has unequal numbers of names and texts");
   for (const Instant& instant : result.instants) {
     const std::size_t there = instant.position.size();
+    check_kinds(result.powder.kinds, instant.kind, there);
     const bool whole = instant.id.size() == there && instant.orientation.size() == there &&
                        instant.velocity.size() == there &&
                        instant.tool_orientation.size() == result.tools.size() &&

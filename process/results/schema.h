@@ -12,7 +12,20 @@
 namespace diefill::results {
 
 inline constexpr const char* kFormat = "diefill results";
-inline constexpr int kSchemaVersion = 4, kOldestSchemaVersion = 1;
+inline constexpr int kSchemaVersion = 5, kOldestSchemaVersion = 1;
+
+template <class Archive, class Powder>
+void describe_kinds(Archive& archive, Powder& powder) {
+  archive.optional_group("kinds", "kinds of grains, where they are not all alike", !powder.alike(), [&] {
+    auto& kinds = powder.kinds;
+    archive.field("diameter", kinds.diameter, "m", "grain size d of each kind");
+    archive.field("sphere_radius", kinds.sphere_radius, "m", "radius of the basic spheres of each kind");
+    archive.field("grain_mass", kinds.mass, "kg", "mass of one grain of each kind");
+    archive.field("grain_solid_volume", kinds.solid_volume, "m^3", "solid volume of one grain of each kind");
+    archive.field("material", kinds.material, "text", "material of each kind");
+    archive.field("of_grain", powder.kind, "1", "number of every grain's kind, from 0");
+  });
+}
 
 template <class Archive, class Powder>
 void describe_powder(Archive& archive, Powder& powder) {
@@ -34,6 +47,7 @@ void describe_powder(Archive& archive, Powder& powder) {
     archive.field("orientation", powder.orientation, "1", "unit quaternion (w, x, y, z), body to laboratory");
     archive.field("velocity", powder.velocity, "m/s", "velocity of the grain centre");
     archive.field("angular_velocity", powder.angular_velocity, "rad/s", "angular velocity, laboratory frame");
+    describe_kinds(archive, powder);
   });
 }
 
@@ -194,6 +208,9 @@ void describe_instants(Archive& archive, Instants& instants) {
     archive.field("orientation", instant.orientation, "1",
                   "unit quaternion (w, x, y, z), body to laboratory");
     archive.field("velocity", instant.velocity, "m/s", "velocity of the grain centre");
+    archive.optional_group(
+        "kinds", "kinds of grains, where they are not all alike", !instant.kind.empty(),
+        [&] { archive.field("of_grain", instant.kind, "1", "as /powder/kinds/of_grain"); });
     archive.field("tool_orientation", instant.tool_orientation, "1",
                   "unit quaternion that turns every tool from its place in /tools, in their order");
     archive.field("tool_displacement", instant.tool_displacement, "m", "shift of every tool after turning");

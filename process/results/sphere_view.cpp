@@ -10,13 +10,14 @@ SphereView view_spheres(const FillResult& result) {
   SphereView view;
   if (powder.orientation.size() != powder.position.size()) return view;
   view.centre = powder.sphere_centres();
-  view.radius.assign(view.centre.size(), powder.sphere_radius);
+  view.radius.reserve(view.centre.size());
   for (std::size_t k = 0; k < powder.position.size(); ++k) {
     const bool closed =
         k < fraction.solid_fraction.size() && k < fraction.open.size() && fraction.open[k] == 0;
     const double value = closed ? fraction.solid_fraction[k] : std::numeric_limits<double>::quiet_NaN();
     const std::uint64_t grain = k < powder.id.size() ? powder.id[k] : k;
     view.solid_fraction.insert(view.solid_fraction.end(), powder.sphere_offsets.size(), value);
+    view.radius.insert(view.radius.end(), powder.sphere_offsets.size(), powder.sphere_radius_of(k));
     view.grain.insert(view.grain.end(), powder.sphere_offsets.size(), grain);
   }
   return view;

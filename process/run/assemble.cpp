@@ -7,13 +7,14 @@
 #include <limits>
 #include <numbers>
 
-#include "engine/contact_stress.h"
 #include "process/measure/figures.h"
 #include "process/measure/heap_slope.h"
 #include "process/measure/measure.h"
+#include "process/measure/segregation.h"
 #include "process/run/die_frame.h"
 #include "process/run/half_model.h"
 #include "process/run/other_cavities.h"
+#include "process/run/powder_state.h"
 #include "process/run/topics.h"
 
 #ifndef DIEFILL_VERSION
@@ -23,38 +24,6 @@
 namespace diefill::process {
 
 namespace {
-
-results::PowderState powder_state(const Scene& scene, const engine::Simulation& simulation) {
-  const engine::Grains& grains = simulation.grains();
-  const engine::GrainShape& shape = simulation.settings().shape;
-  results::PowderState powder;
-  powder.time = simulation.time();
-  powder.grain_diameter = scene.powder.grain_diameter;
-  powder.sphere_radius = shape.sphere_radius;
-  powder.grain_mass = shape.mass;
-  powder.grain_solid_volume = shape.solid_volume;
-  powder.sphere_offsets = shape.sphere_offsets;
-  for (std::size_t axis = 0; axis < 2; ++axis)
-    powder.period[axis] = simulation.settings().period[axis].value_or(0);
-  powder.id = grains.id;
-  powder.position = grains.position;
-  powder.orientation = grains.orientation;
-  powder.velocity = grains.velocity;
-  for (std::size_t k = 0; k < grains.size(); ++k)
-    powder.angular_velocity.push_back(simulation.angular_velocity(k));
-  return powder;
-}
-
-results::ContactStress contact_stress(const engine::Simulation& simulation, const DieFrame& die) {
-  results::ContactStress stress;
-  for (const Eigen::Matrix3d& laboratory : engine::contact_stress_times_volume(simulation)) {
-    const Eigen::Matrix3d tensor = die.at_home() ? laboratory : die.tensor(laboratory);
-    const Eigen::Matrix3d even = 0.5 * (tensor + tensor.transpose());
-    stress.normal.emplace_back(even.diagonal());
-    stress.shear.emplace_back(even(1, 2), even(0, 2), even(0, 1));
-  }
-  return stress;
-}
 
 results::ToolState tool_state(const Tool& tool, const engine::BodyMotion& motion) {
   results::ToolState state;
@@ -179,23 +148,31 @@ void add_figures(const Scene& scene, results::FillResult& result, const Tooling&
   figures["sphere_steps_per_second"] = static_cast<double>(run.sphere_steps()) / run.wall_seconds();
   figures["threads"] = settings.threads;
   figures["energy_balance_error"] = simulation.energy_balance_error();
-  figures["deepest_overlap_ratio"] = simulation.overlaps_of_run().grains / settings.shape.sphere_radius;
-  figures["deepest_wall_overlap_ratio"] = simulation.overlaps_of_run().walls / settings.shape.sphere_radius;
+  const engine::DeepestOverlap& deepest = simulation.overlaps_of_run();
+  const bool alike = simulation.kinds().alike();
+  figures["deepest_overlap_ratio"] =
+      alike ? deepest.grains / settings.shape.sphere_radius : deepest.grains_over_radius;
+  figures["deepest_wall_overlap_ratio"] =
+      alike ? deepest.walls / settings.shape.sphere_radius : deepest.walls_over_radius;
   const double left = copies(tooling) * static_cast<double>(run.grains_left());
   figures["grains_left"] = left;
   figures["grains_sheared"] = copies(tooling) * static_cast<double>(run.grains_sheared());
-  figures["mass_left_kg"] = left * settings.shape.mass;
+  figures["mass_left_kg"] = copies(tooling) * run.mass_left();
   figures["overlap_limit_ratio"] = engine::HealthLimits{}.forbidden_overlap;
   figures["wall_overlap_limit_ratio"] = engine::HealthLimits{}.forbidden_wall_overlap;
   figures["energy_error_limit"] = engine::HealthLimits{}.energy_error;
   figures["grain_diameter_m"] = result.powder.grain_diameter;
+  if (!alike) {
+    figures["smallest_grain_diameter_m"] = smallest_grain(scene.powder);
+    figures["largest_grain_diameter_m"] = largest_grain(scene.powder);
+  }
   figures["bulk_solid_fraction"] = bulk_solid_fraction(result.powder, result.solid_fraction);
   if (result.cavity.volume > 0) {
     figures["cavity_volume_m3"] = result.cavity.volume;
     figures["cavity_narrowest_width_m"] = result.cavity.narrowest_width;
     if (result.cavity.narrowest_width > 0)
       figures["grain_diameter_over_cavity_width"] =
-          result.powder.grain_diameter / result.cavity.narrowest_width;
+          largest_grain(scene.powder) / result.cavity.narrowest_width;
   }
   for (std::size_t phase = 0; phase < engine::kPhaseNames.size(); ++phase)
     result.phase_seconds[engine::kPhaseNames[phase]] = simulation.timers().seconds()[phase];
@@ -244,7 +221,8 @@ void add_filling_figures(results::FillResult& result, const Scene& scene) {
   }
   for (const auto& profile : result.profiles) {
     if (profile.quantity == "filled fraction") figures["azimuthal_variation"] = relative_range(profile);
-    if (profile.x_name == "height") figures["axial_variation"] = relative_range(profile);
+    if (profile.quantity == "solid fraction" && profile.x_name == "height")
+      figures["axial_variation"] = relative_range(profile);
   }
 }
 
@@ -324,6 +302,7 @@ void measure_fields(results::FillResult& result, const FieldRequest& request, in
     result.profiles.push_back(fill_level(result.powder, result.cavity, azimuth_bins));
     result.profiles.push_back(sector_filling(result.powder, result.solid_fraction, result.cavity, kSectors));
     result.profiles.push_back(height_profile(result.maps.back()));
+    for (auto& profile : size_profiles(result)) result.profiles.push_back(std::move(profile));
   }
   auto planes = request.sections;
   if (planes.empty()) planes.push_back(default_section(result));

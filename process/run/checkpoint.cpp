@@ -74,6 +74,7 @@ void transfer_instants(Io& io, Instants& instants) {
   for (auto& instant : instants) {
     io(instant.time);
     io(instant.id);
+    io(instant.kind);
     io(instant.position);
     io(instant.orientation);
     io(instant.velocity);

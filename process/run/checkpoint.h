@@ -21,8 +21,8 @@ struct Checkpoint {
   ScheduleState schedule;
   ProbesState probes;
   std::vector<SnapshotState> snapshots;
-  std::uint64_t grains_left = 0;           ///< spilled or discharged, out of the computation
-  std::uint64_t grains_sheared = 0;        ///< wedged between tools, out of the computation
+  /// Grains of each kind out of the computation: spilled or discharged, and wedged between tools.
+  std::vector<std::uint64_t> grains_left, grains_sheared;
   double wall_seconds = 0;                 ///< s of computing so far, over all sittings
   std::uint64_t sphere_steps = 0;          ///< spheres times steps so far
   std::vector<results::Instant> instants;  ///< kept so far; tools' poses in the laboratory frame

@@ -1,6 +1,7 @@
 #include "process/run/die_frame.h"
 
 #include "process/measure/cavity_position.h"
+#include "process/run/grain_tally.h"
 #include "process/run/half_model.h"
 
 namespace diefill::process {
@@ -53,10 +54,11 @@ results::PowderState DieFrame::powder(results::PowderState laboratory) const {
 double filled_mass(const engine::Simulation& simulation, const Tooling& tooling) {
   const results::CavityState cavity = cavity_state(tooling.cavity);
   const DieFrame frame(simulation.body_motion(tooling.die));
-  std::size_t grains = 0;
-  for (const auto& position : simulation.grains().position)
-    grains += lies_in_cavity(cavity, frame.point(position)) ? 1U : 0U;
-  return copies(tooling) * static_cast<double>(grains) * simulation.settings().shape.mass;
+  GrainTally filled;
+  const engine::Grains& grains = simulation.grains();
+  for (std::size_t k = 0; k < grains.size(); ++k)
+    if (lies_in_cavity(cavity, frame.point(grains.position[k]))) filled.add(grains.kind[k]);
+  return copies(tooling) * filled.mass(simulation.kinds());
 }
 
 }  // namespace diefill::process

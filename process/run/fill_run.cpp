@@ -14,6 +14,7 @@
 #include "process/run/half_model.h"
 #include "process/run/impact_speed.h"
 #include "process/run/material.h"
+#include "process/run/mixed_powder.h"
 #include "process/run/pour.h"
 #include "process/run/suction.h"
 #include "process/scene/setting.h"
@@ -41,10 +42,6 @@ double seconds_since(Clock::time_point then) {
   return std::chrono::duration<double>(Clock::now() - then).count();
 }
 
-engine::GrainShape shape_of(const Scene& scene) {
-  return engine_settings(scene, 1.0).shape;
-}
-
 /// The mesh as the engine takes it; triangles without area face nowhere and are left out.
 std::vector<engine::WallTriangle> wall_triangles(const geometry::Mesh& mesh) {
   std::vector<engine::WallTriangle> triangles;
@@ -63,6 +60,7 @@ std::vector<engine::WallBodySpec> wall_bodies(const Scene& scene, const Tooling&
   for (const Tool& tool : tooling.tools) {
     engine::WallBodySpec body;
     body.name = tool.spec.name;
+    body.material = kWallMaterial;
     body.sphere_radius = tool.spheres.radius;
     if (tool.wall_mesh)
       body.triangles = wall_triangles(*tool.wall_mesh);
@@ -87,9 +85,9 @@ FillRun::FillRun(const Scene& scene, const Tooling& tooling, const RunOptions& o
       source_(scene, tooling),
       probes_(scene, tooling),
       snapshots_(scene),
-      lost_grains_(tooling, grain_diameter_),
+      lost_grains_(tooling, grain_diameters(scene.powder)),
       progress_(options.show_progress) {
-  const auto grains = pour(scene, shape_of(scene), tooling);
+  const auto grains = pour(scene, engine_settings(scene, 1.0), tooling);
   if (setting_of(scene)) throw std::logic_error("a setting must be turned into numbers before a scene runs");
   const double impact = foreseen_impact_speed(scene, tooling);
   auto settings = engine_settings(scene, impact);
@@ -100,11 +98,10 @@ FillRun::FillRun(const Scene& scene, const Tooling& tooling, const RunOptions& o
       std::make_unique<engine::Simulation>(settings, wall_bodies(scene, tooling, settings.grain_contact));
 
   domain_ = schedule_.swept();
-  domain_.lower =
-      domain_.lower.cwiseMax(tooling.standing.lower - Eigen::Vector3d::Constant(2 * grain_diameter_));
-  domain_.upper =
-      domain_.upper.cwiseMin(tooling.standing.upper + Eigen::Vector3d::Constant(2 * grain_diameter_));
-  domain_.lower[2] = tooling.standing.lower[2] - 2 * grain_diameter_;
+  const double largest = largest_grain(scene.powder), margin = 2 * largest;
+  domain_.lower = domain_.lower.cwiseMax(tooling.standing.lower - Eigen::Vector3d::Constant(margin));
+  domain_.upper = domain_.upper.cwiseMin(tooling.standing.upper + Eigen::Vector3d::Constant(margin));
+  domain_.lower[2] = tooling.standing.lower[2] - margin;
   domain_.upper[2] = kFarAway;
   if (!scene.economy.drop_spilled) {
     domain_.lower.head<2>().setConstant(-kFarAway);
@@ -117,13 +114,13 @@ FillRun::FillRun(const Scene& scene, const Tooling& tooling, const RunOptions& o
       domain_.upper[axis] = kFarAway;
     }
   const double width = tooling.all_cavities().narrowest_width;
-  if (tooling.cavity.found && width > 0 && grain_diameter_ > width / 3) {
+  if (tooling.cavity.found && width > 0 && largest > width / 3) {
     char text[240];
     std::snprintf(text, sizeof text,
                   "grain diameter over cavity width is %.2f, beyond 1/3 (%.2f mm in %.2f mm): a quick look, "
                   "too coarse for a "
                   "density map to decide from",
-                  grain_diameter_ / width, 1e3 * grain_diameter_, 1e3 * width);
+                  largest / width, 1e3 * largest, 1e3 * width);
     warnings_.emplace_back(text);
   }
   started_ = last_checkpoint_ = Clock::now();
@@ -147,8 +144,8 @@ void FillRun::start_or_resume() {
   probes_.restore(checkpoint->probes);
   snapshots_.restore(checkpoint->snapshots);
   simulation_->restore(checkpoint->simulation);
-  grains_left_ = checkpoint->grains_left;
-  grains_sheared_ = checkpoint->grains_sheared;
+  left_ = GrainTally(checkpoint->grains_left);
+  sheared_ = GrainTally(checkpoint->grains_sheared);
   earlier_wall_seconds_ = checkpoint->wall_seconds;
   sphere_steps_ = checkpoint->sphere_steps;
   instants_ = checkpoint->instants;
@@ -205,21 +202,24 @@ void FillRun::let_spilled_grains_go() {
 }
 
 void FillRun::remove_grains(const std::function<bool(const Eigen::Vector3d&)>& leaves) {
-  grains_left_ += simulation_->remove_grains([&](const Eigen::Vector3d& position) {
+  const auto& kinds = simulation_->grains().kind;
+  std::size_t k = 0;
+  simulation_->remove_grains([&](const Eigen::Vector3d& position) {
+    const engine::KindNumber kind = kinds[k++];
     const bool gone = leaves(position);
-    if (gone) probes_.count_removed(position, simulation_->settings().shape.mass, 1);
+    if (gone) probes_.count_removed(position, simulation_->kinds().shape(kind).mass, 1);
+    if (gone) left_.add(kind);
     return gone;
   });
 }
 
 void FillRun::let_powder_in() {
   // Ids count all grains that ever were.
-  const std::uint64_t before = simulation_->grains().size() + grains_left_ + grains_sheared_;
+  const std::uint64_t before = simulation_->grains().size() + left_.grains() + sheared_.grains();
   source_.feed(*simulation_, schedule_);
   const auto& grains = simulation_->grains();
   for (std::size_t k = 0; k < grains.size(); ++k)
-    if (grains.id[k] >= before)
-      probes_.count_removed(grains.position[k], simulation_->settings().shape.mass, -1);
+    if (grains.id[k] >= before) probes_.count_removed(grains.position[k], simulation_->shape_of(k).mass, -1);
 }
 
 void FillRun::clear_powder() {
@@ -248,22 +248,23 @@ void FillRun::shear_off_pinched_grains() {
   std::vector<std::uint64_t> ids;
   for (const auto& grain : engine::pinched_grains(*simulation_, kShearingOverlap)) ids.push_back(grain.id);
   if (ids.empty()) return;
-  const auto poured = static_cast<double>(simulation_->grains().size() + grains_left_ + grains_sheared_);
-  grains_sheared_ += simulation_->remove_grains(ids);
-  if (static_cast<double>(grains_sheared_) > std::max(kFewSheared, kMostSheared * poured))
+  const auto poured = static_cast<double>(simulation_->grains().size() + left_.grains() + sheared_.grains());
+  for (const std::uint64_t id : ids) sheared_.add(simulation_->grains().kind[place_of(id)]);
+  simulation_->remove_grains(ids);
+  if (static_cast<double>(sheared_.grains()) > std::max(kFewSheared, kMostSheared * poured))
     throw engine::OutOfRange(shear_warning() + " by t = " + std::to_string(simulation_->time()) +
                              " s: too many to ignore; take smaller model grains, or chamfer the "
                              "edges that move past each other");
 }
 
 std::string FillRun::shear_warning() const {
-  const double sheared = copies(tooling_) * static_cast<double>(grains_sheared_);
+  const double sheared = copies(tooling_) * static_cast<double>(sheared_.grains());
   char text[240];
   std::snprintf(
       text, sizeof text,
       "%llu grains (%.3g g) were wedged between tools moving past each other and sheared off, that is, "
       "taken out of the computation",
-      static_cast<unsigned long long>(sheared), 1e3 * sheared * simulation_->settings().shape.mass);
+      static_cast<unsigned long long>(sheared), 1e3 * copies(tooling_) * sheared_.mass(simulation_->kinds()));
   return text;
 }
 
@@ -276,6 +277,7 @@ void FillRun::keep_instant() {
   results::Instant instant;
   instant.time = simulation_->time();
   instant.id = grains.id;
+  if (!simulation_->kinds().alike()) instant.kind.assign(grains.kind.begin(), grains.kind.end());
   instant.position = grains.position;
   instant.orientation = grains.orientation;
   instant.velocity = grains.velocity;
@@ -289,15 +291,23 @@ void FillRun::keep_instant() {
 }
 
 void FillRun::look_for_lost_grains() {
-  const auto strayed =
+  auto strayed =
       lost_grains_.strayed(*simulation_, static_cast<double>(kLostEvery) * simulation_->settings().time_step);
   if (strayed.empty()) return;
+  // Where tools touch, a grain may have come into two.
+  std::sort(strayed.begin(), strayed.end());
+  strayed.erase(std::unique(strayed.begin(), strayed.end()), strayed.end());
   for (const std::uint64_t id : strayed) {
-    const auto& ids = simulation_->grains().id;
-    const auto k = static_cast<std::size_t>(std::find(ids.begin(), ids.end(), id) - ids.begin());
-    probes_.count_removed(simulation_->grains().position[k], simulation_->settings().shape.mass, 1);
+    const std::size_t k = place_of(id);
+    probes_.count_removed(simulation_->grains().position[k], simulation_->shape_of(k).mass, 1);
+    left_.add(simulation_->grains().kind[k]);
   }
-  grains_left_ += simulation_->remove_grains(strayed);
+  simulation_->remove_grains(strayed);
+}
+
+std::size_t FillRun::place_of(std::uint64_t id) const {
+  const auto& ids = simulation_->grains().id;
+  return static_cast<std::size_t>(std::find(ids.begin(), ids.end(), id) - ids.begin());
 }
 
 void FillRun::write_checkpoint() {
@@ -308,8 +318,8 @@ void FillRun::write_checkpoint() {
   checkpoint.schedule = schedule_.state();
   checkpoint.probes = probes_.state();
   checkpoint.snapshots = snapshots_.state();
-  checkpoint.grains_left = grains_left_;
-  checkpoint.grains_sheared = grains_sheared_;
+  checkpoint.grains_left = left_.by_kind();
+  checkpoint.grains_sheared = sheared_.by_kind();
   checkpoint.wall_seconds = wall_seconds();
   checkpoint.sphere_steps = sphere_steps_;
   checkpoint.instants = instants_;
@@ -339,7 +349,7 @@ std::vector<std::string> FillRun::warnings() const {
   for (auto& economy : economies_in_words(scene_, *simulation_, sphere_steps_))
     all.push_back(std::move(economy));
   all.insert(all.end(), health_.warnings().begin(), health_.warnings().end());
-  if (grains_sheared_ > 0) all.push_back(shear_warning());
+  if (sheared_.grains() > 0) all.push_back(shear_warning());
   return all;
 }
 

@@ -9,6 +9,7 @@
 
 #include "engine/health.h"
 #include "process/run/checkpoint.h"
+#include "process/run/grain_tally.h"
 #include "process/run/lost_grains.h"
 #include "process/run/powder_source.h"
 #include "process/run/probes.h"
@@ -52,9 +53,10 @@ class FillRun {
   const engine::Simulation& simulation() const { return *simulation_; }
   const Schedule& schedule() const { return schedule_; }
   /// Grains spilled, discharged or cleared away.
-  std::uint64_t grains_left() const { return grains_left_; }
+  std::uint64_t grains_left() const { return left_.grains(); }
+  double mass_left() const { return left_.mass(simulation_->kinds()); }  ///< kg
   /// Grains wedged between tools that were taken out (NumericsSpec::pinched_grains).
-  std::uint64_t grains_sheared() const { return grains_sheared_; }
+  std::uint64_t grains_sheared() const { return sheared_.grains(); }
   /// Instants kept on the way (measure.snapshot_interval); tools' poses in the laboratory frame.
   const std::vector<results::Instant>& instants() const { return instants_; }
   std::vector<results::ProbeSeries> probes() const { return probes_.series(); }
@@ -78,6 +80,7 @@ class FillRun {
   void write_checkpoint();
   void show_progress();
   std::uint64_t scene_hash() const;
+  std::size_t place_of(std::uint64_t id) const;
 
   const Scene& scene_;
   const Tooling& tooling_;
@@ -95,7 +98,8 @@ class FillRun {
   geometry::Box domain_;  ///< m, grains beyond it have been spilled or discharged
   std::vector<std::string> warnings_;
   std::vector<results::Instant> instants_;
-  std::uint64_t grains_left_ = 0, grains_sheared_ = 0, sphere_steps_ = 0;
+  GrainTally left_, sheared_;
+  std::uint64_t sphere_steps_ = 0;
   double earlier_wall_seconds_ = 0;
   std::chrono::steady_clock::time_point started_, last_checkpoint_;
 };

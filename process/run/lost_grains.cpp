@@ -26,8 +26,9 @@ engine::OutOfRange through_the_wall(const engine::Simulation& simulation, std::s
 
 }  // namespace
 
-LostGrains::LostGrains(const Tooling& tooling, double grain_diameter)
-    : tooling_(tooling), grain_diameter_(grain_diameter) {
+LostGrains::LostGrains(const Tooling& tooling, std::vector<double> grain_diameters)
+    : tooling_(tooling), grain_diameters_(std::move(grain_diameters)) {
+  const double grain_diameter = grain_diameters_.front();
   for (const Tool& tool : tooling.tools) {
     const auto grid = geometry::VoxelGrid::over(tool.mesh.bounding_box(), 0.5 * grain_diameter);
     const std::array<const geometry::Mesh*, 1> meshes = {&tool.mesh};
@@ -46,8 +47,9 @@ LostGrains::LostGrains(const Tooling& tooling, double grain_diameter)
 /// came in: back along its way, at most twice as far as it went in `interval` (s), for it may have been
 /// faster.
 Eigen::Vector3d LostGrains::entry(const Inside& tool, const Eigen::Vector3d& place,
-                                  const Eigen::Vector3d& velocity, double interval) const {
-  const double step = 0.25 * grain_diameter_, farthest = grain_diameter_ + 2 * velocity.norm() * interval;
+                                  const Eigen::Vector3d& velocity, double grain_diameter,
+                                  double interval) const {
+  const double step = 0.25 * grain_diameter, farthest = grain_diameter + 2 * velocity.norm() * interval;
   if (velocity.norm() > 0)
     for (double way = step; way < farthest; way += step) {
       const auto before = tool.solid.signed_nearest(place - way * velocity.normalized());
@@ -68,10 +70,11 @@ std::vector<std::uint64_t> LostGrains::strayed(const engine::Simulation& simulat
       if (!tool.grid.has(voxel)) continue;
       if (!tool.blocked.empty() && !tool.blocked[tool.grid.index(voxel.x(), voxel.y(), voxel.z())]) continue;
       const double depth = -tool.solid.signed_distance(place);
-      if (depth <= 0.5 * grain_diameter_) continue;
+      const double diameter = grain_diameters_[grains.kind[k]];
+      if (depth <= 0.5 * diameter) continue;
       const Eigen::Vector3d velocity =
           pose.rotation.transpose() * (grains.velocity[k] - pose.velocity_at(grains.position[k]));
-      if (tool.wall_spheres.any_within(entry(tool, place, velocity, interval), tool.cover_reach))
+      if (tool.wall_spheres.any_within(entry(tool, place, velocity, diameter, interval), tool.cover_reach))
         throw through_the_wall(simulation, k, depth, tooling_.tools[b].spec.name);
       ids.push_back(grains.id[k]);
     }

@@ -16,8 +16,9 @@ namespace diefill::process {
 /// Looks for grains whose centre is more than half a grain deep in a tool.
 class LostGrains {
  public:
-  /// `grain_diameter`: m. Builds what makes looking cheap; `tooling` must outlive it.
-  LostGrains(const Tooling& tooling, double grain_diameter);
+  /// `grain_diameters`: m, of each kind of grains, ascending. Builds what makes looking cheap; `tooling` must
+  /// outlive it.
+  LostGrains(const Tooling& tooling, std::vector<double> grain_diameters);
 
   /// Ids of grains that came into a tool, in the last `interval` (s), where it carries no wall spheres.
   /// Throws engine::OutOfRange for one that came in through a wall.
@@ -33,10 +34,10 @@ class LostGrains {
     double cover_reach;                 ///< m, covered surface has a centre so near
   };
   Eigen::Vector3d entry(const Inside& tool, const Eigen::Vector3d& place, const Eigen::Vector3d& velocity,
-                        double interval) const;
+                        double grain_diameter, double interval) const;
 
   const Tooling& tooling_;
-  double grain_diameter_;
+  std::vector<double> grain_diameters_;
   std::vector<Inside> tools_;
 };
 

@@ -7,7 +7,9 @@
 #include "engine/coarse_graining/bierwisch.h"
 #include "engine/coarse_graining/methods.h"
 #include "engine/general_time_step.h"
+#include "engine/mix_time_step.h"
 #include "engine/time_step.h"
+#include "process/run/mixed_powder.h"
 #include "process/scene/contact_spec.h"
 
 namespace diefill::process {
@@ -79,23 +81,44 @@ engine::GrainShape shape_of(GrainModel model, double radius, double mass) {
 /// Of the time step at which a pinched sphere becomes unstable.
 constexpr double kPinchFraction = 0.8;
 
+/// s: of a grain of these settings, its centre at the tool's surface.
+double pinch_step(const engine::SimulationSettings& settings, double wall_radius, double wall_spacing) {
+  constexpr double kDeepest = 1.0;  // over the sphere radius
+  const double overlap = kDeepest * settings.shape.sphere_radius;
+  if (settings.general_contact)
+    return engine::pinch_time_step(as_simulated(settings), *settings.general_contact, wall_radius,
+                                   wall_spacing, overlap);
+  return engine::pinch_time_step(settings.shape, settings.wall_contact, wall_radius, wall_spacing, overlap);
+}
+
+/// Settings of a powder of one kind for each kind of `settings`.
+std::vector<engine::SimulationSettings> kinds_alone(const engine::SimulationSettings& settings) {
+  if (!settings.mix) return {settings};
+  std::vector<engine::SimulationSettings> alone;
+  for (const engine::GrainKind& kind : settings.mix->kinds) {
+    const auto& laws = settings.mix->laws;
+    engine::SimulationSettings one = settings;
+    one.mix.reset();
+    one.shape = kind.shape;
+    one.general_contact = engine::GeneralContact{
+        engine::laws::law_between(laws, kind.material, kind.material),
+        engine::laws::law_between(laws, kind.material, kWallMaterial), settings.mix->scaling};
+    alone.push_back(std::move(one));
+  }
+  return alone;
+}
+
 /// s: for the finest wall spheres that the scene's tools have, at the deepest overlap of grains wedged at an
 /// edge. No limit where no tool moves.
 double shortest_pinch_step(const Scene& scene, const engine::SimulationSettings& settings) {
-  constexpr double kDeepest = 1.0;  // over the sphere radius: its centre at the tool's surface
-  const double overlap = kDeepest * settings.shape.sphere_radius;
   double shortest = std::numeric_limits<double>::infinity();
   const auto moves = [](const std::shared_ptr<Step>& step) { return !step->tools().empty(); };
   if (std::none_of(scene.steps.begin(), scene.steps.end(), moves)) return shortest;
+  const auto kinds = kinds_alone(settings);
   for (const ToolSpec& tool : scene.tools) {
     const double radius = tool.sphere_radius.value_or(scene.walls.sphere_radius);
     const double spacing = tool.spacing.value_or(scene.walls.spacing) * radius;
-    const double step =
-        settings.general_contact
-            ? engine::pinch_time_step(as_simulated(settings), *settings.general_contact, radius, spacing,
-                                      overlap)
-            : engine::pinch_time_step(settings.shape, settings.wall_contact, radius, spacing, overlap);
-    shortest = std::min(shortest, step);
+    for (const auto& kind : kinds) shortest = std::min(shortest, pinch_step(kind, radius, spacing));
   }
   return shortest;
 }
@@ -116,6 +139,20 @@ double chosen_time_step(const Scene& scene, const engine::SimulationSettings& se
                 "shorter one or leave the key out",
                 *numerics.time_step, critical);
   throw SceneError(scene.file.string() + text);
+}
+
+/// Puts the laws for steps of `time_step` (s) into the settings, where they are not those of a powder of one
+/// size without [contact].
+void set_laws(const Scene& scene, double time_step, engine::SimulationSettings& settings) {
+  const bool several = !scene.powder.sizes.empty();
+  if (!scene.contact && !several) return;
+  engine::GeneralContact contact =
+      scene.contact ? general_contact(*scene.contact, coarse_graining_factor(scene.powder), time_step)
+                    : own_law(settings);
+  if (several)
+    settings.mix = grain_mix(scene, settings.shape, contact);
+  else
+    settings.general_contact = std::move(contact);
 }
 
 }  // namespace
@@ -146,20 +183,33 @@ engine::SimulationSettings engine_settings(const Scene& scene, double impact_spe
   }
   settings.skin = scene.numerics.skin;
   const auto& contact = scene.contact;
-  const double scale = coarse_graining_factor(scene.powder);
   constexpr double kAnyStep = 1e-30;  // s: laws that refuse steps too long are asked for their limit first
-  if (contact) settings.general_contact = general_contact(*contact, scale, kAnyStep);
+  set_laws(scene, kAnyStep, settings);
   settings.time_step = chosen_time_step(scene, settings, critical_time_step(settings, impact_speed));
-  if (contact) settings.general_contact = general_contact(*contact, scale, settings.time_step);
+  set_laws(scene, settings.time_step, settings);
   // Grains under the law of small ones as it stands fall through air as they stand, too.
   if (contact && contact->coarse_graining == kUnscaled) settings.air_viscosity = scene.powder.air_viscosity;
   return settings;
 }
 
 double critical_time_step(const engine::SimulationSettings& settings, double impact_speed) {
+  if (settings.mix)
+    return engine::critical_time_step(
+        *settings.mix, {{kWallMaterial, std::numeric_limits<double>::infinity()}}, impact_speed);
   if (settings.general_contact)
     return engine::critical_time_step(as_simulated(settings), *settings.general_contact, impact_speed);
   return engine::critical_time_step(settings.shape, settings.grain_contact, impact_speed);
+}
+
+double mean_grain_mass(const Scene& scene, const engine::Simulation& simulation) {
+  return simulation.kinds().alike() ? simulation.settings().shape.mass : coarse_material(scene).grain_mass;
+}
+
+double smallest_sphere(const engine::SimulationSettings& settings) {
+  double smallest = settings.shape.sphere_radius;
+  if (settings.mix)
+    for (const auto& kind : settings.mix->kinds) smallest = std::min(smallest, kind.shape.sphere_radius);
+  return smallest;
 }
 
 double expected_solid_fraction(const Scene& scene) {

@@ -8,13 +8,20 @@
 namespace diefill::process {
 
 /// Engine settings of a scene without walls and threads: grain shape at the wanted size, contact parameters
-/// after coarse graining, options, and the time step. `impact_speed` (m/s) is the fastest collision to be
-/// expected; the critical step is taken at it. Throws SceneError when a given time step is above the critical
-/// one.
+/// after coarse graining, options, and the time step. Where grains are of several sizes, `shape` is that of
+/// the grain of mean mass, and `mix` has the kinds (mixed_powder.h). `impact_speed` (m/s) is the fastest
+/// collision to be expected; the critical step is taken at it. Throws SceneError when a given time step is
+/// above the critical one.
 engine::SimulationSettings engine_settings(const Scene& scene, double impact_speed);
 
 /// Critical time step (s) of those settings at `impact_speed` (m/s), grains and walls.
 double critical_time_step(const engine::SimulationSettings& settings, double impact_speed);
+
+/// kg, mean of all grains that the scene lets in; those of `simulation` where they are alike.
+double mean_grain_mass(const Scene& scene, const engine::Simulation& simulation);
+
+/// m, radius of the smallest spheres of the powder with these settings.
+double smallest_sphere(const engine::SimulationSettings& settings);
 
 /// Solid fraction that the settled powder will have, roughly: sets how many grains a fill height needs. From
 /// the settled beds of Bierwisch 2009, Table 4.4 for model A and D; models B and C lie between. A scene's own

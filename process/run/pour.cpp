@@ -7,6 +7,7 @@
 #include "geometry/solid_query.h"
 #include "process/run/dice.h"
 #include "process/run/material.h"
+#include "process/run/pour_sizes.h"
 
 namespace diefill::process {
 
@@ -34,11 +35,11 @@ double loose_lattice(const engine::GrainShape& shape) {
   return std::max(kClosest, std::cbrt(shape.solid_volume / kLoosest) / (2 * shape.bounding_radius()));
 }
 
-Lattice lattice_of(const Scene& scene, const engine::GrainShape& shape) {
+/// `d`: m, size of the largest grains; `constant`: m.
+Lattice lattice_of(const Scene& scene, double d, double constant) {
   const PourSpec& pour = scene.pour;
-  const double d = 2 * shape.bounding_radius();
   Lattice lattice;
-  lattice.constant = d * (pour.lattice_constant > 0 ? pour.lattice_constant : loose_lattice(shape));
+  lattice.constant = constant;
   const double clear = (0.5 + pour.random_offset) * d;
   lattice.first[2] = pour.lower[2] + clear;
   for (Eigen::Index axis = 0; axis < 2; ++axis) {
@@ -55,6 +56,28 @@ Lattice lattice_of(const Scene& scene, const engine::GrainShape& shape) {
     lattice.first[axis] = 0.5 * (pour.lower[axis] + pour.upper[axis]) - 0.5 * (sites - 1) * lattice.constant;
   }
   return lattice;
+}
+
+Lattice lattice_of(const Scene& scene, const engine::GrainShape& shape) {
+  const double d = 2 * shape.bounding_radius();
+  const double given = scene.pour.lattice_constant;
+  return lattice_of(scene, d, d * (given > 0 ? given : loose_lattice(shape)));
+}
+
+/// As wide as the largest grain needs, or so that grains of mean mass in cubes are a tenth solid.
+PourColumns columns_of(const Scene& scene, const engine::SimulationSettings& settings) {
+  constexpr double kClosest = 1.2;
+  const double largest = 2 * settings.mix->kinds.back().shape.bounding_radius();
+  const double mean = 2 * settings.shape.bounding_radius(), given = scene.pour.lattice_constant;
+  const double constant =
+      given > 0 ? given * largest : std::max(kClosest * largest, mean * loose_lattice(settings.shape));
+  const Lattice lattice = lattice_of(scene, largest, constant);
+  PourColumns columns;
+  for (std::size_t axis = 0; axis < 2; ++axis) columns.across[axis] = lattice.across[axis];
+  columns.distance = constant;
+  columns.first = lattice.first;
+  columns.first[2] = scene.pour.lower[2];
+  return columns;
 }
 
 /// Powder that starts beside or below the tools that stand would be let go as spilled at once.
@@ -83,19 +106,18 @@ constexpr double kTolerated = 0.9;
 /// Tells places in the powder from places that tools take up.
 class Room {
  public:
-  Room(const Tooling& tooling, double radius) : radius_(radius) {
+  explicit Room(const Tooling& tooling) {
     for (const Tool& tool : tooling.tools) solids_.push_back(tool.solid());
   }
-  /// Whether a grain can stand at `place` (m).
-  bool at(const Eigen::Vector3d& place) const {
+  /// Whether a grain of `radius` (m) can stand at `place` (m).
+  bool at(const Eigen::Vector3d& place, double radius) const {
     return std::ranges::all_of(solids_, [&](const geometry::SolidQuery& solid) {
-      return solid.signed_distance(place) > kTolerated * radius_;
+      return solid.signed_distance(place) > kTolerated * radius;
     });
   }
 
  private:
   std::vector<geometry::SolidQuery> solids_;
-  double radius_;
 };
 
 /// One grain at `site`, moved and turned by chance.
@@ -114,23 +136,26 @@ engine::NewGrain grain_at(const Eigen::Vector3d& site, const Scene& scene, const
 std::vector<engine::NewGrain> stack_around_tools(const Scene& scene, const engine::GrainShape& shape,
                                                  const Tooling& tooling, std::size_t count) {
   const Lattice lattice = lattice_of(scene, shape);
-  const Room room(tooling, shape.bounding_radius());
+  const Room room(tooling);
+  const double radius = shape.bounding_radius();
   // Above all tools every site is free, so that the stack ends.
   Dice dice(scene.seed);
   std::vector<engine::NewGrain> grains;
   for (std::size_t n = 0; grains.size() < count; ++n) {
     const auto grain = grain_at(lattice.site(n), scene, shape, dice);
-    if (room.at(grain.position)) grains.push_back(grain);
+    if (room.at(grain.position, radius)) grains.push_back(grain);
   }
   return grains;
 }
 
-/// The lattice must not reach into a tool: grains would start overlapping it and be shot away.
+/// The lattice must not reach into a tool: grains would start overlapping it and be shot away. `radii`: m, of
+/// each kind.
 void refuse_overlap(const Scene& scene, const Tooling& tooling, const std::vector<engine::NewGrain>& grains,
-                    double radius) {
+                    const std::vector<double>& radii) {
   for (const Tool& tool : tooling.tools) {
     const geometry::SolidQuery& solid = tool.solid();
     for (const auto& grain : grains) {
+      const double radius = radii[grain.kind];
       const double distance = solid.signed_distance(grain.position);
       if (distance > kTolerated * radius) continue;
       char text[240];
@@ -144,6 +169,24 @@ void refuse_overlap(const Scene& scene, const Tooling& tooling, const std::vecto
   }
 }
 
+std::vector<engine::NewGrain> pour_kinds(const Scene& scene, const engine::SimulationSettings& settings,
+                                         const Tooling& tooling, std::size_t count) {
+  const auto& kinds = settings.mix->kinds;
+  const auto place = [&](const Eigen::Vector3d& site, const engine::GrainShape& shape, Dice& dice) {
+    return grain_at(site, scene, shape, dice);
+  };
+  const bool around = scene.pour.around_tools;
+  const Room room(tooling);
+  const auto has_room = [&](const engine::NewGrain& grain, const engine::GrainShape& shape) {
+    return !around || room.at(grain.position, shape.bounding_radius());
+  };
+  auto grains = pour_sizes(scene, kinds, columns_of(scene, settings), count, place, has_room);
+  std::vector<double> radii;
+  for (const auto& kind : kinds) radii.push_back(kind.shape.bounding_radius());
+  if (!around) refuse_overlap(scene, tooling, grains, radii);
+  return grains;
+}
+
 }  // namespace
 
 std::size_t grains_to_pour(const Scene& scene, const engine::GrainShape& shape) {
@@ -152,23 +195,29 @@ std::size_t grains_to_pour(const Scene& scene, const engine::GrainShape& shape) 
   return static_cast<std::size_t>(std::llround(powder / shape.solid_volume));
 }
 
-std::vector<engine::NewGrain> pour(const Scene& scene, const engine::GrainShape& shape,
+std::vector<engine::NewGrain> pour(const Scene& scene, const engine::SimulationSettings& settings,
                                    const Tooling& tooling) {
+  const engine::GrainShape& shape = settings.shape;
   refuse_powder_over_nothing(scene, tooling.standing);
   const std::size_t count = grains_to_pour(scene, shape);
   if (count == 0)
     throw SceneError(scene.file.string() + ":" + std::to_string(scene.pour.line) +
                      ": pour.fill_height: the box holds not even one grain at this height; raise it");
+  if (settings.mix) return pour_kinds(scene, settings, tooling, count);
   if (scene.pour.around_tools) return stack_around_tools(scene, shape, tooling, count);
   const Lattice lattice = lattice_of(scene, shape);
   Dice dice(scene.seed);
   std::vector<engine::NewGrain> grains;
   for (std::size_t n = 0; n < count; ++n) grains.push_back(grain_at(lattice.site(n), scene, shape, dice));
-  refuse_overlap(scene, tooling, grains, shape.bounding_radius());
+  refuse_overlap(scene, tooling, grains, {shape.bounding_radius()});
   return grains;
 }
 
-double pour_height(const Scene& scene, const engine::GrainShape& shape) {
+double pour_height(const Scene& scene, const engine::SimulationSettings& settings) {
+  const engine::GrainShape& shape = settings.shape;
+  if (settings.mix)
+    return height_of_columns(scene, settings.mix->kinds, columns_of(scene, settings),
+                             grains_to_pour(scene, shape));
   const Lattice lattice = lattice_of(scene, shape);
   const std::size_t layer = lattice.across[0] * lattice.across[1];
   const std::size_t layers = (grains_to_pour(scene, shape) + layer - 1) / layer;

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "process/run/dice.h"
+#include "process/run/material.h"
 
 namespace diefill::process {
 
@@ -33,7 +34,7 @@ std::size_t PowderSource::feed(engine::Simulation& simulation, Schedule& schedul
     if (wanted == 0) continue;
     // Any mixing of the three numbers will do that gives every call its own random numbers.
     const std::uint64_t seed = (scene_.seed * 1000003 + k) * 0x9e3779b97f4a7c15ULL + simulation.steps();
-    const auto grains = placed(inflow, wanted, seed, simulation);
+    const auto grains = placed(inflow, wanted, state.grains_come, seed, simulation);
     if (grains.empty()) continue;
     simulation.add_grains(grains);
     schedule.count_inflow(k, grains.size());
@@ -45,26 +46,43 @@ std::size_t PowderSource::feed(engine::Simulation& simulation, Schedule& schedul
 std::size_t PowderSource::owed(const PowderInflow& inflow, const StepState& state,
                                const engine::Simulation& simulation) const {
   const engine::GrainShape& shape = simulation.settings().shape;
+  const double mass = mean_grain_mass(scene_, simulation);
   const double room = (inflow.upper - inflow.lower).cwiseMax(2 * shape.bounding_radius()).prod();
   double wanted = room / std::pow(2 * shape.bounding_radius(), 3);
   const auto come = static_cast<double>(state.grains_come);
   if (inflow.rate)
-    wanted = std::min(wanted, *inflow.rate * (simulation.time() - state.started) / shape.mass - come);
-  if (inflow.mass) wanted = std::min(wanted, std::ceil(*inflow.mass / shape.mass) - come);
+    wanted = std::min(wanted, *inflow.rate * (simulation.time() - state.started) / mass - come);
+  if (inflow.mass) wanted = std::min(wanted, std::ceil(*inflow.mass / mass) - come);
   return static_cast<std::size_t>(std::max(0.0, std::floor(wanted)));
 }
 
+/// Of the grain of that number among those that a step lets in: multiples of the golden ratio fill the range
+/// of shares evenly.
+engine::KindNumber PowderSource::kind_of(std::size_t number) const {
+  constexpr double kGoldenRatio = 0.6180339887498949;
+  const auto& sizes = scene_.powder.sizes;
+  const double place = std::fmod((static_cast<double>(number) + 0.5) * kGoldenRatio, 1.0);
+  double below = 0;
+  for (std::size_t k = 0; k < sizes.size(); ++k) {
+    below += sizes[k].number_share;
+    if (place < below) return static_cast<engine::KindNumber>(k);
+  }
+  return static_cast<engine::KindNumber>(sizes.empty() ? 0 : sizes.size() - 1);
+}
+
 std::vector<engine::NewGrain> PowderSource::placed(const PowderInflow& inflow, std::size_t wanted,
-                                                   std::uint64_t seed,
+                                                   std::size_t come, std::uint64_t seed,
                                                    const engine::Simulation& simulation) const {
-  const double radius = simulation.settings().shape.bounding_radius(), apart = 2 * radius;
+  const double apart = 2 * simulation.kinds().largest_grain();
   const engine::BodyMotion* body =
       inflow.with.empty() ? nullptr : &simulation.body_motion(tooling_.index_of(inflow.with));
   const Eigen::Vector3d half = 0.5 * (inflow.upper - inflow.lower), own = inflow.lower + half;
   const Eigen::Vector3d middle = body != nullptr ? body->point(own) : own;
-  std::vector<Eigen::Vector3d> near;
-  for (const auto& position : simulation.grains().position)
-    if ((position - middle).norm() < half.norm() + apart) near.push_back(position);
+  std::vector<std::pair<Eigen::Vector3d, double>> near;  // places and radii
+  const engine::Grains& there = simulation.grains();
+  for (std::size_t k = 0; k < there.size(); ++k)
+    if ((there.position[k] - middle).norm() < half.norm() + apart)
+      near.emplace_back(there.position[k], simulation.shape_of(k).bounding_radius());
   Dice dice(seed);
   std::vector<engine::NewGrain> grains;
   const std::size_t tries = 10 * wanted + 20;
@@ -72,13 +90,18 @@ std::vector<engine::NewGrain> PowderSource::placed(const PowderInflow& inflow, s
     const Eigen::Vector3d offset(dice.symmetric(), dice.symmetric(), dice.symmetric());
     const Eigen::Vector3d in_body = own + offset.cwiseProduct(half);
     const Eigen::Vector3d place = body != nullptr ? body->point(in_body) : in_body;
-    const auto touches = [&](const Eigen::Vector3d& other) { return (other - place).norm() < apart; };
+    const engine::KindNumber kind = kind_of(come + grains.size());
+    const double radius = simulation.kinds().shape(kind).bounding_radius();
+    const auto touches = [&](const std::pair<Eigen::Vector3d, double>& other) {
+      return (other.first - place).norm() < radius + other.second;
+    };
     if (std::any_of(near.begin(), near.end(), touches) || !free_of_tools(place, radius, simulation)) continue;
     engine::NewGrain grain;
+    grain.kind = kind;
     grain.position = place;
     grain.velocity = inflow.velocity + velocity_of(body, place);
     grain.orientation = dice.direction<4>();
-    near.push_back(place);
+    near.emplace_back(place, radius);
     grains.push_back(grain);
   }
   return grains;

@@ -13,7 +13,8 @@
 namespace diefill::process {
 
 /// All the steps of a scene that let powder in. What is random depends on the scene's seed and the number of
-/// the time step alone, so that a restart needs no history.
+/// the time step alone, so that a restart needs no history. Sizes of grains follow the scene's shares as
+/// evenly as they can, one grain after the other, so that masses are met.
 class PowderSource {
  public:
   /// Keeps references to both.
@@ -26,8 +27,9 @@ class PowderSource {
  private:
   std::size_t owed(const PowderInflow& inflow, const StepState& state,
                    const engine::Simulation& simulation) const;
-  std::vector<engine::NewGrain> placed(const PowderInflow& inflow, std::size_t wanted, std::uint64_t seed,
-                                       const engine::Simulation& simulation) const;
+  std::vector<engine::NewGrain> placed(const PowderInflow& inflow, std::size_t wanted, std::size_t come,
+                                       std::uint64_t seed, const engine::Simulation& simulation) const;
+  engine::KindNumber kind_of(std::size_t number) const;
   bool free_of_tools(const Eigen::Vector3d& place, double radius, const engine::Simulation& simulation) const;
 
   const Scene& scene_;

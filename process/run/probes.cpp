@@ -5,6 +5,7 @@
 
 #include "process/measure/cavity_position.h"
 #include "process/run/die_frame.h"
+#include "process/run/grain_tally.h"
 #include "process/run/half_model.h"
 
 namespace diefill::process {
@@ -34,12 +35,13 @@ Heading heading(ProbeQuantity quantity) {
 }
 
 double mass_beyond(const ProbeSpec& probe, const engine::Simulation& simulation, const Tooling& tooling) {
-  std::size_t grains = 0;
-  for (const auto& position : simulation.grains().position)
-    visit_images(tooling, position, [&](const Eigen::Vector3d& place) {
-      grains += (place - probe.origin).dot(probe.normal) > 0 ? 1U : 0U;
+  GrainTally beyond;
+  const engine::Grains& grains = simulation.grains();
+  for (std::size_t k = 0; k < grains.size(); ++k)
+    visit_images(tooling, grains.position[k], [&](const Eigen::Vector3d& place) {
+      if ((place - probe.origin).dot(probe.normal) > 0) beyond.add(grains.kind[k]);
     });
-  return static_cast<double>(grains) * simulation.settings().shape.mass;
+  return beyond.mass(simulation.kinds());
 }
 
 /// Whole time steps between two rows.
@@ -123,6 +125,8 @@ std::vector<double> Probes::fill_level(const engine::Simulation& simulation) con
   const auto across = static_cast<std::size_t>(std::max(1.0, std::ceil(size[0] / width))),
              deep = static_cast<std::size_t>(std::max(1.0, std::ceil(size[1] / width)));
   std::vector<double> highest(across * deep, 0.0);
+  const auto diameters = grain_diameters(scene_.powder);
+  double radius = 0;
   const auto raise = [&](const Eigen::Vector3d& position) {
     const Eigen::Vector3d place = frame.point(position);
     if (!lies_in_cavity(cavity, place)) return;
@@ -130,9 +134,13 @@ std::vector<double> Probes::fill_level(const engine::Simulation& simulation) con
     const auto column = std::min(static_cast<std::size_t>(from_corner[0] / width), across - 1),
                row = std::min(static_cast<std::size_t>(from_corner[1] / width), deep - 1);
     double& level = highest[row * across + column];
-    level = std::max(level, std::min(from_corner[2] + 0.5 * scene_.powder.grain_diameter, size[2]));
+    level = std::max(level, std::min(from_corner[2] + radius, size[2]));
   };
-  for (const auto& position : simulation.grains().position) visit_images(tooling_, position, raise);
+  const engine::Grains& grains = simulation.grains();
+  for (std::size_t k = 0; k < grains.size(); ++k) {
+    radius = 0.5 * diameters[grains.kind[k]];
+    visit_images(tooling_, grains.position[k], raise);
+  }
   double sum = 0, lowest = size[2], count = 0;
   for (std::size_t n = 0; n < highest.size(); ++n) {
     const Eigen::Vector3d middle =

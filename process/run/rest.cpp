@@ -13,12 +13,19 @@ Eigen::Vector3d centre_of_mass(const engine::Grains& grains) {
   return sum / static_cast<double>(grains.size());
 }
 
+/// kg.
+double mean_mass(const engine::Simulation& simulation) {
+  if (simulation.kinds().alike()) return simulation.settings().shape.mass;
+  const std::size_t grains = simulation.grains().size();
+  return simulation.mass_of(0, grains) / static_cast<double>(grains);
+}
+
 /// J per grain.
 double kinetic_energy(const engine::Simulation& simulation) {
   const engine::Grains& grains = simulation.grains();
-  const engine::GrainShape& shape = simulation.settings().shape;
   double sum = 0;
   for (std::size_t k = 0; k < grains.size(); ++k) {
+    const engine::GrainShape& shape = simulation.shape_of(k);
     sum += 0.5 * shape.mass * grains.velocity[k].squaredNorm();
     if (shape.rotates) sum += 0.5 * shape.inertia.dot(grains.spin[k].cwiseAbs2());
   }
@@ -33,7 +40,7 @@ bool RestWatch::at_rest(const engine::Simulation& simulation, double grain_diame
   const double now = simulation.time();
   const auto& settings = simulation.settings();
   const RestLimits quiet = limits.value_or(RestLimits{});
-  const double limit = quiet.energy * settings.shape.mass * settings.gravity.norm() * grain_diameter;
+  const double limit = quiet.energy * mean_mass(simulation) * settings.gravity.norm() * grain_diameter;
   if (kinetic_energy(simulation) > limit)
     quiet_since = -1;
   else if (quiet_since < 0)

@@ -6,6 +6,7 @@
 #include "process/machine/powder_inflow.h"
 #include "process/run/die_frame.h"
 #include "process/run/half_model.h"
+#include "process/run/material.h"
 
 namespace diefill::process {
 
@@ -25,7 +26,7 @@ engine::BodyMotion body_motion(const ToolPose& pose) {
 }  // namespace
 
 Schedule::Schedule(const Scene& scene, const Tooling& tooling, double grain_diameter)
-    : tooling_(tooling), grain_diameter_(grain_diameter), stages_(scene) {
+    : tooling_(tooling), grain_diameter_(grain_diameter), scene_(scene), stages_(scene) {
   for (const auto& step : stages_.steps) needs_loads_ = needs_loads_ || asks_for_loads(*step);
   for (const auto& snapshot : scene.snapshots)
     needs_loads_ = needs_loads_ || (snapshot.when && snapshot.when->force.has_value());
@@ -94,7 +95,7 @@ bool Schedule::stops(std::size_t k, const engine::Simulation& simulation) {
   const Step& step = *stages_.steps[k];
   StepState& state = state_.steps[k];
   if (const PowderInflow* inflow = step.inflow(); inflow != nullptr && inflow->mass) {
-    const double come = static_cast<double>(state.grains_come) * simulation.settings().shape.mass;
+    const double come = static_cast<double>(state.grains_come) * mean_grain_mass(scene_, simulation);
     if (come >= *inflow->mass) return true;
   }
   if (step.plan.until) return holds(*step.plan.until, state.until, simulation);

@@ -78,6 +78,7 @@ class Schedule {
 
   const Tooling& tooling_;
   double grain_diameter_;
+  const Scene& scene_;
   Stages stages_;
   bool needs_loads_ = false;
   ScheduleState state_;

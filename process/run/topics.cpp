@@ -52,7 +52,10 @@ results::Topic powder_topic(const Scene& scene) {
                                     : "not known here; powder.apparent_density in the scene states it");
   state(topic, "Grain model", model_in_words(powder.model));
   state(topic, "Calibrated grain size", with_number("%.4g mm", 1e3 * fine));
-  state(topic, "Grain size as simulated", with_number("%.4g mm", 1e3 * powder.grain_diameter));
+  state(topic, "Grain size as simulated",
+        with_number("%.4g mm", 1e3 * powder.grain_diameter) +
+            (powder.sizes.empty() ? "" : " (that of mean mass)"));
+  if (!powder.sizes.empty()) state(topic, "Grain sizes", powder.sizes_in_words);
   const double factor = coarse_graining_factor(powder);
   state(topic, "Coarse graining",
         with_number("factor %.3g: ", factor) +
@@ -151,9 +154,11 @@ results::Topic numerics_topic(const Scene& scene, const FillRun& run) {
 results::Topic assumptions_topic(const Scene& scene, const engine::SimulationSettings& settings) {
   results::Topic topic{"assumptions", {}, {}};
   state(topic, "Terms whose coefficients are zero", joined(law_terms(scene, settings).left_out));
+  const bool alike = scene.powder.sizes.empty();
   state(topic, "Grain size",
-        "all grains are of one size and shape; sieve cuts and lubricant are in the "
-        "calibrated parameters only");
+        !alike ? "grains are of a few sizes and one shape, of one material and density"
+               : "all grains are of one size and shape; sieve cuts and lubricant are in the "
+                 "calibrated parameters only");
   state(topic, "Stiffness",
         "grains are softer than metal on purpose, so that steps can be longer; packing and "
         "flow hardly feel it");
@@ -162,7 +167,9 @@ results::Topic assumptions_topic(const Scene& scene, const engine::SimulationSet
         "not masses");
   state(topic, "Air", "does not flow: air trapped under the powder and suction filling are left out");
   state(topic, "Tools", "neither bend nor wear, and do as the schedule says whatever the force");
-  state(topic, "Segregation", "cannot appear with grains of one size");
+  state(topic, "Segregation",
+        alike ? "cannot appear with grains of one size"
+              : "by size is simulated, with the sizes of the model grains; see the mixing indices");
   if (coarse_graining_factor(scene.powder) > 1)
     state(topic, "Narrow places",
           "an opening acts as if narrower by 1.4 times the growth of the grains "

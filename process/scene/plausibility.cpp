@@ -41,9 +41,9 @@ void check_box(const TableReader& table, const PourSpec& pour, const PowderSpec&
       table.reject("to", "the box is empty along " + along + ": to (" + millimetres(to) +
                              ") must be more than from (" + millimetres(from) + ")");
     }
-    if (to - from < powder.grain_diameter) {
+    if (to - from < largest_grain(powder)) {
       table.reject("to", "along " + along + " the box measures " + millimetres(to - from) +
-                             ", less than one grain of " + millimetres(powder.grain_diameter) +
+                             ", less than one grain of " + millimetres(largest_grain(powder)) +
                              "; widen it or choose a smaller powder.grain_diameter");
     }
   }
@@ -79,6 +79,11 @@ void check_coarsening(const TableReader& table, const PowderSpec& powder) {
   const double factor = coarse_graining_factor(powder);
   if (factor >= kFinest && factor <= kCoarsest) return;
   const double own = powder.grain_diameter / factor;
+  if (!powder.sizes.empty())
+    table.reject("sizes", "the grain of mean mass has " + millimetres(powder.grain_diameter) + ", " +
+                              millimetres(kFinest * own) + " to " + millimetres(kCoarsest * own) +
+                              " is allowed, 0.1 to 20 times the powder's own " + millimetres(own) +
+                              "; beyond that coarse graining does not hold");
   table.reject("grain_diameter", millimetres(kFinest * own) + " to " + millimetres(kCoarsest * own) +
                                      " is allowed, 0.1 to 20 times the powder's own " + millimetres(own) +
                                      "; beyond that coarse graining does not hold");
@@ -87,7 +92,7 @@ void check_coarsening(const TableReader& table, const PowderSpec& powder) {
 void check_wall_is_tight(const TableReader& table, double sphere_radius, double spacing,
                          const PowderSpec& powder) {
   const double hole = (spacing / std::numbers::sqrt2 - 1) * sphere_radius;
-  const double sphere = powder.sphere_radius * coarse_graining_factor(powder);
+  const double sphere = smallest_grain(powder) / diameter_over_radius(powder.model);
   if (hole < sphere) return;
   table.reject("spacing", "wall spheres of radius " + millimetres(sphere_radius) +
                               " so far apart let spheres of radius " + millimetres(hole) +
@@ -96,7 +101,7 @@ void check_wall_is_tight(const TableReader& table, double sphere_radius, double 
 }
 
 void check_period(const TableReader& table, const std::string& key, double period, const PowderSpec& powder) {
-  const double least = kPeriodOverDiameter * powder.grain_diameter;
+  const double least = kPeriodOverDiameter * largest_grain(powder);
   if (period >= least) return;
   table.reject(key, "at least " + millimetres(least) +
                         " is allowed, four grain diameters, so that no grain meets its own image");

@@ -99,6 +99,7 @@ PowderSpec read_powder(TableReader& table) {
   powder.sphere_radius = radius.value_or(powder.sphere_radius);
   read_overrides(table, powder);
   read_grain_diameter(table, powder, !radius);
+  read_sizes(table, powder);
   table.finish();
   check_density(table, powder);
   check_coarsening(table, powder);

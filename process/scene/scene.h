@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/size_classes.h"
 #include "geometry/mesh_repair.h"
 #include "process/machine/step.h"
 #include "process/scene/economy.h"
@@ -44,8 +45,20 @@ struct PowderSpec {
   double air_viscosity = 2e-5;          ///< Pa s, mu_a at the reference size
   double apparent_density = 0;          ///< kg/m^3 of the real powder, as weighed; 0: not known
   /// m, model grain size d wanted, exactly (d / R) times the wanted R: coarse graining scales the rest to it.
+  /// Where grains are of several sizes, that of the grain of mean mass.
   double grain_diameter = 6 * 7.84e-5;
+  /// Sizes of the model grains (m), ascending, with their shares by number; empty: all grains are alike.
+  std::vector<engine::CutClass> sizes;
+  std::string sizes_in_words;  ///< for people; empty where all grains are alike
 };
+
+/// m, the smallest and the largest grain size wanted.
+double smallest_grain(const PowderSpec& powder);
+double largest_grain(const PowderSpec& powder);
+/// Makes all grains larger by `factor`.
+void enlarge(PowderSpec& powder, double factor);
+/// m, of each kind of grains, ascending; one where all grains are alike.
+std::vector<double> grain_diameters(const PowderSpec& powder);
 
 /// Wanted over reference grain size: the factor s by which coarse graining enlarges the grains; 1 for none.
 double coarse_graining_factor(const PowderSpec& powder);

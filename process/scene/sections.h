@@ -16,6 +16,10 @@ Scene scene_of(const toml::table& parsed, const std::string& text, const std::fi
 CoarseGraining read_coarse_graining(TableReader& table);
 /// The rest of [powder]: a preset, a preset with overrides, or a powder of its own.
 PowderSpec read_powder(TableReader& table);
+/// [powder.sizes], where it is there, into the powder: its classes and the grain size of mean mass.
+void read_sizes(TableReader& powder_table, PowderSpec& powder);
+/// What grains of several sizes cannot have, of a scene that has everything else.
+void check_sizes(TableReader& document, const Scene& scene);
 /// [walls]; the powder must not fit through the holes between wall spheres.
 WallSpec read_walls(TableReader table, const PowderSpec& powder);
 /// All [[tool]] tables.

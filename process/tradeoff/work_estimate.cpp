@@ -7,8 +7,7 @@
 namespace diefill::process {
 
 double expected_impact_speed(const Scene& scene) {
-  const auto shape = engine_settings(scene, 1.0).shape;
-  return expected_impact_speed(scene, pour_height(scene, shape));
+  return expected_impact_speed(scene, pour_height(scene, engine_settings(scene, 1.0)));
 }
 
 double time_step_fraction(const Scene& scene) {

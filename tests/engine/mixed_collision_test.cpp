@@ -156,5 +156,22 @@ TEST(MixTimeStep, GrowsWithTheScaleOfScaledUpParticles) {
   EXPECT_NEAR(critical_time_step(mix, {}, 0.5), 4 * fine, 1e-6 * fine);
 }
 
+TEST(MixTimeStep, AtOverlapsIsThatOfThePairThatReachesThem) {
+  const auto mix = mix_of({1, 0.2}, hertz(), hertz(), hertz());
+  auto small = mix;
+  small.kinds.erase(small.kinds.begin());
+  const double impact = critical_time_step(small, {}, 0.5);
+  // Small ones held by large ones meet stiffer contacts than among themselves: R_eff 5/6 R in place of 1/2 R.
+  EXPECT_NEAR(critical_time_step_at_overlap(mix, 1, 1e-2),
+              critical_time_step_at_overlap(small, 1, 1e-2) * std::pow(0.6, 0.25), 1e-9 * impact);
+  const double deep = 1e-2 * kMixRadius * 0.2;
+  // Large ones overlap as deep in metres: small ones have not, and their limit does not count.
+  EXPECT_GT(critical_time_step_at_overlap(mix, 5 * deep, 1e-3),
+            critical_time_step_at_overlap(mix, 5 * deep, 1e-2));
+  // Hertz: the step goes with the fourth root of the overlap.
+  EXPECT_NEAR(critical_time_step_at_overlap(small, deep, 1),
+              2 * critical_time_step_at_overlap(small, 16 * deep, 1), 1e-6 * impact);
+}
+
 }  // namespace
 }  // namespace diefill::engine

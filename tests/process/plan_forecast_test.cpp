@@ -33,8 +33,7 @@ TEST(PlanForecast, PhasesAreTheFallTheStepsAndTheRest) {
   rest.after_motion = 0.2;
   const auto phases = timeline(planned.scene, planned.tooling, rest);
   ASSERT_EQ(phases.size(), 3U);
-  const auto shape = engine_settings(planned.scene, 1.0).shape;
-  const double height = pour_height(planned.scene, shape) - 0.024;
+  const double height = pour_height(planned.scene, engine_settings(planned.scene, 1.0)) - 0.024;
   EXPECT_EQ(phases[0].kind, PhaseKind::fall);
   EXPECT_NEAR(phases[0].seconds, std::sqrt(2 * height / 9.81) + 0.1, 1e-12);
   EXPECT_EQ(phases[1].kind, PhaseKind::rest);  // a wait

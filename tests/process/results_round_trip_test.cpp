@@ -104,6 +104,22 @@ TEST(ResultFile, GivesBackEveryBit) {
   EXPECT_TRUE(std::signbit(back.powder.velocity[0].z()));
 }
 
+TEST(ResultFile, GivesBackKindsOfGrains) {
+  const support::TemporaryFolder scratch;
+  FillResult result = sample_result();
+  result.powder.kinds = {{1e-3, 2e-3}, {5e-4, 1e-3}, {1e-6, 8e-6}, {5e-10, 4e-9}, {"fine", "coarse"}};
+  result.powder.kind = {0, 1, 1, 0, 1};
+  for (auto& instant : result.instants) instant.kind.assign(instant.id.size(), 1);
+  write_results(scratch.path(), result);
+  const FillResult back = read_results(scratch.path());
+  EXPECT_TRUE(bytes_of(back) == bytes_of(result));
+  EXPECT_EQ(back.powder.diameter_of(2), 2e-3);
+  EXPECT_EQ(back.powder.kinds.material[1], "coarse");
+  EXPECT_EQ(back.powder.sizes_in_words(), "1 to 2 mm");
+  result.powder.kind[3] = 2;
+  EXPECT_THROW(write_results(scratch.path(), result), ResultError);
+}
+
 TEST(ResultFile, NeedsNoInstants) {
   const support::TemporaryFolder scratch;
   FillResult result = sample_result();
@@ -217,7 +233,7 @@ TEST(ResultFile, OtherSchemaVersionsAreRefused) {
   std::string text = contents(file);
   // An attribute message: name, type and dataspace, 16 + 16 + 8 bytes here, then the number itself.
   const std::size_t number = text.find("schema_version") + 40;
-  ASSERT_EQ(text.substr(number, 4), std::string("\4\0\0\0", 4));
+  ASSERT_EQ(text.substr(number, 4), std::string("\5\0\0\0", 4));
   text[number] = 99;
   put(file, text);
   EXPECT_NE(message_of_reading(scratch.path()).find("schema version 99"), std::string::npos);

@@ -122,8 +122,9 @@ Tooling floor_below() {
 TEST(Pour, GivesTheMassThatTheFillHeightNeedsAndNoOverlap) {
   for (const auto* preset : {"ASC100.29 initial A", "ASC100.29 D2"}) {
     const Scene scene = open_box(preset);
-    const auto shape = engine_settings(scene, 1.0).shape;
-    const auto grains = pour(scene, shape, floor_below());
+    const auto settings = engine_settings(scene, 1.0);
+    const auto& shape = settings.shape;
+    const auto grains = pour(scene, settings, floor_below());
     const double solid = static_cast<double>(grains.size()) * shape.solid_volume;
     EXPECT_NEAR(solid, 8e-3 * 8e-3 * 5e-3 * expected_solid_fraction(scene), shape.solid_volume) << preset;
     for (std::size_t k = 1; k < grains.size(); ++k)
@@ -133,14 +134,15 @@ TEST(Pour, GivesTheMassThatTheFillHeightNeedsAndNoOverlap) {
 
 TEST(Pour, GoesAroundToolsOnlyWhereAsked) {
   Scene scene = open_box("ASC100.29 D2");
-  const auto shape = engine_settings(scene, 1.0).shape;
+  const auto settings = engine_settings(scene, 1.0);
+  const auto& shape = settings.shape;
   Tooling tooling = floor_below();
   Tool stirrer;
   stirrer.mesh = box({-1e-3, -5e-3, 1e-3}, {1e-3, 5e-3, 3e-3});
   tooling.tools.push_back(stirrer);
-  EXPECT_THROW(pour(scene, shape, tooling), SceneError);
+  EXPECT_THROW(pour(scene, settings, tooling), SceneError);
   scene.pour.around_tools = true;
-  const auto grains = pour(scene, shape, tooling);
+  const auto grains = pour(scene, settings, tooling);
   EXPECT_EQ(grains.size(), grains_to_pour(scene, shape));
   const geometry::SolidQuery solid(stirrer.mesh);
   for (const auto& grain : grains)
@@ -149,10 +151,10 @@ TEST(Pour, GoesAroundToolsOnlyWhereAsked) {
 
 TEST(Pour, DependsOnTheSeedAlone) {
   Scene scene = open_box("ASC100.29 D2");
-  const auto shape = engine_settings(scene, 1.0).shape;
-  const auto first = pour(scene, shape, floor_below()), again = pour(scene, shape, floor_below());
+  const auto settings = engine_settings(scene, 1.0);
+  const auto first = pour(scene, settings, floor_below()), again = pour(scene, settings, floor_below());
   scene.seed = 2;
-  const auto other = pour(scene, shape, floor_below());
+  const auto other = pour(scene, settings, floor_below());
   EXPECT_EQ(first[7].position, again[7].position);
   EXPECT_EQ(first[7].orientation, again[7].orientation);
   EXPECT_NE(first[7].position, other[7].position);
@@ -181,7 +183,7 @@ class CheckpointFile : public testing::Test {
 TEST_F(CheckpointFile, GivesBackEveryBitAndContinuesTheSameRun) {
   const Scene scene = open_box("ASC100.29 D2");
   engine::Simulation original(engine_settings(scene, 1.0), {});
-  original.add_grains(pour(scene, original.settings().shape, floor_below()));
+  original.add_grains(pour(scene, original.settings(), floor_below()));
   for (int n = 0; n < 300; ++n) original.step();
   Checkpoint kept;
   kept.scene_hash = 42;
@@ -194,8 +196,8 @@ TEST_F(CheckpointFile, GivesBackEveryBitAndContinuesTheSameRun) {
   kept.probes.rows = {1, 2, 3};
   kept.snapshots.resize(1);
   kept.snapshots[0].taken = 4;
-  kept.grains_left = 7;
-  kept.grains_sheared = 3;
+  kept.grains_left = {3, 4};
+  kept.grains_sheared = {3};
   write_checkpoint(folder_.path(), kept);
   const auto read = read_checkpoint(folder_.path());
   ASSERT_TRUE(read.has_value());
@@ -206,8 +208,8 @@ TEST_F(CheckpointFile, GivesBackEveryBitAndContinuesTheSameRun) {
   EXPECT_EQ(read->schedule.loads.at(1).force, Eigen::Vector3d(1, 2, 3));
   EXPECT_EQ(read->probes.rows, (std::vector<double>{1, 2, 3}));
   EXPECT_EQ(read->snapshots.at(0).taken, 4U);
-  EXPECT_EQ(read->grains_left, 7U);
-  EXPECT_EQ(read->grains_sheared, 3U);
+  EXPECT_EQ(read->grains_left, kept.grains_left);
+  EXPECT_EQ(read->grains_sheared, kept.grains_sheared);
   engine::Simulation resumed(original.settings(), {});
   resumed.restore(read->simulation);
   for (int n = 0; n < 300; ++n) {

@@ -1,0 +1,64 @@
+// Pictures of where large and small grains lie.
+#include <stdexcept>
+
+#include "app/picture_files.h"
+#include "process/measure/plane_sample.h"
+#include "process/measure/ring_sample.h"
+#include "process/measure/segregation.h"
+#include "render/tool_outline.h"
+
+namespace diefill::app {
+namespace {
+
+/// Draws one field a source, all on one scale.
+Pictures draw_sizes(const PictureRequest& request, const std::string& name,
+                    std::vector<results::Field2D> fields,
+                    const std::vector<std::vector<render::Outline>>& outlines) {
+  for (auto& field : fields) field.quantity = std::string("mean grain diameter");
+  const auto range = shared_range(request, fields);
+  Pictures written;
+  for (std::size_t n = 0; n < fields.size(); ++n) {
+    const auto& source = request.sources[n];
+    render::FieldStyle style;
+    style.unit = "mm";
+    style.outlines = outlines[n];
+    style.note = "weighted by mass";
+    style.pixels = pixels_of(request);
+    const auto picture =
+        render::compose_field(fields[n], title_of(request, source), subtitle_of(source), range, style);
+    written.push_back(write_picture(request, file_of(request, name, source), picture.image));
+  }
+  return written;
+}
+
+}  // namespace
+
+Pictures make_size_map(const PictureRequest& request) {
+  std::vector<results::Field2D> fields;
+  for (const auto& source : request.sources) {
+    const process::SizeField size(source.result.powder, request.averaging_width);
+    fields.push_back(process::sample_ring(source.result.powder, source.result.cavity, request.averaging_width,
+                                          [&](const Eigen::Vector3d& point) { return size.at(point); }));
+  }
+  return draw_sizes(request, "size_map", std::move(fields),
+                    std::vector<std::vector<render::Outline>>(request.sources.size()));
+}
+
+Pictures make_size_section(const PictureRequest& request) {
+  std::vector<results::Field2D> fields;
+  std::vector<std::vector<render::Outline>> outlines;
+  for (const auto& source : request.sources) {
+    const auto& result = source.result;
+    const auto plane = request.plane_given ? request.plane : result.sections.front().plane;
+    const process::SizeField size(result.powder, request.averaging_width);
+    fields.push_back(process::sample_plane(result.powder, result.solid_fraction, result.tools, plane,
+                                           request.averaging_width,
+                                           [&](const Eigen::Vector3d& point) { return size.at(point); })
+                         .field);
+    if (fields.back().first.empty()) throw std::invalid_argument("size-section: no powder is near the plane");
+    outlines.push_back(render::tool_outlines(result.tools, plane));
+  }
+  return draw_sizes(request, "size_section", std::move(fields), outlines);
+}
+
+}  // namespace diefill::app

@@ -1,0 +1,62 @@
+#include "process/run/powder_state.h"
+
+#include "engine/contact_stress.h"
+#include "process/run/material.h"
+
+namespace diefill::process {
+
+namespace {
+
+/// The kinds of `simulation` and the kind of every grain, where they are not all alike.
+void add_kinds(const Scene& scene, const engine::Simulation& simulation, results::PowderState& powder) {
+  const engine::KindTable& kinds = simulation.kinds();
+  if (kinds.alike()) return;
+  powder.kinds.diameter = grain_diameters(scene.powder);
+  for (std::size_t k = 0; k < kinds.size(); ++k) {
+    const engine::GrainShape& shape = kinds.shape(static_cast<engine::KindNumber>(k));
+    powder.kinds.sphere_radius.push_back(shape.sphere_radius);
+    powder.kinds.mass.push_back(shape.mass);
+    powder.kinds.solid_volume.push_back(shape.solid_volume);
+    powder.kinds.material.push_back(scene.powder.name);
+  }
+  powder.kind.assign(simulation.grains().kind.begin(), simulation.grains().kind.end());
+}
+
+}  // namespace
+
+results::PowderState powder_state(const Scene& scene, const engine::Simulation& simulation) {
+  const engine::Grains& grains = simulation.grains();
+  // Of the grain of mean mass where there are several kinds, which no grain need have.
+  const engine::GrainShape shape =
+      simulation.kinds().alike() ? simulation.settings().shape : engine_settings(scene, 1.0).shape;
+  results::PowderState powder;
+  powder.time = simulation.time();
+  powder.grain_diameter = scene.powder.grain_diameter;
+  powder.sphere_radius = shape.sphere_radius;
+  powder.grain_mass = shape.mass;
+  powder.grain_solid_volume = shape.solid_volume;
+  powder.sphere_offsets = shape.sphere_offsets;
+  for (std::size_t axis = 0; axis < 2; ++axis)
+    powder.period[axis] = simulation.settings().period[axis].value_or(0);
+  add_kinds(scene, simulation, powder);
+  powder.id = grains.id;
+  powder.position = grains.position;
+  powder.orientation = grains.orientation;
+  powder.velocity = grains.velocity;
+  for (std::size_t k = 0; k < grains.size(); ++k)
+    powder.angular_velocity.push_back(simulation.angular_velocity(k));
+  return powder;
+}
+
+results::ContactStress contact_stress(const engine::Simulation& simulation, const DieFrame& die) {
+  results::ContactStress stress;
+  for (const Eigen::Matrix3d& laboratory : engine::contact_stress_times_volume(simulation)) {
+    const Eigen::Matrix3d tensor = die.at_home() ? laboratory : die.tensor(laboratory);
+    const Eigen::Matrix3d even = 0.5 * (tensor + tensor.transpose());
+    stress.normal.emplace_back(even.diagonal());
+    stress.shear.emplace_back(even(1, 2), even(0, 2), even(0, 1));
+  }
+  return stress;
+}
+
+}  // namespace diefill::process

@@ -1,0 +1,17 @@
+// The powder of a running simulation as results describe it.
+#pragma once
+
+#include "engine/simulation.h"
+#include "process/results/fill_result.h"
+#include "process/run/die_frame.h"
+#include "process/scene/scene.h"
+
+namespace diefill::process {
+
+/// Grains with their kinds as they are now, laboratory frame.
+results::PowderState powder_state(const Scene& scene, const engine::Simulation& simulation);
+
+/// What contacts carry through every grain now, in the frame of `die`.
+results::ContactStress contact_stress(const engine::Simulation& simulation, const DieFrame& die);
+
+}  // namespace diefill::process

@@ -1,0 +1,100 @@
+// Faults in [powder.sizes], and what powder of several sizes cannot have.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "tests/process/wrong_scene.h"
+
+namespace diefill::process {
+
+inline std::vector<WrongScene> wrong_sizes() {
+  const std::string size = "grain_diameter = \"1.88 mm\"", walls = "[walls]",
+                    two = "[{ diameter = \"1.5 mm\", share = 0.3 }, { diameter = \"2.1 mm\", share = 0.7 }]",
+                    classes = "sizes = { distribution = \"classes\", classes = " + two + " }",
+                    marked = "sizes = { distribution = @\"classes\", classes = " + two + " }";
+  const auto spoilt = [&](const std::string& name, const std::string& table,
+                          std::vector<std::string> expected) {
+    return spoil("sizes_" + name, size, "sizes = " + table, std::move(expected));
+  };
+  // With a setting, and without the numbers that it chooses.
+  const auto without_numbers = [&] {
+    WrongScene scene = spoil("sizes_beside_setting", size, marked,
+                             {"powder.sizes.distribution", "`setting` chooses one grain size for all"});
+    scene.text = support::exchanged(scene.text, "seed = 1", "setting = \"quick\"");
+    scene.text = support::exchanged(scene.text, "spacing = 1.6\n", "");
+    scene.text = support::exchanged(scene.text, "fill_height = \"24 mm\"\n", "");
+    return scene;
+  };
+  // One more table or key elsewhere in a scene of several sizes; the message stands at the distribution.
+  const auto beside = [&](const std::string& name, const std::string& old, const std::string& text,
+                          std::vector<std::string> expected) {
+    WrongScene scene = spoil("sizes_beside_" + name, size, marked, std::move(expected));
+    scene.text = support::exchanged(scene.text, old, text);
+    return scene;
+  };
+  return {
+      spoil("sizes_and_diameter", size, "grain_diameter = @\"1.88 mm\"\n" + classes,
+            {"powder.grain_diameter", "found \"1.88 mm\"", "[powder.sizes] in line",
+             "leave one of the two out"}),
+      spoilt("without_distribution", "@{ classes = " + two + " }",
+             {"powder.sizes.distribution", "found nothing, this must be given", "\"classes\""}),
+      spoilt("of_unknown_distribution", "{ distribution = @\"normal\" }",
+             {"powder.sizes.distribution", "found \"normal\"", "\"classes\" or \"log-normal\""}),
+      spoilt("without_classes", "@{ distribution = \"classes\" }",
+             {"powder.sizes.classes", "found nothing", "diameter = \"1.5 mm\", share = 0.3"}),
+      spoilt("no_classes", "{ distribution = \"classes\", classes = @[] }",
+             {"powder.sizes.classes", "0 classes, 1 to 32 are allowed"}),
+      spoilt("class_without_share", "{ distribution = \"classes\", classes = [@{ diameter = \"1.5 mm\" }] }",
+             {"powder.sizes.classes.share", "found nothing", "0.3"}),
+      spoilt("class_of_no_share",
+             "{ distribution = \"classes\", classes = [{ diameter = \"1.5 mm\", share = @0 }] }",
+             {"powder.sizes.classes.share", "found 0", "more than 0"}),
+      spoilt("class_without_unit",
+             "{ distribution = \"classes\", classes = [{ diameter = @1.5, share = 1 }] }",
+             {"powder.sizes.classes.diameter", "found 1.5", "a length with its unit is needed"}),
+      spoilt("class_twice",
+             "{ distribution = \"classes\", classes = [{ diameter = \"2 mm\", share = 1 }, { diameter = @\"2 "
+             "mm\", share = 2 }] }",
+             {"powder.sizes.classes.diameter", "another class has this diameter"}),
+      spoilt("none_left", "{ distribution = \"classes\", smallest = @\"3 mm\", classes = " + two + " }",
+             {"powder.sizes.smallest", "none of the classes lies between smallest and largest"}),
+      spoilt("limits_crossed",
+             "{ distribution = \"log-normal\", median = \"2 mm\", log_deviation = 0.2, smallest = \"3 mm\", "
+             "largest = @\"1 mm\" }",
+             {"powder.sizes.largest", "it must be more than smallest, which is 3 mm"}),
+      spoilt("without_median", "@{ distribution = \"log-normal\", log_deviation = 0.2 }",
+             {"powder.sizes.median", "found nothing", "\"1.9 mm\""}),
+      spoilt("two_ways",
+             "{ distribution = \"log-normal\", mean = \"2 mm\", deviation = \"0.2 mm\", median = @\"2 mm\" }",
+             {"powder.sizes.median", "mean and deviation say the same in another way"}),
+      spoilt("mean_by_mass", "{ distribution = \"log-normal\", mean = @\"2 mm\", deviation = \"0.2 mm\" }",
+             {"powder.sizes.mean", "write basis = \"number\""}),
+      spoilt("too_many_classes",
+             "{ distribution = \"log-normal\", median = \"2 mm\", log_deviation = 0.2, number_of_classes = "
+             "@99 }",
+             {"powder.sizes.number_of_classes", "found 99", "2 to 32"}),
+      spoilt("too_wide", "{ distribution = @\"log-normal\", median = \"2 mm\", log_deviation = 1 }",
+             {"powder.sizes.distribution", "times as large as the smallest", "up to 10 times is allowed",
+              "give smallest and largest"}),
+      spoilt("misspelt",
+             "{ distribution = \"log-normal\", median = \"2 mm\", @log_deviaton = 0.2, log_deviation = 0.2 }",
+             {"powder.sizes.log_deviaton", "did you mean \"log_deviation\"?"}),
+      spoil(
+          "sizes_too_coarse", size,
+          "sizes = @{ distribution = \"classes\", classes = [{ diameter = \"40 mm\", share = 1 }, { diameter "
+          "= \"50 mm\", share = 1 }] }",
+          {"powder.sizes", "0.04704 mm to 9.408 mm is allowed", "coarse graining does not hold"}),
+      beside("mesh_walls", walls, walls + "\nkind = \"mesh\"",
+             {"powder.sizes.distribution", "tool \"die\" is a mesh wall", "leave one of the two out"}),
+      beside("mirror", "[numerics]", "[economy]\nmirror = \"y\"\n[numerics]",
+             {"powder.sizes.distribution", "economy.mirror"}),
+      beside("suction", "[numerics]", "[suction]\ntool = \"die\"\nparticle_diameter = \"0.1 mm\"\n[numerics]",
+             {"powder.sizes.distribution", "[suction]"}),
+      beside("rolling_friction", "preset = \"Distaloy AE\"", "preset = \"ASC100.29 initial B\"",
+             {"powder.sizes.distribution", "powder.rolling_friction", "law = \"CDT\""}),
+      without_numbers(),
+  };
+}
+
+}  // namespace diefill::process
