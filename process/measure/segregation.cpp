@@ -77,7 +77,7 @@ Bins across(const results::FillResult& result) {
 
 results::Profile profile_over(const results::FillResult& result, const std::vector<std::size_t>& grains,
                               const Bins& bins) {
-  results::Profile profile{"mean grain diameter over " + bins.x_name, "mm", bins.x_name, bins.x_unit, {}, {}};
+  results::Profile profile{"mean grain diameter", "mm", bins.x_name, bins.x_unit, {}, {}};
   std::vector<Sums> sums(bins.count);
   const auto& powder = result.powder;
   for (const std::size_t k : grains)

@@ -77,7 +77,7 @@ Json report(const FillResult& result) {
   for (const Profile& curve : result.profiles)
     if (curve.quantity == "fill level")
       json["fill_level"] = profile(curve);
-    else if (curve.quantity.starts_with("mean grain diameter"))
+    else if (curve.quantity == "mean grain diameter")
       json["size_profiles"].push_back(profile(curve));
   return json;
 }
