@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "engine/health.h"
 #include "engine/simulation.h"
 
 namespace diefill::engine {
@@ -84,8 +85,17 @@ void bed_with_far_wall_spheres(benchmark::State& state) {
   state.counters["wall_spheres"] = static_cast<double>(walls);
 }
 
+/// One look at the valid range; a run takes one in 200 steps. Over model_d_bed on one thread, times 200: its
+/// share.
+void health_check(benchmark::State& state) {
+  const Simulation simulation = fallen_bed(model_d(7.84e-5, 7.63e-8), 12, 12, 1);
+  Health health;
+  for (auto _ : state) health.check(simulation);
+}
+
 BENCHMARK(model_a_bed)->Arg(1)->Arg(2)->UseRealTime()->Unit(benchmark::kMillisecond);
 BENCHMARK(model_d_bed)->Arg(1)->Arg(2)->UseRealTime()->Unit(benchmark::kMillisecond);
+BENCHMARK(health_check)->Unit(benchmark::kMillisecond);
 BENCHMARK(bed_with_far_wall_spheres)->Arg(0)->Arg(290000)->Unit(benchmark::kMillisecond);
 
 }  // namespace
