@@ -9,6 +9,7 @@
 #include "process/run/fill_run.h"
 #include "process/run/material.h"
 #include "process/run/pour.h"
+#include "process/run/powder_state.h"
 #include "process/run/rest.h"
 
 namespace diefill::process::laboratory {
@@ -88,24 +89,6 @@ Tooling endless_ground(const Scene& scene) {
   return tooling;
 }
 
-results::PowderState powder_state(const engine::Simulation& simulation, double grain_diameter) {
-  const auto& shape = simulation.settings().shape;
-  results::PowderState powder;
-  powder.grain_diameter = grain_diameter;
-  powder.sphere_radius = shape.sphere_radius;
-  powder.grain_mass = shape.mass;
-  powder.grain_solid_volume = shape.solid_volume;
-  powder.sphere_offsets = shape.sphere_offsets;
-  for (std::size_t axis = 0; axis < 2; ++axis)
-    powder.period[axis] = simulation.settings().period[axis].value_or(0);
-  powder.id = simulation.grains().id;
-  powder.position = simulation.grains().position;
-  powder.orientation = simulation.grains().orientation;
-  powder.velocity = simulation.grains().velocity;
-  powder.angular_velocity.assign(powder.id.size(), Eigen::Vector3d::Zero());
-  return powder;
-}
-
 results::ToolState wall_state(const engine::WallBodySpec& body) {
   results::ToolState tool;
   tool.name = body.name;
@@ -154,7 +137,7 @@ void ground_figures(BedFigures& figures) {
 
 void fraction_figures(const BedSpec& spec, const engine::Simulation& simulation,
                       const std::vector<engine::WallBodySpec>& walls, BedFigures& figures) {
-  const auto powder = powder_state(simulation, spec.powder.grain_diameter);
+  const auto powder = powder_state(simulation, simulation.settings().shape, spec.powder.grain_diameter);
   std::vector<results::ToolState> tools;
   for (const auto& wall : walls) tools.push_back(wall_state(wall));
   const auto fraction = measure_solid_fraction(powder, tools, {});

@@ -20,7 +20,8 @@ constexpr double kSymmetryOverRadius = 0.2;  // as `diefill check` has it
 
 /// Pa: weight of the powder over the deepest place, as if no wall carried any of it.
 double weight_pressure(const Scene& scene, const Tooling& tooling, const engine::GrainShape& shape) {
-  const double depth = scene.pour.fill_height + (tooling.cavity.found ? tooling.cavity.box.size()[2] : 0);
+  const double depth =
+      scene.pour.fill_height + (tooling.cavity.found ? tooling.all_cavities().box.size()[2] : 0);
   return shape.mass / shape.solid_volume * expected_solid_fraction(scene) * scene.gravity.norm() * depth;
 }
 

@@ -28,16 +28,20 @@ std::string millimetres(double length) {
   return text;
 }
 
-/// Inside the cavity, or where a third tool fills the space between two.
+bool lies_in(const geometry::Cavity& cavity, const Scene& scene, const Eigen::Vector3d& place) {
+  return cavity.found && cavity.box.contains(place) && place.z() > cavity.box.lower.z() + kNothing &&
+         place.z() < scene.measure.fill_plane - kNothing;
+}
+
+/// Inside a cavity, or where a third tool fills the space between two.
 bool elsewhere(const Scene& scene, const Tooling& tooling, const Tool& one, const Tool& other,
                const Eigen::Vector3d& place) {
   for (const Tool& third : tooling.tools)
     if (&third != &one && &third != &other && third.mesh.bounding_box().contains(place) &&
         third.solid().inside(place))
       return true;
-  return tooling.cavity.found && tooling.cavity.box.contains(place) &&
-         place.z() > tooling.cavity.box.lower.z() + kNothing &&
-         place.z() < scene.measure.fill_plane - kNothing;
+  const auto within = [&](const geometry::Cavity& cavity) { return lies_in(cavity, scene, place); };
+  return within(tooling.cavity) || std::ranges::any_of(tooling.other_cavities, within);
 }
 
 geometry::Gap gap_between(const Scene& scene, const Tooling& tooling, const Tool& one, const Tool& other) {

@@ -39,7 +39,7 @@ double expected_impact_speed(const Scene& scene, double fall_height) {
 }
 
 double foreseen_impact_speed(const Scene& scene, const Tooling& tooling) {
-  const double cavity_depth = tooling.cavity.found ? tooling.cavity.box.size()[2] : 0;
+  const double cavity_depth = tooling.cavity.found ? tooling.all_cavities().box.size()[2] : 0;
   const double height = pour_height(scene, engine_settings(scene, 1.0));
   const double fall = std::max(height - scene.pour.fill_height, cavity_depth);
   return std::max(expected_impact_speed(scene, fall), fastest_tool(scene, tooling));

@@ -24,27 +24,33 @@ void add_kinds(const Scene& scene, const engine::Simulation& simulation, results
 
 }  // namespace
 
-results::PowderState powder_state(const Scene& scene, const engine::Simulation& simulation) {
+results::PowderState powder_state(const engine::Simulation& simulation, const engine::GrainShape& shape,
+                                  double grain_diameter) {
   const engine::Grains& grains = simulation.grains();
-  // Of the grain of mean mass where there are several kinds, which no grain need have.
-  const engine::GrainShape shape =
-      simulation.kinds().alike() ? simulation.settings().shape : engine_settings(scene, 1.0).shape;
   results::PowderState powder;
   powder.time = simulation.time();
-  powder.grain_diameter = scene.powder.grain_diameter;
+  powder.grain_diameter = grain_diameter;
   powder.sphere_radius = shape.sphere_radius;
   powder.grain_mass = shape.mass;
   powder.grain_solid_volume = shape.solid_volume;
   powder.sphere_offsets = shape.sphere_offsets;
   for (std::size_t axis = 0; axis < 2; ++axis)
     powder.period[axis] = simulation.settings().period[axis].value_or(0);
-  add_kinds(scene, simulation, powder);
   powder.id = grains.id;
   powder.position = grains.position;
   powder.orientation = grains.orientation;
   powder.velocity = grains.velocity;
   for (std::size_t k = 0; k < grains.size(); ++k)
     powder.angular_velocity.push_back(simulation.angular_velocity(k));
+  return powder;
+}
+
+results::PowderState powder_state(const Scene& scene, const engine::Simulation& simulation) {
+  // Of the grain of mean mass where there are several kinds, which no grain need have.
+  const engine::GrainShape shape =
+      simulation.kinds().alike() ? simulation.settings().shape : engine_settings(scene, 1.0).shape;
+  results::PowderState powder = powder_state(simulation, shape, scene.powder.grain_diameter);
+  add_kinds(scene, simulation, powder);
   return powder;
 }
 

@@ -38,6 +38,10 @@ std::optional<engine::AirDraught> draught_of(const Scene& scene, const Tooling& 
     throw SceneError(
         scene.file.string() +
         ": [suction]: the tools enclose no cavity that air could be drawn into; leave the table out");
+  if (!tooling.other_cavities.empty())
+    throw SceneError(scene.file.string() + ": [suction]: the tools enclose " +
+                     std::to_string(tooling.other_cavities.size() + 1) +
+                     " cavities, and air is drawn into one only; leave the table out");
   const double fraction =
       suction.solid_fraction > 0 ? suction.solid_fraction : expected_solid_fraction(scene);
   engine::AirDraught draught;

@@ -46,8 +46,9 @@ void prepare_steps(const Scene& scene, const Tooling& tooling, bool need_cavity)
     MachineContext context;
     context.gravity = scene.gravity;
     if (tooling.cavity.found) {
-      context.cavity_lower = tooling.cavity.box.lower;
-      context.cavity_upper = tooling.cavity.box.upper;
+      const geometry::Box all = tooling.all_cavities().box;
+      context.cavity_lower = all.lower;
+      context.cavity_upper = all.upper;
     }
     if (need_cavity) {
       const geometry::Box box = box_before(scene, tooling, k);
@@ -251,6 +252,7 @@ geometry::Cavity Tooling::all_cavities() const {
   geometry::Cavity together = cavity;
   for (const auto& other : other_cavities) {
     together.volume += other.volume;
+    together.box.include(other.box);
     if (other.narrowest_width >= together.narrowest_width) continue;
     together.narrowest_width = other.narrowest_width;
     together.narrowest_place = other.narrowest_place;

@@ -49,7 +49,8 @@ struct Tooling {
   std::optional<int> mirror;  ///< axis at right angles to the mirror plane of a half model
 
   std::size_t wall_spheres() const;
-  /// All cavities as one, for planning: the largest with the volume of all and the narrowest place of any.
+  /// All cavities as one, for motions and planning: the largest with the box and the volume of all and the
+  /// narrowest place of any.
   geometry::Cavity all_cavities() const;
   /// What was done to the tools' CAD, a line for each repair, and which files were taken as a whole.
   std::vector<std::string> remarks() const;

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "process/run/tooling.h"
+
 namespace diefill::process {
 namespace {
 
@@ -46,6 +48,19 @@ TEST(OtherCavities, TellWhatTheyHold) {
   // Figures of the cavity that maps are of stay as they are.
   EXPECT_EQ(std::count(result.solid_fraction.in_cavity.begin(), result.solid_fraction.in_cavity.end(), 1),
             12);
+}
+
+TEST(OtherCavities, CountInWhatMotionsAndPlansTakeForTheCavity) {
+  Tooling tooling;
+  tooling.cavity = box_cavity(0);
+  tooling.cavity.narrowest_width = 6e-3;
+  tooling.other_cavities = {box_cavity(0.02)};
+  tooling.other_cavities[0].narrowest_width = 4e-3;
+  const geometry::Cavity all = tooling.all_cavities();
+  EXPECT_EQ(all.volume, 2e-6);
+  EXPECT_EQ(all.narrowest_width, 4e-3);
+  EXPECT_EQ(all.box.lower.x(), 0);
+  EXPECT_EQ(all.box.upper.x(), 0.03);
 }
 
 TEST(OtherCavities, OneCavityIsNotWorthAWord) {
