@@ -31,9 +31,6 @@ constexpr std::uint64_t kScheduleEvery = 20, kSpillEvery = 100, kFeedEvery = 100
 constexpr double kFarAway = 1e3;  // m
 constexpr double kLongFall =
     0.5;  // m below the tools, where spilled grains are computed no longer in any case
-/// Overlap over the sphere radius beyond which a grain between moving tools is sheared off: past all that
-/// free powder reaches, and short of engine::HealthLimits.
-constexpr double kShearingOverlap = 0.45;
 /// Of all grains poured, but a few always: if more are sheared off, the run says nothing about the real
 /// powder.
 constexpr double kMostSheared = 0.005, kFewSheared = 3;

@@ -81,10 +81,17 @@ engine::GrainShape shape_of(GrainModel model, double radius, double mass) {
 /// Of the time step at which a pinched sphere becomes unstable.
 constexpr double kPinchFraction = 0.8;
 
-/// s: of a grain of these settings, its centre at the tool's surface.
-double pinch_step(const engine::SimulationSettings& settings, double wall_radius, double wall_spacing) {
-  constexpr double kDeepest = 1.0;  // over the sphere radius
-  const double overlap = kDeepest * settings.shape.sphere_radius;
+/// Over the sphere radius: how deep a grain is wedged before it is taken out, with what it is pressed further
+/// until that is seen, or before the run stops (engine::HealthLimits).
+double deepest_wedging(const Scene& scene) {
+  constexpr double kUntilSeen = 0.05;
+  return scene.numerics.pinched_grains == PinchedGrains::shear_off ? kShearingOverlap + kUntilSeen : 1.0;
+}
+
+/// s: of a grain of these settings, wedged by `depth` over the sphere radius.
+double pinch_step(const engine::SimulationSettings& settings, double depth, double wall_radius,
+                  double wall_spacing) {
+  const double overlap = depth * settings.shape.sphere_radius;
   if (settings.general_contact)
     return engine::pinch_time_step(as_simulated(settings), *settings.general_contact, wall_radius,
                                    wall_spacing, overlap);
@@ -115,10 +122,11 @@ double shortest_pinch_step(const Scene& scene, const engine::SimulationSettings&
   const auto moves = [](const std::shared_ptr<Step>& step) { return !step->tools().empty(); };
   if (std::none_of(scene.steps.begin(), scene.steps.end(), moves)) return shortest;
   const auto kinds = kinds_alone(settings);
+  const double depth = deepest_wedging(scene);
   for (const ToolSpec& tool : scene.tools) {
     const double radius = tool.sphere_radius.value_or(scene.walls.sphere_radius);
     const double spacing = tool.spacing.value_or(scene.walls.spacing) * radius;
-    for (const auto& kind : kinds) shortest = std::min(shortest, pinch_step(kind, radius, spacing));
+    for (const auto& kind : kinds) shortest = std::min(shortest, pinch_step(kind, depth, radius, spacing));
   }
   return shortest;
 }

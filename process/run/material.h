@@ -7,6 +7,11 @@
 
 namespace diefill::process {
 
+/// Overlap over the sphere radius beyond which a grain between moving tools is sheared off
+/// (NumericsSpec::pinched_grains): past all that free powder reaches, and short of engine::HealthLimits. Time
+/// steps are chosen to be stable up to there.
+inline constexpr double kShearingOverlap = 0.45;
+
 /// Engine settings of a scene without walls and threads: grain shape at the wanted size, contact parameters
 /// after coarse graining, options, and the time step. Where grains are of several sizes, `shape` is that of
 /// the grain of mean mass, and `mix` has the kinds (mixed_powder.h). `impact_speed` (m/s) is the fastest

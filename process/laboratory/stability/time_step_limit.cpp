@@ -21,6 +21,8 @@ constexpr double kAllowedGrowth = 0.01;  // of the kinetic energy at the start
 constexpr double kSpeed = 0.5;           // m/s, rms per component (Hu 2024, section 4.4, assumed)
 constexpr double kDuration = 200;        // collision times
 constexpr double kFloor = 1e-5;          // growths below are drawn here: round-off and chance
+constexpr double kShortest = 0.03;  // steps tried in a gas, over a collision's duration: far below the limit
+constexpr double kLongest = 0.5;
 
 struct GasCase {
   std::string name;
@@ -87,14 +89,14 @@ void find_in_gas(const ExperimentOptions& options, results::ExperimentResult& re
     const double collision = collision_time(each.shape, each.contact, 1.0);
     const double duration = (options.quick ? 1 : 5) * kDuration * collision;
     ExperimentSeries curve{.name = each.name, .x = {}, .y = {}};
-    for (const double over : logarithmic_range(0.01, 0.5, options.quick ? 8 : 16)) {
+    for (const double over : logarithmic_range(kShortest, kLongest, options.quick ? 8 : 16)) {
       curve.x.push_back(over);
       curve.y.push_back(std::clamp(energy_growth(gas, over * collision, duration), kFloor, 1.0));
     }
     chart.series.push_back(curve);
-    const double limit = largest_that_holds(0.01 * collision, 0.5 * collision, 0.03, [&](double time_step) {
-      return energy_growth(gas, time_step, duration) < kAllowedGrowth;
-    });
+    const double limit = largest_that_holds(
+        kShortest * collision, kLongest * collision, 0.03,
+        [&](double time_step) { return energy_growth(gas, time_step, duration) < kAllowedGrowth; });
     const double critical = engine::critical_time_step(each.shape, each.contact, 1.0);
     result.limits.push_back({"gas of " + each.name + ": step at 1 % energy gained", limit, critical, "s",
                              "engine/time_step.h, critical step at 1 m/s"});
