@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "engine/pinching_contacts.h"
+#include "engine/stable_step.h"
 #include "engine/time_step.h"
 
 namespace diefill::engine {
@@ -182,10 +183,9 @@ double pinch_time_step(const GrainShape& shape, const GeneralContact& contact, d
                        double wall_spacing, double overlap) {
   const Probe probe(contact.walls, contact.scaling, wall_pair(shape, wall_radius));
   const double contacts = pinching_contacts(shape.sphere_radius, wall_radius, wall_spacing, overlap);
-  Springs springs = probe.springs(overlap);
   // Coulomb's limit holds the others, as a pinched sphere slides.
-  springs.tangential = springs.rolling = springs.sliding_damping = 0;
-  return limit_of(springs, shape, shape.mass, shape.inertia.minCoeff(), contacts);
+  const Springs springs = probe.springs(overlap);
+  return stable_step(shape.mass / mobility(shape), contacts * springs.normal, contacts * springs.damping);
 }
 
 }  // namespace diefill::engine

@@ -20,11 +20,6 @@ constexpr std::size_t kSpheresPerSleepingBlock = 128;
 /// would.
 constexpr double kSmallestOfLevel = 0.5;
 
-/// m, radius of the spheres of a grain or image.
-double radius_of(const NeighbourSettings& settings, const SphereField& spheres, std::size_t grain) {
-  return settings.sphere_radii[spheres.kind.empty() ? 0 : spheres.kind[grain]];
-}
-
 }  // namespace
 
 NeighbourList::NeighbourList(const NeighbourSettings& settings, std::vector<std::uint32_t> body_first)
@@ -188,38 +183,6 @@ void NeighbourList::find_grain_pairs(Block& block, const SphereField& spheres, c
     else
       block.grain_pairs.add(named, history.find(other, pair.own), opposite);
   }
-}
-
-void NeighbourList::find_wall_pairs(Block& block, const SphereField& spheres,
-                                    const std::vector<WallBody>& bodies, const ListReference& reference,
-                                    const ContactHistory& history) const {
-  const auto per_grain = static_cast<std::uint32_t>(spheres.spheres_per_grain);
-  struct Found {
-    std::uint32_t own, part;
-  };
-  thread_local std::vector<Found> pairs;
-  thread_local std::vector<std::uint32_t> found;
-  pairs.clear();
-  block.wall_first.assign(1, 0);
-  for (std::uint32_t b = 0; b < bodies.size(); ++b) {
-    const BodyMotion& pose = reference.bodies[b];
-    for (std::uint32_t i = block.begin * per_grain; i < block.end * per_grain; ++i) {
-      const double reach = radius_of(settings_, spheres, i / per_grain) + bodies[b].sphere_radius() +
-                           reference.body_allowance[b];
-      found.clear();
-      bodies[b].find(pose.rotation.transpose() * (eigen(spheres.position[i]) - pose.translation),
-                     reach + reference.allowance(i / per_grain), found);
-      for (const std::uint32_t part : found) pairs.push_back({i, part});
-    }
-    block.wall_first.push_back(static_cast<std::uint32_t>(pairs.size()));
-  }
-  block.wall_pairs.start(pairs.size(), settings_.wall_memory);
-  for (std::uint32_t b = 0; b < bodies.size(); ++b)
-    for (std::uint32_t k = block.wall_first[b]; k < block.wall_first[b + 1]; ++k) {
-      const auto own = static_cast<LocalSphere>(pairs[k].own - block.begin * per_grain);
-      block.wall_pairs.add({pairs[k].part, own}, history.find(pairs[k].own, body_first_[b] + pairs[k].part),
-                           nullptr);
-    }
 }
 
 void NeighbourList::index_foreign_sums() {

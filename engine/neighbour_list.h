@@ -21,6 +21,11 @@ struct NeighbourSettings {
   std::size_t wall_memory = 0;            ///< numbers that touching pairs with walls remember
 };
 
+/// m, radius of the spheres of a grain or image.
+inline double radius_of(const NeighbourSettings& settings, const SphereField& spheres, std::size_t grain) {
+  return settings.sphere_radii[spheres.kind.empty() ? 0 : spheres.kind[grain]];
+}
+
 /// The powder and the bodies as they stood when the list was made: all that is needed to tell when it is too
 /// old, and to make it again.
 struct ListReference {
@@ -81,6 +86,8 @@ class NeighbourList {
                         const ContactHistory& history) const;
   void find_wall_pairs(Block& block, const SphereField& spheres, const std::vector<WallBody>& bodies,
                        const ListReference& reference, const ContactHistory& history) const;
+  void fill_wall_table(Block& block, const std::vector<std::uint32_t>& parts,
+                       const ContactHistory& history) const;
   void number_spheres(Block& block, const SphereField& spheres) const;
   void index_foreign_sums();
 

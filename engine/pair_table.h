@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "engine/grains.h"
+#include "engine/vector3.h"
 
 namespace diefill::engine {
 
@@ -23,6 +24,15 @@ struct GrainPair {
 /// A near pair with a wall: the grain's sphere, and the number of the wall's sphere (or plane) in its body.
 struct WallPair {
   std::uint32_t wall;
+  LocalSphere own;
+};
+
+/// The near pairs of one sphere with the wall spheres of one body, nearest first. A pair cannot touch before
+/// the sphere has moved, in the body's frame, by what parted the two when the list was made: as a rule all
+/// but the first few of a run need no look.
+struct WallRun {
+  Vector3 place;        ///< m, of the sphere's centre in the body's frame when the list was made
+  std::uint32_t first;  ///< pair
   LocalSphere own;
 };
 
@@ -75,11 +85,15 @@ struct Block {
   Eigen::Vector3d reference =
       Eigen::Vector3d::Zero();  ///< m, point that moments of composed grains are about
   PairTable<GrainPair> grain_pairs;
-  PairTable<WallPair> wall_pairs;         ///< body after body
-  std::vector<std::uint32_t> wall_first;  ///< first wall pair of each body, and the number of all
-  std::vector<std::uint32_t> partners;    ///< spheres outside the block (of grains or images), rising
-  std::vector<std::uint16_t> slot;        ///< sum that forces on a local sphere are added to
-  std::vector<std::uint16_t> kind;        ///< of a local sphere's grain; empty where all are alike
+  PairTable<WallPair> wall_pairs;             ///< body after body, sphere after sphere
+  std::vector<std::uint32_t> wall_first;      ///< first wall pair of each body, and the number of all
+  std::vector<WallRun> wall_runs;             ///< body after body; one more stands for the end
+  std::vector<std::uint32_t> wall_run_first;  ///< first run of each body, and the number of all
+  std::vector<float> wall_distance;     ///< m, of a wall pair's centres when the list was made, rounded down;
+                                        ///< 0 where it is not known (planes, triangles)
+  std::vector<std::uint32_t> partners;  ///< spheres outside the block (of grains or images), rising
+  std::vector<std::uint16_t> slot;      ///< sum that forces on a local sphere are added to
+  std::vector<std::uint16_t> kind;      ///< of a local sphere's grain; empty where all are alike
   std::vector<ForeignGrain> foreign;
   std::vector<ContactSum> sums;
 

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "engine/pinching_contacts.h"
+#include "engine/stable_step.h"
 
 namespace diefill::engine {
 
@@ -42,9 +43,7 @@ double pinch_time_step(const GrainShape& shape, const ContactParameters& contact
   const double contacts = pinching_contacts(radius, wall_radius, wall_spacing, overlap);
   const double mass = shape.mass / mobility(shape);
   const double root = std::sqrt(effective_radius(radius, wall_radius) * overlap);
-  const double oscillator = 2 * std::sqrt(mass / (contacts * contact.reduced_modulus * root));
-  if (contact.damping == 0) return oscillator;
-  return std::min(oscillator, 2 * mass / (contacts * contact.damping * root));
+  return stable_step(mass, contacts * contact.reduced_modulus * root, contacts * contact.damping * root);
 }
 
 }  // namespace diefill::engine

@@ -33,8 +33,8 @@ double critical_time_step(const GrainShape& shape, const ContactParameters& cont
 /// Critical time step (s) of a sphere pinched between two tools, as under the edge of a shoe: at `overlap`
 /// (m) it meets several wall spheres of radius `wall_radius` and distance `wall_spacing` (m) on either side
 /// at once, about pi 2 h (R + R_w) / s^2 (spheres whose overlap with a plane of them is positive) with half
-/// the overlap on average, and their stiffness and damping add up. Coarse grains on fine wall spheres have
-/// less room than the laws of one contact say.
+/// the overlap on average, and their stiffness and damping add up (stable_step()). Coarse grains on fine wall
+/// spheres have less room than the laws of one contact say.
 double pinch_time_step(const GrainShape& shape, const ContactParameters& contact, double wall_radius,
                        double wall_spacing, double overlap);
 

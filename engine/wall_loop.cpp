@@ -100,19 +100,26 @@ class WallLoop final : public PairLoop {
             scene.spheres,          radii_[0]};
   }
 
-  /// Centre of the grain's sphere (m) seen from the wall's, in the body's frame. From a plane or triangle,
-  /// its nearest point stands for the wall sphere.
-  static Vector3 separation_in_body(const WallPair& pair, std::size_t body, const ContactScene& scene) {
+  /// m, body frame.
+  static Eigen::Vector3d place_in_body(LocalSphere own, std::size_t body, const ContactScene& scene) {
     const BodyMotion& pose = scene.body_motion[body];
-    const Eigen::Vector3d place =
-        pose.rotation.transpose() * (eigen(scene.spheres.position(pair.own)) - pose.translation);
-    const WallBody& wall = scene.bodies[body];
-    if (wall.meshed()) return plain(separation_from_triangle(wall, pair.wall, place, scene.sphere_radius));
-    if (!wall.flat()) return plain(place - wall.centres()[pair.wall]);
-    const WallPlane& plane = wall.planes()[pair.wall];
+    return pose.rotation.transpose() * (eigen(scene.spheres.position(own)) - pose.translation);
+  }
+
+  /// Centre of a grain's sphere at `place` (m) seen from a wall sphere, in the body's frame. From a plane or
+  /// triangle, its nearest point stands for the wall sphere.
+  static Vector3 separation_from_part(const WallBody& wall, std::uint32_t part, const Eigen::Vector3d& place,
+                                      const ContactScene& scene) {
+    if (!wall.flat() && !wall.meshed()) return plain(place - wall.centres()[part]);
+    if (wall.meshed()) return plain(separation_from_triangle(wall, part, place, scene.sphere_radius));
+    const WallPlane& plane = wall.planes()[part];
     // A centre on the plane still has a side to be pushed to.
     const double height = std::max(plane.normal.dot(place - plane.point), 1e-9 * scene.sphere_radius);
     return plain(height * plane.normal);
+  }
+
+  static Vector3 separation_in_body(const WallPair& pair, std::size_t body, const ContactScene& scene) {
+    return separation_from_part(scene.bodies[body], pair.wall, place_in_body(pair.own, body, scene), scene);
   }
 
   void find_touching(Block& block, std::size_t body, const ContactScene& scene,
@@ -125,15 +132,28 @@ class WallLoop final : public PairLoop {
       tally.overlap.walls_over_radius = std::max(tally.overlap.walls_over_radius, deepest / radii_[0]);
       return note_mesh_touches(block.wall_pairs, near, touching);
     }
-    for (std::uint32_t p = block.wall_first[body]; p < block.wall_first[body + 1]; ++p) {
-      const WallPair pair = block.wall_pairs.pair[p];
-      const std::uint32_t kind = kind_of(block, pair);
-      const double limit = reach(scene, body, kind);
-      const Vector3 between = separation_in_body(pair, body, scene);
+    for (std::uint32_t r = block.wall_run_first[body]; r < block.wall_run_first[body + 1]; ++r)
+      find_touching_of_sphere(block, block.wall_runs[r], block.wall_runs[r + 1].first, body, scene, touching);
+  }
+
+  /// The touching pairs of one run, which ends before pair `end`.
+  void find_touching_of_sphere(Block& block, const WallRun& run, std::uint32_t end, std::size_t body,
+                               const ContactScene& scene, std::vector<WallTouch>& touching) const {
+    // Rounding must not make a pair seem farther than it is.
+    constexpr double kRounding = 1 + 1e-6;
+    const WallBody& wall = scene.bodies[body];
+    const Eigen::Vector3d place = place_in_body(run.own, body, scene);
+    const std::uint32_t kind = kKinds ? block.kind[run.own] : 0;
+    const double limit = reach(scene, body, kind);
+    const double within = kRounding * (limit + length(plain(place) - run.place));
+    std::uint32_t p = run.first;
+    for (; p < end && block.wall_distance[p] < within; ++p) {
+      const Vector3 between = separation_from_part(wall, block.wall_pairs.pair[p].wall, place, scene);
       const bool touches = dot(between, between) < limit * limit;
       note_touching(block.wall_pairs, p, touches);
       if (touches) touching.push_back({p, kind, between});
     }
+    std::fill(block.wall_pairs.touching.data() + p, block.wall_pairs.touching.data() + end, std::uint8_t{0});
   }
 
   void add_body(Block& block, std::size_t body, const ContactScene& scene, BlockTally& tally) const {

@@ -220,8 +220,11 @@ TEST(Sleeping, ComposedGrainsSleepToo) {
   settings.gravity = {0, 0, -9.81};
   settings.sleep = SleepSettings{};
   const double size = 2 * half_size(settings.shape);
-  settings.period = {5 * size, 5 * size};
-  Simulation simulation(settings, {plate(4 * size, 1.5e-4)});
+  // The plate's spheres repeat with the period: a grain that crosses it must find the same wall again.
+  constexpr double kWallRadius = 1.5e-4, kSpacing = 1.6 * kWallRadius;
+  const double period = std::ceil(5 * size / kSpacing) * kSpacing;
+  settings.period = {period, period};
+  Simulation simulation(settings, {plate(4 * size, kWallRadius)});
   simulation.add_grains(converging_cloud({4, 4, 4}, 1.1 * size, 0.05, 4, {0, 0, 2.6 * size}));
   run_steps(simulation, 40000);
   EXPECT_GT(simulation.sleepers(), simulation.grains().size() / 2);

@@ -1,6 +1,8 @@
 #!/bin/sh
-# Builds the coverage-guided fuzzer of the importers with clang's libFuzzer and the address sanitizer (README.md):
-#   sh tests/fuzz/build_guided.sh OUT BUILD
+# Builds the coverage-guided fuzzer of the importers with clang's libFuzzer (README.md):
+#   sh tests/fuzz/build_guided.sh OUT BUILD [children]
+# Readers run inside the fuzzer's process, under the address sanitizer, or with `children` in processes of their own
+# under their limits, as in the program.
 # BUILD has been built with CMake: what only CGAL's headers make slow to compile is taken from there as it is.
 # Coverage is that of diefill's own files, and of assimp where ASSIMP names an archive of it that was built for it.
 set -eu
@@ -10,16 +12,23 @@ out=$(cd "$1" && pwd)
 build=$(cd "$2" && pwd)
 flags="-std=c++20 -O1 -gline-tables-only -I$source -isystem /usr/include/eigen3 -isystem /usr/include/opencascade
 -isystem /usr/include/lib3mf -DDIEFILL_SOURCE_DIR=\"$source\""
+sanitizers=,address
+reading=tests/fuzz/read_in_process.cpp
+if [ "${3:-}" = children ]; then
+  # Limits on memory and the sanitizer's shadow memory do not go together.
+  sanitizers=
+  reading=
+fi
 cd "$source"
 for file in cad_file cad_parts equal_vertices half_edges mesh mesh_check mesh_findings mesh_import point_grid read_3mf \
   read_curved_faces read_triangles topology triangle triangle_tree winding; do
   # shellcheck disable=SC2086
   [ "$out/objects/$file.o" -nt "geometry/$file.cpp" ] ||
-    clang++ $flags -fsanitize=fuzzer-no-link,address -c "geometry/$file.cpp" -o "$out/objects/$file.o"
+    clang++ $flags "-fsanitize=fuzzer-no-link$sanitizers" -c "geometry/$file.cpp" -o "$out/objects/$file.o"
 done
 # shellcheck disable=SC2086
-clang++ $flags -fsanitize=fuzzer,address tests/fuzz/guided_fuzz.cpp tests/fuzz/fuzz_input.cpp \
-  tests/fuzz/read_in_process.cpp tests/geometry/mesh_files.cpp tests/geometry/sample_meshes.cpp \
+clang++ $flags "-fsanitize=fuzzer$sanitizers" tests/fuzz/guided_fuzz.cpp tests/fuzz/fuzz_input.cpp \
+  tests/fuzz/shared_coverage.cpp $reading tests/geometry/mesh_files.cpp tests/geometry/sample_meshes.cpp \
   tests/geometry/broken_files.cpp "$out"/objects/*.o "$build/geometry/libdiefill_geometry.a" -o "$out/import_fuzz" \
   ${ASSIMP:--lassimp} -lgmp -lmpfr -ltbb -l3MF -lTKXDESTEP -lTKXDEIGES -lTKXCAF -lTKSTEP -lTKIGES -lTKXSBase -lTKLCAF \
   -lTKCDF -lTKMesh -lTKTopAlgo -lTKBRep -lTKG3d -lTKMath -lTKernel

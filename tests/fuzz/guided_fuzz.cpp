@@ -5,6 +5,7 @@
 #include <fstream>
 
 #include "tests/fuzz/fuzz_input.h"
+#include "tests/fuzz/shared_coverage.h"
 #include "tests/support/temporary_folder.h"
 
 namespace {
@@ -20,6 +21,7 @@ bool is_left_out(const std::string& ending) {
 /// Puts the seeds into the corpus: the folder named last.
 extern "C" int LLVMFuzzerInitialize(int* count, char*** arguments) {
   using namespace diefill::geometry::fuzz;
+  share_coverage_with_children();
   const std::filesystem::path corpus = (*arguments)[*count - 1];
   if (*count < 2 || !std::filesystem::is_directory(corpus)) return 0;
   std::size_t number = 0;
