@@ -25,14 +25,17 @@ bool alike(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
 /// The triangles that one sphere overlaps, and which of them it touches in their own right.
 class SphereOnMesh {
  public:
-  void look(const WallBody& body, const Eigen::Vector3d& place, double radius,
-            std::span<const WallPair> near) {
+  /// `distance`: of the pairs when the list was made (Block::wall_distance), of which only those below
+  /// `within` (m) can be overlapped.
+  void look(const WallBody& body, const Eigen::Vector3d& place, double radius, std::span<const WallPair> near,
+            const float* distance, double within) {
     body_ = &body;
     place_ = place;
     tolerance_ = kSamePlace * radius;
     radius_ = radius;
     feet_.clear();
     for (std::uint32_t k = 0; k < near.size(); ++k) {
+      if (!(distance[k] < within)) continue;
       const std::uint32_t part = near[k].wall;
       const NearestPoint nearest = nearest_point(body.triangles()[part], place);
       const Eigen::Vector3d way = place - nearest.point;
@@ -131,7 +134,7 @@ std::uint32_t forerunner(const PairTable<WallPair>& table, const MeshPairs& near
   std::uint32_t best = end;
   double nearest = 0;
   for (std::uint32_t q = begin; q < end; ++q) {
-    if (!table.touching[q] || touches_now[q - near.begin]) continue;
+    if (!table.touching[q] || touches_now[q - near.begin()]) continue;
     const Eigen::Vector3d earlier =
         separation_from_triangle(near.body, table.pair[q].wall, place, near.radius);
     const double apart = (earlier - way).squaredNorm();
@@ -155,16 +158,17 @@ Eigen::Vector3d separation_from_triangle(const WallBody& body, std::uint32_t par
   return nearest.inside ? Eigen::Vector3d(height * normal) : Eigen::Vector3d(place - nearest.point);
 }
 
-double find_mesh_touches(const PairTable<WallPair>& table, const MeshPairs& near,
-                         std::vector<WallTouch>& touches) {
+double find_mesh_touches(const MeshPairs& near, std::vector<WallTouch>& touches) {
   thread_local SphereOnMesh sphere;
+  const Block& block = near.block;
   double deepest = 0;
-  for (std::uint32_t p = near.begin; p < near.end;) {
-    const std::uint32_t end = end_of_run(table, p, near.end);
-    sphere.look(near.body, near.place_of(table.pair[p].own), near.radius,
-                std::span(table.pair).subspan(p, end - p));
-    deepest = std::max(deepest, sphere.touch(p, touches));
-    p = end;
+  for (std::uint32_t r = block.wall_run_first[near.number]; r < block.wall_run_first[near.number + 1]; ++r) {
+    const WallRun& run = block.wall_runs[r];
+    const std::uint32_t first = run.first, count = block.wall_runs[r + 1].first - first;
+    const Eigen::Vector3d place = near.place_of(run.own);
+    sphere.look(near.body, place, near.radius, std::span(block.wall_pairs.pair).subspan(first, count),
+                block.wall_distance.data() + first, run.within(plain(place), near.radius));
+    deepest = std::max(deepest, sphere.touch(first, touches));
   }
   return deepest;
 }
@@ -172,20 +176,20 @@ double find_mesh_touches(const PairTable<WallPair>& table, const MeshPairs& near
 void note_mesh_touches(PairTable<WallPair>& table, const MeshPairs& near,
                        const std::vector<WallTouch>& touches) {
   thread_local std::vector<std::uint8_t> now;
-  now.assign(near.end - near.begin, 0);
-  for (const auto& touch : touches) now[touch.pair - near.begin] = 1;
+  now.assign(near.end() - near.begin(), 0);
+  for (const auto& touch : touches) now[touch.pair - near.begin()] = 1;
   for (const auto& touch : touches) {
     if (table.touching[touch.pair]) continue;
     std::uint32_t begin = touch.pair;
-    while (begin > near.begin && table.pair[begin - 1].own == table.pair[touch.pair].own) --begin;
-    const std::uint32_t end = end_of_run(table, begin, near.end);
+    while (begin > near.begin() && table.pair[begin - 1].own == table.pair[touch.pair].own) --begin;
+    const std::uint32_t end = end_of_run(table, begin, near.end());
     const std::uint32_t before = forerunner(table, near, begin, end, now, touch);
     std::fill_n(table.memory_of(touch.pair), table.width, 0.0);
     if (before == end) continue;
     std::copy_n(table.memory_of(before), table.width, table.memory_of(touch.pair));
     table.touching[before] = 0;
   }
-  std::copy(now.begin(), now.end(), table.touching.begin() + near.begin);
+  std::copy(now.begin(), now.end(), table.touching.begin() + near.begin());
 }
 
 }  // namespace diefill::engine

@@ -25,30 +25,33 @@ struct WallTouch {
   Vector3 separation;        ///< m, grain sphere from wall sphere, plane or triangle
 };
 
-/// Near pairs [begin, end) of one body of triangles in a block's table, and where all is.
+/// A block's near pairs with one body of triangles, and where all is.
 struct MeshPairs {
-  std::uint32_t begin, end;
+  const Block& block;
+  std::size_t number;  ///< of the body
   const WallBody& body;
   const BodyMotion& pose;
   const LocalSpheres& spheres;
   double radius;  ///< m, of the spheres
 
+  std::uint32_t begin() const { return block.wall_first[number]; }
+  std::uint32_t end() const { return block.wall_first[number + 1]; }
   /// m, body frame.
   Eigen::Vector3d place_of(LocalSphere sphere) const {
     return pose.rotation.transpose() * (eigen(spheres.position(sphere)) - pose.translation);
   }
 };
 
-/// Appends the pairs of `table` that touch, sphere after sphere. Returns the deepest overlap (m): beyond the
+/// Appends the pairs that touch, sphere after sphere. Returns the deepest overlap (m): beyond the
 /// radius where a centre has come behind the surface. A function of places alone.
 ///
 /// Facets of one curved surface meet at angles below 15 degrees: of contacts whose normals differ by less
 /// only the deepest counts, or every seam of a hollow would push twice.
-double find_mesh_touches(const PairTable<WallPair>& table, const MeshPairs& near,
-                         std::vector<WallTouch>& touches);
+double find_mesh_touches(const MeshPairs& near, std::vector<WallTouch>& touches);
 
-/// Notes which pairs touch now. What a contact remembers follows it from triangle to triangle: one that
-/// begins while another of the same sphere ends, in about the same direction, goes on from there.
+/// Notes in the block's `table` which pairs touch now. What a contact remembers follows it from triangle to
+/// triangle: one that begins while another of the same sphere ends, in about the same direction, goes on from
+/// there.
 void note_mesh_touches(PairTable<WallPair>& table, const MeshPairs& near,
                        const std::vector<WallTouch>& touches);
 

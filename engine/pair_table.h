@@ -27,13 +27,21 @@ struct WallPair {
   LocalSphere own;
 };
 
-/// The near pairs of one sphere with the wall spheres of one body, nearest first. A pair cannot touch before
-/// the sphere has moved, in the body's frame, by what parted the two when the list was made: as a rule all
-/// but the first few of a run need no look.
+/// The near pairs of one sphere with one body, wall spheres nearest first. A pair cannot touch before the
+/// sphere has moved, in the body's frame, by what parted the two when the list was made: as a rule all but a
+/// few of a run need no look.
 struct WallRun {
   Vector3 place;        ///< m, of the sphere's centre in the body's frame when the list was made
   std::uint32_t first;  ///< pair
   LocalSphere own;
+
+  /// m: with the sphere at `now` (m, body frame), pairs that were as far apart as this (Block::wall_distance)
+  /// are still no nearer than `limit` (m).
+  double within(Vector3 now, double limit) const {
+    // Rounding must not make a pair seem farther than it is.
+    constexpr double kRounding = 1 + 1e-6;
+    return kRounding * (limit + length(now - place));
+  }
 };
 
 /// Pairs with a memory of `width` numbers each; what a pair that does not touch remembers has no meaning.
@@ -90,7 +98,7 @@ struct Block {
   std::vector<WallRun> wall_runs;             ///< body after body; one more stands for the end
   std::vector<std::uint32_t> wall_run_first;  ///< first run of each body, and the number of all
   std::vector<float> wall_distance;     ///< m, of a wall pair's centres when the list was made, rounded down;
-                                        ///< 0 where it is not known (planes, triangles)
+                                        ///< 0 where it is not known (planes)
   std::vector<std::uint32_t> partners;  ///< spheres outside the block (of grains or images), rising
   std::vector<std::uint16_t> slot;      ///< sum that forces on a local sphere are added to
   std::vector<std::uint16_t> kind;      ///< of a local sphere's grain; empty where all are alike

@@ -50,7 +50,7 @@ class WallLoop final : public PairLoop {
     for (std::size_t body = 0; body + 1 < block.wall_first.size(); ++body) {
       if (scene.bodies[body].meshed()) {
         touches.clear();
-        find_mesh_touches(block.wall_pairs, mesh_pairs(block, body, scene), touches);
+        find_mesh_touches(mesh_pairs(block, body, scene), touches);
         for (const auto& touch : touches)
           energy += law(body, 0).energy(reach(scene, body, 0) - length(touch.separation),
                                         block.wall_pairs.memory_of(touch.pair));
@@ -95,9 +95,7 @@ class WallLoop final : public PairLoop {
   }
 
   MeshPairs mesh_pairs(const Block& block, std::size_t body, const ContactScene& scene) const {
-    return {block.wall_first[body], block.wall_first[body + 1],
-            scene.bodies[body],     scene.body_motion[body],
-            scene.spheres,          radii_[0]};
+    return {block, body, scene.bodies[body], scene.body_motion[body], scene.spheres, radii_[0]};
   }
 
   /// m, body frame.
@@ -127,7 +125,7 @@ class WallLoop final : public PairLoop {
     touching.clear();
     if (scene.bodies[body].meshed()) {
       const MeshPairs near = mesh_pairs(block, body, scene);
-      const double deepest = find_mesh_touches(block.wall_pairs, near, touching);
+      const double deepest = find_mesh_touches(near, touching);
       tally.overlap.walls = std::max(tally.overlap.walls, deepest);
       tally.overlap.walls_over_radius = std::max(tally.overlap.walls_over_radius, deepest / radii_[0]);
       return note_mesh_touches(block.wall_pairs, near, touching);
@@ -139,13 +137,11 @@ class WallLoop final : public PairLoop {
   /// The touching pairs of one run, which ends before pair `end`.
   void find_touching_of_sphere(Block& block, const WallRun& run, std::uint32_t end, std::size_t body,
                                const ContactScene& scene, std::vector<WallTouch>& touching) const {
-    // Rounding must not make a pair seem farther than it is.
-    constexpr double kRounding = 1 + 1e-6;
     const WallBody& wall = scene.bodies[body];
     const Eigen::Vector3d place = place_in_body(run.own, body, scene);
     const std::uint32_t kind = kKinds ? block.kind[run.own] : 0;
     const double limit = reach(scene, body, kind);
-    const double within = kRounding * (limit + length(plain(place) - run.place));
+    const double within = run.within(plain(place), limit);
     std::uint32_t p = run.first;
     for (; p < end && block.wall_distance[p] < within; ++p) {
       const Vector3 between = separation_from_part(wall, block.wall_pairs.pair[p].wall, place, scene);

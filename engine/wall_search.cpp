@@ -22,6 +22,14 @@ float rounded_down(double value) {
   return std::nextafter(static_cast<float>(value), 0.0F);
 }
 
+/// m, rounded down; of a plane 0.
+float distance_of(const WallBody& body, std::uint32_t part, const Eigen::Vector3d& place) {
+  if (body.flat()) return 0;
+  const Eigen::Vector3d at =
+      body.meshed() ? nearest_point(body.triangles()[part], place).point : body.centres()[part];
+  return rounded_down((place - at).norm());
+}
+
 /// The parts of `body` no farther than `reach` (m) from `place` (m, body frame): wall spheres by rising
 /// distance, planes and triangles in their own order.
 void find_parts(const WallBody& body, const Eigen::Vector3d& place, double reach,
@@ -30,10 +38,8 @@ void find_parts(const WallBody& body, const Eigen::Vector3d& place, double reach
   found.clear();
   parts.clear();
   body.find(place, reach, found);
-  const bool spheres = !body.flat() && !body.meshed();
-  for (const std::uint32_t part : found)
-    parts.push_back({spheres ? rounded_down((place - body.centres()[part]).norm()) : 0.0F, part});
-  if (spheres) std::sort(parts.begin(), parts.end());
+  for (const std::uint32_t part : found) parts.push_back({distance_of(body, part, place), part});
+  if (!body.flat() && !body.meshed()) std::sort(parts.begin(), parts.end());
 }
 
 }  // namespace

@@ -21,6 +21,19 @@ WallBodySpec ground(double width) {
   return body;
 }
 
+/// Ground and two walls across x, `width` (m) apart, that repeat along y after `length` (m).
+WallBodySpec slot(double width, double length, double height) {
+  WallBodySpec body;
+  body.name = "slot";
+  const double radius = body.sphere_radius, step = length / std::ceil(length / (1.6 * radius));
+  for (double y = -0.75 * length; y < 0.75 * length; y += step) {
+    for (double x = -0.5 * width; x < 0.5 * width; x += step) body.centres.emplace_back(x, y, -radius);
+    for (double z = 0; z < height; z += step)
+      for (const double x : {-0.5 * width - radius, 0.5 * width + radius}) body.centres.emplace_back(x, y, z);
+  }
+  return body;
+}
+
 /// `count` wall spheres of the same body, 50 mm below the ground: where no powder gets.
 void add_far_spheres(WallBodySpec& body, int count) {
   const int across = static_cast<int>(std::sqrt(count));
@@ -85,6 +98,39 @@ void bed_with_far_wall_spheres(benchmark::State& state) {
   state.counters["wall_spheres"] = static_cast<double>(walls);
 }
 
+/// Coarse grains between fine walls, as in a narrow cavity: model D of 1.88 mm in a slot 9 mm wide, most of
+/// whose spheres are near wall spheres of 0.15 mm.
+void narrow_slot(benchmark::State& state) {
+  constexpr double kWidth = 9e-3, kLength = 24e-3, kHeight = 60e-3;  // m
+  const GrainShape shape = model_d(4 * 7.84e-5, 64 * 7.63e-8);
+  SimulationSettings settings;
+  settings.shape = shape;
+  settings.grain_contact = {
+      .damping = 1e6 * shape.sphere_radius, .tangential = 1e6 * shape.sphere_radius, .friction = 0.5};
+  settings.wall_contact = settings.grain_contact;
+  settings.wall_contact.friction = 0.15;
+  settings.time_step = 5e-6;
+  settings.period[1] = kLength;
+  Simulation simulation(settings, {slot(kWidth, kLength, kHeight)});
+  const double constant = 2.1 * shape.bounding_radius();
+  std::vector<NewGrain> grains;
+  for (double z = 0.5 * constant; z < kHeight; z += constant)
+    for (double y = 0.5 * (constant - kLength); y + 0.5 * constant < 0.5 * kLength; y += constant)
+      for (double x = 0.5 * (constant - kWidth); x + 0.5 * constant < 0.5 * kWidth; x += constant) {
+        NewGrain grain;
+        grain.position = {x, y, z};
+        grain.orientation = Quaternion(1, 300 * x, 200 * y, 100 * z);
+        grains.push_back(grain);
+      }
+  simulation.add_grains(grains);
+  for (int n = 0; n < 20000; ++n) simulation.step();
+  const auto spheres = static_cast<double>(simulation.grains().size() * shape.spheres());
+  for (auto _ : state) simulation.step();
+  state.counters["sphere_steps_per_second"] =
+      benchmark::Counter(spheres * static_cast<double>(state.iterations()), benchmark::Counter::kIsRate);
+  state.counters["spheres"] = spheres;
+}
+
 /// One look at the valid range; a run takes one in 200 steps. Over model_d_bed on one thread, times 200: its
 /// share.
 void health_check(benchmark::State& state) {
@@ -95,6 +141,7 @@ void health_check(benchmark::State& state) {
 
 BENCHMARK(model_a_bed)->Arg(1)->Arg(2)->UseRealTime()->Unit(benchmark::kMillisecond);
 BENCHMARK(model_d_bed)->Arg(1)->Arg(2)->UseRealTime()->Unit(benchmark::kMillisecond);
+BENCHMARK(narrow_slot)->Unit(benchmark::kMillisecond);
 BENCHMARK(health_check)->Unit(benchmark::kMillisecond);
 BENCHMARK(bed_with_far_wall_spheres)->Arg(0)->Arg(290000)->Unit(benchmark::kMillisecond);
 
