@@ -26,13 +26,20 @@ TEST(MeshWalls, FillAndLoseNothingOnAnyNumberOfThreads) {
 }
 
 TEST(MeshWalls, OtherWallsAreOtherRuns) {
-  const SmallDie spheres, mesh;
-  mesh.exchange("role = \"die\"", "role = \"die\"\nwalls = \"mesh\"");
-  ASSERT_EQ(spheres.run().exit_code, 0);
-  ASSERT_EQ(mesh.run().exit_code, 0);
-  EXPECT_NE(mesh.report().at("state_hash"), spheres.report().at("state_hash"));
-  const double one = spheres.report().at("filled_mass_kg"), other = mesh.report().at("filled_mass_kg");
-  EXPECT_NEAR(one, other, 0.3 * one);
+  double spheres_fill = 0,
+         mesh_fill = 0;  // kg, mean over seeds: a single pocket of two dozen grains scatters
+  for (const char* seed : {"1", "2", "3", "4"}) {
+    const SmallDie spheres, mesh;
+    mesh.exchange("role = \"die\"", "role = \"die\"\nwalls = \"mesh\"");
+    for (const SmallDie* die : {&spheres, &mesh}) {
+      die->exchange("seed = 1", std::string("seed = ") + seed);
+      ASSERT_EQ(die->run().exit_code, 0);
+    }
+    EXPECT_NE(mesh.report().at("state_hash"), spheres.report().at("state_hash"));
+    spheres_fill += spheres.report().at("filled_mass_kg").get<double>() / 4;
+    mesh_fill += mesh.report().at("filled_mass_kg").get<double>() / 4;
+  }
+  EXPECT_NEAR(spheres_fill, mesh_fill, 0.3 * spheres_fill);
 }
 
 }  // namespace

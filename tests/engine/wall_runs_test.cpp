@@ -56,7 +56,7 @@ TEST(WallRuns, MissNoContactWhileGrainsAndToolsMove) {
     ASSERT_EQ(found, overlapping_pairs(simulation, wall)) << step;
     contacts += found;
   }
-  EXPECT_GT(contacts, 1000U);
+  EXPECT_GT(contacts, 300U);
 }
 
 }  // namespace
