@@ -28,7 +28,8 @@ struct Mesh {
   std::vector<Eigen::Vector3i> triangles;
 
   Box bounding_box() const;
-  /// Enclosed volume in m^3 by the divergence theorem; meaningful for closed, oriented meshes; negative if inside out.
+  /// Enclosed volume in m^3 by the divergence theorem; meaningful for closed, oriented meshes; negative if
+  /// inside out.
   double volume() const;
 };
 

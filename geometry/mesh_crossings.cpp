@@ -5,6 +5,8 @@
 #include <CGAL/intersections.h>
 
 #include <algorithm>
+#include <mutex>
+#include <type_traits>
 
 #include "geometry/topology.h"
 
@@ -29,29 +31,56 @@ Kernel::Triangle_3 shrunk_triangle(const Corners& corners) {
   return {shrunk(corners[0]), shrunk(corners[1]), shrunk(corners[2])};
 }
 
+using Crossings = std::vector<std::pair<std::size_t, std::size_t>>;
+
+/// Adds crossings in whatever order they are found.
+class Collector {
+ public:
+  explicit Collector(const Mesh& mesh) : mesh_(mesh) {}
+
+  /// Triangles are made when asked for: of ten million, they would take most of a gigabyte.
+  Kernel::Triangle_3 triangle(std::size_t t) const { return shrunk_triangle(corners_of(mesh_, t)); }
+
+  void look_at(std::size_t low, std::size_t high) {
+    if (!CGAL::do_intersect(triangle(low), triangle(high))) return;
+    const std::lock_guard lock(mutex_);
+    if (crossings_.size() == kMostCrossings) throw Enough();
+    crossings_.emplace_back(low, high);
+  }
+
+  Crossings crossings() && { return std::move(crossings_); }
+
+ private:
+  const Mesh& mesh_;
+  std::mutex mutex_;
+  Crossings crossings_;
+};
+
+/// All crossings on all cores, or on one the first that are found.
+template <typename Concurrency>
+Crossings search(const Mesh& mesh, const std::vector<std::uint8_t>& left_out) {
+  Collector found(mesh);
+  std::vector<TriangleBox> boxes;
+  boxes.reserve(mesh.triangles.size());
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
+    if (!left_out[t]) boxes.emplace_back(found.triangle(t).bbox(), t);
+  const auto look = [&](const TriangleBox& a, const TriangleBox& b) {
+    found.look_at(std::min(a.info(), b.info()), std::max(a.info(), b.info()));
+  };
+  try {
+    CGAL::box_self_intersection_d<Concurrency>(boxes.begin(), boxes.end(), look);
+  } catch (const Enough&) {
+    // Which ones are the first depends on the threads.
+    if (std::is_same_v<Concurrency, CGAL::Parallel_tag>) return search<CGAL::Sequential_tag>(mesh, left_out);
+  }
+  return std::move(found).crossings();
+}
+
 }  // namespace
 
 std::vector<std::pair<std::size_t, std::size_t>> find_crossings(const Mesh& mesh,
                                                                 const std::vector<std::uint8_t>& left_out) {
-  // Triangles are made when asked for: of ten million, they would take most of a gigabyte.
-  const auto triangle = [&](std::size_t t) { return shrunk_triangle(corners_of(mesh, t)); };
-  std::vector<TriangleBox> boxes;
-  boxes.reserve(mesh.triangles.size());
-  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-    if (left_out[t]) continue;
-    boxes.emplace_back(triangle(t).bbox(), t);
-  }
-  std::vector<std::pair<std::size_t, std::size_t>> crossings;
-  const auto look = [&](const TriangleBox& a, const TriangleBox& b) {
-    const std::size_t low = std::min(a.info(), b.info());
-    const std::size_t high = std::max(a.info(), b.info());
-    if (CGAL::do_intersect(triangle(low), triangle(high))) crossings.emplace_back(low, high);
-    if (crossings.size() == kMostCrossings) throw Enough();
-  };
-  try {
-    CGAL::box_self_intersection_d(boxes.begin(), boxes.end(), look);
-  } catch (const Enough&) {
-  }
+  Crossings crossings = search<CGAL::Parallel_tag>(mesh, left_out);
   std::sort(crossings.begin(), crossings.end());
   return crossings;
 }

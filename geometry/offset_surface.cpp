@@ -12,8 +12,6 @@ namespace {
 constexpr double kDepthTolerance = 1e-11;
 constexpr int kSettleSteps = 40;
 constexpr int kShrinkSteps = 60;
-/// Places farther than this many R from the guess are another part of the tool.
-constexpr double kFarthestMove = 12;
 /// Two faces are one when the directions away from them differ by less than this.
 constexpr double kSameDirection = 1e-3;
 

@@ -28,6 +28,9 @@ class OffsetSurface {
     return settle(guess, thickness);
   }
 
+  /// Places farther than this many R from the guess are another part of the tool: settle() finds none there.
+  static constexpr double kFarthestMove = 12;
+
   /// True when `place` is inside and not closer than R to the boundary, but for rounding.
   bool is_deep_enough(const Eigen::Vector3d& place) const;
 

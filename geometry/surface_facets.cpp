@@ -1,9 +1,11 @@
 #include "geometry/surface_facets.h"
 
+#include <tbb/parallel_for.h>
+
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <numeric>
+#include <utility>
 
 namespace diefill::geometry {
 
@@ -19,95 +21,112 @@ constexpr double kNormalTolerance = 0.98;
 /// Collects one facet starting from its largest triangle.
 class Flood {
  public:
-  Flood(const Mesh& mesh, const Topology& topology, Facets& facets)
+  Flood(const Mesh& mesh, const Topology& topology)
       : mesh_(mesh),
         topology_(topology),
-        facets_(facets),
+        of_triangle_(mesh.triangles.size(), kNoFacet),
         tolerance_(kPlaneTolerance * mesh.bounding_box().size().norm()) {}
 
+  /// Does nothing where the seed is in a facet already.
   void start(std::size_t seed) {
-    const auto id = static_cast<std::int64_t>(facets_.list.size());
+    if (of_triangle_[seed] != kNoFacet) return;
+    const auto id = static_cast<std::int32_t>(facets_.size());
     const Corners corners = corners_of(mesh_, seed);
     Facet facet;
     facet.normal = area_vector(corners).normalized();
-    facet.origin = corners[0];
-    facets_.of_triangle[seed] = id;
-    std::vector<std::size_t> waiting = {seed};
-    while (!waiting.empty()) {
-      const std::size_t triangle = waiting.back();
-      waiting.pop_back();
+    facet.offset = facet.normal.dot(corners[0]);
+    of_triangle_[seed] = id;
+    waiting_.assign(1, static_cast<std::uint32_t>(seed));
+    while (!waiting_.empty()) {
+      const std::uint32_t triangle = waiting_.back();
+      waiting_.pop_back();
       facet.triangles.push_back(triangle);
       facet.area += area_vector(corners_of(mesh_, triangle)).norm() / 2;
       for (const std::int64_t next : topology_.neighbour[triangle]) {
         if (next == Topology::kNone) continue;
         const auto index = static_cast<std::size_t>(next);
-        if (facets_.of_triangle[index] != Topology::kNone || !lies_in(facet, index)) continue;
-        facets_.of_triangle[index] = id;
-        waiting.push_back(index);
+        if (of_triangle_[index] != kNoFacet || !lies_in(facet.normal, corners[0], index)) continue;
+        of_triangle_[index] = id;
+        waiting_.push_back(static_cast<std::uint32_t>(index));
       }
     }
     std::sort(facet.triangles.begin(), facet.triangles.end());
-    facets_.list.push_back(std::move(facet));
+    facets_.push_back(std::move(facet));
   }
 
+  Facets facets() && { return std::move(facets_); }
+  const std::vector<std::int32_t>& of_triangle() const { return of_triangle_; }
+
  private:
-  bool lies_in(const Facet& facet, std::size_t triangle) const {
+  bool lies_in(const Eigen::Vector3d& normal, const Eigen::Vector3d& origin, std::size_t triangle) const {
     const Corners corners = corners_of(mesh_, triangle);
-    if (area_vector(corners).normalized().dot(facet.normal) < kNormalTolerance) return false;
+    if (area_vector(corners).normalized().dot(normal) < kNormalTolerance) return false;
     return std::all_of(corners.begin(), corners.end(), [&](const Eigen::Vector3d& corner) {
-      return std::abs(facet.normal.dot(corner - facet.origin)) <= tolerance_;
+      return std::abs(normal.dot(corner - origin)) <= tolerance_;
     });
   }
 
   const Mesh& mesh_;
   const Topology& topology_;
-  Facets& facets_;
+  Facets facets_;
+  std::vector<std::int32_t> of_triangle_;
+  std::vector<std::uint32_t> waiting_;
   double tolerance_;
 };
 
-void add_border(const Mesh& mesh, const Topology& topology, Facets& facets, std::size_t facet_index) {
-  Facet& facet = facets.list[facet_index];
-  for (const std::size_t triangle : facet.triangles) {
-    const Corners corners = corners_of(mesh, triangle);
+/// The border of one facet: the sides of its triangles beyond which another begins.
+std::vector<BorderEdge> border_of(std::size_t facet_index, const Facets& facets, const Mesh& mesh,
+                                  const Topology& topology, const std::vector<std::int32_t>& of_triangle) {
+  const Facet& facet = facets[facet_index];
+  const auto corner = [&](std::size_t triangle, int k) {
+    return &mesh.vertices[static_cast<std::size_t>(topology.corner(mesh, triangle, k))];
+  };
+  std::vector<BorderEdge> border;
+  for (const std::size_t triangle : facet.triangles)
     for (int k = 0; k < 3; ++k) {
-      const auto slot = static_cast<std::size_t>(k);
-      const std::int64_t across = topology.neighbour[triangle][slot];
+      const std::int64_t across = topology.neighbour[triangle][static_cast<std::size_t>(k)];
       BorderEdge edge;
-      edge.other =
-          across == Topology::kNone ? Topology::kNone : facets.of_triangle[static_cast<std::size_t>(across)];
-      if (edge.other == static_cast<std::int64_t>(facet_index)) continue;
-      edge.from = corners[slot];
-      edge.to = corners[(slot + 1) % 3];
-      edge.from_vertex = topology.corner(mesh, triangle, k);
-      edge.to_vertex = topology.corner(mesh, triangle, (k + 1) % 3);
-      if (edge.other != Topology::kNone) {
-        const Eigen::Vector3d& beyond = facets.list[static_cast<std::size_t>(edge.other)].normal;
+      edge.other = across == Topology::kNone ? kNoFacet : of_triangle[static_cast<std::size_t>(across)];
+      if (edge.other == static_cast<std::int32_t>(facet_index)) continue;
+      edge.from_corner = corner(triangle, k);
+      edge.to_corner = corner(triangle, (k + 1) % 3);
+      if (edge.other != kNoFacet) {
+        const Eigen::Vector3d& beyond = facets[static_cast<std::size_t>(edge.other)].normal;
         const Eigen::Vector3d turn = facet.normal.cross(beyond);
         edge.angle = std::atan2(turn.norm(), facet.normal.dot(beyond));
-        edge.convex = turn.dot(edge.to - edge.from) > 0;
+        edge.convex = turn.dot(edge.to() - edge.from()) > 0;
       }
-      facet.border.push_back(edge);
+      border.push_back(edge);
     }
-  }
+  return border;
+}
+
+/// The useful triangles, largest first. Those about as large, within a factor of two, stay in the order of
+/// the mesh, in which neighbours mostly follow each other: a tour of millions of facets is then one through
+/// memory too.
+std::vector<std::uint32_t> by_area(const Mesh& mesh, const Topology& topology) {
+  std::vector<int> magnitude(mesh.triangles.size());
+  std::vector<std::uint32_t> order;
+  tbb::parallel_for(std::size_t{0}, magnitude.size(), [&](std::size_t t) {
+    magnitude[t] = std::ilogb(area_vector(corners_of(mesh, t)).norm());
+  });
+  for (std::size_t t = 0; t < magnitude.size(); ++t)
+    if (!topology.left_out[t]) order.push_back(static_cast<std::uint32_t>(t));
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::uint32_t a, std::uint32_t b) { return magnitude[a] > magnitude[b]; });
+  return order;
 }
 
 }  // namespace
 
 Facets find_facets(const Mesh& mesh, const Topology& topology) {
-  Facets facets;
-  facets.of_triangle.assign(mesh.triangles.size(), Topology::kNone);
-  std::vector<std::size_t> order;
-  std::vector<double> area(mesh.triangles.size());
-  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-    area[t] = area_vector(corners_of(mesh, t)).norm();
-    if (!topology.left_out[t]) order.push_back(t);
-  }
-  std::stable_sort(order.begin(), order.end(),
-                   [&](std::size_t a, std::size_t b) { return area[a] > area[b]; });
-  Flood flood(mesh, topology, facets);
-  for (const std::size_t triangle : order)
-    if (facets.of_triangle[triangle] == Topology::kNone) flood.start(triangle);
-  for (std::size_t f = 0; f < facets.list.size(); ++f) add_border(mesh, topology, facets, f);
+  Flood flood(mesh, topology);
+  for (const std::uint32_t triangle : by_area(mesh, topology)) flood.start(triangle);
+  const std::vector<std::int32_t> of_triangle = flood.of_triangle();
+  Facets facets = std::move(flood).facets();
+  tbb::parallel_for(std::size_t{0}, facets.size(), [&](std::size_t f) {
+    facets[f].border = border_of(f, facets, mesh, topology, of_triangle);
+  });
   return facets;
 }
 

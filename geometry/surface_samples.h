@@ -63,7 +63,7 @@ void sample_triangle(const Corners& corners, double step, Visit visit) {
 template <typename Visit>
 void sample_inner_edge(const BorderEdge& edge, const Eigen::Vector3d& normal,
                        const Eigen::Vector3d& other_normal, double depth, double step, Visit visit) {
-  const int along = std::max(1, static_cast<int>(std::ceil((edge.to - edge.from).norm() / step)));
+  const int along = std::max(1, static_cast<int>(std::ceil((edge.to() - edge.from()).norm() / step)));
   const int round = static_cast<int>(std::ceil(depth * edge.angle / step));
   for (int j = 1; j < round; ++j) {
     const double t = static_cast<double>(j) / round;
@@ -72,7 +72,7 @@ void sample_inner_edge(const BorderEdge& edge, const Eigen::Vector3d& normal,
          std::sin(edge.angle))
             .normalized();
     for (int i = 0; i < along; ++i)
-      visit(SurfaceSample{edge.from + ((i + 0.5) / along) * (edge.to - edge.from), between, 0});
+      visit(SurfaceSample{edge.from() + ((i + 0.5) / along) * (edge.to() - edge.from()), between, 0});
   }
 }
 

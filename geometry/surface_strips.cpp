@@ -17,11 +17,11 @@ constexpr double kNarrow = 3;
 constexpr double kParallel = 2e-3;
 
 Eigen::Vector3d direction(const BorderEdge& edge) {
-  return (edge.to - edge.from).normalized();
+  return (edge.to() - edge.from()).normalized();
 }
 
 bool is_smooth(const BorderEdge& edge) {
-  return edge.other != Topology::kNone && edge.angle < kSmoothAngle;
+  return edge.other != kNoFacet && edge.angle < kSmoothAngle;
 }
 
 bool parallel(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
@@ -41,7 +41,7 @@ struct Range {
 
 Range range_along(const Facet& facet, const Eigen::Vector3d& direction) {
   Range range;
-  for (const BorderEdge& edge : facet.border) range.include(direction.dot(edge.from));
+  for (const BorderEdge& edge : facet.border) range.include(direction.dot(edge.from()));
   return range;
 }
 
@@ -49,7 +49,8 @@ Range range_along(const Facet& facet, const Eigen::Vector3d& direction) {
 double inset_at(const Facet& facet, const Eigen::Vector3d& along, double end, double depth) {
   const double tolerance = 1e-3 * depth;
   for (const BorderEdge& edge : facet.border)
-    if (std::abs(along.dot(edge.from) - end) < tolerance && std::abs(along.dot(edge.to) - end) < tolerance)
+    if (std::abs(along.dot(edge.from()) - end) < tolerance &&
+        std::abs(along.dot(edge.to()) - end) < tolerance)
       return inset(edge, depth);
   return 0;
 }
@@ -62,12 +63,12 @@ struct Candidate {
 };
 
 std::vector<Candidate> find_candidates(const Facets& facets, double spacing) {
-  std::vector<Candidate> candidates(facets.list.size());
+  std::vector<Candidate> candidates(facets.size());
   for (std::size_t f = 0; f < candidates.size(); ++f) {
-    const Facet& facet = facets.list[f];
+    const Facet& facet = facets[f];
     double longest = 0;
     for (const BorderEdge& edge : facet.border) {
-      const double edge_length = (edge.to - edge.from).norm();
+      const double edge_length = (edge.to() - edge.from()).norm();
       if (!is_smooth(edge) || edge_length <= longest) continue;
       longest = edge_length;
       candidates[f].axis = direction(edge);
@@ -78,7 +79,7 @@ std::vector<Candidate> find_candidates(const Facets& facets, double spacing) {
   }
   for (std::size_t f = 0; f < candidates.size(); ++f) {
     if (!candidates[f].narrow) continue;
-    for (const BorderEdge& edge : facets.list[f].border) {
+    for (const BorderEdge& edge : facets[f].border) {
       if (!is_smooth(edge) || !parallel(direction(edge), candidates[f].axis)) continue;
       const Candidate& other = candidates[static_cast<std::size_t>(edge.other)];
       const bool known = std::any_of(candidates[f].links.begin(), candidates[f].links.end(),
@@ -148,14 +149,14 @@ class StripBuilder {
     orient_axis(run);
     Range v;
     for (std::size_t i = 0; i < run.facets.size(); ++i) {
-      const Facet& facet = facets_.list[run.facets[i]];
+      const Facet& facet = facets_[run.facets[i]];
       strip_.area += facet.area;
       const Range own = range_along(facet, strip_.axis);
       v.include(own.low);
       v.include(own.high);
       add_facet(run, i);
     }
-    const Facet& first = facets_.list[run.facets.front()];
+    const Facet& first = facets_[run.facets.front()];
     strip_.low = v.low + inset_at(first, strip_.axis, v.low, depth_);
     strip_.high = v.high - inset_at(first, strip_.axis, v.high, depth_);
     return std::move(strip_);
@@ -167,9 +168,9 @@ class StripBuilder {
   /// Makes u grow from the first facet towards the second.
   void orient_axis(const Run& run) {
     if (run.joints.empty()) return;
-    const Facet& first = facets_.list[run.facets.front()];
+    const Facet& first = facets_[run.facets.front()];
     const Range range = range_along(first, across(first));
-    if (across(first).dot(run.joints.front()->from) < (range.low + range.high) / 2)
+    if (across(first).dot(run.joints.front()->from()) < (range.low + range.high) / 2)
       strip_.axis = -strip_.axis;
   }
 
@@ -182,27 +183,27 @@ class StripBuilder {
   }
 
   void add_facet(const Run& run, std::size_t i) {
-    const Facet& facet = facets_.list[run.facets[i]];
+    const Facet& facet = facets_[run.facets[i]];
     const Eigen::Vector3d u = across(facet);
     const Range range = range_along(facet, u);
     const BorderEdge* before = joint_before(run, i);
     const BorderEdge* after = joint_after(run, i);
-    const double begin = before ? u.dot(before->from) + inset(*before, depth_)
+    const double begin = before ? u.dot(before->from()) + inset(*before, depth_)
                                 : range.low + inset_at(facet, u, range.low, depth_);
-    const double end = after ? u.dot(after->from) - inset(*after, depth_)
+    const double end = after ? u.dot(after->from()) - inset(*after, depth_)
                              : range.high - inset_at(facet, u, range.high, depth_);
     StripPiece piece;
     piece.normal = facet.normal;
     piece.along = u;
-    piece.start = u * begin + facet.normal * (facet.normal.dot(facet.origin) - depth_);
+    piece.start = u * begin + facet.normal * (facet.offset - depth_);
     append(piece, std::max(0.0, end - begin));
-    if (after && !after->convex) add_arc(*after, facet, facets_.list[static_cast<std::size_t>(after->other)]);
+    if (after && !after->convex) add_arc(*after, facet, facets_[static_cast<std::size_t>(after->other)]);
   }
 
   void add_arc(const BorderEdge& joint, const Facet& facet, const Facet& next) {
     StripPiece arc;
     arc.is_arc = true;
-    arc.pivot = joint.from - strip_.axis * strip_.axis.dot(joint.from);
+    arc.pivot = joint.from() - strip_.axis * strip_.axis.dot(joint.from());
     arc.normal = facet.normal;
     arc.along = across(facet);
     arc.start = arc.pivot - depth_ * facet.normal;
@@ -227,7 +228,7 @@ Eigen::Vector3d longest_border(const Facet& facet) {
   const BorderEdge* longest = nullptr;
   for (const BorderEdge& edge : facet.border)
     if (longest == nullptr ||
-        (edge.to - edge.from).squaredNorm() > (longest->to - longest->from).squaredNorm())
+        (edge.to() - edge.from()).squaredNorm() > (longest->to() - longest->from()).squaredNorm())
       longest = &edge;
   return longest == nullptr ? Eigen::Vector3d(facet.normal.unitOrthogonal()) : direction(*longest);
 }
@@ -267,7 +268,7 @@ Strips find_strips(const Facets& facets, double depth, double spacing) {
   Strips strips;
   StripBuilder builder(facets, depth);
   const std::vector<Candidate> candidates = find_candidates(facets, spacing);
-  std::vector<std::uint8_t> in_strip(facets.list.size(), 0);
+  std::vector<std::uint8_t> in_strip(facets.size(), 0);
   for (const Run& run : find_runs(candidates)) {
     Strip strip = builder.build(run, candidates[run.facets.front()].axis);
     const bool too_small = strip.length < kNarrow * spacing || strip.high - strip.low < kNarrow * spacing;
@@ -275,9 +276,9 @@ Strips find_strips(const Facets& facets, double depth, double spacing) {
     for (const std::size_t f : run.facets) in_strip[f] = 1;
     strips.bent.push_back(std::move(strip));
   }
-  for (std::size_t f = 0; f < facets.list.size(); ++f) {
-    if (in_strip[f] || is_part_of_curved_surface(facets.list[f], spacing)) continue;
-    Strip strip = builder.build({{f}, {}, false}, longest_border(facets.list[f]));
+  for (std::size_t f = 0; f < facets.size(); ++f) {
+    if (in_strip[f] || is_part_of_curved_surface(facets[f], spacing)) continue;
+    Strip strip = builder.build({{f}, {}, false}, longest_border(facets[f]));
     if (!strip.pieces.empty() && strip.high >= strip.low) strips.plane.push_back(std::move(strip));
   }
   sort_by_area(strips.bent);

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <limits>
 #include <numeric>
 #include <utility>
 
@@ -16,8 +18,9 @@ constexpr std::uint32_t kWorthAThread = 20000;  // triangles
 /// Halving 2^32 triangles down to leaves needs at most 32 levels, and each leaves one node waiting.
 constexpr std::size_t kStackSize = 64;
 
-double distance_squared(const Box& box, const Eigen::Vector3d& point) {
-  return (point.cwiseMax(box.lower).cwiseMin(box.upper) - point).squaredNorm();
+float rounded_down(double value) {
+  const auto near = static_cast<float>(value);
+  return near > value ? std::nextafter(near, -std::numeric_limits<float>::infinity()) : near;
 }
 
 Eigen::Vector3d middle(const Corners& corners) {
@@ -25,6 +28,11 @@ Eigen::Vector3d middle(const Corners& corners) {
 }
 
 }  // namespace
+
+void TriangleTree::Node::enclose(const Box& box) {
+  lower = box.lower.unaryExpr([](double value) { return rounded_down(value); });
+  upper = box.upper.unaryExpr([](double value) { return -rounded_down(-value); });
+}
 
 /// Splits the triangles of a tree in halves, large ones on all cores: places in the list of nodes follow from
 /// numbers of triangles alone, so that the tree is the same on any number of threads.
@@ -35,7 +43,7 @@ class TriangleTree::Builder {
     for (const Corners& corners : tree.triangles_) middles_.push_back(middle(corners));
     const auto count = static_cast<std::uint32_t>(tree.order_.size());
     tree.nodes_.resize(1 + nodes_below(count));
-    split(0, {0, count}, 1);
+    tree.box_ = split(0, {0, count}, 1);
   }
 
  private:
@@ -47,16 +55,19 @@ class TriangleTree::Builder {
     return count <= kLeafSize ? 0 : 2 + nodes_below(count / 2) + nodes_below(count - count / 2);
   }
 
-  /// `free`: place of the first node that is not taken.
-  void split(std::uint32_t place, Part part, std::uint32_t free) {
+  /// Makes the nodes of a part, and says in which box it lies. `free`: place of the first node that is not
+  /// taken.
+  Box split(std::uint32_t place, Part part, std::uint32_t free) {
     Node& node = tree_.nodes_[place];
     const auto begin = tree_.order_.begin() + part.first, end = begin + part.count;
+    Box box;
     if (part.count <= kLeafSize) {
       for (auto own = begin; own != end; ++own)
-        for (const Eigen::Vector3d& corner : tree_.triangles_[*own]) node.box.include(corner);
+        for (const Eigen::Vector3d& corner : tree_.triangles_[*own]) box.include(corner);
       node.first = part.first;
       node.count = part.count;
-      return;
+      node.enclose(box);
+      return box;
     }
     Box middles;
     for (auto own = begin; own != end; ++own) middles.include(middles_[*own]);
@@ -69,16 +80,18 @@ class TriangleTree::Builder {
     });
     node.first = free;
     const std::uint32_t free_of_right = free + 2 + nodes_below(left.count);
-    const auto split_left = [&] { split(free, left, free + 2); };
-    const auto split_right = [&] { split(free + 1, right, free_of_right); };
+    Box box_of_right;
+    const auto split_left = [&] { box = split(free, left, free + 2); };
+    const auto split_right = [&] { box_of_right = split(free + 1, right, free_of_right); };
     if (part.count > kWorthAThread) {
       tbb::parallel_invoke(split_left, split_right);
     } else {
       split_left();
       split_right();
     }
-    node.box.include(tree_.nodes_[free].box);
-    node.box.include(tree_.nodes_[free + 1].box);
+    box.include(box_of_right);
+    node.enclose(box);
+    return box;
   }
 
   TriangleTree& tree_;
@@ -110,8 +123,8 @@ TriangleTree::Hit TriangleTree::nearest(const Eigen::Vector3d& point) const {
       if (distance < best.distance_squared) best = {order_[i], foot, distance};
     }
     if (node.count > 0) continue;
-    Waiting near = {node.first, distance_squared(nodes_[node.first].box, point)};
-    Waiting far = {node.first + 1, distance_squared(nodes_[node.first + 1].box, point)};
+    Waiting near = {node.first, nodes_[node.first].distance_squared(point)};
+    Waiting far = {node.first + 1, nodes_[node.first + 1].distance_squared(point)};
     if (far.distance_squared < near.distance_squared) std::swap(near, far);
     stack[depth++] = far;
     stack[depth++] = near;

@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <cmath>
 #include <deque>
+#include <optional>
 
 #include "geometry/surface_samples.h"
 #include "geometry/wall_holes.h"
@@ -54,29 +55,35 @@ void visit_parts_near_powder(const CoverTarget& target, const Corners& corners, 
   if (target.powder_parts.any_within(middle, longest + margin)) visit(corners);
 }
 
-/// Calls `visit(sample)` for the reachable samples of a facet and of the inner edges to facets of higher
-/// number.
+/// Calls `visit(sample, facet)` for the reachable samples of a stretch and, once, of the inner edges between
+/// facets.
 template <typename Visit>
-void sample_facet(const CoverTarget& target, std::size_t facet_index, double depth, double step,
-                  Visit visit) {
-  const Facet& facet = target.facets.list[facet_index];
+void sample_stretch(const CoverTarget& target, const Stretch& stretch, double depth, double step,
+                    Visit visit) {
   // What is reachable was asked once, about R apart: asking again more finely would find slivers at frayed
   // edges that no sphere was meant for.
-  const auto visit_reachable = [&](const SurfaceSample& sample) {
-    if (!target.reachable || target.near_powder.any_within(sample.point, kSameAnswer * depth)) visit(sample);
+  const auto is_reachable = [&](const SurfaceSample& sample) {
+    return !target.reachable || target.near_powder.any_within(sample.point, kSameAnswer * depth);
   };
-  const auto sample_part = [&](const Corners& part) { sample_triangle(part, step, visit_reachable); };
-  for (const std::size_t triangle : facet.triangles) {
-    const Corners corners = corners_of(target.mesh, triangle);
-    if (target.reachable)
-      visit_parts_near_powder(target, corners, kPartLength * depth, sample_part);
-    else
-      sample_part(corners);
-  }
-  for (const BorderEdge& edge : facet.border)
-    if (!edge.convex && edge.other > static_cast<std::int64_t>(facet_index))
-      sample_inner_edge(edge, facet.normal, target.facets.list[static_cast<std::size_t>(edge.other)].normal,
-                        depth, step, visit_reachable);
+  visit_facets(target.facets, stretch, [&](std::size_t f, std::size_t begin, std::size_t end, bool whole) {
+    const Facet& facet = target.facets[f];
+    const auto visit_reachable = [&](const SurfaceSample& sample) {
+      if (is_reachable(sample)) visit(sample, f);
+    };
+    const auto sample_part = [&](const Corners& part) { sample_triangle(part, step, visit_reachable); };
+    for (std::size_t place = begin; place < end; ++place) {
+      const Corners corners = corners_of(target.mesh, facet.triangles[place]);
+      if (target.reachable)
+        visit_parts_near_powder(target, corners, kPartLength * depth, sample_part);
+      else
+        sample_part(corners);
+    }
+    if (!whole) return;
+    for (const BorderEdge& edge : facet.border)
+      if (!edge.convex && edge.other > static_cast<std::int32_t>(f))
+        sample_inner_edge(edge, facet.normal, target.facets[static_cast<std::size_t>(edge.other)].normal,
+                          depth, step, visit_reachable);
+  });
 }
 
 /// Grows square lattices of centres over open surface.
@@ -181,7 +188,9 @@ class Surveyor {
 };
 
 /// Fills holes with centres, sample by sample. New centres may bring a hole into a sample's view that it did
-/// not see before, so that further passes are due; they look again only where a centre came into view.
+/// not see before, so that further passes are due; they look again only where a centre came into view. All
+/// cores look for holes, in turns with filling those found: what was seen stands until a centre comes into
+/// view, so that the outcome is that of looking at one sample after the other.
 class HoleCloser {
  public:
   HoleCloser(const CoverTarget& target, WallLayout& layout)
@@ -190,63 +199,113 @@ class HoleCloser {
         front_(layout),
         holes_(layout, kSampleStep * layout.offset().depth()),
         allowed_(cover_distance(layout.spacing())),
-        begun_(count()),
-        noted_(count()),
-        new_centres_(holes_.sight()) {}
+        sight_(holes_.sight()),
+        fresh_(sight_),
+        since_look_(sight_) {}
 
   /// True when centres were added.
-  bool first_pass() {
-    const double radius = layout_.offset().depth();
-    begin_pass();
-    for (std::size_t f = 0; f < target_.facets.list.size(); ++f)
-      sample_facet(target_, f, radius, kSampleStep * radius, [&](const SurfaceSample& sample) {
-        if (holes_.covered(sample, allowed_)) return;  // and will be, as centres only come
-        open_.push_back({sample, holes_.below(sample), f});
-        close(open_.back());
-      });
-    return count() > begun_;
-  }
-
-  /// True when centres were added.
-  bool next_pass() {
-    begin_pass();
-    for (const OpenSample& open : open_) {
-      const double aside = (open.sample.at_depth(layout_.offset().depth()) - open.place).norm();
-      if (!new_centres_.any_within(open.place, holes_.sight() + aside)) continue;
-      if (!holes_.covered(open.sample, allowed_)) close(open);
-      note_new_centres();
-    }
-    return count() > begun_;
+  bool pass() {
+    const std::size_t before = count();
+    work_and_take(
+        target_.stretches, [&](const Stretch& stretch) { return look_at(stretch); },
+        [&](const std::vector<Look>& looks) {
+          for (const Look& look : looks) {
+            forget_before(look.centres);
+            take(look);
+            note_new();
+          }
+        });
+    fresh_ = PointGrid(sight_);
+    for (std::size_t i = before; i < count(); ++i) fresh_.insert(layout_.centres().points()[i]);
+    first_ = false;
+    return count() > before;
   }
 
  private:
-  /// A sample where there may be a hole.
-  struct OpenSample {
+  /// A look at a sample that no centre covers.
+  struct Look {
     SurfaceSample sample;
-    Eigen::Vector3d place;  ///< at depth R
-    std::size_t facet;
+    std::uint32_t facet = 0;
+    std::optional<Eigen::Vector3d> place;  ///< at depth R; none where it was not looked for or is none
+    bool too_thin = false;                 ///< none: a fault only if the sample is not covered in the end
+    bool hole = false;                     ///< there was one
+    std::size_t centres = 0;               ///< there were
   };
 
   std::size_t count() const { return layout_.centres().points().size(); }
-
-  /// The centres of the pass before are new to every sample, those of the pass that begins to the ones to
-  /// come.
-  void begin_pass() {
-    new_centres_ = PointGrid(holes_.sight());
-    noted_ = begun_;
-    begun_ = count();
-    note_new_centres();
-  }
-  void note_new_centres() {
-    for (; noted_ < count(); ++noted_) new_centres_.insert(layout_.centres().points()[noted_]);
+  Eigen::Vector3d straight_below(const SurfaceSample& sample) const {
+    return sample.at_depth(layout_.offset().depth());
   }
 
-  void close(const OpenSample& open) {
-    const Hole hole = holes_.find(open.place, allowed_);
+  std::vector<Look> look_at(const Stretch& stretch) const {
+    const double radius = layout_.offset().depth();
+    std::vector<Look> looks;
+    sample_stretch(target_, stretch, radius, kSampleStep * radius,
+                   [&](const SurfaceSample& sample, std::size_t facet) {
+                     if (holes_.covered(sample, allowed_)) return;  // and will be, as centres only come
+                     looks.push_back({sample, static_cast<std::uint32_t>(facet), {}, false, false, count()});
+                     look(looks.back());
+                   });
+    return looks;
+  }
+
+  void look(Look& look) const {
+    if (!first_ && !may_see(fresh_, look.sample)) return;
+    try {
+      const Eigen::Vector3d place = holes_.below(look.sample);
+      if (!first_ && !sees(fresh_, look.sample, place)) return;
+      look.place = place;
+      look.hole = holes_.find(place, allowed_).distance >= allowed_;
+    } catch (const MeshError&) {
+      look.too_thin = true;
+    }
+  }
+
+  void take(const Look& look) {
+    if (look.place) {
+      const bool changed = sees(since_look_, look.sample, *look.place);
+      if (changed && holes_.covered(look.sample, allowed_)) return;
+      if (changed || look.hole) close(look, *look.place);
+      return;
+    }
+    if (!look.too_thin && !may_see(since_look_, look.sample)) return;
+    if (holes_.covered(look.sample, allowed_)) return;
+    const Eigen::Vector3d place = holes_.below(look.sample);  // throws where it is too thin
+    if (sees(since_look_, look.sample, place)) close(look, place);
+  }
+
+  /// Whether one of `centres` may change what the hole round the sample's place looks like.
+  bool sees(const PointGrid& centres, const SurfaceSample& sample, const Eigen::Vector3d& place) const {
+    if (centres.points().empty()) return false;
+    return centres.any_within(place, sight_ + (straight_below(sample) - place).norm());
+  }
+  /// The same, in doubt true, before the place is known.
+  bool may_see(const PointGrid& centres, const SurfaceSample& sample) const {
+    if (centres.points().empty()) return false;
+    const double farthest = HoleFinder::kFarthestAside * layout_.offset().depth();
+    return centres.any_within(straight_below(sample), sight_ + 2 * farthest);
+  }
+
+  /// Makes the centres since the last look those from `first` on.
+  void forget_before(std::size_t first) {
+    if (first == since_first_) return;
+    since_look_ = PointGrid(sight_);
+    since_first_ = noted_ = first;
+    note_new();
+  }
+  void note_new() {
+    for (; noted_ < count(); ++noted_) {
+      since_look_.insert(layout_.centres().points()[noted_]);
+      if (!first_) fresh_.insert(layout_.centres().points()[noted_]);
+    }
+  }
+
+  void close(const Look& look, const Eigen::Vector3d& place) {
+    const Hole hole = holes_.find(place, allowed_);
     if (hole.distance < allowed_) return;
-    const auto added = layout_.add(hole.middle, open.sample.point, (1 - 1e-3) * allowed_);
+    const auto added = layout_.add(hole.middle, look.sample.point, (1 - 1e-3) * allowed_);
     if (!added) return;
-    const Corners corners = corners_of(target_.mesh, target_.facets.list[open.facet].triangles.front());
+    const Corners corners = corners_of(target_.mesh, target_.facets[look.facet].triangles.front());
     front_.grow(*added, (corners[1] - corners[0]).normalized());
   }
 
@@ -254,23 +313,34 @@ class HoleCloser {
   WallLayout& layout_;
   LatticeFront front_;
   HoleFinder holes_;
-  double allowed_;
-  std::vector<OpenSample> open_;
-  std::size_t begun_;      ///< centres there were when the pass began
-  std::size_t noted_;      ///< of the centres, those already in new_centres_ or too old for it
-  PointGrid new_centres_;  ///< those that came since a sample was looked at last, and a few more
+  double allowed_, sight_;
+  bool first_ = true;            ///< pass: all samples are looked at
+  PointGrid fresh_;              ///< later passes: centres of the pass before and of this one
+  PointGrid since_look_;         ///< centres that came since the looks that are taken now
+  std::size_t since_first_ = 0;  ///< number of the first of these
+  std::size_t noted_ = 0;        ///< centres that are in both or too old for them
 };
 
 }  // namespace
 
 PointGrid reachable_points(const CoverTarget& target, double step) {
   PointGrid points(2 * step);
-  for (const Facet& facet : target.facets.list)
-    for (const std::size_t triangle : facet.triangles)
-      sample_triangle(corners_of(target.mesh, triangle), step, [&](const SurfaceSample& sample) {
-        const bool known = points.any_within(sample.point, step / 2);
-        if (!known && target.reachable(sample.point, sample.normal)) points.insert(sample.point);
-      });
+  const auto reachable_in = [&](const Stretch& stretch) {
+    std::vector<Eigen::Vector3d> reachable;
+    visit_facets(target.facets, stretch, [&](std::size_t f, std::size_t begin, std::size_t end, bool) {
+      for (std::size_t place = begin; place < end; ++place)
+        sample_triangle(corners_of(target.mesh, target.facets[f].triangles[place]), step,
+                        [&](const SurfaceSample& sample) {
+                          if (target.reachable(sample.point, sample.normal))
+                            reachable.push_back(sample.point);
+                        });
+    });
+    return reachable;
+  };
+  work_and_take(target.stretches, reachable_in, [&](const std::vector<Eigen::Vector3d>& reachable) {
+    for (const Eigen::Vector3d& point : reachable)
+      if (!points.any_within(point, step / 2)) points.insert(point);
+  });
   return points;
 }
 
@@ -283,20 +353,20 @@ PointGrid powder_parts(const PointGrid& reachable, double radius) {
 
 void close_cover(const CoverTarget& target, WallLayout& layout) {
   HoleCloser closer(target, layout);
-  bool added = closer.first_pass();
-  for (int pass = 1; added && pass < kMostPasses; ++pass) added = closer.next_pass();
+  for (int pass = 0; pass < kMostPasses && closer.pass(); ++pass) continue;
 }
 
 void measure_cover(const CoverTarget& target, const WallLayout& layout, WallSpheres& spheres) {
   const double radius = layout.offset().depth();
   const Surveyor surveyor(layout);
   Measured all;
-  for (std::size_t f = 0; f < target.facets.list.size(); ++f) {
+  const auto measure = [&](const Stretch& stretch) {
     Measured here;
-    sample_facet(target, f, radius, kSampleStep * radius,
-                 [&](const SurfaceSample& sample) { surveyor.measure(sample, here); });
-    all.add(here);
-  }
+    sample_stretch(target, stretch, radius, kSampleStep * radius,
+                   [&](const SurfaceSample& sample, std::size_t) { surveyor.measure(sample, here); });
+    return here;
+  };
+  work_and_take(target.stretches, measure, [&](const Measured& here) { all.add(here); });
   spheres.mean_deviation = all.area > 0 ? all.deviation_times_area / all.area : 0;
   spheres.largest_deviation = all.largest_deviation;
   spheres.largest_deviation_place = all.deviation_place;

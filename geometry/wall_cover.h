@@ -4,6 +4,7 @@
 #include <functional>
 
 #include "geometry/surface_facets.h"
+#include "geometry/surface_stretches.h"
 #include "geometry/wall_layout.h"
 #include "geometry/wall_spheres.h"
 
@@ -13,10 +14,11 @@ namespace diefill::geometry {
 struct CoverTarget {
   const Mesh& mesh;
   const Facets& facets;
-  /// Empty: everything is reachable.
+  /// Empty: everything is reachable. Asked by several threads at once.
   const std::function<bool(const Eigen::Vector3d&, const Eigen::Vector3d&)>& reachable;
-  PointGrid near_powder;   ///< reachable_points(): what is reachable is asked once
-  PointGrid powder_parts;  ///< a few of them, to pass over large surfaces far from powder quickly
+  std::vector<Stretch> stretches;  ///< of the facets
+  PointGrid near_powder;           ///< reachable_points(): what is reachable is asked once
+  PointGrid powder_parts;          ///< a few of them, to pass over large surfaces far from powder quickly
 };
 
 /// Points of the reachable surface about `step` (m) apart. Reachable patches narrower than that may be

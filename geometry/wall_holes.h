@@ -30,6 +30,8 @@ class HoleFinder {
   Hole find(const Eigen::Vector3d& place, double least) const;
   /// Centres farther from a place than this (m) change nothing about the hole found there.
   double sight() const { return limit() + step_; }
+  /// Farthest that below() may be from straight below, over R: see OffsetSurface::settle.
+  static constexpr double kFarthestAside = 1 + OffsetSurface::kFarthestMove;
 
  private:
   Eigen::Vector3d between_nearest_centres(const Eigen::Vector3d& place) const;

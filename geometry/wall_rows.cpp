@@ -3,8 +3,8 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <tuple>
+#include <unordered_map>
 
 namespace diefill::geometry {
 
@@ -22,16 +22,15 @@ constexpr int kBisections = 60;
 struct SharpEdge {
   const BorderEdge* border;
   Eigen::Vector3d normal, other_normal;
-  Eigen::Vector3d along() const { return (border->to - border->from).normalized(); }
+  Eigen::Vector3d along() const { return (border->to() - border->from()).normalized(); }
 };
 
 std::vector<SharpEdge> sharp_edges(const Facets& facets) {
   std::vector<SharpEdge> edges;
-  for (std::size_t f = 0; f < facets.list.size(); ++f)
-    for (const BorderEdge& border : facets.list[f].border)
-      if (border.other > static_cast<std::int64_t>(f) && border.angle >= kSharpAngle)
-        edges.push_back(
-            {&border, facets.list[f].normal, facets.list[static_cast<std::size_t>(border.other)].normal});
+  for (std::size_t f = 0; f < facets.size(); ++f)
+    for (const BorderEdge& border : facets[f].border)
+      if (border.other > static_cast<std::int32_t>(f) && border.angle >= kSharpAngle)
+        edges.push_back({&border, facets[f].normal, facets[static_cast<std::size_t>(border.other)].normal});
   return edges;
 }
 
@@ -46,8 +45,8 @@ class LineFinder {
  public:
   explicit LineFinder(const std::vector<SharpEdge>& edges) : edges_(edges), taken_(edges.size(), 0) {
     for (std::size_t e = 0; e < edges.size(); ++e) {
-      at_vertex_[edges[e].border->from_vertex].push_back(e);
-      at_vertex_[edges[e].border->to_vertex].push_back(e);
+      at_vertex_[edges[e].border->from_corner].push_back(e);
+      at_vertex_[edges[e].border->to_corner].push_back(e);
     }
   }
 
@@ -75,13 +74,13 @@ class LineFinder {
     for (;;) {
       const auto [last, forward] = line.edges.back();
       const BorderEdge& border = *edges_[last].border;
-      const std::int64_t vertex = forward ? border.to_vertex : border.from_vertex;
+      const Eigen::Vector3d* vertex = forward ? border.to_corner : border.from_corner;
       const Eigen::Vector3d heading = (forward ? 1.0 : -1.0) * edges_[last].along();
       const std::vector<std::size_t>& here = at_vertex_.at(vertex);
       if (here.size() != 2) return false;
       const std::size_t next = here[0] == last ? here[1] : here[0];
       const BorderEdge& beyond = *edges_[next].border;
-      const bool next_forward = beyond.from_vertex == vertex;
+      const bool next_forward = beyond.from_corner == vertex;
       const Eigen::Vector3d next_heading = (next_forward ? 1.0 : -1.0) * edges_[next].along();
       if (beyond.convex != border.convex || heading.dot(next_heading) < kStraightOn) return false;
       if (next == line.edges.front().first) return line.edges.size() > 2;
@@ -93,7 +92,7 @@ class LineFinder {
 
   const std::vector<SharpEdge>& edges_;
   std::vector<std::uint8_t> taken_;
-  std::map<std::int64_t, std::vector<std::size_t>> at_vertex_;
+  std::unordered_map<const Eigen::Vector3d*, std::vector<std::size_t>> at_vertex_;
 };
 
 /// The line of centres of one row: points with the distance travelled up to each.
@@ -139,7 +138,7 @@ CentreLine centre_line(const std::vector<SharpEdge>& edges, const EdgeLine& line
   for (std::size_t i = 0; i <= count; ++i) {
     const auto [index, forward] = line.edges[std::min(i, count - 1)];
     const BorderEdge& border = *edges[index].border;
-    const Eigen::Vector3d& corner = forward == (i < count) ? border.from : border.to;
+    const Eigen::Vector3d& corner = forward == (i < count) ? border.from() : border.to();
     const Eigen::Vector3d& before = below[i > 0 ? i - 1 : line.closed ? count - 1 : 0];
     const Eigen::Vector3d& after = below[i < count ? i : line.closed ? 0 : count - 1];
     centres.append(corner + (before + after) / 2, corner);

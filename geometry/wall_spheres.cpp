@@ -31,7 +31,8 @@ WallSpheres make_wall_spheres(const Mesh& mesh, const SolidQuery& solid, const W
   check(options);
   const double spacing = options.spacing * options.radius;
   const Facets facets = find_facets(mesh, find_topology(mesh));
-  CoverTarget target{mesh, facets, options.reachable, PointGrid(spacing), PointGrid(spacing)};
+  CoverTarget target{
+      mesh, facets, options.reachable, stretches_of(facets), PointGrid(spacing), PointGrid(spacing)};
   const OffsetSurface offset(solid, options.radius);
 
   std::function<bool(const Eigen::Vector3d&)> wanted = [](const Eigen::Vector3d&) { return true; };

@@ -76,6 +76,7 @@ std::vector<BrokenFile> broken_bytes() {
       {"gltf_without_its_buffer", "a.gltf",
        replaced(gltf(fine_tube(), "t"), "data:application/octet-stream;base64,", "missing.bin?"),
        "cannot be read as gltf"},
+      {"glb_cut_short", "a.glb", glb(fine_tube(), "t").substr(0, 900), "cannot be read as glb"},
       {"collada_cut_short", "a.dae", collada(fine_tube(), 1e-3).substr(0, 2000), "cannot be read as dae"},
       {"not_a_number", "a.stl",
        binary_stl(with(fine_tube(), [](Mesh& m) { m.vertices[3].y() = std::nan(""); })),

@@ -41,7 +41,8 @@ std::vector<FileOfAFormat> tube_in_every_format() {
           {"inch.3mf", sample::three_mf({{"tube", scaled(tube, 1 / 25.4)}}, "inch"), 0.0254},
           {"tube.dae", sample::collada(tube, 1e-3), 1},
           {"metres.dae", sample::collada(scaled(tube, 1e-3), 1), 1},
-          {"tube.gltf", sample::gltf(scaled(tube, 1e-3), "tube"), 1}};
+          {"tube.gltf", sample::gltf(scaled(tube, 1e-3), "tube"), 1},
+          {"tube.glb", sample::glb(scaled(tube, 1e-3), "tube"), 1}};
 }
 
 TEST(CadFormats, AllGiveTheSameTube) {

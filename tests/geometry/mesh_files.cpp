@@ -147,33 +147,62 @@ std::string collada(const Mesh& mesh, double unit) {
   return out.str();
 }
 
-std::string gltf(const Mesh& mesh, const std::string& name) {
+namespace {
+
+/// Corners, y up, then triangles: the buffer of a glTF file.
+std::string gltf_buffer(const Mesh& mesh) {
   std::string data;
-  Box box;
-  for (const Eigen::Vector3d& v : mesh.vertices) {
-    const Eigen::Vector3d turned(v.x(), v.z(), -v.y());
-    box.include(turned);
-    for (int axis = 0; axis < 3; ++axis) append(data, static_cast<float>(turned[axis]));
-  }
-  const std::size_t corners = data.size();
+  for (const Eigen::Vector3d& v : mesh.vertices)
+    for (const double part : {v.x(), v.z(), -v.y()}) append(data, static_cast<float>(part));
   for (const Eigen::Vector3i& t : mesh.triangles)
     for (int k = 0; k < 3; ++k) append(data, static_cast<std::uint32_t>(t[k]));
+  return data;
+}
+
+/// The text of a glTF file; `source`: how its buffer says where it is.
+std::string gltf_text(const Mesh& mesh, const std::string& name, const std::string& source) {
+  const std::size_t corners = 12 * mesh.vertices.size(), indices = 12 * mesh.triangles.size();
+  const Box box = mesh.bounding_box();
   std::ostringstream out;
-  const auto list = [](const Eigen::Vector3d& v) {
+  const auto list = [](double x, double y, double z) {
     std::ostringstream text;
-    text << std::setprecision(9) << "[" << v.x() << "," << v.y() << "," << v.z() << "]";
+    text << std::setprecision(9) << "[" << x << "," << y << "," << z << "]";
     return text.str();
   };
   out << R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0,"name":")"
       << name << R"("}],"meshes":[{"name":"m","primitives":[{"attributes":{"POSITION":0},"indices":1}]}],)"
       << R"("accessors":[{"bufferView":0,"componentType":5126,"count":)" << mesh.vertices.size()
-      << R"(,"type":"VEC3","min":)" << list(box.lower) << R"(,"max":)" << list(box.upper)
+      << R"(,"type":"VEC3","min":)" << list(box.lower.x(), box.lower.z(), -box.upper.y()) << R"(,"max":)"
+      << list(box.upper.x(), box.upper.z(), -box.lower.y())
       << R"(},{"bufferView":1,"componentType":5125,"count":)" << 3 * mesh.triangles.size()
       << R"(,"type":"SCALAR"}],"bufferViews":[{"buffer":0,"byteOffset":0,"byteLength":)" << corners
-      << R"(},{"buffer":0,"byteOffset":)" << corners << R"(,"byteLength":)" << data.size() - corners
-      << R"(}],"buffers":[{"byteLength":)" << data.size()
-      << R"(,"uri":"data:application/octet-stream;base64,)" << base64(data) << R"("}]})";
+      << R"(},{"buffer":0,"byteOffset":)" << corners << R"(,"byteLength":)" << indices
+      << R"(}],"buffers":[{"byteLength":)" << corners + indices << source << "}]}";
   return out.str();
+}
+
+/// A piece of a binary glTF file, filled up to four bytes.
+void append_chunk(std::string& bytes, const std::string& kind, std::string content, char filler) {
+  content.resize((content.size() + 3) / 4 * 4, filler);
+  append(bytes, static_cast<std::uint32_t>(content.size()));
+  bytes += kind + content;
+}
+
+}  // namespace
+
+std::string gltf(const Mesh& mesh, const std::string& name) {
+  return gltf_text(mesh, name,
+                   R"(,"uri":"data:application/octet-stream;base64,)" + base64(gltf_buffer(mesh)) + "\"");
+}
+
+std::string glb(const Mesh& mesh, const std::string& name) {
+  std::string chunks;
+  append_chunk(chunks, "JSON", gltf_text(mesh, name, ""), ' ');
+  append_chunk(chunks, std::string("BIN\0", 4), gltf_buffer(mesh), '\0');
+  std::string bytes = "glTF";
+  append(bytes, std::uint32_t{2});
+  append(bytes, static_cast<std::uint32_t>(12 + chunks.size()));
+  return bytes + chunks;
 }
 
 std::string three_mf(const std::vector<NamedMesh>& parts, const std::string& unit) {

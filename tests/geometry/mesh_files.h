@@ -22,6 +22,8 @@ std::string amf(const Mesh& mesh, const std::string& unit);
 std::string collada(const Mesh& mesh, double unit);
 /// glTF in metres with y up, as its standard has it: x, y, z of the mesh are written as x, z, -y.
 std::string gltf(const Mesh& mesh, const std::string& name);
+/// The same as one binary file.
+std::string glb(const Mesh& mesh, const std::string& name);
 
 /// A mesh and what the file calls it.
 using NamedMesh = std::pair<std::string, Mesh>;
