@@ -3,10 +3,11 @@
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/box_intersection_d.h>
 #include <CGAL/intersections.h>
+#include <tbb/parallel_for.h>
+#include <tbb/parallel_sort.h>
 
 #include <algorithm>
-#include <mutex>
-#include <type_traits>
+#include <cstdint>
 
 #include "geometry/topology.h"
 
@@ -19,6 +20,9 @@ using TriangleBox = CGAL::Box_intersection_d::Box_with_info_d<double, 3, std::si
 
 constexpr double kShrink = 1e-5;
 constexpr std::size_t kMostCrossings = 100000;  // piles of the same sheet have millions
+constexpr std::size_t kTrianglesOfASlab = 50000;
+
+using Crossings = std::vector<std::pair<std::size_t, std::size_t>>;
 
 struct Enough {};
 
@@ -31,56 +35,80 @@ Kernel::Triangle_3 shrunk_triangle(const Corners& corners) {
   return {shrunk(corners[0]), shrunk(corners[1]), shrunk(corners[2])};
 }
 
-using Crossings = std::vector<std::pair<std::size_t, std::size_t>>;
-
-/// Adds crossings in whatever order they are found.
-class Collector {
+/// The triangles of a mesh in slabs across its longest side, each small enough to be searched quickly, side
+/// by side with others. A triangle is in every slab that it reaches into.
+class Slabs {
  public:
-  explicit Collector(const Mesh& mesh) : mesh_(mesh) {}
-
-  /// Triangles are made when asked for: of ten million, they would take most of a gigabyte.
-  Kernel::Triangle_3 triangle(std::size_t t) const { return shrunk_triangle(corners_of(mesh_, t)); }
-
-  void look_at(std::size_t low, std::size_t high) {
-    if (!CGAL::do_intersect(triangle(low), triangle(high))) return;
-    const std::lock_guard lock(mutex_);
-    if (crossings_.size() == kMostCrossings) throw Enough();
-    crossings_.emplace_back(low, high);
+  Slabs(const Mesh& mesh, const std::vector<std::uint8_t>& left_out) : mesh_(mesh) {
+    mesh.bounding_box().size().maxCoeff(&axis_);
+    std::vector<double> begins;
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
+      if (!left_out[t]) begins.push_back(range(t).first);
+    tbb::parallel_sort(begins);
+    for (std::size_t k = kTrianglesOfASlab; k < begins.size(); k += kTrianglesOfASlab)
+      borders_.push_back(begins[k]);
+    triangles_.resize(borders_.size() + 1);
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+      if (left_out[t]) continue;
+      const auto [low, high] = range(t);
+      for (std::size_t slab = slab_of(low); slab <= slab_of(high); ++slab)
+        triangles_[slab].push_back(static_cast<std::uint32_t>(t));
+    }
   }
 
-  Crossings crossings() && { return std::move(crossings_); }
+  std::size_t size() const { return triangles_.size(); }
+
+  /// Pairs that cross and begin to lie side by side in this slab, so that no other slab has them too.
+  Crossings search(std::size_t slab) const {
+    std::vector<TriangleBox> boxes;
+    boxes.reserve(triangles_[slab].size());
+    for (const std::uint32_t t : triangles_[slab]) boxes.emplace_back(triangle(t).bbox(), t);
+    Crossings crossings;
+    const auto look = [&](const TriangleBox& a, const TriangleBox& b) {
+      const int axis = static_cast<int>(axis_);
+      if (slab_of(std::max(a.min_coord(axis), b.min_coord(axis))) != slab) return;
+      const std::size_t low = std::min(a.info(), b.info()), high = std::max(a.info(), b.info());
+      if (CGAL::do_intersect(triangle(low), triangle(high))) crossings.emplace_back(low, high);
+      if (crossings.size() == kMostCrossings) throw Enough();
+    };
+    try {
+      CGAL::box_self_intersection_d(boxes.begin(), boxes.end(), look);
+    } catch (const Enough&) {
+    }
+    return crossings;
+  }
 
  private:
-  const Mesh& mesh_;
-  std::mutex mutex_;
-  Crossings crossings_;
-};
-
-/// All crossings on all cores, or on one the first that are found.
-template <typename Concurrency>
-Crossings search(const Mesh& mesh, const std::vector<std::uint8_t>& left_out) {
-  Collector found(mesh);
-  std::vector<TriangleBox> boxes;
-  boxes.reserve(mesh.triangles.size());
-  for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
-    if (!left_out[t]) boxes.emplace_back(found.triangle(t).bbox(), t);
-  const auto look = [&](const TriangleBox& a, const TriangleBox& b) {
-    found.look_at(std::min(a.info(), b.info()), std::max(a.info(), b.info()));
-  };
-  try {
-    CGAL::box_self_intersection_d<Concurrency>(boxes.begin(), boxes.end(), look);
-  } catch (const Enough&) {
-    // Which ones are the first depends on the threads.
-    if (std::is_same_v<Concurrency, CGAL::Parallel_tag>) return search<CGAL::Sequential_tag>(mesh, left_out);
+  /// Triangles are made when asked for: ten million would take most of a gigabyte.
+  Kernel::Triangle_3 triangle(std::size_t t) const { return shrunk_triangle(corners_of(mesh_, t)); }
+  std::pair<double, double> range(std::size_t t) const {
+    const CGAL::Bbox_3 box = triangle(t).bbox();
+    return {box.min(static_cast<int>(axis_)), box.max(static_cast<int>(axis_))};
   }
-  return std::move(found).crossings();
-}
+  std::size_t slab_of(double place) const {
+    return static_cast<std::size_t>(std::upper_bound(borders_.begin(), borders_.end(), place) -
+                                    borders_.begin());
+  }
+
+  const Mesh& mesh_;
+  Eigen::Index axis_ = 0;
+  std::vector<double> borders_;  ///< m, where each slab but the first begins
+  std::vector<std::vector<std::uint32_t>> triangles_;
+};
 
 }  // namespace
 
 std::vector<std::pair<std::size_t, std::size_t>> find_crossings(const Mesh& mesh,
                                                                 const std::vector<std::uint8_t>& left_out) {
-  Crossings crossings = search<CGAL::Parallel_tag>(mesh, left_out);
+  const Slabs slabs(mesh, left_out);
+  std::vector<Crossings> found(slabs.size());
+  tbb::parallel_for(std::size_t{0}, slabs.size(),
+                    [&](std::size_t slab) { found[slab] = slabs.search(slab); });
+  Crossings crossings;
+  for (const Crossings& some : found) {
+    const std::size_t room = std::min(some.size(), kMostCrossings - crossings.size());
+    crossings.insert(crossings.end(), some.begin(), some.begin() + static_cast<std::ptrdiff_t>(room));
+  }
   std::sort(crossings.begin(), crossings.end());
   return crossings;
 }

@@ -187,6 +187,39 @@ class Surveyor {
   HoleFinder holes_;
 };
 
+/// Centres that came into view of samples, asked for closely and, in larger cells, roughly.
+class Newcomers {
+ public:
+  Newcomers(const HoleFinder& holes, double radius)
+      : sight_(holes.sight()),
+        rough_sight_(sight_ + 2 * HoleFinder::kFarthestAside * radius),
+        radius_(radius),
+        near_(sight_),
+        far_(rough_sight_) {}
+
+  void clear() {
+    near_ = PointGrid(sight_);
+    far_ = PointGrid(rough_sight_);
+  }
+  void insert(const Eigen::Vector3d& centre) {
+    near_.insert(centre);
+    far_.insert(centre);
+  }
+  /// Whether one may change what the hole round the sample's place looks like.
+  bool seen_from(const SurfaceSample& sample, const Eigen::Vector3d& place) const {
+    if (near_.points().empty()) return false;
+    return near_.any_within(place, sight_ + (sample.at_depth(radius_) - place).norm());
+  }
+  /// The same, in doubt true, before the place is known.
+  bool may_be_seen_from(const SurfaceSample& sample) const {
+    return !far_.points().empty() && far_.any_within(sample.at_depth(radius_), rough_sight_);
+  }
+
+ private:
+  double sight_, rough_sight_, radius_;  // m
+  PointGrid near_, far_;
+};
+
 /// Fills holes with centres, sample by sample. New centres may bring a hole into a sample's view that it did
 /// not see before, so that further passes are due; they look again only where a centre came into view. All
 /// cores look for holes, in turns with filling those found: what was seen stands until a centre comes into
@@ -199,9 +232,8 @@ class HoleCloser {
         front_(layout),
         holes_(layout, kSampleStep * layout.offset().depth()),
         allowed_(cover_distance(layout.spacing())),
-        sight_(holes_.sight()),
-        fresh_(sight_),
-        since_look_(sight_) {}
+        fresh_(holes_, layout.offset().depth()),
+        since_look_(fresh_) {}
 
   /// True when centres were added.
   bool pass() {
@@ -215,7 +247,7 @@ class HoleCloser {
             note_new();
           }
         });
-    fresh_ = PointGrid(sight_);
+    fresh_.clear();
     for (std::size_t i = before; i < count(); ++i) fresh_.insert(layout_.centres().points()[i]);
     first_ = false;
     return count() > before;
@@ -233,10 +265,6 @@ class HoleCloser {
   };
 
   std::size_t count() const { return layout_.centres().points().size(); }
-  Eigen::Vector3d straight_below(const SurfaceSample& sample) const {
-    return sample.at_depth(layout_.offset().depth());
-  }
-
   std::vector<Look> look_at(const Stretch& stretch) const {
     const double radius = layout_.offset().depth();
     std::vector<Look> looks;
@@ -250,10 +278,10 @@ class HoleCloser {
   }
 
   void look(Look& look) const {
-    if (!first_ && !may_see(fresh_, look.sample)) return;
+    if (!first_ && !fresh_.may_be_seen_from(look.sample)) return;
     try {
       const Eigen::Vector3d place = holes_.below(look.sample);
-      if (!first_ && !sees(fresh_, look.sample, place)) return;
+      if (!first_ && !fresh_.seen_from(look.sample, place)) return;
       look.place = place;
       look.hole = holes_.find(place, allowed_).distance >= allowed_;
     } catch (const MeshError&) {
@@ -263,33 +291,21 @@ class HoleCloser {
 
   void take(const Look& look) {
     if (look.place) {
-      const bool changed = sees(since_look_, look.sample, *look.place);
+      const bool changed = since_look_.seen_from(look.sample, *look.place);
       if (changed && holes_.covered(look.sample, allowed_)) return;
       if (changed || look.hole) close(look, *look.place);
       return;
     }
-    if (!look.too_thin && !may_see(since_look_, look.sample)) return;
+    if (!look.too_thin && !since_look_.may_be_seen_from(look.sample)) return;
     if (holes_.covered(look.sample, allowed_)) return;
     const Eigen::Vector3d place = holes_.below(look.sample);  // throws where it is too thin
-    if (sees(since_look_, look.sample, place)) close(look, place);
-  }
-
-  /// Whether one of `centres` may change what the hole round the sample's place looks like.
-  bool sees(const PointGrid& centres, const SurfaceSample& sample, const Eigen::Vector3d& place) const {
-    if (centres.points().empty()) return false;
-    return centres.any_within(place, sight_ + (straight_below(sample) - place).norm());
-  }
-  /// The same, in doubt true, before the place is known.
-  bool may_see(const PointGrid& centres, const SurfaceSample& sample) const {
-    if (centres.points().empty()) return false;
-    const double farthest = HoleFinder::kFarthestAside * layout_.offset().depth();
-    return centres.any_within(straight_below(sample), sight_ + 2 * farthest);
+    if (since_look_.seen_from(look.sample, place)) close(look, place);
   }
 
   /// Makes the centres since the last look those from `first` on.
   void forget_before(std::size_t first) {
     if (first == since_first_) return;
-    since_look_ = PointGrid(sight_);
+    since_look_.clear();
     since_first_ = noted_ = first;
     note_new();
   }
@@ -313,10 +329,10 @@ class HoleCloser {
   WallLayout& layout_;
   LatticeFront front_;
   HoleFinder holes_;
-  double allowed_, sight_;
+  double allowed_;
   bool first_ = true;            ///< pass: all samples are looked at
-  PointGrid fresh_;              ///< later passes: centres of the pass before and of this one
-  PointGrid since_look_;         ///< centres that came since the looks that are taken now
+  Newcomers fresh_;              ///< later passes: centres of the pass before and of this one
+  Newcomers since_look_;         ///< centres that came since the looks that are taken now
   std::size_t since_first_ = 0;  ///< number of the first of these
   std::size_t noted_ = 0;        ///< centres that are in both or too old for them
 };
@@ -362,6 +378,7 @@ void measure_cover(const CoverTarget& target, const WallLayout& layout, WallSphe
   Measured all;
   const auto measure = [&](const Stretch& stretch) {
     Measured here;
+    here.widest = all.widest;  // of stretches taken: less need not be looked for
     sample_stretch(target, stretch, radius, kSampleStep * radius,
                    [&](const SurfaceSample& sample, std::size_t) { surveyor.measure(sample, here); });
     return here;
