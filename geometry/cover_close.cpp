@@ -1,0 +1,211 @@
+#include <Eigen/Geometry>
+#include <cmath>
+#include <deque>
+#include <optional>
+
+#include "geometry/cover_samples.h"
+#include "geometry/wall_holes.h"
+
+namespace diefill::geometry {
+
+namespace {
+
+/// Nearest centre allowed to a new lattice centre, over the spacing.
+constexpr double kLatticeDistance = 0.8;
+constexpr int kMostPasses = 6;
+
+/// Half the diagonal of a grid square, with an allowance for rounding.
+double cover_distance(double spacing) {
+  return spacing / std::sqrt(2.0) * (1 + 1e-6);
+}
+
+/// Grows square lattices of centres over open surface.
+class LatticeFront {
+ public:
+  explicit LatticeFront(WallLayout& layout) : layout_(layout) {}
+
+  /// Grows from a centre just added; one side of the squares points along `direction`.
+  void grow(const OffsetSurface::Place& seed, const Eigen::Vector3d& direction) {
+    waiting_.push_back({seed, direction});
+    while (!waiting_.empty()) {
+      const Item item = waiting_.front();
+      waiting_.pop_front();
+      const Eigen::Vector3d normal = item.place.normal();
+      Eigen::Vector3d ahead = item.direction - normal * normal.dot(item.direction);
+      ahead = ahead.norm() > 1e-3 ? ahead.normalized() : normal.unitOrthogonal();
+      const Eigen::Vector3d side = normal.cross(ahead);
+      for (const Eigen::Vector3d& way : {ahead, side, Eigen::Vector3d(-ahead), Eigen::Vector3d(-side)}) {
+        const Eigen::Vector3d guess = item.place.centre + layout_.spacing() * way;
+        const auto added = layout_.add(guess, guess + layout_.offset().depth() * normal,
+                                       kLatticeDistance * layout_.spacing());
+        if (added) waiting_.push_back({*added, ahead});
+      }
+    }
+  }
+
+ private:
+  struct Item {
+    OffsetSurface::Place place;
+    Eigen::Vector3d direction;
+  };
+  WallLayout& layout_;
+  std::deque<Item> waiting_;
+};
+
+/// Centres that came into view of samples, asked for closely and, in larger cells, roughly.
+class Newcomers {
+ public:
+  Newcomers(const HoleFinder& holes, double radius)
+      : sight_(holes.sight()),
+        rough_sight_(sight_ + 2 * HoleFinder::kFarthestAside * radius),
+        radius_(radius),
+        near_(sight_),
+        far_(rough_sight_) {}
+
+  void clear() {
+    near_ = PointGrid(sight_);
+    far_ = PointGrid(rough_sight_);
+  }
+  void insert(const Eigen::Vector3d& centre) {
+    near_.insert(centre);
+    far_.insert(centre);
+  }
+  /// Whether one may change what the hole round the sample's place looks like.
+  bool seen_from(const SurfaceSample& sample, const Eigen::Vector3d& place) const {
+    if (near_.points().empty()) return false;
+    return near_.any_within(place, sight_ + (sample.at_depth(radius_) - place).norm());
+  }
+  /// The same, in doubt true, before the place is known.
+  bool may_be_seen_from(const SurfaceSample& sample) const {
+    return !far_.points().empty() && far_.any_within(sample.at_depth(radius_), rough_sight_);
+  }
+
+ private:
+  double sight_, rough_sight_, radius_;  // m
+  PointGrid near_, far_;
+};
+
+/// Fills holes with centres, sample by sample. New centres may bring a hole into a sample's view that it did
+/// not see before, so that further passes are due; they look again only where a centre came into view. All
+/// cores look for holes, in turns with filling those found: what was seen stands until a centre comes into
+/// view, so that the outcome is that of looking at one sample after the other.
+class HoleCloser {
+ public:
+  HoleCloser(const CoverTarget& target, WallLayout& layout)
+      : target_(target),
+        layout_(layout),
+        front_(layout),
+        holes_(layout, kSampleStep * layout.offset().depth()),
+        allowed_(cover_distance(layout.spacing())),
+        fresh_(holes_, layout.offset().depth()),
+        since_look_(fresh_) {}
+
+  /// True when centres were added.
+  bool pass() {
+    const std::size_t before = count();
+    work_and_take(
+        target_.stretches, [&](const Stretch& stretch) { return look_at(stretch); },
+        [&](const std::vector<Look>& looks) {
+          for (const Look& look : looks) {
+            forget_before(look.centres);
+            take(look);
+            note_new();
+          }
+        });
+    fresh_.clear();
+    for (std::size_t i = before; i < count(); ++i) fresh_.insert(layout_.centres().points()[i]);
+    first_ = false;
+    return count() > before;
+  }
+
+ private:
+  /// A look at a sample that no centre covers.
+  struct Look {
+    SurfaceSample sample;
+    std::uint32_t facet = 0;
+    std::optional<Eigen::Vector3d> place;  ///< at depth R; none where it was not looked for or is none
+    bool too_thin = false;                 ///< none: a fault only if the sample is not covered in the end
+    bool hole = false;                     ///< there was one
+    std::size_t centres = 0;               ///< there were
+  };
+
+  std::size_t count() const { return layout_.centres().points().size(); }
+  std::vector<Look> look_at(const Stretch& stretch) const {
+    const double radius = layout_.offset().depth();
+    std::vector<Look> looks;
+    sample_stretch(target_, stretch, radius, [&](const SurfaceSample& sample, std::size_t facet) {
+      if (holes_.covered(sample, allowed_)) return;  // and will be, as centres only come
+      looks.push_back({sample, static_cast<std::uint32_t>(facet), {}, false, false, count()});
+      look(looks.back());
+    });
+    return looks;
+  }
+
+  void look(Look& look) const {
+    if (!first_ && !fresh_.may_be_seen_from(look.sample)) return;
+    try {
+      const Eigen::Vector3d place = holes_.below(look.sample);
+      if (!first_ && !fresh_.seen_from(look.sample, place)) return;
+      look.place = place;
+      look.hole = holes_.find(place, allowed_).distance >= allowed_;
+    } catch (const MeshError&) {
+      look.too_thin = true;
+    }
+  }
+
+  void take(const Look& look) {
+    if (look.place) {
+      const bool changed = since_look_.seen_from(look.sample, *look.place);
+      if (changed && holes_.covered(look.sample, allowed_)) return;
+      if (changed || look.hole) close(look, *look.place);
+      return;
+    }
+    if (!look.too_thin && !since_look_.may_be_seen_from(look.sample)) return;
+    if (holes_.covered(look.sample, allowed_)) return;
+    const Eigen::Vector3d place = holes_.below(look.sample);  // throws where it is too thin
+    if (since_look_.seen_from(look.sample, place)) close(look, place);
+  }
+
+  /// Makes the centres since the last look those from `first` on.
+  void forget_before(std::size_t first) {
+    if (first == since_first_) return;
+    since_look_.clear();
+    since_first_ = noted_ = first;
+    note_new();
+  }
+  void note_new() {
+    for (; noted_ < count(); ++noted_) {
+      since_look_.insert(layout_.centres().points()[noted_]);
+      if (!first_) fresh_.insert(layout_.centres().points()[noted_]);
+    }
+  }
+
+  void close(const Look& look, const Eigen::Vector3d& place) {
+    const Hole hole = holes_.find(place, allowed_);
+    if (hole.distance < allowed_) return;
+    const auto added = layout_.add(hole.middle, look.sample.point, (1 - 1e-3) * allowed_);
+    if (!added) return;
+    const Corners corners = corners_of(target_.mesh, target_.facets[look.facet].triangles.front());
+    front_.grow(*added, (corners[1] - corners[0]).normalized());
+  }
+
+  const CoverTarget& target_;
+  WallLayout& layout_;
+  LatticeFront front_;
+  HoleFinder holes_;
+  double allowed_;
+  bool first_ = true;            ///< pass: all samples are looked at
+  Newcomers fresh_;              ///< later passes: centres of the pass before and of this one
+  Newcomers since_look_;         ///< centres that came since the looks that are taken now
+  std::size_t since_first_ = 0;  ///< number of the first of these
+  std::size_t noted_ = 0;        ///< centres that are in both or too old for them
+};
+
+}  // namespace
+
+void close_cover(const CoverTarget& target, WallLayout& layout) {
+  HoleCloser closer(target, layout);
+  for (int pass = 0; pass < kMostPasses && closer.pass(); ++pass) continue;
+}
+
+}  // namespace diefill::geometry
