@@ -1,6 +1,7 @@
 // Points spread over a triangulated surface, each standing for a share of its area.
 #pragma once
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <vector>
