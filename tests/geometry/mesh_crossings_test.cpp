@@ -10,7 +10,8 @@
 namespace diefill::geometry {
 namespace {
 
-constexpr std::size_t kBoxes = 9000;  // of 12 triangles: more than two slabs of 50,000
+constexpr std::size_t kBoxes =
+    6000;  // of 12 triangles: more than a slab of 50,000, and fewer than 100,000 crossings
 constexpr double kEdge = 1e-3, kStep = 2e-3;
 
 /// A bar along x that pierces boxes from number `first` on.
