@@ -70,7 +70,7 @@ int check(const CheckArguments& arguments) {
   const process::Scene scene = wanted_scene(arguments.scene, arguments.setting);
   if (arguments.json || !arguments.picture.empty()) refuse_unusable(arguments, scene);
   const double sphere = process::smallest_sphere(process::engine_settings(scene, 1.0));
-  const auto tooling = process::build_tooling(scene, sphere, process::largest_grain(scene.powder));
+  const auto tooling = prepared_tooling(scene, true);
   process::RunOptions options;
   options.threads = 1;
   options.show_progress = false;

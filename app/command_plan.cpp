@@ -50,7 +50,11 @@ int plan(const PlanArguments& arguments) {
                         ? arguments.threads
                         : static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
   options.pilot = !arguments.no_benchmark;
-  const auto plan = process::plan::make_plan(process::read_scene(arguments.scene), options);
+  const auto plan = [&] {
+    process::Progress progress(true);
+    options.tell = progress.listener();
+    return process::plan::make_plan(process::read_scene(arguments.scene), options);
+  }();
   std::optional<process::plan::Choice> in_time;
   std::optional<std::size_t> in_error;
   if (arguments.minutes) in_time = process::plan::finest_within(plan, *arguments.minutes);

@@ -66,8 +66,7 @@ void print_summary(const results::FillResult& result) {
 
 int run(const RunArguments& arguments) {
   const process::Scene scene = wanted_scene(arguments.scene, arguments.setting);
-  const double sphere = process::smallest_sphere(process::engine_settings(scene, 1.0));
-  const auto tooling = process::build_tooling(scene, sphere, process::largest_grain(scene.powder));
+  const auto tooling = prepared_tooling(scene, !arguments.quiet);
 
   process::RunOptions options;
   options.directory = arguments.directory.empty() ? default_directory(scene.file)

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "process/plan/setting.h"
+#include "process/run/material.h"
 
 namespace diefill::app {
 
@@ -21,6 +22,12 @@ process::Scene wanted_scene(const std::string& file, const std::string& setting)
   for (std::size_t k = 0; k < chosen.size(); ++k)
     std::fprintf(stderr, k == 0 ? "%s:\n" : "  %s\n", chosen[k].c_str());
   return scene;
+}
+
+process::Tooling prepared_tooling(const process::Scene& scene, bool show_progress) {
+  process::Progress progress(show_progress);
+  const double sphere = process::smallest_sphere(process::engine_settings(scene, 1.0));
+  return process::build_tooling(scene, sphere, process::largest_grain(scene.powder), progress.listener());
 }
 
 }  // namespace diefill::app

@@ -4,6 +4,7 @@
 #include <CLI/CLI.hpp>
 #include <string>
 
+#include "process/run/tooling.h"
 #include "process/scene/scene.h"
 
 namespace diefill::app {
@@ -14,5 +15,9 @@ void add_setting(CLI::App& command, std::string& setting);
 /// Reads the scene. A setting of this name (empty: the scene's own, if it has one) is turned into numbers,
 /// and what it chose and replaced is said on standard error. Throws process::SceneError.
 process::Scene wanted_scene(const std::string& file, const std::string& setting);
+
+/// The scene's tools, ready to be filled; how far that is is shown where wanted. Throws process::SceneError
+/// or geometry::MeshError.
+process::Tooling prepared_tooling(const process::Scene& scene, bool show_progress);
 
 }  // namespace diefill::app

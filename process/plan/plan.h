@@ -34,8 +34,9 @@ struct Plan {
 /// What to plan with.
 struct PlanOptions {
   int threads = 2;
-  bool pilot = true;        ///< run a pilot; without it no time is known
-  double pilot_limit = 15;  ///< s of wall-clock time
+  bool pilot = true;                ///< run a pilot; without it no time is known
+  double pilot_limit = 15;          ///< s of wall-clock time
+  TellProgress tell = tell_nobody;  ///< hears how far the tools are
 };
 
 /// Reads the tools, runs the pilot, and puts the plan together. Throws as a run of the scene would.

@@ -3,6 +3,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cstdio>
 
 namespace diefill::process {
 
@@ -32,18 +33,23 @@ void Progress::show(double share, const std::string& doing, const std::string& r
   last_ = now;
   share = std::clamp(share, 0.0, 1.0);
   const double done = share - first_share_;
-  const std::string left = done > 0 ? duration_in_words(elapsed * (1 - share) / done) + " left" : "";
+  std::string words = doing;
+  if (!rate.empty()) words += "  " + rate;
+  if (done > 0) words += "  " + duration_in_words(elapsed * (1 - share) / done) + " left";
   if (!terminal_) {
-    std::fprintf(stderr, "%3.0f %%  %s  %s  %s\n", 100 * share, doing.c_str(), rate.c_str(), left.c_str());
+    std::fprintf(stderr, "%3.0f %%  %s\n", 100 * share, words.c_str());
     return;
   }
   const int full = static_cast<int>(share * kBarWidth);
-  std::fprintf(stderr, "\r\033[K[%s%s] %3.0f %%  %s  %s  %s",
-               std::string(static_cast<std::size_t>(full), '#').c_str(),
-               std::string(static_cast<std::size_t>(kBarWidth - full), '.').c_str(), 100 * share,
-               doing.c_str(), rate.c_str(), left.c_str());
+  std::fprintf(
+      stderr, "\r\033[K[%s%s] %3.0f %%  %s", std::string(static_cast<std::size_t>(full), '#').c_str(),
+      std::string(static_cast<std::size_t>(kBarWidth - full), '.').c_str(), 100 * share, words.c_str());
   std::fflush(stderr);
   bar_ = true;
+}
+
+TellProgress Progress::listener() {
+  return [this](double share, const std::string& doing) { show(share, doing, ""); };
 }
 
 void Progress::say(const std::string& line) {

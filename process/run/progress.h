@@ -3,10 +3,15 @@
 #pragma once
 
 #include <chrono>
-#include <cstdio>
+#include <functional>
 #include <string>
 
 namespace diefill::process {
+
+/// Told by work under way: the share of it that is done, 0 to 1, and what is going on.
+using TellProgress = std::function<void(double share, const std::string& doing)>;
+
+inline void tell_nobody(double, const std::string&) {}
 
 /// Progress of one piece of work on standard error.
 class Progress {
@@ -19,6 +24,8 @@ class Progress {
   /// `share` of the work done, 0 to 1, and what is going on. Cheap to call often: shows something ten times a
   /// second on a terminal, every ten seconds elsewhere, and nothing in the first two seconds.
   void show(double share, const std::string& doing, const std::string& rate);
+  /// Shows what it is told, as long as this object lives.
+  TellProgress listener();
   /// A line that stays.
   void say(const std::string& line);
 

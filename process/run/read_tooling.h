@@ -7,7 +7,7 @@ namespace diefill::process {
 
 /// Reads and examines the tools and settles what the scene's steps leave to the geometry (Step::prepare), as
 /// build_tooling() does, but without wall spheres. Throws SceneError or geometry::MeshError for tools that
-/// cannot be used.
-Tooling read_tooling(const Scene& scene);
+/// cannot be used. `tell` hears how far this is.
+Tooling read_tooling(const Scene& scene, const TellProgress& tell = tell_nobody);
 
 }  // namespace diefill::process

@@ -1,10 +1,13 @@
 #include "process/run/tooling.h"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <cstdio>
+#include <filesystem>
 #include <future>
 #include <stdexcept>
+#include <system_error>
 
 #include "process/run/half_model.h"
 #include "process/run/periodic_tool.h"
@@ -16,6 +19,16 @@
 namespace diefill::process {
 
 namespace {
+
+// Shares of the work, as a die of ten million triangles has them.
+constexpr double kToolsRead = 0.35, kToolsFit = 0.45, kReachKnown = 0.5;
+
+/// More than 0; what cannot be read is complained about when it is read.
+double bytes_of(const ToolSpec& spec) {
+  std::error_code failed;
+  const auto size = std::filesystem::file_size(spec.file, failed);
+  return failed ? 1 : 1 + static_cast<double>(size);
+}
 
 geometry::Box moved_box(const geometry::Mesh& mesh, const ToolPose& pose) {
   return geometry::transformed(mesh, pose.rotation, pose.translation).bounding_box();
@@ -260,9 +273,16 @@ geometry::Cavity Tooling::all_cavities() const {
   return together;
 }
 
-Tooling read_tooling(const Scene& scene) {
+Tooling read_tooling(const Scene& scene, const TellProgress& tell) {
   Tooling tooling;
-  for (const auto& spec : scene.tools) tooling.tools.push_back(read_tool(scene, spec));
+  double bytes = 0, all_bytes = 0;
+  for (const auto& spec : scene.tools) all_bytes += bytes_of(spec);
+  for (const auto& spec : scene.tools) {
+    tell(kToolsRead * bytes / all_bytes, "reading " + spec.file.filename().string());
+    tooling.tools.push_back(read_tool(scene, spec));
+    bytes += bytes_of(spec);
+  }
+  tell(kToolsRead, "seeing how tools fit");
   for (const auto& tool : tooling.tools) refuse_unusable(scene, tool);
   refuse_misplaced(scene, tooling);
   for (const auto& tool : tooling.tools) tooling.all.include(tool.mesh.bounding_box());
@@ -280,8 +300,10 @@ Tooling read_tooling(const Scene& scene) {
   return tooling;
 }
 
-Tooling build_tooling(const Scene& scene, double smallest_radius, double grain_diameter) {
-  Tooling tooling = read_tooling(scene);
+Tooling build_tooling(const Scene& scene, double smallest_radius, double grain_diameter,
+                      const TellProgress& tell) {
+  Tooling tooling = read_tooling(scene, tell);
+  tell(kToolsFit, "seeing where powder can come");
   const ReachableSurface reachable(scene, tooling, grain_diameter);
   // Tools do not know of each other: they are covered side by side.
   std::vector<std::future<geometry::WallSpheres>> covered;
@@ -292,8 +314,12 @@ Tooling build_tooling(const Scene& scene, double smallest_radius, double grain_d
                      return !scene.economy.skip_far_walls || reachable(k, point, normal);
                    });
     }));
+  const auto count = static_cast<double>(tooling.tools.size());
   for (std::size_t k = 0; k < tooling.tools.size(); ++k) {
     Tool& tool = tooling.tools[k];
+    const double share = kReachKnown + (1 - kReachKnown) * static_cast<double>(k) / count;
+    while (covered[k].wait_for(std::chrono::milliseconds(100)) != std::future_status::ready)
+      tell(share, "covering \"" + tool.spec.name + "\" with wall spheres");
     tool.spheres = covered[k].get();
     if (is_mesh(scene, tool.spec))
       tool.wall_mesh = wall_mesh(scene, tool, grain_diameter);

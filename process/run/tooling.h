@@ -10,6 +10,7 @@
 #include "geometry/mesh_check.h"
 #include "geometry/solid_query.h"
 #include "geometry/wall_spheres.h"
+#include "process/run/progress.h"
 #include "process/scene/scene.h"
 
 namespace diefill::process {
@@ -67,8 +68,10 @@ void refuse_unusable(const Scene& scene, const Tool& tool);
 
 /// Reads and examines the tools, settles what the scene's steps leave to the geometry (Step::prepare), and
 /// covers what powder can reach with wall spheres. `smallest_radius` (m) is that of the powder's spheres: a
-/// wall it could pass is refused. Throws SceneError or geometry::MeshError for tools that cannot be used.
-Tooling build_tooling(const Scene& scene, double smallest_radius, double grain_diameter);
+/// wall it could pass is refused. `tell` hears how far this is, which takes long for tools of millions of
+/// triangles. Throws SceneError or geometry::MeshError for tools that cannot be used.
+Tooling build_tooling(const Scene& scene, double smallest_radius, double grain_diameter,
+                      const TellProgress& tell = tell_nobody);
 
 /// The tool's motion in a step as an engine pose of its body frame.
 struct ToolPose {
