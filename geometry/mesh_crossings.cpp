@@ -3,12 +3,11 @@
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/box_intersection_d.h>
 #include <CGAL/intersections.h>
-#include <tbb/parallel_for.h>
-#include <tbb/parallel_sort.h>
 
 #include <algorithm>
 #include <cstdint>
 
+#include "geometry/all_cores.h"
 #include "geometry/topology.h"
 
 namespace diefill::geometry {
@@ -20,7 +19,7 @@ using TriangleBox = CGAL::Box_intersection_d::Box_with_info_d<double, 3, std::si
 
 constexpr double kShrink = 1e-5;
 constexpr std::size_t kMostCrossings = 100000;  // piles of the same sheet have millions
-constexpr std::size_t kTrianglesOfASlab = 50000;
+constexpr std::size_t kTrianglesOfASlab = 50000, kSampled = 50;
 
 using Crossings = std::vector<std::pair<std::size_t, std::size_t>>;
 
@@ -41,12 +40,13 @@ class Slabs {
  public:
   Slabs(const Mesh& mesh, const std::vector<std::uint8_t>& left_out) : mesh_(mesh) {
     mesh.bounding_box().size().maxCoeff(&axis_);
+    // One triangle in fifty tells well enough where slabs have to begin.
     std::vector<double> begins;
-    for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
+    for (std::size_t t = 0; t < mesh.triangles.size(); t += kSampled)
       if (!left_out[t]) begins.push_back(range(t).first);
-    tbb::parallel_sort(begins);
-    for (std::size_t k = kTrianglesOfASlab; k < begins.size(); k += kTrianglesOfASlab)
-      borders_.push_back(begins[k]);
+    std::sort(begins.begin(), begins.end());
+    constexpr std::size_t kStep = kTrianglesOfASlab / kSampled;
+    for (std::size_t k = kStep; k < begins.size(); k += kStep) borders_.push_back(begins[k]);
     triangles_.resize(borders_.size() + 1);
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
       if (left_out[t]) continue;
@@ -102,8 +102,7 @@ std::vector<std::pair<std::size_t, std::size_t>> find_crossings(const Mesh& mesh
                                                                 const std::vector<std::uint8_t>& left_out) {
   const Slabs slabs(mesh, left_out);
   std::vector<Crossings> found(slabs.size());
-  tbb::parallel_for(std::size_t{0}, slabs.size(),
-                    [&](std::size_t slab) { found[slab] = slabs.search(slab); });
+  on_all_cores(slabs.size(), [&](std::size_t slab) { found[slab] = slabs.search(slab); });
   Crossings crossings;
   for (const Crossings& some : found) {
     const std::size_t room = std::min(some.size(), kMostCrossings - crossings.size());

@@ -1,11 +1,11 @@
 #include "geometry/surface_facets.h"
 
-#include <tbb/parallel_for.h>
-
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <utility>
+
+#include "geometry/all_cores.h"
 
 namespace diefill::geometry {
 
@@ -107,11 +107,11 @@ std::vector<BorderEdge> border_of(std::size_t facet_index, const Facets& facets,
 std::vector<std::uint32_t> by_area(const Mesh& mesh, const Topology& topology) {
   std::vector<int> magnitude(mesh.triangles.size());
   std::vector<std::uint32_t> order;
-  tbb::parallel_for(std::size_t{0}, magnitude.size(), [&](std::size_t t) {
+  for (std::size_t t = 0; t < magnitude.size(); ++t) {
+    if (topology.left_out[t]) continue;
     magnitude[t] = std::ilogb(area_vector(corners_of(mesh, t)).norm());
-  });
-  for (std::size_t t = 0; t < magnitude.size(); ++t)
-    if (!topology.left_out[t]) order.push_back(static_cast<std::uint32_t>(t));
+    order.push_back(static_cast<std::uint32_t>(t));
+  }
   std::stable_sort(order.begin(), order.end(),
                    [&](std::uint32_t a, std::uint32_t b) { return magnitude[a] > magnitude[b]; });
   return order;
@@ -124,9 +124,8 @@ Facets find_facets(const Mesh& mesh, const Topology& topology) {
   for (const std::uint32_t triangle : by_area(mesh, topology)) flood.start(triangle);
   const std::vector<std::int32_t> of_triangle = flood.of_triangle();
   Facets facets = std::move(flood).facets();
-  tbb::parallel_for(std::size_t{0}, facets.size(), [&](std::size_t f) {
-    facets[f].border = border_of(f, facets, mesh, topology, of_triangle);
-  });
+  on_all_cores(facets.size(),
+               [&](std::size_t f) { facets[f].border = border_of(f, facets, mesh, topology, of_triangle); });
   return facets;
 }
 

@@ -1,7 +1,5 @@
 #include "geometry/surface_stretches.h"
 
-#include <tbb/parallel_for.h>
-
 namespace diefill::geometry {
 
 namespace {
@@ -42,10 +40,6 @@ std::vector<Stretch> stretches_of(const Facets& facets) {
   stretch.end_triangle = facets.back().triangles.size();
   stretches.push_back(stretch);
   return stretches;
-}
-
-void on_all_cores(std::size_t count, const std::function<void(std::size_t)>& work) {
-  tbb::parallel_for(std::size_t{0}, count, work);
 }
 
 }  // namespace diefill::geometry

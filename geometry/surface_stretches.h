@@ -5,9 +5,9 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <functional>
 #include <vector>
 
+#include "geometry/all_cores.h"
 #include "geometry/surface_facets.h"
 
 namespace diefill::geometry {
@@ -32,9 +32,6 @@ void visit_facets(const Facets& facets, const Stretch& stretch, Visit visit) {
     visit(f, begin, end, end == all);
   }
 }
-
-/// Calls `work(i)` for all i below `count`, on all cores.
-void on_all_cores(std::size_t count, const std::function<void(std::size_t)>& work);
 
 /// Calls `take(work(stretch))` for every stretch: work on all cores, take one after the other in order, never
 /// both at once. The result of `work` may hold much, as only some dozen of them are there at a time, and

@@ -1,13 +1,13 @@
 #include "geometry/triangle_tree.h"
 
-#include <tbb/parallel_invoke.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
 #include <numeric>
 #include <utility>
+
+#include "geometry/all_cores.h"
 
 namespace diefill::geometry {
 
@@ -84,7 +84,7 @@ class TriangleTree::Builder {
     const auto split_left = [&] { box = split(free, left, free + 2); };
     const auto split_right = [&] { box_of_right = split(free + 1, right, free_of_right); };
     if (part.count > kWorthAThread) {
-      tbb::parallel_invoke(split_left, split_right);
+      side_by_side(split_left, split_right);
     } else {
       split_left();
       split_right();
