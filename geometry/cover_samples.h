@@ -16,17 +16,10 @@ inline constexpr double kThinning = 4;
 /// Calls `visit(part)` for parts of the triangle no longer than `longest` (m) that are near powder.
 template <typename Visit>
 void visit_parts_near_powder(const CoverTarget& target, const Corners& corners, double longest, Visit visit) {
-  std::size_t base = 0;
-  double length = 0;
-  for (std::size_t k = 0; k < 3; ++k) {
-    const double side = (corners[(k + 1) % 3] - corners[k]).norm();
-    if (side <= length) continue;
-    length = side;
-    base = k;
-  }
-  if (length > longest) {
-    const Eigen::Vector3d& a = corners[base];
-    const Eigen::Vector3d& b = corners[(base + 1) % 3];
+  const std::size_t base = longest_edge(corners);
+  const Eigen::Vector3d& a = corners[base];
+  const Eigen::Vector3d& b = corners[(base + 1) % 3];
+  if ((b - a).norm() > longest) {
     const Eigen::Vector3d& tip = corners[(base + 2) % 3];
     const Eigen::Vector3d half = (a + b) / 2;
     visit_parts_near_powder(target, {a, half, tip}, longest, visit);

@@ -54,7 +54,7 @@ class Flood {
     facets_.push_back(std::move(facet));
   }
 
-  Facets facets() && { return std::move(facets_); }
+  Facets take_facets() { return std::move(facets_); }
   const std::vector<std::int32_t>& of_triangle() const { return of_triangle_; }
 
  private:
@@ -122,8 +122,8 @@ std::vector<std::uint32_t> by_area(const Mesh& mesh, const Topology& topology) {
 Facets find_facets(const Mesh& mesh, const Topology& topology) {
   Flood flood(mesh, topology);
   for (const std::uint32_t triangle : by_area(mesh, topology)) flood.start(triangle);
-  const std::vector<std::int32_t> of_triangle = flood.of_triangle();
-  Facets facets = std::move(flood).facets();
+  const std::vector<std::int32_t>& of_triangle = flood.of_triangle();
+  Facets facets = flood.take_facets();
   on_all_cores(facets.size(),
                [&](std::size_t f) { facets[f].border = border_of(f, facets, mesh, topology, of_triangle); });
   return facets;

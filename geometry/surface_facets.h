@@ -17,9 +17,9 @@ inline constexpr std::int32_t kNoFacet = -1;
 struct BorderEdge {
   const Eigen::Vector3d* from_corner = nullptr;  ///< of the mesh, m
   const Eigen::Vector3d* to_corner = nullptr;
-  double angle = 0;    ///< rad, between the two facets' normals, 0 where unknown
-  std::int32_t other;  ///< facet beyond, kNoFacet where unknown
-  bool convex = true;  ///< the solid's angle at the edge is below 180 degrees
+  double angle = 0;               ///< rad, between the two facets' normals, 0 where unknown
+  std::int32_t other = kNoFacet;  ///< facet beyond, kNoFacet where unknown
+  bool convex = true;             ///< the solid's angle at the edge is below 180 degrees
   const Eigen::Vector3d& from() const { return *from_corner; }
   const Eigen::Vector3d& to() const { return *to_corner; }
 };

@@ -24,17 +24,11 @@ struct SurfaceSample {
 /// their areas add up to the triangle's.
 template <typename Visit>
 void sample_triangle(const Corners& corners, double step, Visit visit) {
-  std::size_t base = 0;
-  double longest = 0;
-  for (std::size_t k = 0; k < 3; ++k) {
-    const double length = (corners[(k + 1) % 3] - corners[k]).norm();
-    if (length <= longest) continue;
-    longest = length;
-    base = k;
-  }
+  const std::size_t base = longest_edge(corners);
   const Eigen::Vector3d& a = corners[base];
   const Eigen::Vector3d& b = corners[(base + 1) % 3];
   const Eigen::Vector3d& tip = corners[(base + 2) % 3];
+  const double longest = (b - a).norm();
   const Eigen::Vector3d area = area_vector(corners);
   const Eigen::Vector3d normal = area.normalized();
   const Eigen::Vector3d along = (b - a) / longest, up = normal.cross(along);

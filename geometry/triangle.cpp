@@ -46,6 +46,14 @@ TriangleFoot closest_point(const Corners& corners, const Eigen::Vector3d& query)
   return {query - normal * normal.dot(from_a), {Kind::kFace, 0}};
 }
 
+std::size_t longest_edge(const Corners& corners) {
+  const auto length = [&](std::size_t k) { return (corners[(k + 1) % 3] - corners[k]).norm(); };
+  std::size_t longest = 0;
+  for (std::size_t k = 1; k < 3; ++k)
+    if (length(k) > length(longest)) longest = k;
+  return longest;
+}
+
 Eigen::Vector3d area_vector(const Corners& corners) {
   return (corners[1] - corners[0]).cross(corners[2] - corners[0]);
 }

@@ -27,6 +27,9 @@ struct TriangleFoot {
 /// its digits.
 TriangleFoot closest_point(const Corners& corners, const Eigen::Vector3d& query);
 
+/// The edge of greatest length, the first of several.
+std::size_t longest_edge(const Corners& corners);
+
 /// Twice the area times the unit normal, m^2.
 Eigen::Vector3d area_vector(const Corners& corners);
 

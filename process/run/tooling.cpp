@@ -1,7 +1,6 @@
 #include "process/run/tooling.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
@@ -21,7 +20,7 @@ namespace diefill::process {
 namespace {
 
 // Shares of the work, as a die of ten million triangles has them.
-constexpr double kToolsRead = 0.35, kToolsFit = 0.45, kReachKnown = 0.5;
+constexpr double kToolsRead = 0.24, kToolsFit = 0.3, kReachKnown = 0.33;
 
 /// More than 0; what cannot be read is complained about when it is read.
 double bytes_of(const ToolSpec& spec) {
@@ -318,8 +317,7 @@ Tooling build_tooling(const Scene& scene, double smallest_radius, double grain_d
   for (std::size_t k = 0; k < tooling.tools.size(); ++k) {
     Tool& tool = tooling.tools[k];
     const double share = kReachKnown + (1 - kReachKnown) * static_cast<double>(k) / count;
-    while (covered[k].wait_for(std::chrono::milliseconds(100)) != std::future_status::ready)
-      tell(share, "covering \"" + tool.spec.name + "\" with wall spheres");
+    tell(share, "covering \"" + tool.spec.name + "\" with wall spheres");
     tool.spheres = covered[k].get();
     if (is_mesh(scene, tool.spec))
       tool.wall_mesh = wall_mesh(scene, tool, grain_diameter);
