@@ -55,19 +55,16 @@ class LatticeFront {
   std::deque<Item> waiting_;
 };
 
-/// Centres that came into view of samples, asked for closely and, in larger cells, roughly.
+/// Centres that came into view of samples. `aside` (m) is the most that places of samples are from straight
+/// below.
 class Newcomers {
  public:
   Newcomers(const HoleFinder& holes, double radius)
-      : sight_(holes.sight()),
-        rough_sight_(sight_ + 2 * HoleFinder::kFarthestAside * radius),
-        radius_(radius),
-        near_(sight_),
-        far_(rough_sight_) {}
+      : sight_(holes.sight()), radius_(radius), near_(sight_), far_(kFar * sight_) {}
 
   void clear() {
     near_ = PointGrid(sight_);
-    far_ = PointGrid(rough_sight_);
+    far_ = PointGrid(kFar * sight_);
   }
   void insert(const Eigen::Vector3d& centre) {
     near_.insert(centre);
@@ -79,29 +76,37 @@ class Newcomers {
     return near_.any_within(place, sight_ + (sample.at_depth(radius_) - place).norm());
   }
   /// The same, in doubt true, before the place is known.
-  bool may_be_seen_from(const SurfaceSample& sample) const {
-    return !far_.points().empty() && far_.any_within(sample.at_depth(radius_), rough_sight_);
+  bool may_be_seen_from(const SurfaceSample& sample, double aside) const {
+    return !near_.points().empty() && grid(aside).any_within(sample.at_depth(radius_), sight(aside));
   }
   /// The same for samples anywhere in a box.
-  bool may_be_seen_from(const Box& box) const {
-    const double sight = rough_sight_ + radius_;
-    return std::any_of(far_.points().begin(), far_.points().end(), [&](const Eigen::Vector3d& centre) {
-      return (box.lower - centre).cwiseMax(centre - box.upper).cwiseMax(0).squaredNorm() <= sight * sight;
+  bool may_be_seen_from(const Box& box, double aside) const {
+    const double farthest = sight(aside) + radius_;
+    return std::any_of(near_.points().begin(), near_.points().end(), [&](const Eigen::Vector3d& centre) {
+      const Eigen::Vector3d beyond = (box.lower - centre).cwiseMax(centre - box.upper).cwiseMax(0);
+      return beyond.squaredNorm() <= farthest * farthest;
     });
   }
   /// The same for samples of a part, asked of near_parts().
-  bool may_be_seen_from(const Corners& part, NearPoints& newcomers) const {
-    if (far_.points().empty()) return false;
+  bool may_be_seen_from(const Corners& part, double aside, NearPoints& near_parts) const {
+    if (near_.points().empty()) return false;
     const Eigen::Vector3d middle = (part[0] + part[1] + part[2]) / 3;
     double farthest = 0;
     for (const Eigen::Vector3d& corner : part) farthest = std::max(farthest, (corner - middle).norm());
-    return newcomers.any_within(middle, farthest + radius_ + rough_sight_);
+    return near_parts.any_within(middle, farthest + radius_ + sight(aside));
   }
-  NearPoints near_parts() const { return {far_, kPartLength * radius_ + rough_sight_, rough_sight_}; }
+  NearPoints near_parts(double aside) const {
+    return {far_, kPartLength * radius_ + sight(aside), kPartLength * radius_};
+  }
 
  private:
-  double sight_, rough_sight_, radius_;  // m
-  PointGrid near_, far_;
+  static constexpr double kFar = 6, kRounding = 1e-9;
+  /// A centre sees a place from `sight_` and as much more as that is aside.
+  double sight(double aside) const { return (sight_ + 2 * aside) * (1 + kRounding); }
+  const PointGrid& grid(double aside) const { return 2 * aside < sight_ ? near_ : far_; }
+
+  double sight_, radius_;  // m
+  PointGrid near_, far_;   ///< the same centres in small and in large cells
 };
 
 /// Fills holes with centres, sample by sample. New centres may bring a hole into a sample's view that it did
@@ -118,7 +123,8 @@ class HoleCloser {
         allowed_(cover_distance(layout.spacing())),
         fresh_(holes_, layout.offset().depth()),
         since_look_(fresh_),
-        known_(target.stretches.size()) {}
+        known_(target.stretches.size()),
+        aside_(target.stretches.size(), 0) {}
 
   /// True when centres were added.
   bool pass() {
@@ -180,8 +186,9 @@ class HoleCloser {
                      }
                      looks.push_back({sample, static_cast<std::uint32_t>(facet), {}, false, false, count()});
                      look(looks.back(), holes);
-                     if (looks.back().place == sample.at_depth(radius))
-                       known_here = SampleKnown::kStraightBelow;
+                     const double aside = aside_of(looks.back());
+                     if (aside == 0) known_here = SampleKnown::kStraightBelow;
+                     aside_[stretch.number] = std::max(aside_[stretch.number], aside);
                    });
     return looks;
   }
@@ -193,6 +200,13 @@ class HoleCloser {
     } catch (const MeshError&) {
       look.too_thin = true;
     }
+  }
+
+  /// m, how far the sample's place is from straight below.
+  double aside_of(const Look& look) const {
+    const double radius = layout_.offset().depth();
+    if (!look.place) return HoleFinder::kFarthestAside * radius;
+    return (*look.place - look.sample.at_depth(radius)).norm();
   }
 
   void take(const Look& look) {
@@ -209,7 +223,8 @@ class HoleCloser {
         target_.stretches, [&](const Stretch& stretch) { return look_again_at(stretch); },
         [&](const Again& again) {
           forget_before(again.centres);
-          if (again.hole || since_look_.may_be_seen_from(again.box)) close_along(*again.stretch);
+          const double aside = aside_[again.stretch->number];
+          if (again.hole || since_look_.may_be_seen_from(again.box, aside)) close_along(*again.stretch);
         });
   }
 
@@ -217,21 +232,31 @@ class HoleCloser {
     const double radius = layout_.offset().depth();
     HoleFinder holes = holes_;
     ReachableSamples reachable(target_, radius);
-    NearPoints newcomers = fresh_.near_parts();
+    const double aside = aside_[stretch.number];
+    NearPoints newcomers = fresh_.near_parts(aside);
     Again again{&stretch, false, {}, count()};
     visit_samples(
         target_, stretch, radius,
         [&](const Corners& part) {
           for (const Eigen::Vector3d& corner : part) again.box.include(corner);
-          return !again.hole && fresh_.may_be_seen_from(part, newcomers);
+          return !again.hole && fresh_.may_be_seen_from(part, aside, newcomers);
         },
         [&](const SurfaceSample& sample, std::size_t) {
-          if (again.hole || !may_have_changed(sample, reachable, holes)) return;
-          Look seen{sample, 0, {}, false, false, 0};
-          look(seen, holes);
-          again.hole = seen.too_thin || (seen.hole && fresh_.seen_from(sample, *seen.place));
+          if (!again.hole && fresh_.may_be_seen_from(sample, aside) && reachable(sample))
+            again.hole = sees_hole(sample, holes);
         });
     return again;
+  }
+
+  /// Whether a sample sees a hole beside a new centre, or that the solid is too thin.
+  bool sees_hole(const SurfaceSample& sample, HoleFinder& holes) const {
+    if (holes.covered(sample, allowed_)) return false;
+    try {
+      const Eigen::Vector3d place = holes.below(sample);
+      return fresh_.seen_from(sample, place) && holes.find(sample, place, allowed_).distance >= allowed_;
+    } catch (const MeshError&) {
+      return true;
+    }
   }
 
   void close_along(const Stretch& stretch) {
@@ -240,16 +265,12 @@ class HoleCloser {
     visit_samples(
         target_, stretch, radius, [](const Corners&) { return true; },
         [&](const SurfaceSample& sample, std::size_t facet) {
-          if (!may_have_changed(sample, reachable, holes_)) return;
+          if (!fresh_.may_be_seen_from(sample, aside_[stretch.number]) || !reachable(sample)) return;
+          if (holes_.covered(sample, allowed_)) return;
           const Eigen::Vector3d place = holes_.below(sample);  // throws where it is too thin
           if (fresh_.seen_from(sample, place)) close(sample, static_cast<std::uint32_t>(facet), place);
           note_new();
         });
-  }
-
-  /// Whether a sample that powder reaches may see a centre that it did not see when it was looked at last.
-  bool may_have_changed(const SurfaceSample& sample, ReachableSamples& reachable, HoleFinder& holes) const {
-    return fresh_.may_be_seen_from(sample) && reachable(sample) && !holes.covered(sample, allowed_);
   }
 
   /// Makes the centres since the last look those from `first` on.
@@ -286,6 +307,7 @@ class HoleCloser {
   std::size_t since_first_ = 0;  ///< number of the first of these
   std::size_t noted_ = 0;        ///< centres that are in both or too old for them
   SamplesKnown known_;
+  std::vector<double> aside_;  ///< m, by stretch: farthest that a place is from straight below its sample
 };
 
 }  // namespace

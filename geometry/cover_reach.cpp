@@ -16,7 +16,7 @@ PointGrid reachable_points(const CoverTarget& target, double step) {
     });
     return reachable;
   };
-  work_and_take(target.stretches, reachable_in, [&](const std::vector<Eigen::Vector3d>& reachable) {
+  work_while_taking(target.stretches, reachable_in, [&](const std::vector<Eigen::Vector3d>& reachable) {
     for (const Eigen::Vector3d& point : reachable)
       if (!points.any_within(point, step / 2)) points.insert(point);
   });

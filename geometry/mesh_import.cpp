@@ -10,6 +10,7 @@
 #include "geometry/cad_child.h"
 #include "geometry/cad_file.h"
 #include "geometry/cad_parts.h"
+#include "geometry/lie_apart.h"
 #include "geometry/point_grid.h"
 #include "geometry/read_binary_stl.h"
 
@@ -22,28 +23,39 @@ namespace {
 constexpr double kJoinTolerance = 1e-7;
 constexpr double kSameUnit = 1e-3;  // units of length differ by more
 
-/// Vertices within tolerance of an earlier one become that one; vertices without triangles go.
-Mesh with_joined_vertices(const Mesh& mesh) {
-  const double tolerance = kJoinTolerance * mesh.bounding_box().size().norm();
-  PointGrid kept(16 * tolerance);  // most questions then look into one cell
-  std::vector<int> kept_index(mesh.vertices.size(), -1);
-  Mesh result;
-  result.triangles.reserve(mesh.triangles.size());
-  for (const Eigen::Vector3i& triangle : mesh.triangles) {
-    Eigen::Vector3i corners;
-    for (int k = 0; k < 3; ++k) {
-      const auto vertex = static_cast<std::size_t>(triangle[k]);
-      if (kept_index[vertex] < 0) {
-        std::size_t same = kept.nearest_within(mesh.vertices[vertex], tolerance);
-        if (same == PointGrid::kNone) same = kept.insert(mesh.vertices[vertex]);
-        kept_index[vertex] = static_cast<int>(same);
-      }
-      corners[k] = kept_index[vertex];
+/// Numbers the vertices that `place_of(vertex)` names by the triangles' first use of them; those without
+/// triangles go.
+template <typename PlaceOf>
+void number_vertices(Mesh& mesh, PlaceOf place_of) {
+  std::vector<int> number(mesh.vertices.size(), -1);
+  for (Eigen::Vector3i& triangle : mesh.triangles)
+    for (int& corner : triangle) {
+      int& own = number[static_cast<std::size_t>(corner)];
+      if (own < 0) own = place_of(mesh.vertices[static_cast<std::size_t>(corner)]);
+      corner = own;
     }
-    result.triangles.push_back(corners);
+}
+
+/// Vertices within tolerance of an earlier one become that one; vertices without triangles go.
+void join_vertices(Mesh& mesh) {
+  const double tolerance = kJoinTolerance * mesh.bounding_box().size().norm();
+  if (surely_lie_apart(mesh.vertices, tolerance)) {
+    std::vector<Eigen::Vector3d> kept;
+    kept.reserve(mesh.vertices.size());
+    number_vertices(mesh, [&](const Eigen::Vector3d& vertex) {
+      kept.push_back(vertex);
+      return static_cast<int>(kept.size() - 1);
+    });
+    mesh.vertices = std::move(kept);
+    return;
   }
-  result.vertices = kept.points();
-  return result;
+  PointGrid kept(16 * tolerance);  // most questions then look into one cell
+  kept.reserve(mesh.vertices.size());
+  number_vertices(mesh, [&](const Eigen::Vector3d& vertex) {
+    const std::size_t same = kept.nearest_within(vertex, tolerance);
+    return static_cast<int>(same == PointGrid::kNone ? kept.insert(vertex) : same);
+  });
+  mesh.vertices = kept.points();
 }
 
 void check_corners(const Mesh& mesh, const std::filesystem::path& file) {
@@ -85,11 +97,15 @@ double unit_of(const std::filesystem::path& file, const CadParts& contents, cons
 }
 
 /// The wanted part, or all of them as one mesh.
-Mesh wanted(const std::filesystem::path& file, const CadParts& contents, const ImportOptions& options,
+Mesh wanted(const std::filesystem::path& file, CadParts contents, const ImportOptions& options,
             const std::vector<std::string>& names) {
   Mesh mesh;
-  for (const CadPart& part : contents.parts) {
+  for (CadPart& part : contents.parts) {
     if (!options.part.empty() && part.name != options.part) continue;
+    if (mesh.triangles.empty()) {
+      mesh = std::move(part.mesh);
+      continue;
+    }
     const int offset = static_cast<int>(mesh.vertices.size());
     mesh.vertices.insert(mesh.vertices.end(), part.mesh.vertices.begin(), part.mesh.vertices.end());
     for (const auto& triangle : part.mesh.triangles) mesh.triangles.emplace_back(triangle.array() + offset);
@@ -135,16 +151,16 @@ ImportedPart import_part(const std::filesystem::path& file, const ImportOptions&
                     file.extension().string().substr(file.has_extension() ? 1 : 0) + "': export it as " +
                     cad_formats_in_words());
   check_is_what_it_says(file, format->ending, bytes);
-  const CadParts contents = read(file, *format, options.chord_tolerance, bytes);
+  CadParts contents = read(file, *format, options.chord_tolerance, bytes);
 
   ImportedPart result;
   result.unit_from_file = contents.metres_per_unit.has_value();
   result.metres_per_unit = unit_of(file, contents, options);
   result.curved = format->surface == SurfaceKind::kCurved;
   for (const CadPart& part : contents.parts) result.parts.push_back(part.name);
-  Mesh mesh = wanted(file, contents, options, result.parts);
-  check_corners(mesh, file);
-  result.mesh = with_joined_vertices(mesh);
+  result.mesh = wanted(file, std::move(contents), options, result.parts);
+  check_corners(result.mesh, file);
+  join_vertices(result.mesh);
   for (Eigen::Vector3d& vertex : result.mesh.vertices) vertex *= result.metres_per_unit;
   return result;
 }

@@ -1,6 +1,7 @@
 #include "geometry/point_grid.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <limits>
 
@@ -17,7 +18,7 @@ constexpr double kRounding = 1e-12;
 PointGrid::PointGrid(double cell) : inverse_cell_(1 / cell), heads_(kFirstBuckets, kEnd) {}
 
 std::size_t PointGrid::insert(const Eigen::Vector3d& point) {
-  if (points_.size() >= heads_.size()) grow();
+  if (points_.size() >= heads_.size()) resize(4 * heads_.size());
   const auto index = static_cast<std::uint32_t>(points_.size());
   points_.push_back(point);
   const Eigen::Vector3i cell = cell_of(point);
@@ -59,8 +60,14 @@ std::size_t PointGrid::some_within(const Eigen::Vector3d& place, double radius) 
   return some;
 }
 
-void PointGrid::grow() {
-  heads_.assign(heads_.size() * 4, kEnd);
+void PointGrid::reserve(std::size_t count) {
+  points_.reserve(count);
+  links_.reserve(count);
+  if (count > heads_.size()) resize(std::bit_ceil(count));
+}
+
+void PointGrid::resize(std::size_t buckets) {
+  heads_.assign(buckets, kEnd);
   for (std::uint32_t i = 0; i < points_.size(); ++i) {
     std::uint32_t& head = heads_[bucket(links_[i].cell)];
     links_[i].next = head;

@@ -13,6 +13,8 @@ class PointGrid {
   /// `cell` is the edge of a cube in m, best about the radius (m) asked with.
   explicit PointGrid(double cell);
 
+  /// Room for so many points, so that the grid need not grow on the way.
+  void reserve(std::size_t count);
   /// Adds a point (m) and returns its index.
   std::size_t insert(const Eigen::Vector3d& point);
 
@@ -97,7 +99,7 @@ class PointGrid {
     return (static_cast<std::size_t>(hash) << 3 * kBits | static_cast<std::size_t>(within)) &
            (heads_.size() - 1);
   }
-  void grow();
+  void resize(std::size_t buckets);
 
   double inverse_cell_;
   std::vector<Eigen::Vector3d> points_;

@@ -34,14 +34,6 @@ std::vector<std::uint32_t> useful_triangles(const Topology& topology) {
   return useful;
 }
 
-std::vector<Corners> corners_of_all(const Mesh& mesh, const std::vector<std::uint32_t>& triangles) {
-  std::vector<Corners> corners(triangles.size());
-  in_parts_on_all_cores(triangles.size(), [&](std::size_t begin, std::size_t end) {
-    for (std::size_t k = begin; k < end; ++k) corners[k] = corners_of(mesh, triangles[k]);
-  });
-  return corners;
-}
-
 }  // namespace
 
 struct SolidQuery::Implementation {
@@ -74,7 +66,7 @@ SolidQuery::Implementation::Implementation(const Mesh& mesh)
       across(mesh_triangle.size()),
       vertex(mesh_triangle.size()),
       triangles_at(mesh.vertices.size(), 0),
-      tree(corners_of_all(mesh, mesh_triangle)) {
+      tree(mesh_triangle.size(), [&](std::size_t own) { return corners_of(mesh, mesh_triangle[own]); }) {
   name_neighbours(mesh);
 }
 

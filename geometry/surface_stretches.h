@@ -50,4 +50,23 @@ void work_and_take(const std::vector<Stretch>& stretches, Work work, Take take) 
   }
 }
 
+/// The same for work that does not depend on what was taken: one core takes while others work on what comes
+/// next.
+template <typename Work, typename Take>
+void work_while_taking(const std::vector<Stretch>& stretches, Work work, Take take) {
+  constexpr std::size_t kAtATime = 64;
+  std::vector<decltype(work(stretches.front()))> results, taken;
+  for (std::size_t begin = 0; begin < stretches.size() || !results.empty(); begin += results.size()) {
+    std::swap(results, taken);
+    results.assign(std::min(kAtATime, stretches.size() - begin), {});
+    on_all_cores(results.size() + 1, [&](std::size_t i) {
+      if (i > 0) {
+        results[i - 1] = work(stretches[begin + i - 1]);
+      } else {
+        for (const auto& result : taken) take(result);
+      }
+    });
+  }
+}
+
 }  // namespace diefill::geometry

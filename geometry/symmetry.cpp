@@ -24,7 +24,7 @@ struct Spread {
   Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();
 };
 
-Spread spread_of(const std::vector<Corners>& triangles) {
+Spread spread_of(std::span<const Corners> triangles) {
   Spread spread;
   double area = 0;
   for (const Corners& c : triangles) {

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <memory>
 #include <numeric>
 #include <utility>
 
@@ -53,9 +54,11 @@ Eigen::Array2d TriangleTree::Siblings::distances_squared(const Eigen::Vector3d& 
 /// numbers of triangles alone, so that the tree is the same on any number of threads.
 class TriangleTree::Builder {
  public:
-  explicit Builder(TriangleTree& tree) : tree_(tree) {
-    middles_.reserve(tree.triangles_.size());
-    for (const Corners& corners : tree.triangles_) middles_.push_back(middle(corners));
+  explicit Builder(TriangleTree& tree)
+      : tree_(tree), middles_(std::make_unique_for_overwrite<Eigen::Vector3d[]>(tree.order_.size())) {
+    in_parts_on_all_cores(tree.order_.size(), [&](std::size_t begin, std::size_t end) {
+      for (std::size_t t = begin; t < end; ++t) middles_[t] = middle(tree.triangles_[t]);
+    });
     const auto count = static_cast<std::uint32_t>(tree.order_.size());
     tree.nodes_.resize(1 + siblings_below(count));
     tree.box_ = split({0, 0}, {0, count}, 1);
@@ -114,11 +117,15 @@ class TriangleTree::Builder {
   }
 
   TriangleTree& tree_;
-  std::vector<Eigen::Vector3d> middles_;
+  std::unique_ptr<Eigen::Vector3d[]>
+      middles_;  ///< of the triangles; memory that each core clears its part of
 };
 
-TriangleTree::TriangleTree(std::vector<Corners> triangles)
-    : triangles_(std::move(triangles)), order_(triangles_.size()) {
+TriangleTree::TriangleTree(std::size_t count, const std::function<Corners(std::size_t)>& corners_of)
+    : triangles_(std::make_unique_for_overwrite<Corners[]>(count)), order_(count) {
+  in_parts_on_all_cores(count, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t t = begin; t < end; ++t) triangles_[t] = corners_of(t);
+  });
   std::iota(order_.begin(), order_.end(), 0U);
   Builder{*this};
 }

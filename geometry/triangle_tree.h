@@ -5,7 +5,10 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <limits>
+#include <memory>
+#include <span>
 #include <vector>
 
 #include "geometry/mesh.h"
@@ -17,7 +20,8 @@ namespace diefill::geometry {
 /// thread-safe.
 class TriangleTree {
  public:
-  explicit TriangleTree(std::vector<Corners> triangles);
+  /// `corners_of(i)` are the corners (m) of triangle i below `count`; it is asked on all cores.
+  TriangleTree(std::size_t count, const std::function<Corners(std::size_t)>& corners_of);
 
   /// The nearest triangle (index in the order given; where several are equally near, always the same one).
   struct Hit {
@@ -31,7 +35,7 @@ class TriangleTree {
   Hit nearest(const Eigen::Vector3d& point, double guess) const;
 
   const Corners& corners(std::size_t triangle) const { return triangles_[triangle]; }
-  const std::vector<Corners>& triangles() const { return triangles_; }
+  std::span<const Corners> triangles() const { return {triangles_.get(), order_.size()}; }
   const Box& box() const { return box_; }
 
  private:
@@ -57,7 +61,7 @@ class TriangleTree {
   /// The nearest triangle if its distance squared is below `bound` (m^2); otherwise one at that distance.
   Hit nearer_than(double bound, const Eigen::Vector3d& point) const;
 
-  std::vector<Corners> triangles_;
+  std::unique_ptr<Corners[]> triangles_;  ///< memory that each core clears its part of
   std::vector<std::uint32_t> order_;
   std::vector<Siblings> nodes_;  ///< the root is one without a sibling
   Box box_;

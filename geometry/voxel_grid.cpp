@@ -6,6 +6,8 @@
 #include <cmath>
 #include <optional>
 
+#include "geometry/all_cores.h"
+
 namespace diefill::geometry {
 namespace {
 
@@ -77,6 +79,25 @@ class TriangleLines {
   std::array<Eigen::Vector2d, 3> flat_;
 };
 
+// Crossings of all lines with all triangles, in the order of the triangles.
+std::vector<Crossing> crossings_with(const Mesh& mesh, const VoxelGrid& grid, int axis) {
+  constexpr std::size_t kOfAPart = 16384;  // triangles
+  std::vector<std::vector<Crossing>> parts(mesh.triangles.size() / kOfAPart + 1);
+  on_all_cores(parts.size(), [&](std::size_t part) {
+    TriangleLines lines(grid, axis, parts[part]);
+    const std::size_t end = std::min(mesh.triangles.size(), (part + 1) * kOfAPart);
+    for (std::size_t t = part * kOfAPart; t < end; ++t) {
+      const Eigen::Vector3i& triangle = mesh.triangles[t];
+      lines.add({mesh.vertices[static_cast<std::size_t>(triangle[0])],
+                 mesh.vertices[static_cast<std::size_t>(triangle[1])],
+                 mesh.vertices[static_cast<std::size_t>(triangle[2])]});
+    }
+  });
+  std::vector<Crossing> all;
+  for (const auto& part : parts) all.insert(all.end(), part.begin(), part.end());
+  return all;
+}
+
 // By line, then along the line. Entering comes first where shells touch, so that they become one stretch.
 // Lines have few crossings each: counting them out by line is many times faster than comparing all.
 void sort(std::vector<Crossing>& crossings, std::size_t lines) {
@@ -119,13 +140,7 @@ Eigen::Vector3i VoxelGrid::voxel_at(const Eigen::Vector3d& point) const {
 }
 
 SolidRows::SolidRows(const Mesh& mesh, const VoxelGrid& grid, int axis) : axis_(axis) {
-  std::vector<Crossing> crossings;
-  TriangleLines lines(grid, axis, crossings);
-  for (const auto& triangle : mesh.triangles) {
-    lines.add({mesh.vertices[static_cast<std::size_t>(triangle[0])],
-               mesh.vertices[static_cast<std::size_t>(triangle[1])],
-               mesh.vertices[static_cast<std::size_t>(triangle[2])]});
-  }
+  std::vector<Crossing> crossings = crossings_with(mesh, grid, axis);
   sort(crossings, static_cast<std::size_t>(grid.counts[(axis + 1) % 3]) *
                       static_cast<std::size_t>(grid.counts[(axis + 2) % 3]));
   int depth = 0;

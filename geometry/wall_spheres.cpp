@@ -3,6 +3,7 @@
 #include <cmath>
 #include <string>
 
+#include "geometry/all_cores.h"
 #include "geometry/wall_cover.h"
 #include "geometry/wall_layout.h"
 #include "geometry/wall_rows.h"
@@ -36,14 +37,19 @@ WallSpheres make_wall_spheres(const Mesh& mesh, const SolidQuery& solid, const W
   const OffsetSurface offset(solid, options.radius);
 
   std::function<bool(const Eigen::Vector3d&)> wanted = [](const Eigen::Vector3d&) { return true; };
+  Strips strips;
+  const auto lay_strips = [&] { strips = find_strips(facets, options.radius, spacing); };
   if (options.reachable) {
     // Spheres up to about a spacing beyond the reachable surface close its edge.
-    target.near_powder = reachable_points(target, options.radius);
-    target.powder_parts = powder_parts(target.near_powder, options.radius);
+    side_by_side(lay_strips, [&] {
+      target.near_powder = reachable_points(target, options.radius);
+      target.powder_parts = powder_parts(target.near_powder, options.radius);
+    });
     wanted = [&](const Eigen::Vector3d& foot) { return target.near_powder.any_within(foot, 1.4 * spacing); };
+  } else {
+    lay_strips();
   }
   WallLayout layout(offset, spacing, wanted);
-  const Strips strips = find_strips(facets, options.radius, spacing);
   for (const Strip& strip : strips.bent) layout.add_grid(strip);
   add_edge_rows(facets, layout);
   for (const Strip& strip : strips.plane) layout.add_grid(strip);

@@ -16,7 +16,7 @@ double solid_angle(const Corners& corners, const Eigen::Vector3d& eye) {
   return 2 * std::atan2(a.dot(b.cross(c)), la * lb * lc + a.dot(b) * lc + b.dot(c) * la + c.dot(a) * lb);
 }
 
-double winding_number(const std::vector<Corners>& triangles, const Eigen::Vector3d& point) {
+double winding_number(std::span<const Corners> triangles, const Eigen::Vector3d& point) {
   double sum = 0;
   for (const Corners& corners : triangles) sum += solid_angle(corners, point);
   return sum / (4 * std::numbers::pi);

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <iterator>
 
+#include "geometry/all_cores.h"
 #include "process/run/tool_fit.h"
 
 namespace diefill::process {
@@ -97,15 +99,18 @@ PairDiagnosis pair_of(const Scene& scene, const Tooling& tooling, const Tool& on
 Diagnosis diagnose(const Scene& scene, const Tooling& tooling, double sphere_radius) {
   Diagnosis diagnosis;
   for (const Tool& tool : tooling.tools) tool.solid();  // there before several threads ask for it
-  for (std::size_t k = 0; k < tooling.tools.size(); ++k) {
+  const std::size_t tools = tooling.tools.size();
+  diagnosis.symmetry.resize(tools);
+  std::vector<PairDiagnosis> pairs(tools * (tools - 1) / 2);  // by tool, then by those before it
+  geometry::on_all_cores(tools, [&](std::size_t k) {
     const Tool& tool = tooling.tools[k];
     const double radius = tool.spec.sphere_radius.value_or(scene.walls.sphere_radius);
-    diagnosis.symmetry.push_back(geometry::find_symmetry(tool.solid(), kSymmetryOverRadius * radius));
-    for (std::size_t other = 0; other < k; ++other) {
-      PairDiagnosis pair = pair_of(scene, tooling, tooling.tools[other], tool, sphere_radius);
-      if (!pair.in_words.empty()) diagnosis.pairs.push_back(std::move(pair));
-    }
-  }
+    diagnosis.symmetry[k] = geometry::find_symmetry(tool.solid(), kSymmetryOverRadius * radius);
+    for (std::size_t other = 0; other < k; ++other)
+      pairs[k * (k - 1) / 2 + other] = pair_of(scene, tooling, tooling.tools[other], tool, sphere_radius);
+  });
+  std::ranges::copy_if(pairs, std::back_inserter(diagnosis.pairs),
+                       [](const PairDiagnosis& pair) { return !pair.in_words.empty(); });
   return diagnosis;
 }
 
