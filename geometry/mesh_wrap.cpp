@@ -16,9 +16,7 @@ namespace {
 constexpr double kStandOff = 1.0 / 30;  // of the detail, as CGAL's manual recommends
 
 double largest_one_way(const Mesh& from, const Mesh& to) {
-  std::vector<Corners> triangles;
-  for (std::size_t t = 0; t < to.triangles.size(); ++t) triangles.push_back(corners_of(to, t));
-  const TriangleTree tree(std::move(triangles));
+  const TriangleTree tree(to.triangles.size(), [&](std::size_t t) { return corners_of(to, t); });
   double largest = 0;
   const auto look = [&](const Eigen::Vector3d& point) {
     largest = std::max(largest, tree.nearest(point).distance_squared);
