@@ -24,7 +24,7 @@ void ask_to_stop(int) {
 }
 
 struct RunArguments {
-  std::string scene, directory, setting;
+  std::string scene, directory, setting, beginnings;
   int threads = 0;
   bool resume = false, quiet = false, no_pictures = false;
 };
@@ -75,6 +75,7 @@ int run(const RunArguments& arguments) {
                         ? arguments.threads
                         : static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
   options.resume = arguments.resume;
+  options.beginnings = arguments.beginnings;
   options.show_progress = !arguments.quiet;
   options.stop = &stop_asked;
   const auto folder = [&](const std::string& name) {
@@ -91,6 +92,7 @@ int run(const RunArguments& arguments) {
   std::signal(SIGINT, ask_to_stop);
   std::signal(SIGTERM, ask_to_stop);
   make_output_directory(options.directory);
+  if (!options.beginnings.empty()) make_output_directory(options.beginnings);
   fill.run();
 
   const auto result = process::assemble(scene, tooling, fill);
@@ -125,6 +127,8 @@ void add_run(CLI::App& program, Action& chosen) {
       ->check(CLI::Range(1, 1024));
   add_setting(*command, arguments->setting);
   command->add_flag("--resume", arguments->resume, "go on from the checkpoint in the results directory");
+  command->add_option("--beginnings", arguments->beginnings,
+                      "directory in which runs that begin alike leave that part for each other");
   command->add_flag("--no-pictures", arguments->no_pictures, "draw nothing; diefill map does it later");
   command->add_flag("--quiet", arguments->quiet, "no progress");
   command->footer(

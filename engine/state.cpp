@@ -1,26 +1,11 @@
 #include "engine/state.h"
 
 #include <algorithm>
-#include <cstring>
 #include <numeric>
 
+#include "engine/fnv1a.h"
+
 namespace diefill::engine {
-
-namespace {
-
-class Fnv1a {
- public:
-  void add(const void* data, std::size_t bytes) {
-    const auto* byte = static_cast<const unsigned char*>(data);
-    for (std::size_t k = 0; k < bytes; ++k) value_ = (value_ ^ byte[k]) * 0x100000001b3ULL;
-  }
-  std::uint64_t value() const { return value_; }
-
- private:
-  std::uint64_t value_ = 0xcbf29ce484222325ULL;
-};
-
-}  // namespace
 
 std::uint64_t state_hash(std::uint64_t step, const Grains& grains) {
   std::vector<std::size_t> order(grains.size());
