@@ -63,7 +63,7 @@ FillRun::FillRun(const Scene& scene, const Tooling& tooling, const RunOptions& o
   settings.air_draught = draught_of(scene, tooling, settings);
   critical_step_ = process::critical_time_step(settings, impact);
   simulation_ =
-      std::make_unique<engine::Simulation>(settings, wall_bodies(scene, tooling, settings.grain_contact));
+      std::make_unique<engine::Simulation>(settings, wall_bodies(scene, tooling, settings));
 
   domain_ = schedule_.swept();
   const double largest = largest_grain(scene.powder), margin = 2 * largest;

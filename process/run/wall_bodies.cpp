@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "process/run/half_model.h"
-#include "process/run/mixed_powder.h"
+#include "process/run/tool_surface.h"
 
 namespace diefill::process {
 namespace {
@@ -23,12 +23,14 @@ std::vector<engine::WallTriangle> wall_triangles(const geometry::Mesh& mesh) {
 }  // namespace
 
 std::vector<engine::WallBodySpec> wall_bodies(const Scene& scene, const Tooling& tooling,
-                                              const engine::ContactParameters& grain_contact) {
+                                              const engine::SimulationSettings& settings) {
   std::vector<engine::WallBodySpec> bodies;
   for (const Tool& tool : tooling.tools) {
     engine::WallBodySpec body;
     body.name = tool.spec.name;
-    body.material = kWallMaterial;
+    body.material = material_of(tool.spec);
+    if (has_own_surface(tool.spec) && !settings.mix)
+      body.contact = contact_with(scene, tool.spec, settings.wall_contact);
     body.sphere_radius = tool.spheres.radius;
     if (tool.wall_mesh)
       body.triangles = wall_triangles(*tool.wall_mesh);
@@ -38,7 +40,7 @@ std::vector<engine::WallBodySpec> wall_bodies(const Scene& scene, const Tooling&
       body.contact_radius = tool.spec.sphere_radius.value_or(scene.walls.sphere_radius);
     bodies.push_back(std::move(body));
   }
-  if (tooling.mirror) bodies.push_back(mirror_wall(*tooling.mirror, grain_contact));
+  if (tooling.mirror) bodies.push_back(mirror_wall(*tooling.mirror, settings.grain_contact));
   return bodies;
 }
 

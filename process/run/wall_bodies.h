@@ -9,8 +9,8 @@
 namespace diefill::process {
 
 /// The scene's tools in their order, each in its own frame, and the mirror plane of a half model as a last
-/// body without friction; `grain_contact` is the law between grains.
+/// body without friction.
 std::vector<engine::WallBodySpec> wall_bodies(const Scene& scene, const Tooling& tooling,
-                                              const engine::ContactParameters& grain_contact);
+                                              const engine::SimulationSettings& settings);
 
 }  // namespace diefill::process
