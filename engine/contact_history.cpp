@@ -38,17 +38,16 @@ ContactHistory remember_grain_contacts(const std::vector<Block>& blocks, const P
   ContactHistory history(sign.size());
   for (const auto& block : blocks) {
     const auto& table = block.grain_pairs;
-    for (std::size_t p = 0; p < table.size(); ++p) {
-      if (!table.touching[p]) continue;
+    table.visit_touching([&](std::size_t p, const double* memory) {
       const std::uint32_t a = renamed(block.sphere(table.pair[p].own), per_grain, new_place);
       const std::uint32_t b =
           renamed(naming.real_sphere(block.sphere(table.pair[p].other)), per_grain, new_place);
-      if (a == kGone || b == kGone) continue;
+      if (a == kGone || b == kGone) return;
       if (a < b)
-        history.add(a, b, table.memory_of(p), nullptr);
+        history.add(a, b, memory, nullptr);
       else
-        history.add(b, a, table.memory_of(p), sign.data());
-    }
+        history.add(b, a, memory, sign.data());
+    });
   }
   history.sort(spheres);
   return history;

@@ -183,6 +183,7 @@ void NeighbourList::find_grain_pairs(Block& block, const SphereField& spheres, c
     else
       block.grain_pairs.add(named, history.find(other, pair.own), opposite);
   }
+  block.grain_pairs.finish();
 }
 
 void NeighbourList::index_foreign_sums() {

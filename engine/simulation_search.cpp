@@ -214,11 +214,10 @@ Snapshot::Memory memory_of(const std::vector<Block>& blocks, Table Block::*table
   std::uint64_t before = 0;
   for (const auto& block : blocks) {
     const auto& pairs = block.*table;
-    for (std::size_t p = 0; p < pairs.size(); ++p) {
-      if (!pairs.touching[p]) continue;
+    pairs.visit_touching([&](std::size_t p, const double* numbers) {
       memory.pair.push_back(before + p);
-      memory.value.insert(memory.value.end(), pairs.memory_of(p), pairs.memory_of(p) + pairs.width);
-    }
+      memory.value.insert(memory.value.end(), numbers, numbers + pairs.width);
+    });
     before += pairs.size();
   }
   return memory;
@@ -231,11 +230,8 @@ void recall(std::vector<Block>& blocks, Table Block::*table, const Snapshot::Mem
   std::size_t next = 0;
   for (auto& block : blocks) {
     auto& pairs = block.*table;
-    for (; next < memory.pair.size() && memory.pair[next] < before + pairs.size(); ++next) {
-      const std::size_t p = memory.pair[next] - before;
-      pairs.touching[p] = 1;
-      std::copy_n(memory.value.data() + next * pairs.width, pairs.width, pairs.memory_of(p));
-    }
+    for (; next < memory.pair.size() && memory.pair[next] < before + pairs.size(); ++next)
+      pairs.recall(memory.pair[next] - before, memory.value.data() + next * pairs.width);
     before += pairs.size();
   }
 }

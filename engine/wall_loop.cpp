@@ -198,7 +198,7 @@ class WallLoop final : public PairLoop {
       batch.spin_sum.set(lane, spin);
       if constexpr (Law::kRolls) batch.relative_spin.set(lane, spin - plain(pose.angular_velocity));
     }
-    recall(block.wall_pairs, touch.pair, batch, lane);
+    recall(block.wall_pairs.memory_of(touch.pair), batch, lane);
   }
 
   void hand_out(const Batch& batch, std::size_t lane, Block& block, std::size_t body, const WallTouch& touch,
@@ -210,7 +210,7 @@ class WallLoop final : public PairLoop {
     if constexpr (Lever<kArm>::kTurns) own.add_moment(batch.moment[lane]);
     if constexpr (!kComposed && Lever<kArm>::kTurns)
       own.add_rolling_load(law(body, touch.kind).rolling_friction * batch.load[lane]);
-    remember(batch, lane, block.wall_pairs, touch.pair);
+    remember(batch, lane, block.wall_pairs.memory_of(touch.pair));
 
     const Vector3 contact =
         scene.spheres.position(pair.own) - contact_share(touch, body, scene) * batch.separation[lane];
