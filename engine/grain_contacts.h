@@ -18,7 +18,7 @@ void visit_grain_contacts(const Simulation& simulation, const Visit& visit) {
       const std::size_t grain = spheres.owner(i), other = spheres.owner(j);
       const double reach =
           simulation.shape_of(grain).sphere_radius + simulation.shape_of(other).sphere_radius;
-      const double overlap = reach - length(spheres.position[i] - spheres.position[j]);
+      const double overlap = reach - length(spheres.position(i) - spheres.position(j));
       if (overlap > 0) visit(grain, other, overlap);
     });
   }

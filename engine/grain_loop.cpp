@@ -25,7 +25,8 @@ class GrainLoop final : public PairLoop {
  public:
   explicit GrainLoop(Pairs pairs) : pairs_(std::move(pairs)) {}
 
-  void add_forces(Block& block, const ContactScene& scene, BlockTally& tally) const override {
+  void add_forces(Block& block, const ContactScene& scene, std::vector<ContactSum>& sums,
+                  BlockTally& tally) const override {
     thread_local std::vector<TouchingPair> touching;
     // Contacts begin and end: what pairs remember is written anew in every step, closely packed, into memory
     // that was another block's before.
@@ -45,7 +46,7 @@ class GrainLoop final : public PairLoop {
       with_instructions(scene.instructions, [&] {
         pack(block, pairs, scene.spheres, batch);
         react_all(batch, scene.time_step);
-        hand_out(batch, pairs, block, memory);
+        hand_out(batch, pairs, block, sums, memory);
       });
       batches.add(batch);
       if constexpr (!Pairs::kAlike)
@@ -99,6 +100,7 @@ class GrainLoop final : public PairLoop {
   }
 
   std::vector<double> memory_signs() const override { return Law::memory_signs(); }
+  bool rolls() const override { return kRolls && pairs_.rolling_friction() != 0; }
   double range() const override { return pairs_.range(); }
 
  private:
@@ -106,6 +108,8 @@ class GrainLoop final : public PairLoop {
   using Batch = ContactBatch<Law>;
 
   static constexpr bool kTurns = Lever<kArm>::kTurns;
+  /// Loads count where single spheres roll.
+  static constexpr bool kRolls = !kComposed && kTurns;
   /// Whether the reaction on j is not the one on i with other signs.
   static constexpr bool kOtherDiffers =
       kTurns && (kComposed ? Lever<kArm>::kOtherDiffers : static_cast<bool>(Law::kRolls));
@@ -175,23 +179,23 @@ class GrainLoop final : public PairLoop {
     batch.spread_records(lanes);
   }
 
-  /// Adds the batch's forces to the block's sums and writes what its pairs remember to `memory`.
-  void hand_out(Batch& batch, const TouchingPair* pairs, Block& block, double* memory) const {
+  /// Adds the batch's forces to `sums` and writes what its pairs remember to `memory`.
+  void hand_out(Batch& batch, const TouchingPair* pairs, const Block& block, std::vector<ContactSum>& sums,
+                double* memory) const {
     const std::size_t lanes = whole_groups(batch.count);
     if constexpr (kTurns)
       batch.collect_records(lanes, batch.moment, batch.on_own);
     else
       batch.collect_forces(lanes);
     if constexpr (kOtherDiffers) batch.collect_records(lanes, batch.other_moment, batch.on_other);
-    // Loads count where single spheres roll.
-    const double rolling = !kComposed && kTurns ? pairs_.rolling_friction() : 0;
+    const double rolling = kRolls ? pairs_.rolling_friction() : 0;
     const Eight own_sign = {1, 1, 1, 1, 1, 1, rolling, 0};
     const double turn = kComposed && !kOtherDiffers ? -1 : 1;
     const Eight other_sign = {-1, -1, -1, turn, turn, turn, rolling, 0};
     for (std::size_t lane = 0; lane < batch.count; ++lane) {
       const GrainPair pair = block.grain_pairs.pair[pairs[lane].pair];
-      add_times(block.sums[block.slot[pair.own]].data(), batch.on_own[lane], own_sign);
-      add_times(block.sums[block.slot[pair.other]].data(),
+      add_times(sums[block.slot_of<kComposed>(pair.own)].data(), batch.on_own[lane], own_sign);
+      add_times(sums[block.slot_of<kComposed>(pair.other)].data(),
                 kOtherDiffers ? batch.on_other[lane] : batch.on_own[lane], other_sign);
       remember(batch, lane, memory + lane * Batch::kMemory);
     }

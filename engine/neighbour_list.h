@@ -19,6 +19,7 @@ struct NeighbourSettings {
   double law_range = 0;                   ///< m, gap up to which the law acts between grains
   std::vector<double> grain_memory_sign;  ///< PairLoop::memory_signs() of pairs of grains
   std::size_t wall_memory = 0;            ///< numbers that touching pairs with walls remember
+  std::size_t sum_numbers = ContactSum::kRolling;  ///< of a ContactSum that count
 };
 
 /// m, radius of the spheres of a grain or image.

@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "engine/grains.h"
+#include "engine/contact_sums.h"
 #include "engine/vector3.h"
 
 namespace diefill::engine {
@@ -165,13 +165,18 @@ struct Block {
   std::vector<float> wall_distance;     ///< m, of a wall pair's centres when the list was made, rounded down;
                                         ///< 0 where it is not known (planes)
   std::vector<std::uint32_t> partners;  ///< spheres outside the block (of grains or images), rising
-  std::vector<std::uint16_t> slot;      ///< sum that forces on a local sphere are added to
-  std::vector<std::uint16_t> kind;      ///< of a local sphere's grain; empty where all are alike
+  std::vector<std::uint16_t> slot;  ///< sum that forces on a local sphere of a composed grain are added to
+  std::vector<std::uint16_t> kind;  ///< of a local sphere's grain; empty where all are alike
   std::vector<ForeignGrain> foreign;
-  std::vector<ContactSum> sums;
+  ContactSums sums;  ///< of the last step
 
   std::uint32_t grains() const { return end - begin; }
   std::uint32_t own_spheres() const { return grains() * spheres_per_grain; }
+  /// Sum that forces on a local sphere are added to: single spheres have one each.
+  template <bool kComposed>
+  std::size_t slot_of(LocalSphere local) const {
+    return kComposed ? slot[local] : local;
+  }
   /// Number of a local sphere among all spheres.
   std::uint32_t sphere(LocalSphere local) const {
     return local < own_spheres() ? begin * spheres_per_grain + local : partners[local - own_spheres()];

@@ -21,9 +21,9 @@ void visit_touching_grain_pairs(const Simulation& simulation, const Visit& visit
 
 /// Overlap (m) of sphere `i` with its partner in pair `p`.
 inline double overlap_of(const Simulation& simulation, const Block& block, std::size_t i, std::size_t p) {
-  const auto& position = simulation.spheres().position;
+  const auto& spheres = simulation.spheres();
   return 2 * simulation.settings().shape.sphere_radius -
-         length(position[i] - position[block.sphere(block.grain_pairs.pair[p].other)]);
+         length(spheres.position(i) - spheres.position(block.sphere(block.grain_pairs.pair[p].other)));
 }
 
 /// Tangential spring (m) that a pair remembers.

@@ -56,7 +56,7 @@ SpherePairs all_touching_pairs(const Simulation& simulation) {
       if (centres.norm() > 2 * settings.shape.bounding_radius()) continue;
       for (std::size_t i = a * per_grain; i < (a + 1) * per_grain; ++i)
         for (std::size_t j = b * per_grain; j < (b + 1) * per_grain; ++j)
-          if (nearest(settings, eigen(field.position[i] - field.position[j])).norm() <
+          if (nearest(settings, eigen(field.position(i) - field.position(j))).norm() <
               2 * settings.shape.sphere_radius)
             pairs.insert(named(simulation, i, j));
     }
