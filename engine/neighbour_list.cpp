@@ -202,7 +202,9 @@ void NeighbourList::index_foreign_sums() {
   for (std::uint32_t b = 0; b < blocks_.size(); ++b)
     for (std::uint32_t k = 0; k < blocks_[b].foreign.size(); ++k) {
       const std::uint32_t grain = blocks_[b].foreign[k].owner;
-      foreign_sums_[next[home(grain)]++] = {grain, b, blocks_[b].grains() + k};
+      const std::size_t own = home(grain);
+      foreign_sums_[next[own]++] = {b, static_cast<std::uint16_t>(blocks_[b].grains() + k),
+                                    static_cast<std::uint16_t>(grain - blocks_[own].begin)};
     }
 }
 

@@ -64,7 +64,9 @@ class NeighbourList {
 
   /// Where a grain's forces are summed outside its own block.
   struct ForeignSum {
-    std::uint32_t grain, block, slot;
+    std::uint32_t block;
+    std::uint16_t slot;   ///< of the block's sums
+    std::uint16_t grain;  ///< counted from the first of its own block
   };
   /// Foreign sums of the grains of block b are [foreign_first()[b], foreign_first()[b + 1]), in the order of
   /// the blocks that hold them.

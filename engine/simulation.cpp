@@ -150,6 +150,7 @@ Simulation::Simulation(const SimulationSettings& settings, std::vector<WallBodyS
   clearance_.resize(bodies_.size());
   if (settings_.sleep) sleeping_.emplace(*settings_.sleep, kinds_, settings_.gravity, settings_.time_step);
   spheres_.spheres_per_grain = kinds_.spheres();
+  spheres_.box = box_;
   reference_.skin = skin_.first();
   sort_and_search();
 }
@@ -288,11 +289,11 @@ void Simulation::gather(std::size_t b, std::vector<ContactSum>& contacts) const 
     ContactSum sum = block.sums[place.slot];
     if (composed) {
       const ForeignGrain& seen = block.foreign[place.slot - block.grains()];
-      const Vector3 arm =
-          plain(grains_.position[place.grain]) + spheres_.shift(seen.seen) - plain(block.reference);
+      const Vector3 arm = plain(grains_.position[own.begin + place.grain]) + spheres_.shift(seen.seen) -
+                          plain(block.reference);
       sum.add_moment(-cross(arm, sum.force()));
     }
-    contacts[place.grain - own.begin] += sum;
+    contacts[place.grain] += sum;
   }
 }
 

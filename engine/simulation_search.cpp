@@ -167,12 +167,9 @@ void Simulation::find_images() {
   // A grain on the border meets others whose centre is up to two grain radii and what both may move beyond
   // it.
   const double margin = 2 * kinds_.largest_grain() + grain_loop_->range() + 2 * farthest_allowance();
-  std::vector<Eigen::Vector3d> shifts;
-  for (std::uint32_t k = 0; k < reference_.position.size(); ++k) {
-    shifts.clear();
-    box_.image_shifts(reference_.position[k], margin, shifts);
-    for (const auto& shift : shifts) spheres_.images.push_back({k, shift});
-  }
+  for (std::uint32_t k = 0; k < reference_.position.size(); ++k)
+    box_.add_images(k, reference_.position[k], margin, spheres_.images);
+  spheres_.images.shrink_to_fit();
 }
 
 void Simulation::place_spheres(const std::vector<Eigen::Vector3d>& position,

@@ -25,6 +25,7 @@ struct SphereField {
   std::vector<Vector3> placed;  ///< m, centres of composed grains' spheres; single spheres are their grains
   std::vector<SphereMotion> motion;
   std::vector<GrainImage> images;
+  PeriodicBox box;                  ///< beyond whose borders images are seen
   std::vector<std::uint16_t> kind;  ///< of grains; empty where all are alike
   /// m, x, y and z of the first real sphere's centre, followed by those of the others.
   const double* coordinates = nullptr;
@@ -42,7 +43,7 @@ struct SphereField {
   std::size_t size() const { return (grains + images.size()) * spheres_per_grain; }
   /// m, from a grain's owner to the grain: 0 unless it is an image.
   Vector3 shift(std::size_t grain) const {
-    return grain < grains ? Vector3{} : plain(images[grain - grains].shift);
+    return grain < grains ? Vector3{} : box.shift(images[grain - grains]);
   }
   /// Real grain that sphere k belongs to.
   std::size_t owner(std::size_t k) const {
