@@ -4,8 +4,25 @@
 #include "app/commands.h"
 #include "app/exit_code.h"
 #include "process/run/assemble.h"
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
+
+namespace {
+
+/// What a big array leaves goes back to the system at once. The C library would begin to keep such memory
+/// after a while, and what a search for contacts needs for a moment would be held for the whole run.
+void hold_no_freed_memory() {
+#ifdef __GLIBC__
+  constexpr int kBigArray = 128 * 1024;  // bytes, what the library itself begins with
+  mallopt(M_MMAP_THRESHOLD, kBigArray);
+#endif
+}
+
+}  // namespace
 
 int main(int argc, char** argv) {
+  hold_no_freed_memory();
   CLI::App program(
       "diefill predicts how powder fills a die: density maps from CAD tools and a short scene file.");
   program.set_version_flag("--version", diefill::process::program_version());

@@ -305,7 +305,6 @@ void GrainIntegrator::advance_with(Bodies& bodies, Grains& grains, std::size_t b
       if (per_grain > 1) {
         grains.orientation[k] = eigen(lanes.orientation[lane]);
       } else {
-        spheres.position[k] = lanes.position[lane];
         spheres.motion[k] = {out.velocity[lane], rotates_ ? out.spin[lane] : Vector3{}};
       }
     }
@@ -314,7 +313,7 @@ void GrainIntegrator::advance_with(Bodies& bodies, Grains& grains, std::size_t b
       bodies.load_offset(s, bodies_, grains, lanes);
       with_instructions(instructions_, [&] { place_sphere(lanes, out, bodies, position, velocity); });
       for (std::size_t lane = 0; lane < lanes.count; ++lane) {
-        spheres.position[(first + lane) * per_grain + s] = position[lane];
+        spheres.placed[(first + lane) * per_grain + s] = position[lane];
         spheres.motion[(first + lane) * per_grain + s] = {velocity[lane], out.spin[lane]};
       }
     }

@@ -122,7 +122,10 @@ NeighbourSettings neighbour_settings(const KindTable& kinds, const PairLoop& gra
           .farthest_sphere = kinds.farthest_sphere(),
           .law_range = grain_loop.range(),
           .grain_memory_sign = grain_loop.memory_signs(),
-          .wall_memory = wall_loop.memory_signs().size()};
+          .wall_memory = wall_loop.memory_signs().size(),
+          .sum_numbers = !kinds.rotates()                          ? ContactSum::kForce
+                         : grain_loop.rolls() || wall_loop.rolls() ? ContactSum::kRolling
+                                                                   : ContactSum::kMoment};
 }
 
 }  // namespace
@@ -147,6 +150,7 @@ Simulation::Simulation(const SimulationSettings& settings, std::vector<WallBodyS
   clearance_.resize(bodies_.size());
   if (settings_.sleep) sleeping_.emplace(*settings_.sleep, kinds_, settings_.gravity, settings_.time_step);
   spheres_.spheres_per_grain = kinds_.spheres();
+  spheres_.box = box_;
   reference_.skin = skin_.first();
   sort_and_search();
 }
@@ -156,10 +160,12 @@ void Simulation::add_grains(const std::vector<NewGrain>& added) {
     if (grain.kind >= kinds_.size())
       throw std::invalid_argument("a grain of kind " + std::to_string(grain.kind) + ", but there are " +
                                   std::to_string(kinds_.size()) + " kinds, counted from 0");
+  // Contacts are between spheres where they are now, so that their energy must be known before grains are
+  // put back into the periodic box, whose own booking is in the difference.
+  const double before = energy().total(), added_before = ledger_.added_energy;
   wrap_grains();
-  const double before = energy().total();
   const std::size_t old_count = grains_.size();
-  grains_.resize(old_count + added.size());
+  grains_.resize(old_count + added.size(), kinds_.composed());
   for (std::size_t k = 0; k < added.size(); ++k) {
     const std::size_t g = old_count + k;
     const NewGrain& grain = added[k];
@@ -167,14 +173,13 @@ void Simulation::add_grains(const std::vector<NewGrain>& added) {
     grains_.kind[g] = grain.kind;
     grains_.position[g] = box_.wrapped(grain.position);
     grains_.velocity[g] = grain.velocity;
-    // A single sphere has no orientation worth following: its body frame is the laboratory's.
-    grains_.orientation[g] = kinds_.composed() ? grain.orientation.normalized() : Quaternion(1, 0, 0, 0);
-    grains_.spin[g] = rotation_matrix(grains_.orientation[g]).transpose() * grain.angular_velocity;
+    if (kinds_.composed()) grains_.orientation[g] = grain.orientation.normalized();
+    grains_.spin[g] = rotation_matrix(grains_.orientation_of(g)).transpose() * grain.angular_velocity;
     grains_.force[g] = shape_of(g).mass * settings_.gravity;
     grains_.torque[g].setZero();
   }
   sort_and_search();
-  ledger_.added_energy += energy().total() - before;
+  ledger_.added_energy = added_before + (energy().total() - before);
 }
 
 std::size_t Simulation::remove_grains(const std::function<bool(const Eigen::Vector3d&)>& leaves) {
@@ -194,10 +199,10 @@ std::size_t Simulation::remove_grains(const std::vector<std::uint64_t>& ids) {
 std::size_t Simulation::keep_grains(const std::vector<std::uint32_t>& staying) {
   const std::size_t gone = grains_.size() - staying.size();
   if (gone == 0) return 0;
+  const double before = energy().total(), added_before = ledger_.added_energy;
   wrap_grains();
-  const double before = energy().total();
   search_in_order(staying);
-  ledger_.added_energy += energy().total() - before;
+  ledger_.added_energy = added_before + (energy().total() - before);
   return gone;
 }
 
@@ -207,7 +212,7 @@ void Simulation::set_motion(std::size_t body, std::function<BodyMotion(double)> 
 }
 
 Eigen::Vector3d Simulation::angular_velocity(std::size_t k) const {
-  return rotation_matrix(grains_.orientation[k]) * grains_.spin[k];
+  return rotation_matrix(grains_.orientation_of(k)) * grains_.spin[k];
 }
 
 void Simulation::step() {
@@ -223,7 +228,6 @@ void Simulation::step() {
     sort_and_search();
     timers_.lap(Phase::search);
   }
-  place_images();
   compute_contacts();
   timers_.lap(Phase::contacts);
   finish_grains();
@@ -272,7 +276,7 @@ bool Simulation::has_moved_too_far(const Block& block) const {
 void Simulation::gather(std::size_t b, std::vector<ContactSum>& contacts) const {
   const Block& own = list_.blocks()[b];
   const bool composed = kinds_.composed();
-  contacts.assign(own.sums.begin(), own.sums.begin() + own.grains());
+  own.sums.copy_to(contacts, own.grains());
   if (composed)
     for (std::size_t k = own.begin; k < own.end; ++k) {
       const Vector3 arm = plain(grains_.position[k]) - plain(own.reference);
@@ -285,11 +289,11 @@ void Simulation::gather(std::size_t b, std::vector<ContactSum>& contacts) const 
     ContactSum sum = block.sums[place.slot];
     if (composed) {
       const ForeignGrain& seen = block.foreign[place.slot - block.grains()];
-      const Vector3 arm =
-          plain(grains_.position[place.grain]) + spheres_.shift(seen.seen) - plain(block.reference);
+      const Vector3 arm = plain(grains_.position[own.begin + place.grain]) + spheres_.shift(seen.seen) -
+                          plain(block.reference);
       sum.add_moment(-cross(arm, sum.force()));
     }
-    contacts[place.grain - own.begin] += sum;
+    contacts[place.grain] += sum;
   }
 }
 
@@ -308,9 +312,11 @@ void Simulation::compute_block(std::size_t b) {
   local.take(block, spheres_);
   const ContactScene scene = contact_scene(local);
   tallies_[b].start(bodies_.size());
-  std::fill(block.sums.begin(), block.sums.end(), ContactSum{});
-  grain_loop_->add_forces(block, scene, tallies_[b]);
-  wall_loop_->add_forces(block, scene, tallies_[b]);
+  thread_local std::vector<ContactSum> sums;
+  sums.assign(block.sums.size(), {});
+  grain_loop_->add_forces(block, scene, sums, tallies_[b]);
+  wall_loop_->add_forces(block, scene, sums, tallies_[b]);
+  block.sums.keep(sums);
 }
 
 void Simulation::finish_grains() {
@@ -366,14 +372,15 @@ double Simulation::bytes_moved_per_step() const {
   const double turning = kinds_.rotates() ? 2 * kVector : 0;  // spin and torque
   const double orientation = composed ? sizeof(Quaternion) : 0;
   // Reads position, velocity, force and the reference, writes positions and spheres.
-  const double advance = grains * (5 * kVector + turning + 3 * orientation) + spheres * kSphere;
+  const double advance = grains * (5 * kVector + turning + 3 * orientation) +
+                         spheres * (composed ? kSphere : sizeof(SphereMotion));
   // Reads and writes velocity and force; places of composed grains, for moments about their centres.
   const double finish = grains * (4 * kVector + 2 * turning + orientation + (composed ? kVector : 0));
   double contacts = spheres * kSphere;
   for (const auto& block : list_.blocks())
-    contacts += static_cast<double>(block.grain_pairs.size() * (sizeof(GrainPair) + 1) +
-                                    block.wall_pairs.size() * (sizeof(WallPair) + 1) +
-                                    2 * block.sums.size() * sizeof(ContactSum));
+    contacts +=
+        static_cast<double>(block.grain_pairs.size() * (sizeof(GrainPair) + 1) +
+                            block.wall_pairs.size() * (sizeof(WallPair) + 1) + 2 * block.sums.bytes());
   contacts += static_cast<double>(touching_) * 2 *
               static_cast<double>(list_.settings().grain_memory_sign.size()) * sizeof(double);
   return advance + finish + contacts;

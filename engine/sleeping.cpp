@@ -16,10 +16,9 @@ constexpr std::size_t kFewestSpheres = 1024, kFewestShare = 16;
 template <class Visit>
 void visit_touching(const Block& block, const SphereField& spheres, const Visit& visit) {
   const auto& table = block.grain_pairs;
-  for (std::size_t p = 0; p < table.size(); ++p) {
-    if (!table.touching[p]) continue;
+  table.visit_touching([&](std::size_t p, const double*) {
     visit(spheres.owner(block.sphere(table.pair[p].own)), spheres.owner(block.sphere(table.pair[p].other)));
-  }
+  });
 }
 
 bool in_any(const std::vector<Eigen::AlignedBox3d>& boxes, const Eigen::Vector3d& place) {

@@ -17,7 +17,8 @@ std::uint64_t state_hash(std::uint64_t step, const Grains& grains) {
     hash.add(&grains.id[k], sizeof grains.id[k]);
     if (grains.kind[k] != 0) hash.add(&grains.kind[k], sizeof grains.kind[k]);
     hash.add(grains.position[k].data(), 3 * sizeof(double));
-    hash.add(grains.orientation[k].data(), 4 * sizeof(double));
+    const Quaternion orientation = grains.orientation_of(k);
+    hash.add(orientation.data(), 4 * sizeof(double));
     hash.add(grains.velocity[k].data(), 3 * sizeof(double));
     hash.add(grains.spin[k].data(), 3 * sizeof(double));
   }

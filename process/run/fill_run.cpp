@@ -267,7 +267,7 @@ void FillRun::keep_instant() {
   instant.id = grains.id;
   if (!simulation_->kinds().alike()) instant.kind.assign(grains.kind.begin(), grains.kind.end());
   instant.position = grains.position;
-  instant.orientation = grains.orientation;
+  instant.orientation = grains.orientations();
   instant.velocity = grains.velocity;
   for (std::size_t b = 0; b < tooling_.tools.size(); ++b) {
     const auto& motion = simulation_->body_motion(b);
