@@ -2,6 +2,7 @@
 
 #include <tbb/parallel_for.h>
 
+#include <algorithm>
 #include <array>
 #include <atomic>
 
@@ -18,6 +19,12 @@ void on_all_cores(std::size_t count, const std::function<void(std::size_t)>& wor
     ended.fetch_add(1, std::memory_order_release);
   });
   ended.load(std::memory_order_acquire);
+}
+
+void in_parts_on_all_cores(std::size_t count, const std::function<void(std::size_t, std::size_t)>& work) {
+  constexpr std::size_t kPart = 16384;
+  on_all_cores((count + kPart - 1) / kPart,
+               [&](std::size_t part) { work(part * kPart, std::min(count, (part + 1) * kPart)); });
 }
 
 void side_by_side(const std::function<void()>& one, const std::function<void()>& other) {

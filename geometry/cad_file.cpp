@@ -175,7 +175,12 @@ std::string read_cad_file(const std::filesystem::path& file) {
     throw MeshError("CAD file " + name + " is a directory: name the CAD file inside it");
   std::ifstream stream(file, std::ios::binary);
   if (!stream) throw MeshError("CAD file " + name + " cannot be read: check its permissions");
-  std::string bytes{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
+  // At once where the size is known: half a gigabyte byte by byte takes seconds.
+  const auto size = std::filesystem::file_size(file, error);
+  std::string bytes(error ? 0 : size, '\0');
+  stream.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+  bytes.resize(static_cast<std::size_t>(stream.gcount()));
+  bytes.append(std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>());
   if (bytes.empty()) throw MeshError("CAD file " + name + " is empty: export it again");
   return bytes;
 }

@@ -2,6 +2,8 @@
 #include <cmath>
 #include <deque>
 #include <optional>
+#include <utility>
+#include <vector>
 
 #include "geometry/cover_samples.h"
 #include "geometry/wall_holes.h"
@@ -98,7 +100,8 @@ class HoleCloser {
         holes_(layout, kSampleStep * layout.offset().depth()),
         allowed_(cover_distance(layout.spacing())),
         fresh_(holes_, layout.offset().depth()),
-        since_look_(fresh_) {}
+        since_look_(fresh_),
+        known_(target.stretches.size()) {}
 
   /// True when centres were added.
   bool pass() {
@@ -118,6 +121,8 @@ class HoleCloser {
     return count() > before;
   }
 
+  SamplesKnown take_known() { return std::move(known_); }
+
  private:
   /// A look at a sample that no centre covers.
   struct Look {
@@ -130,24 +135,35 @@ class HoleCloser {
   };
 
   std::size_t count() const { return layout_.centres().points().size(); }
-  std::vector<Look> look_at(const Stretch& stretch) const {
+  /// Each stretch is looked at by one thread at a time, which alone writes what is known of it.
+  std::vector<Look> look_at(const Stretch& stretch) {
     const double radius = layout_.offset().depth();
+    HoleFinder holes = holes_;
     std::vector<Look> looks;
+    std::vector<SampleKnown>& known = known_[stretch.number];
+    std::size_t number = 0;
     sample_stretch(target_, stretch, radius, [&](const SurfaceSample& sample, std::size_t facet) {
-      if (holes_.covered(sample, allowed_)) return;  // and will be, as centres only come
+      if (first_) known.push_back(SampleKnown::kNothing);
+      SampleKnown& known_here = known[number++];
+      if (known_here == SampleKnown::kCovered) return;
+      if (holes.covered(sample, allowed_)) {
+        known_here = SampleKnown::kCovered;
+        return;
+      }
       looks.push_back({sample, static_cast<std::uint32_t>(facet), {}, false, false, count()});
-      look(looks.back());
+      look(looks.back(), holes);
+      if (looks.back().place == sample.at_depth(radius)) known_here = SampleKnown::kStraightBelow;
     });
     return looks;
   }
 
-  void look(Look& look) const {
+  void look(Look& look, HoleFinder& holes) const {
     if (!first_ && !fresh_.may_be_seen_from(look.sample)) return;
     try {
-      const Eigen::Vector3d place = holes_.below(look.sample);
+      const Eigen::Vector3d place = holes.below(look.sample);
       if (!first_ && !fresh_.seen_from(look.sample, place)) return;
       look.place = place;
-      look.hole = holes_.find(place, allowed_).distance >= allowed_;
+      look.hole = holes.find(look.sample, place, allowed_).distance >= allowed_;
     } catch (const MeshError&) {
       look.too_thin = true;
     }
@@ -181,7 +197,7 @@ class HoleCloser {
   }
 
   void close(const Look& look, const Eigen::Vector3d& place) {
-    const Hole hole = holes_.find(place, allowed_);
+    const Hole hole = holes_.find(look.sample, place, allowed_);
     if (hole.distance < allowed_) return;
     const auto added = layout_.add(hole.middle, look.sample.point, (1 - 1e-3) * allowed_);
     if (!added) return;
@@ -199,13 +215,15 @@ class HoleCloser {
   Newcomers since_look_;         ///< centres that came since the looks that are taken now
   std::size_t since_first_ = 0;  ///< number of the first of these
   std::size_t noted_ = 0;        ///< centres that are in both or too old for them
+  SamplesKnown known_;
 };
 
 }  // namespace
 
-void close_cover(const CoverTarget& target, WallLayout& layout) {
+SamplesKnown close_cover(const CoverTarget& target, WallLayout& layout) {
   HoleCloser closer(target, layout);
   for (int pass = 0; pass < kMostPasses && closer.pass(); ++pass) continue;
+  return closer.take_known();
 }
 
 }  // namespace diefill::geometry

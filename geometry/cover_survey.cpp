@@ -31,26 +31,26 @@ struct Measured {
   }
 };
 
-/// Measures samples against the finished layout.
+/// Measures samples against the finished layout, for one thread.
 class Surveyor {
  public:
   explicit Surveyor(const WallLayout& layout)
-      : layout_(layout), radius_(layout.offset().depth()), holes_(layout, kSampleStep * radius_) {}
+      : radius_(layout.offset().depth()), holes_(layout, kSampleStep * radius_) {}
 
-  void measure(const SurfaceSample& sample, Measured& result) const {
+  void measure(const SurfaceSample& sample, SampleKnown known, Measured& result) {
     measure_deviation(sample, result);
-    measure_gap(sample, result);
+    measure_gap(sample, known, result);
   }
 
  private:
-  void measure_deviation(const SurfaceSample& sample, Measured& result) const {
+  void measure_deviation(const SurfaceSample& sample, Measured& result) {
     if (sample.area == 0) return;
     // Sharp corners may be far from every sphere; the search widens until it finds one.
     double limit = 1.6 * radius_;
-    double distance = layout_.distance_to_nearest(sample.point, limit);
+    double distance = holes_.distance_to_nearest(sample.point, limit);
     while (distance >= limit && limit < kWidestSearch * radius_) {
       limit *= 2;
-      distance = layout_.distance_to_nearest(sample.point, limit);
+      distance = holes_.distance_to_nearest(sample.point, limit);
     }
     const double deviation = std::abs(distance - radius_);
     result.area += sample.area;
@@ -61,32 +61,35 @@ class Surveyor {
     }
   }
 
-  void measure_gap(const SurfaceSample& sample, Measured& result) const {
+  void measure_gap(const SurfaceSample& sample, SampleKnown known, Measured& result) {
     const double least = std::max(radius_, result.widest);
     if (holes_.covered(sample, least)) return;
-    const Hole hole = holes_.find(holes_.below(sample), least);
+    const bool straight = known == SampleKnown::kStraightBelow;
+    const Hole hole = holes_.find(sample, straight ? sample.at_depth(radius_) : holes_.below(sample), least);
     if (hole.distance <= result.widest) return;
     result.widest = hole.distance;
     result.widest_place = sample.point;
   }
 
   static constexpr double kWidestSearch = 32;
-  const WallLayout& layout_;
   double radius_;
   HoleFinder holes_;
 };
 
 }  // namespace
 
-void measure_cover(const CoverTarget& target, const WallLayout& layout, WallSpheres& spheres) {
+void measure_cover(const CoverTarget& target, const WallLayout& layout, const SamplesKnown& known,
+                   WallSpheres& spheres) {
   const double radius = layout.offset().depth();
-  const Surveyor surveyor(layout);
   Measured all;
   const auto measure = [&](const Stretch& stretch) {
+    Surveyor surveyor(layout);
     Measured here;
     here.widest = all.widest;  // of stretches taken: less need not be looked for
-    sample_stretch(target, stretch, radius,
-                   [&](const SurfaceSample& sample, std::size_t) { surveyor.measure(sample, here); });
+    std::size_t number = 0;
+    sample_stretch(target, stretch, radius, [&](const SurfaceSample& sample, std::size_t) {
+      surveyor.measure(sample, known[stretch.number][number++], here);
+    });
     return here;
   };
   work_and_take(target.stretches, measure, [&](const Measured& here) { all.add(here); });

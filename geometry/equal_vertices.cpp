@@ -1,6 +1,8 @@
 #include "geometry/equal_vertices.h"
 
+#include <algorithm>
 #include <bit>
+#include <utility>
 
 namespace diefill::geometry {
 
@@ -23,7 +25,7 @@ std::size_t hash_of(const Eigen::Vector3d& place) {
 }  // namespace
 
 std::uint32_t EqualVertices::add(const Eigen::Vector3d& place) {
-  if (2 * places_.size() >= table_.size()) grow();
+  if (2 * places_.size() >= table_.size()) resize(table_.empty() ? kFirstSize : 2 * table_.size());
   std::size_t at = hash_of(place) & (table_.size() - 1);
   while (table_[at] != kEmpty && places_[table_[at]] != place) at = (at + 1) & (table_.size() - 1);
   if (table_[at] == kEmpty) {
@@ -33,8 +35,22 @@ std::uint32_t EqualVertices::add(const Eigen::Vector3d& place) {
   return table_[at];
 }
 
-void EqualVertices::grow() {
-  table_.assign(table_.empty() ? kFirstSize : 2 * table_.size(), kEmpty);
+void EqualVertices::reserve(std::size_t count) {
+  places_.reserve(count);
+  if (2 * count > table_.size()) resize(std::max(kFirstSize, std::bit_ceil(2 * count)));
+}
+
+void EqualVertices::expect(const Eigen::Vector3d& place) const {
+  if (!table_.empty()) __builtin_prefetch(&table_[hash_of(place) & (table_.size() - 1)]);
+}
+
+std::vector<Eigen::Vector3d> EqualVertices::take_places() {
+  table_.clear();
+  return std::exchange(places_, {});
+}
+
+void EqualVertices::resize(std::size_t size) {
+  table_.assign(size, kEmpty);
   for (std::uint32_t i = 0; i < places_.size(); ++i) {
     std::size_t at = hash_of(places_[i]) & (table_.size() - 1);
     while (table_[at] != kEmpty) at = (at + 1) & (table_.size() - 1);

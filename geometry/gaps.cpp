@@ -4,7 +4,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <span>
+#include <vector>
 
+#include "geometry/all_cores.h"
 #include "geometry/surface_samples.h"
 #include "geometry/triangle_tree.h"
 
@@ -20,16 +23,11 @@ bool touches(const Box& box, const Corners& corners) {
   return (own.lower.array() <= box.upper.array()).all() && (own.upper.array() >= box.lower.array()).all();
 }
 
-}  // namespace
-
-Gap measure_gap(const SolidQuery& one, const SolidQuery& other, double reach, double spacing,
-                const std::function<bool(const Eigen::Vector3d&)>& elsewhere) {
+/// The gap seen from some triangles; `narrowest` is infinite where none was found.
+Gap seen_from(std::span<const Corners> triangles, const TriangleTree& tree, const Box& near, double reach,
+              double spacing, const std::function<bool(const Eigen::Vector3d&)>& elsewhere) {
   Gap gap;
-  const TriangleTree& tree = other.tree();
-  Box near = tree.box();
-  near.lower.array() -= reach;
-  near.upper.array() += reach;
-  double narrowest = std::numeric_limits<double>::infinity();
+  gap.narrowest = std::numeric_limits<double>::infinity();
   const auto look = [&](const SurfaceSample& sample) {
     if (!near.contains(sample.point)) return;
     const auto hit = tree.nearest(sample.point);
@@ -42,15 +40,39 @@ Gap measure_gap(const SolidQuery& one, const SolidQuery& other, double reach, do
     const Eigen::Vector3d place = sample.point + across / 2;
     if (elsewhere && elsewhere(place)) return;
     const double width = std::max(0.0, height);
-    narrowest = std::min(narrowest, width);
+    gap.narrowest = std::min(gap.narrowest, width);
     if (gap.found && width <= gap.widest) return;
     gap.found = true;
     gap.widest = width;
     gap.widest_place = place;
   };
-  for (const Corners& corners : one.tree().triangles())
+  for (const Corners& corners : triangles)
     if (touches(near, corners)) sample_triangle(corners, spacing, look);
-  if (gap.found) gap.narrowest = narrowest;
+  return gap;
+}
+
+}  // namespace
+
+Gap measure_gap(const SolidQuery& one, const SolidQuery& other, double reach, double spacing,
+                const std::function<bool(const Eigen::Vector3d&)>& elsewhere) {
+  const TriangleTree& tree = other.tree();
+  Box near = tree.box();
+  near.lower.array() -= reach;
+  near.upper.array() += reach;
+  const std::span<const Corners> triangles = one.tree().triangles();
+  constexpr std::size_t kPart = 4096;
+  std::vector<Gap> parts((triangles.size() + kPart - 1) / kPart);
+  on_all_cores(parts.size(), [&](std::size_t part) {
+    const auto some = triangles.subspan(part * kPart, std::min(kPart, triangles.size() - part * kPart));
+    parts[part] = seen_from(some, tree, near, reach, spacing, elsewhere);
+  });
+  Gap gap;
+  for (const Gap& part : parts) {
+    if (!part.found) continue;
+    const double narrowest = gap.found ? std::min(gap.narrowest, part.narrowest) : part.narrowest;
+    if (!gap.found || part.widest > gap.widest) gap = part;
+    gap.narrowest = narrowest;
+  }
   return gap;
 }
 

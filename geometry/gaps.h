@@ -17,8 +17,8 @@ struct Gap {
 
 /// Samples the surface of `one` on points at most `spacing` (m) apart and measures, along their normals, how
 /// far `other` is where it faces them within 30 degrees and at most `reach` (m) away. Points for which
-/// `elsewhere` holds are passed over, such as those inside a cavity; empty: none are. Solids may overlap;
-/// there the width counts as 0.
+/// `elsewhere` holds are passed over, such as those inside a cavity; empty: none are; several threads ask it
+/// at once. Solids may overlap; there the width counts as 0.
 Gap measure_gap(const SolidQuery& one, const SolidQuery& other, double reach, double spacing,
                 const std::function<bool(const Eigen::Vector3d&)>& elsewhere);
 

@@ -5,8 +5,10 @@
 #include <cmath>
 #include <cstdint>
 #include <map>
+#include <numbers>
 #include <numeric>
 
+#include "geometry/all_cores.h"
 #include "geometry/half_edges.h"
 #include "geometry/mesh_crossings.h"
 #include "geometry/topology.h"
@@ -18,6 +20,7 @@ namespace {
 
 /// How far, in square roots of a triangle's area, the two sides of it are probed for inside and outside.
 constexpr double kProbeDepth = 1e-4;
+constexpr std::size_t kOfAPart = 16384;  // triangles whose solid angles one core sums
 constexpr std::size_t kMostMarks = 100;  // of one kind; more would cover the part on a picture
 
 /// Connected pieces of surface.
@@ -59,7 +62,8 @@ class Examination {
   void find_degenerate_and_duplicate();
   void examine_edges();
   void examine_edge(std::size_t low, std::span<const HalfEdge> sides);
-  void find_self_intersections();
+  void count_crossings(const std::vector<std::pair<std::size_t, std::size_t>>& crossings);
+  double winding_about(const Eigen::Vector3d& point) const;
   void find_inward_shells();
   void list_places();
 
@@ -122,17 +126,28 @@ void Examination::examine_edge(std::size_t low, std::span<const HalfEdge> sides)
     count(findings_.badly_oriented_edges, place);
 }
 
-void Examination::find_self_intersections() {
+void Examination::count_crossings(const std::vector<std::pair<std::size_t, std::size_t>>& crossings) {
   const auto box_of = [&](std::size_t triangle) {
     Box box;
     for (const Eigen::Vector3d& corner : corners_of(mesh_, triangle)) box.include(corner);
     return box;
   };
-  for (const auto& [one, other] : find_crossings(mesh_, topology_.left_out)) {
+  for (const auto& [one, other] : crossings) {
     const Box a = box_of(one);
     const Box b = box_of(other);
     count(findings_.self_intersections, (a.lower.cwiseMax(b.lower) + a.upper.cwiseMin(b.upper)) / 2);
   }
+}
+
+/// Winding number of the useful triangles, summed part by part: the same on any number of cores.
+double Examination::winding_about(const Eigen::Vector3d& point) const {
+  std::vector<double> angles(mesh_.triangles.size() / kOfAPart + 1, 0);
+  on_all_cores(angles.size(), [&](std::size_t part) {
+    const std::size_t end = std::min(mesh_.triangles.size(), (part + 1) * kOfAPart);
+    for (std::size_t t = part * kOfAPart; t < end; ++t)
+      if (!topology_.left_out[t]) angles[part] += solid_angle(corners_of(mesh_, t), point);
+  });
+  return std::accumulate(angles.begin(), angles.end(), 0.0) / (4 * std::numbers::pi);
 }
 
 /// A shell faces outward when there is no solid before its largest triangle and solid behind it: this holds
@@ -148,14 +163,11 @@ void Examination::find_inward_shells() {
   }
   findings_.shells = largest.size();
   if (findings_.open_edges > 0 || !findings_.consistently_oriented) return;
-  std::vector<Corners> triangles;
-  for (std::size_t t = 0; t < mesh_.triangles.size(); ++t)
-    if (!topology_.left_out[t]) triangles.push_back(corners_of(mesh_, t));
   for (const auto& [shell, triangle] : largest) {
     const Eigen::Vector3d normal = area_vector(corners_of(mesh_, triangle)).normalized();
     const Eigen::Vector3d step = kProbeDepth * std::sqrt(area(triangle)) * normal;
-    const double before = winding_number(triangles, middle(triangle) + step);
-    const double behind = winding_number(triangles, middle(triangle) - step);
+    const double before = winding_about(middle(triangle) + step);
+    const double behind = winding_about(middle(triangle) - step);
     if (std::abs(before) > 0.5 || behind < 0.5) count(findings_.inward_shells, middle(triangle));
   }
   findings_.outward = !largest.empty() && findings_.inward_shells == 0;
@@ -182,10 +194,14 @@ void Examination::list_places() {
 MeshFindings Examination::run() {
   if (every_corner_is_a_place()) {
     topology_ = find_topology(mesh_);
-    find_degenerate_and_duplicate();
-    examine_edges();
-    find_self_intersections();
-    find_inward_shells();
+    std::vector<std::pair<std::size_t, std::size_t>> crossings;
+    side_by_side([&] { crossings = find_crossings(mesh_, topology_.left_out); },
+                 [&] {
+                   find_degenerate_and_duplicate();
+                   examine_edges();
+                   find_inward_shells();
+                 });
+    count_crossings(crossings);
     findings_.volume = mesh_.volume();
   }
   list_places();

@@ -11,6 +11,7 @@
 #include "geometry/cad_file.h"
 #include "geometry/cad_parts.h"
 #include "geometry/point_grid.h"
+#include "geometry/read_binary_stl.h"
 
 namespace diefill::geometry {
 
@@ -24,9 +25,10 @@ constexpr double kSameUnit = 1e-3;  // units of length differ by more
 /// Vertices within tolerance of an earlier one become that one; vertices without triangles go.
 Mesh with_joined_vertices(const Mesh& mesh) {
   const double tolerance = kJoinTolerance * mesh.bounding_box().size().norm();
-  PointGrid kept(2 * tolerance);
+  PointGrid kept(16 * tolerance);  // most questions then look into one cell
   std::vector<int> kept_index(mesh.vertices.size(), -1);
   Mesh result;
+  result.triangles.reserve(mesh.triangles.size());
   for (const Eigen::Vector3i& triangle : mesh.triangles) {
     Eigen::Vector3i corners;
     for (int k = 0; k < 3; ++k) {
@@ -99,11 +101,13 @@ Mesh wanted(const std::filesystem::path& file, const CadParts& contents, const I
 }
 
 CadParts read(const std::filesystem::path& file, const CadFormat& format, double chord_tolerance,
-              std::size_t bytes) {
+              const std::string& bytes) {
+  if (format.ending == "stl" && is_binary_stl(bytes)) return read_binary_stl(bytes);
   try {
     // Triangles are only copied; a few curved faces can take long to follow closely.
     const unsigned seconds = format.surface == SurfaceKind::kCurved ? 60 : 10;
-    return read_in_child([&] { return read_cad_parts(file, format, chord_tolerance); }, {bytes, seconds});
+    return read_in_child([&] { return read_cad_parts(file, format, chord_tolerance); },
+                         {bytes.size(), seconds});
   } catch (const std::runtime_error& reason) {
     throw MeshError(in_quotes(file) + " cannot be read as " + format.ending + ": " + reason.what() +
                     "; export it again, best as STEP or STL");
@@ -131,7 +135,7 @@ ImportedPart import_part(const std::filesystem::path& file, const ImportOptions&
                     file.extension().string().substr(file.has_extension() ? 1 : 0) + "': export it as " +
                     cad_formats_in_words());
   check_is_what_it_says(file, format->ending, bytes);
-  const CadParts contents = read(file, *format, options.chord_tolerance, bytes.size());
+  const CadParts contents = read(file, *format, options.chord_tolerance, bytes);
 
   ImportedPart result;
   result.unit_from_file = contents.metres_per_unit.has_value();

@@ -87,11 +87,13 @@ class Constraints {
 }  // namespace
 
 std::optional<OffsetSurface::Place> OffsetSurface::settle(const Eigen::Vector3d& guess,
+                                                          Eigen::Vector3d near_boundary,
                                                           double& thickness) const {
   Eigen::Vector3d place = guess;
   Constraints constraints;
   for (int step = 0; step < kSettleSteps; ++step) {
-    const SolidQuery::SignedNearest nearest = query_.signed_nearest(place);
+    const SolidQuery::SignedNearest nearest = query_.signed_nearest(place, (place - near_boundary).norm());
+    near_boundary = nearest.point;
     // Moves may lead through the opposite face of a wedge; the guess itself has to be inside.
     if ((step == 0 && !nearest.inside) || nearest.distance == 0) return std::nullopt;
     const double depth = nearest.inside ? nearest.distance : -nearest.distance;
@@ -110,9 +112,10 @@ std::optional<OffsetSurface::Place> OffsetSurface::settle(const Eigen::Vector3d&
   return std::nullopt;
 }
 
-std::optional<double> OffsetSurface::thickness_between_opposite_faces(const Eigen::Vector3d& guess) const {
+std::optional<double> OffsetSurface::thickness_between_opposite_faces(
+    const Eigen::Vector3d& guess, const Eigen::Vector3d& near_boundary) const {
   double thickness = 0;
-  if (settle(guess, thickness) || thickness == 0) return std::nullopt;
+  if (settle(guess, near_boundary, thickness) || thickness == 0) return std::nullopt;
   return thickness;
 }
 

@@ -22,10 +22,12 @@ class OffsetSurface {
   /// The place at depth R that a first guess inside the solid leads to: never closer than R(1 - 1e-10) to the
   /// boundary. A guess too close to one or several faces is moved away from them by the shortest way (to the
   /// line at depth R below both faces of a convex edge, say); one too deep is moved towards the nearest point
-  /// of the boundary. Empty when the guess is outside or the solid is too thin there.
-  std::optional<Place> settle(const Eigen::Vector3d& guess) const {
+  /// of the boundary. Empty when the guess is outside or the solid is too thin there. Soonest where
+  /// `near_boundary` is about the point of the boundary nearest to the guess; the answer does not depend on
+  /// it.
+  std::optional<Place> settle(const Eigen::Vector3d& guess, const Eigen::Vector3d& near_boundary) const {
     double thickness = 0;
-    return settle(guess, thickness);
+    return settle(guess, near_boundary, thickness);
   }
 
   /// Places farther than this many R from the guess are another part of the tool: settle() finds none there.
@@ -40,12 +42,14 @@ class OffsetSurface {
 
   /// Distance of the two facing surfaces that leave no room at depth R where settle() failed from `guess`;
   /// empty when it did not fail for that reason.
-  std::optional<double> thickness_between_opposite_faces(const Eigen::Vector3d& guess) const;
+  std::optional<double> thickness_between_opposite_faces(const Eigen::Vector3d& guess,
+                                                         const Eigen::Vector3d& near_boundary) const;
 
   double depth() const { return depth_; }
 
  private:
-  std::optional<Place> settle(const Eigen::Vector3d& guess, double& thickness) const;
+  std::optional<Place> settle(const Eigen::Vector3d& guess, Eigen::Vector3d near_boundary,
+                              double& thickness) const;
 
   SolidQuery query_;
   double depth_;

@@ -20,9 +20,9 @@ std::size_t PointGrid::insert(const Eigen::Vector3d& point) {
   if (points_.size() >= heads_.size()) grow();
   const auto index = static_cast<std::uint32_t>(points_.size());
   points_.push_back(point);
-  cells_.push_back(cell_of(point));
-  std::uint32_t& head = heads_[bucket(cells_.back())];
-  next_.push_back(head);
+  const Eigen::Vector3i cell = cell_of(point);
+  std::uint32_t& head = heads_[bucket(cell)];
+  links_.push_back({cell, head});
   head = index;
   return index;
 }
@@ -58,8 +58,8 @@ bool PointGrid::any_within(const Eigen::Vector3d& place, double radius) const {
 void PointGrid::grow() {
   heads_.assign(heads_.size() * 4, kEnd);
   for (std::uint32_t i = 0; i < points_.size(); ++i) {
-    std::uint32_t& head = heads_[bucket(cells_[i])];
-    next_[i] = head;
+    std::uint32_t& head = heads_[bucket(links_[i].cell)];
+    links_[i].next = head;
     head = i;
   }
 }

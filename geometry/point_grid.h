@@ -35,6 +35,17 @@ class PointGrid {
     });
   }
 
+  /// Calls `visit(index)` for every point no farther than `half_edge` (m) from `middle` along each axis.
+  template <typename Visit>
+  void for_each_in_cube(const Eigen::Vector3d& middle, double half_edge, Visit visit) const {
+    find_cell(middle, half_edge, [&](const Eigen::Vector3i& cell) {
+      return find_in_cell(cell, [&](std::size_t index) {
+        if ((points_[index] - middle).cwiseAbs().maxCoeff() <= half_edge) visit(index);
+        return false;
+      });
+    });
+  }
+
   const std::vector<Eigen::Vector3d>& points() const { return points_; }
 
  private:
@@ -54,29 +65,43 @@ class PointGrid {
   /// Calls `found(index)` for the points of a cell until it says true; whether it did.
   template <typename Found>
   bool find_in_cell(const Eigen::Vector3i& cell, Found found) const {
-    for (std::uint32_t i = heads_[bucket(cell)]; i != kEnd; i = next_[i])
-      if (cells_[i] == cell && found(static_cast<std::size_t>(i))) return true;
+    for (std::uint32_t i = heads_[bucket(cell)]; i != kEnd; i = links_[i].next)
+      if (links_[i].cell == cell && found(static_cast<std::size_t>(i))) return true;
     return false;
   }
 
-  Eigen::Vector3i cell_of(const Eigen::Vector3d& place) const {
-    return (place * inverse_cell_).array().floor().cast<int>();
+  /// As std::floor, which calls a function where the processor's own is not to be relied on.
+  static int rounded_down(double value) {
+    const int near = static_cast<int>(value);
+    return value < near ? near - 1 : near;
   }
+  Eigen::Vector3i cell_of(const Eigen::Vector3d& place) const {
+    return (place * inverse_cell_).unaryExpr(&rounded_down);
+  }
+  /// Blocks of cells are together in memory, as a question looks into neighbours.
   std::size_t bucket(const Eigen::Vector3i& cell) const {
+    constexpr int kBits = 2;  // of a coordinate within a block
+    constexpr int kWithin = (1 << kBits) - 1;
     const auto part = [](int coordinate, std::uint64_t factor) {
-      return static_cast<std::uint64_t>(static_cast<std::int64_t>(coordinate)) * factor;
+      return static_cast<std::uint64_t>(static_cast<std::int64_t>(coordinate >> kBits)) * factor;
     };
     std::uint64_t hash = part(cell.x(), 0x9e3779b97f4a7c15U) ^ part(cell.y(), 0xc2b2ae3d27d4eb4fU) ^
                          part(cell.z(), 0x165667b19e3779f9U);
     hash ^= hash >> 32;
-    return static_cast<std::size_t>(hash) & (heads_.size() - 1);
+    const int within =
+        (((cell.z() & kWithin) << kBits | (cell.y() & kWithin)) << kBits) | (cell.x() & kWithin);
+    return (static_cast<std::size_t>(hash) << 3 * kBits | static_cast<std::size_t>(within)) &
+           (heads_.size() - 1);
   }
   void grow();
 
   double inverse_cell_;
   std::vector<Eigen::Vector3d> points_;
-  std::vector<Eigen::Vector3i> cells_;
-  std::vector<std::uint32_t> next_;
+  struct Link {
+    Eigen::Vector3i cell;
+    std::uint32_t next;  ///< point of the same bucket
+  };
+  std::vector<Link> links_;           ///< of each point
   std::vector<std::uint32_t> heads_;  ///< size a power of two
 };
 

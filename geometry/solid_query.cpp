@@ -1,10 +1,13 @@
 #include "geometry/solid_query.h"
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <vector>
 
+#include "geometry/all_cores.h"
 #include "geometry/topology.h"
 #include "geometry/triangle_tree.h"
 #include "geometry/winding.h"
@@ -20,13 +23,23 @@ double angle_at(const Corners& corners, int k) {
   return std::atan2(u.cross(v).norm(), u.dot(v));
 }
 
-std::vector<Corners> useful_triangles(const Mesh& mesh, const Topology& topology) {
-  std::vector<Corners> triangles;
-  for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
-    if (!topology.left_out[t]) triangles.push_back(corners_of(mesh, t));
-  if (triangles.empty())
+/// The triangles that count, by their number in the mesh.
+std::vector<std::uint32_t> useful_triangles(const Topology& topology) {
+  std::vector<std::uint32_t> useful;
+  useful.reserve(topology.left_out.size());
+  for (std::size_t t = 0; t < topology.left_out.size(); ++t)
+    if (!topology.left_out[t]) useful.push_back(static_cast<std::uint32_t>(t));
+  if (useful.empty())
     throw MeshError("the mesh has no triangle with an area: there is no surface to measure from");
-  return triangles;
+  return useful;
+}
+
+std::vector<Corners> corners_of_all(const Mesh& mesh, const std::vector<std::uint32_t>& triangles) {
+  std::vector<Corners> corners(triangles.size());
+  in_parts_on_all_cores(triangles.size(), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t k = begin; k < end; ++k) corners[k] = corners_of(mesh, triangles[k]);
+  });
+  return corners;
 }
 
 }  // namespace
@@ -35,68 +48,85 @@ struct SolidQuery::Implementation {
   static constexpr std::uint32_t kNone = 0xffffffffU;
   using Three = std::array<std::uint32_t, 3>;
 
+  Topology topology;
   // Millions of triangles: numbers in place of the normals that they lead to. By triangle of the tree:
-  std::vector<std::uint32_t> mesh_triangle;    ///< index in the mesh
-  std::vector<Three> across;                   ///< triangle of the tree across each edge, or kNone
-  std::vector<Three> vertex;                   ///< place in vertex_normal of each corner, or kNone
-  std::vector<Eigen::Vector3d> vertex_normal;  ///< pseudo-normals of corners
+  std::vector<std::uint32_t> mesh_triangle;  ///< index in the mesh
+  std::vector<Three> across;                 ///< triangle of the tree across each edge, or kNone
+  std::vector<Three> vertex;                 ///< vertex of the mesh at each corner
+  std::vector<std::uint32_t> triangles_at;   ///< by vertex of the mesh: how many have a corner there
   TriangleTree tree;
 
-  Implementation(const Mesh& mesh, const Topology& topology);
-  void collect_pseudo_normals(const Mesh& mesh, const Topology& topology);
-  void name_neighbours(const Mesh& mesh, const Topology& topology);
+  explicit Implementation(const Mesh& mesh);
+  void name_neighbours(const Mesh& mesh);
   Eigen::Vector3d normal_of(std::size_t triangle) const {
     return area_vector(tree.corners(triangle)).normalized();
   }
+  std::vector<std::uint32_t> fan_round(std::size_t triangle, std::size_t corner) const;
+  Eigen::Vector3d corner_normal(std::size_t triangle, std::size_t corner) const;
   Eigen::Vector3d pseudo_normal(std::size_t triangle, const TriangleFeature& feature) const;
   bool is_behind(std::size_t triangle, const TriangleFoot& foot, const Eigen::Vector3d& point) const;
+  SignedNearest signed_by(const TriangleTree::Hit& hit, const Eigen::Vector3d& point) const;
 };
 
-SolidQuery::Implementation::Implementation(const Mesh& mesh, const Topology& topology)
-    : tree(useful_triangles(mesh, topology)) {
-  for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
-    if (!topology.left_out[t]) mesh_triangle.push_back(static_cast<std::uint32_t>(t));
-  collect_pseudo_normals(mesh, topology);
-  name_neighbours(mesh, topology);
+SolidQuery::Implementation::Implementation(const Mesh& mesh)
+    : topology(find_topology(mesh)),
+      mesh_triangle(useful_triangles(topology)),
+      across(mesh_triangle.size()),
+      vertex(mesh_triangle.size()),
+      triangles_at(mesh.vertices.size(), 0),
+      tree(corners_of_all(mesh, mesh_triangle)) {
+  name_neighbours(mesh);
+}
+
+void SolidQuery::Implementation::name_neighbours(const Mesh& mesh) {
+  std::vector<std::uint32_t> of_mesh(mesh.triangles.size(), kNone);
+  for (std::uint32_t own = 0; own < mesh_triangle.size(); ++own) of_mesh[mesh_triangle[own]] = own;
+  in_parts_on_all_cores(mesh_triangle.size(), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t own = begin; own < end; ++own)
+      for (std::size_t k = 0; k < 3; ++k) {
+        const std::uint32_t t = mesh_triangle[own];
+        const std::int64_t other = topology.neighbour[t][k];
+        across[own][k] = other == Topology::kNone ? kNone : of_mesh[static_cast<std::size_t>(other)];
+        vertex[own][k] = static_cast<std::uint32_t>(topology.corner(mesh, t, static_cast<int>(k)));
+      }
+  });
+  for (const Three& corners : vertex)
+    for (const std::uint32_t corner : corners) ++triangles_at[corner];
+}
+
+/// The triangles met when walking round a corner; empty where they are no clean fan of all that have a corner
+/// there.
+std::vector<std::uint32_t> SolidQuery::Implementation::fan_round(std::size_t triangle,
+                                                                 std::size_t corner) const {
+  const std::uint32_t centre = vertex[triangle][corner];
+  std::vector<std::uint32_t> fan;
+  auto current = static_cast<std::uint32_t>(triangle);
+  do {
+    fan.push_back(current);
+    const Three& corners = vertex[current];
+    const auto at =
+        static_cast<std::size_t>(std::find(corners.begin(), corners.end(), centre) - corners.begin());
+    current = across[current][at];
+    if (current == kNone) return {};
+  } while (current != triangle);
+  if (fan.size() != triangles_at[centre]) return {};
+  return fan;
 }
 
 /// Angle-weighted pseudo-normals tell inside from outside at edges and corners (Baerentzen and Aanaes 2005).
 /// They need a clean fan of triangles round the corner; elsewhere there is none and the winding number
-/// decides.
-void SolidQuery::Implementation::collect_pseudo_normals(const Mesh& mesh, const Topology& topology) {
-  vertex_normal.assign(mesh.vertices.size(), Eigen::Vector3d::Zero());
-  std::vector<int> triangles_at(mesh.vertices.size(), 0);
-  for (std::size_t own = 0; own < mesh_triangle.size(); ++own) {
-    const Eigen::Vector3d normal = normal_of(own);
-    for (int k = 0; k < 3; ++k) {
-      const auto v = static_cast<std::size_t>(topology.corner(mesh, mesh_triangle[own], k));
-      vertex_normal[v] += angle_at(tree.corners(own), k) * normal;
-      ++triangles_at[v];
-    }
+/// decides. Few questions end at a corner: its normal is made when asked for. Summed in the order of the
+/// triangles, it does not depend on where the walk round the corner began.
+Eigen::Vector3d SolidQuery::Implementation::corner_normal(std::size_t triangle, std::size_t corner) const {
+  std::vector<std::uint32_t> fan = fan_round(triangle, corner);
+  std::sort(fan.begin(), fan.end());
+  Eigen::Vector3d normal = Eigen::Vector3d::Zero();
+  for (const std::uint32_t own : fan) {
+    const Three& corners = vertex[own];
+    const auto at = std::find(corners.begin(), corners.end(), vertex[triangle][corner]) - corners.begin();
+    normal += angle_at(tree.corners(own), static_cast<int>(at)) * normal_of(own);
   }
-  // One clean fan has all triangles at its corner, so that each tells the same as the first.
-  enum : std::uint8_t { kUnknown, kWhole, kBroken };
-  std::vector<std::uint8_t> fan(mesh.vertices.size(), kUnknown);
-  for (const std::uint32_t t : mesh_triangle) {
-    vertex.emplace_back();
-    for (int k = 0; k < 3; ++k) {
-      const auto v = static_cast<std::size_t>(topology.corner(mesh, t, k));
-      if (fan[v] == kUnknown) fan[v] = fan_size(mesh, topology, t, k) == triangles_at[v] ? kWhole : kBroken;
-      vertex.back()[static_cast<std::size_t>(k)] = fan[v] == kWhole ? static_cast<std::uint32_t>(v) : kNone;
-    }
-  }
-}
-
-void SolidQuery::Implementation::name_neighbours(const Mesh& mesh, const Topology& topology) {
-  std::vector<std::uint32_t> of_mesh(mesh.triangles.size(), kNone);
-  for (std::uint32_t own = 0; own < mesh_triangle.size(); ++own) of_mesh[mesh_triangle[own]] = own;
-  for (const std::uint32_t t : mesh_triangle) {
-    across.emplace_back();
-    for (std::size_t k = 0; k < 3; ++k) {
-      const std::int64_t other = topology.neighbour[t][k];
-      across.back()[k] = other == Topology::kNone ? kNone : of_mesh[static_cast<std::size_t>(other)];
-    }
-  }
+  return normal;
 }
 
 /// Zero where the surface is not clean.
@@ -108,8 +138,7 @@ Eigen::Vector3d SolidQuery::Implementation::pseudo_normal(std::size_t triangle,
       if (across[triangle][slot] == kNone) return Eigen::Vector3d::Zero();
       return normal_of(triangle) + normal_of(across[triangle][slot]);
     case TriangleFeature::Kind::kCorner:
-      if (vertex[triangle][slot] == kNone) return Eigen::Vector3d::Zero();
-      return vertex_normal[vertex[triangle][slot]];
+      return corner_normal(triangle, slot);
     default:
       return area_vector(tree.corners(triangle));
   }
@@ -122,8 +151,13 @@ bool SolidQuery::Implementation::is_behind(std::size_t triangle, const TriangleF
   return normal.dot(point - foot.point) < 0;
 }
 
-SolidQuery::SolidQuery(const Mesh& mesh)
-    : implementation_(std::make_shared<const Implementation>(mesh, find_topology(mesh))) {}
+SolidQuery::SignedNearest SolidQuery::Implementation::signed_by(const TriangleTree::Hit& hit,
+                                                                const Eigen::Vector3d& point) const {
+  return {{hit.foot.point, std::sqrt(hit.distance_squared), mesh_triangle[hit.triangle]},
+          is_behind(hit.triangle, hit.foot, point)};
+}
+
+SolidQuery::SolidQuery(const Mesh& mesh) : implementation_(std::make_shared<const Implementation>(mesh)) {}
 
 SolidQuery::Nearest SolidQuery::nearest(const Eigen::Vector3d& point) const {
   const TriangleTree::Hit hit = implementation_->tree.nearest(point);
@@ -137,9 +171,15 @@ bool SolidQuery::inside(const Eigen::Vector3d& point) const {
 }
 
 SolidQuery::SignedNearest SolidQuery::signed_nearest(const Eigen::Vector3d& point) const {
-  const TriangleTree::Hit hit = implementation_->tree.nearest(point);
-  return {{hit.foot.point, std::sqrt(hit.distance_squared), implementation_->mesh_triangle[hit.triangle]},
-          implementation_->is_behind(hit.triangle, hit.foot, point)};
+  return implementation_->signed_by(implementation_->tree.nearest(point), point);
+}
+
+SolidQuery::SignedNearest SolidQuery::signed_nearest(const Eigen::Vector3d& point, double guess) const {
+  return implementation_->signed_by(implementation_->tree.nearest(point, guess), point);
+}
+
+const Topology& SolidQuery::topology() const {
+  return implementation_->topology;
 }
 
 const TriangleTree& SolidQuery::tree() const {

@@ -8,6 +8,7 @@
 namespace diefill::geometry {
 
 class TriangleTree;
+struct Topology;
 
 /// Answers geometric questions about one closed, outward mesh. Building costs O(n log n), a question O(log
 /// n). Questions may be asked from several threads at once. Copies share what was built: 150 bytes a
@@ -28,9 +29,13 @@ class SolidQuery {
   };
   /// Both answers for the price of one.
   SignedNearest signed_nearest(const Eigen::Vector3d& point) const;
+  /// The same, sooner where the surface is within `guess` (m) of the point or hardly farther.
+  SignedNearest signed_nearest(const Eigen::Vector3d& point, double guess) const;
   bool inside(const Eigen::Vector3d& point) const;
   /// Distance to the surface in m, negative inside the solid.
   double signed_distance(const Eigen::Vector3d& point) const;
+  /// Of the mesh asked about.
+  const Topology& topology() const;
   /// The triangles that count: none without area, none twice.
   const TriangleTree& tree() const;
 

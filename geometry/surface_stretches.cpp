@@ -29,6 +29,7 @@ std::vector<Stretch> stretches_of(const Facets& facets) {
       stretch.last_facet = f;
       stretch.end_triangle = end;
       stretches.push_back(stretch);
+      ++stretch.number;
       stretch.first_facet = end < all ? f : f + 1;
       stretch.first_triangle = end < all ? end : 0;
       taken = 0;

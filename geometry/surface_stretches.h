@@ -16,6 +16,7 @@ namespace diefill::geometry {
 struct Stretch {
   std::size_t first_facet = 0, first_triangle = 0;  ///< triangle: place in Facet::triangles
   std::size_t last_facet = 0, end_triangle = 0;     ///< first triangle of the last facet that is not in it
+  std::size_t number = 0;                           ///< how many come before
 };
 
 /// All triangles in order, in stretches; a large facet may be in several.

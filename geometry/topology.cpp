@@ -13,6 +13,7 @@ namespace {
 /// For each vertex the first one at the same place.
 std::vector<std::int64_t> join_equal_vertices(const std::vector<Eigen::Vector3d>& vertices) {
   EqualVertices places;
+  places.reserve(vertices.size());
   std::vector<std::int64_t> first(vertices.size()), first_of_place;
   for (std::size_t i = 0; i < vertices.size(); ++i) {
     const std::uint32_t place = places.add(vertices[i]);

@@ -17,6 +17,8 @@ constexpr std::uint32_t kLeafSize = 4;
 constexpr std::uint32_t kWorthAThread = 20000;  // triangles
 /// Halving 2^32 triangles down to leaves needs at most 32 levels, and each leaves one node waiting.
 constexpr std::size_t kStackSize = 64;
+/// Distances squared in a smaller ratio may differ by rounding alone.
+constexpr double kHardlyMore = 1 + 1e-9;
 
 float rounded_down(double value) {
   const auto near = static_cast<float>(value);
@@ -105,6 +107,18 @@ TriangleTree::TriangleTree(std::vector<Corners> triangles)
 }
 
 TriangleTree::Hit TriangleTree::nearest(const Eigen::Vector3d& point) const {
+  return nearer_than(std::numeric_limits<double>::infinity(), point);
+}
+
+// Of triangles equally near the first one met is the answer, and the way through the tree does not depend on
+// the guess: with a bound that is larger than the answer it is met first too.
+TriangleTree::Hit TriangleTree::nearest(const Eigen::Vector3d& point, double guess) const {
+  const double bound = guess * guess * kHardlyMore * kHardlyMore;
+  const Hit hit = nearer_than(bound, point);
+  return hit.distance_squared * kHardlyMore < bound ? hit : nearest(point);
+}
+
+TriangleTree::Hit TriangleTree::nearer_than(double bound, const Eigen::Vector3d& point) const {
   struct Waiting {
     std::uint32_t node;
     double distance_squared;
@@ -113,6 +127,7 @@ TriangleTree::Hit TriangleTree::nearest(const Eigen::Vector3d& point) const {
   std::size_t depth = 0;
   stack[depth++] = {0, 0};
   Hit best;
+  best.distance_squared = bound;
   while (depth > 0) {
     const Waiting next = stack[--depth];
     if (next.distance_squared >= best.distance_squared) continue;

@@ -25,6 +25,8 @@ class TriangleTree {
     double distance_squared = std::numeric_limits<double>::infinity();  ///< m^2
   };
   Hit nearest(const Eigen::Vector3d& point) const;
+  /// The same, sooner where a triangle lies within `guess` (m) of the point or hardly farther.
+  Hit nearest(const Eigen::Vector3d& point, double guess) const;
 
   const Corners& corners(std::size_t triangle) const { return triangles_[triangle]; }
   const std::vector<Corners>& triangles() const { return triangles_; }
@@ -47,6 +49,9 @@ class TriangleTree {
     }
   };
   class Builder;
+
+  /// The nearest triangle if its distance squared is below `bound` (m^2); otherwise one at that distance.
+  Hit nearer_than(double bound, const Eigen::Vector3d& point) const;
 
   std::vector<Corners> triangles_;
   std::vector<std::uint32_t> order_;

@@ -1,7 +1,9 @@
 // Closes what the regular grids leave open, and measures how well the spheres follow the surface.
 #pragma once
 
+#include <cstdint>
 #include <functional>
+#include <vector>
 
 #include "geometry/surface_facets.h"
 #include "geometry/surface_stretches.h"
@@ -28,12 +30,22 @@ PointGrid reachable_points(const CoverTarget& target, double step);
 /// So many of the `reachable` points that each has one of them near, for spheres of `radius` (m).
 PointGrid powder_parts(const PointGrid& reachable, double radius);
 
+/// What closing found out about a sample of the surface, and measuring need not find again.
+enum class SampleKnown : std::uint8_t {
+  kNothing,
+  kCovered,       ///< no hole can be there, as centres only come
+  kStraightBelow  ///< its place at depth R is straight below
+};
+/// By stretch, in the order of its samples.
+using SamplesKnown = std::vector<std::vector<SampleKnown>>;
+
 /// Adds centres until every reachable point of the surface, moved to depth R, has one within half the
 /// diagonal of the grid's squares. Each new centre goes on growing a square lattice over the open surface
 /// around it. Throws MeshError where the solid is too thin to hold a sphere.
-void close_cover(const CoverTarget& target, WallLayout& layout);
+SamplesKnown close_cover(const CoverTarget& target, WallLayout& layout);
 
 /// Fills in the deviations and the largest gap of `spheres` (see wall_spheres.h for what they mean).
-void measure_cover(const CoverTarget& target, const WallLayout& layout, WallSpheres& spheres);
+void measure_cover(const CoverTarget& target, const WallLayout& layout, const SamplesKnown& known,
+                   WallSpheres& spheres);
 
 }  // namespace diefill::geometry

@@ -8,10 +8,14 @@
 #include <limits>
 #include <optional>
 #include <sstream>
+#include <utility>
 
 namespace diefill::geometry {
 
 namespace {
+
+/// On a square grid the third of the nearest centres is nowhere farther than this, over the spacing.
+constexpr double kThirdNearest = 1.12;
 
 [[noreturn]] void throw_too_thin(const Eigen::Vector3d& place, double thickness, double radius) {
   std::ostringstream text;
@@ -35,47 +39,79 @@ std::optional<Eigen::Vector3d> circumcentre(const Eigen::Vector3d& a, const Eige
 
 }  // namespace
 
-bool HoleFinder::covered(const SurfaceSample& sample, double least) const {
+HoleFinder::HoleFinder(const WallLayout& layout, double step)
+    : layout_(layout),
+      step_(step),
+      near_(layout.centres(), kThirdNearest * layout.spacing(), 2 * layout.spacing()) {}
+
+bool HoleFinder::covered(const SurfaceSample& sample, double least) {
   const double near = least - step_;  // below 0 where centres lie closer than samples
-  return near > 0 && layout_.centres().any_within(sample.at_depth(layout_.offset().depth()), near);
+  return near > 0 && near_.any_within(sample.at_depth(layout_.offset().depth()), near);
 }
 
-Hole HoleFinder::find(const Eigen::Vector3d& place, double least) const {
-  const Hole hole{place, layout_.distance_to_nearest(place, limit())};
+double HoleFinder::distance_to_nearest(const Eigen::Vector3d& place, double limit) {
+  // Few have to look farther than a spacing.
+  std::size_t nearest = near_.nearest_within(place, std::min(layout_.spacing(), limit));
+  if (nearest == PointGrid::kNone) nearest = near_.nearest_within(place, limit);
+  return nearest == PointGrid::kNone ? limit : (layout_.centres().points()[nearest] - place).norm();
+}
+
+Hole HoleFinder::find(const SurfaceSample& sample, const Eigen::Vector3d& place, double least) {
+  const Hole hole{place, distance_to_nearest(place, limit())};
   if (hole.distance < least - step_) return {};
-  // The circle's centre lies off the surface at depth R where that is bent, so it is brought back there.
-  const auto between = layout_.offset().settle(between_nearest_centres(place));
-  if (!between || (between->centre - place).norm() > step_) return hole;
-  const double distance = layout_.distance_to_nearest(between->centre, limit());
-  return distance > hole.distance ? Hole{between->centre, distance} : hole;
+  const std::optional<Hole> between = between_nearest(sample, place);
+  if (!between || (between->middle - place).norm() > step_) return hole;
+  return between->distance > hole.distance ? *between : hole;
 }
 
 // Where the solid is thinner than R, as at the tip of a wedge, the way starts from the middle of the solid.
 Eigen::Vector3d HoleFinder::below(const SurfaceSample& sample) const {
   const OffsetSurface& offset = layout_.offset();
   const Eigen::Vector3d guess = sample.at_depth(offset.depth());
-  if (const auto place = offset.settle(guess)) return place->centre;
+  if (const auto place = offset.settle(guess, sample.point)) return place->centre;
   const double thickness = offset.thickness(sample.point, sample.normal);
   const Eigen::Vector3d inside = sample.point - thickness / 2 * sample.normal;
-  if (const auto place = offset.settle(inside)) return place->centre;
-  if (const auto narrow = offset.thickness_between_opposite_faces(inside))
+  if (const auto place = offset.settle(inside, sample.point)) return place->centre;
+  if (const auto narrow = offset.thickness_between_opposite_faces(inside, sample.point))
     throw_too_thin(sample.point, *narrow, offset.depth());
   return guess;
 }
 
-Eigen::Vector3d HoleFinder::between_nearest_centres(const Eigen::Vector3d& place) const {
-  const auto& points = layout_.centres().points();
+std::optional<HoleFinder::Three> HoleFinder::three_nearest(const Eigen::Vector3d& place, double radius) {
   std::array<std::pair<double, std::size_t>, 3> nearest;
   nearest.fill({std::numeric_limits<double>::infinity(), 0});
-  layout_.centres().for_each_within(place, 2 * layout_.spacing(), [&](std::size_t index) {
-    const std::pair<double, std::size_t> item((points[index] - place).squaredNorm(), index);
+  near_.for_each_within(place, radius, [&](std::size_t index, double distance_squared) {
+    const std::pair<double, std::size_t> item(distance_squared, index);
     if (item >= nearest[2]) return;
     nearest[2] = item;
-    std::sort(nearest.begin(), nearest.end());
+    if (nearest[2] < nearest[1]) std::swap(nearest[1], nearest[2]);
+    if (nearest[1] < nearest[0]) std::swap(nearest[0], nearest[1]);
   });
-  if (!std::isfinite(nearest[2].first)) return place;
-  return circumcentre(points[nearest[0].second], points[nearest[1].second], points[nearest[2].second])
-      .value_or(place);
+  if (!std::isfinite(nearest[2].first)) return std::nullopt;
+  return Three{nearest[0].second, nearest[1].second, nearest[2].second};
+}
+
+/// The circle's centre lies off the surface at depth R where that is bent, so it is brought back there.
+std::optional<Hole> HoleFinder::hole_at(const Eigen::Vector3d& guess, const Eigen::Vector3d& surface_point) {
+  const auto place = layout_.offset().settle(guess, surface_point);
+  if (!place) return std::nullopt;
+  return Hole{place->centre, distance_to_nearest(place->centre, limit())};
+}
+
+std::optional<Hole> HoleFinder::between_nearest(const SurfaceSample& sample, const Eigen::Vector3d& place) {
+  std::optional<Three> three = three_nearest(place, kThirdNearest * layout_.spacing());
+  if (!three) three = three_nearest(place, 2 * layout_.spacing());
+  if (!three) return hole_at(place, sample.point);
+  const auto& points = layout_.centres().points();
+  if (known_of_ != points.size()) known_.fill({});
+  known_of_ = points.size();
+  const auto& [a, b, c] = *three;
+  Between& known = known_[(a + 3 * b + 5 * c) % known_.size()];
+  if (known.centres == *three) return known.hole;
+  const auto middle = circumcentre(points[a], points[b], points[c]);
+  if (!middle) return hole_at(place, sample.point);
+  known = {*three, hole_at(*middle, sample.point)};
+  return known.hole;
 }
 
 }  // namespace diefill::geometry

@@ -1,6 +1,10 @@
 // The open places between wall spheres, seen from points of the surface.
 #pragma once
 
+#include <array>
+#include <optional>
+
+#include "geometry/near_points.h"
 #include "geometry/surface_samples.h"
 #include "geometry/wall_layout.h"
 
@@ -12,34 +16,50 @@ struct Hole {
   double distance = 0;                               ///< m, from `middle` to the nearest centre
 };
 
-/// Finds holes between the centres of a layout.
+/// Finds holes between the centres of a layout, which may grow meanwhile. For one thread, and quickest where
+/// samples follow one another over the surface: what was found for one mostly holds for the next.
 class HoleFinder {
  public:
   /// `step` is the spacing of the surface samples in m: holes are looked for that far around each.
-  HoleFinder(const WallLayout& layout, double step) : layout_(layout), step_(step) {}
+  HoleFinder(const WallLayout& layout, double step);
 
   /// Whether the nearest centre is so near the sample that no hole there can be wider than `least` (m, as
   /// Hole::distance).
-  bool covered(const SurfaceSample& sample, double least) const;
+  bool covered(const SurfaceSample& sample, double least);
   /// The place at depth R that belongs to the sample, whatever the centres. Throws MeshError where the solid
   /// is too thin for a sphere.
   Eigen::Vector3d below(const SurfaceSample& sample) const;
-  /// The hole round `place`, a place below(); distance 0 where it cannot be wider than `least`. From `place`
-  /// the search goes to the point equally far from the three nearest centres, so that a hole is found in full
-  /// size although samples miss its middle.
-  Hole find(const Eigen::Vector3d& place, double least) const;
+  /// The hole round `place`, the place below() the sample; distance 0 where it cannot be wider than `least`.
+  /// From `place` the search goes to the point equally far from the three nearest centres, so that a hole is
+  /// found in full size although samples miss its middle.
+  Hole find(const SurfaceSample& sample, const Eigen::Vector3d& place, double least);
+  /// Distance (m) from `place` to the nearest centre, or `limit` when none is nearer than that.
+  double distance_to_nearest(const Eigen::Vector3d& place, double limit);
   /// Centres farther from a place than this (m) change nothing about the hole found there.
   double sight() const { return limit() + step_; }
   /// Farthest that below() may be from straight below, over R: see OffsetSurface::settle.
   static constexpr double kFarthestAside = 1 + OffsetSurface::kFarthestMove;
 
  private:
-  Eigen::Vector3d between_nearest_centres(const Eigen::Vector3d& place) const;
+  using Three = std::array<std::size_t, 3>;
+  /// What lies equally far from three centres.
+  struct Between {
+    Three centres = {PointGrid::kNone, PointGrid::kNone, PointGrid::kNone};
+    std::optional<Hole> hole;  ///< at depth R; none where there is no such place
+  };
+
+  std::optional<Three> three_nearest(const Eigen::Vector3d& place, double radius);
+  std::optional<Hole> hole_at(const Eigen::Vector3d& guess, const Eigen::Vector3d& surface_point);
+  std::optional<Hole> between_nearest(const SurfaceSample& sample, const Eigen::Vector3d& place);
   /// Distance (m) at which the search for a nearest centre ends.
   double limit() const { return 2 * layout_.spacing() + layout_.offset().depth(); }
 
   const WallLayout& layout_;
   double step_;
+  NearPoints near_;
+  /// The same three centres are the nearest ones of many samples.
+  std::array<Between, 64> known_;
+  std::size_t known_of_ = 0;  ///< centres that there were
 };
 
 }  // namespace diefill::geometry

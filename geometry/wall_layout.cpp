@@ -3,10 +3,15 @@
 #include <algorithm>
 #include <cmath>
 #include <utility>
+#include <vector>
+
+#include "geometry/all_cores.h"
 
 namespace diefill::geometry {
 
 namespace {
+
+constexpr std::size_t kAtATime = 1 << 19;  // places of a grid
 
 /// Even steps from 0 to a length, none longer than the spacing.
 struct Steps {
@@ -30,8 +35,17 @@ WallLayout::WallLayout(const OffsetSurface& offset, double spacing,
 
 std::optional<OffsetSurface::Place> WallLayout::add(const Eigen::Vector3d& guess, const Eigen::Vector3d& foot,
                                                     double least_distance) {
+  return keep(settled(guess, foot), least_distance);
+}
+
+std::optional<OffsetSurface::Place> WallLayout::settled(const Eigen::Vector3d& guess,
+                                                        const Eigen::Vector3d& foot) const {
   if (!wanted_(foot)) return std::nullopt;
-  const std::optional<OffsetSurface::Place> place = offset_.settle(guess);
+  return offset_.settle(guess, foot);
+}
+
+std::optional<OffsetSurface::Place> WallLayout::keep(const std::optional<OffsetSurface::Place>& place,
+                                                     double least_distance) {
   if (!place || centres_.any_within(place->centre, least_distance)) return std::nullopt;
   centres_.insert(place->centre);
   return place;
@@ -44,16 +58,21 @@ void WallLayout::add_grid(const Strip& strip) {
   if (u.length > 0) smallest_step = std::min(smallest_step, u.length);
   if (v.length > 0) smallest_step = std::min(smallest_step, v.length);
   const double least_distance = std::min(kLeastDistance * spacing_, 0.9 * smallest_step);
-  for (int i = 0; i < u.count; ++i)
-    for (int j = 0; j < v.count; ++j) {
-      const StripPoint point = strip.at(i * u.length, strip.low + j * v.length, offset_.depth());
-      add(point.centre, point.foot, least_distance);
-    }
-}
-
-double WallLayout::distance_to_nearest(const Eigen::Vector3d& place, double limit) const {
-  const std::size_t nearest = centres_.nearest_within(place, limit);
-  return nearest == PointGrid::kNone ? limit : (centres_.points()[nearest] - place).norm();
+  const std::size_t across = static_cast<std::size_t>(v.count);
+  const std::size_t all = static_cast<std::size_t>(u.count) * across;
+  std::vector<std::optional<OffsetSurface::Place>> places;
+  for (std::size_t begin = 0; begin < all; begin += places.size()) {
+    places.assign(std::min(kAtATime, all - begin), std::nullopt);
+    in_parts_on_all_cores(places.size(), [&](std::size_t first, std::size_t end) {
+      for (std::size_t k = first; k < end; ++k) {
+        const auto i = static_cast<double>((begin + k) / across),
+                   j = static_cast<double>((begin + k) % across);
+        const StripPoint point = strip.at(i * u.length, strip.low + j * v.length, offset_.depth());
+        places[k] = settled(point.centre, point.foot);
+      }
+    });
+    for (const auto& place : places) keep(place, least_distance);
+  }
 }
 
 }  // namespace diefill::geometry

@@ -27,9 +27,6 @@ class WallLayout {
   /// spacing asked for. Its points keep their distance from what is there already.
   void add_grid(const Strip& strip);
 
-  /// Distance from `place` to the nearest centre, or `limit` when none is nearer than that.
-  double distance_to_nearest(const Eigen::Vector3d& place, double limit) const;
-
   const PointGrid& centres() const { return centres_; }
   const OffsetSurface& offset() const { return offset_; }
   double spacing() const { return spacing_; }
@@ -39,6 +36,13 @@ class WallLayout {
   static constexpr double kLeastDistance = 0.7;
 
  private:
+  /// Where the guess settles; none where no sphere is of use. Several threads may ask at once.
+  std::optional<OffsetSurface::Place> settled(const Eigen::Vector3d& guess,
+                                              const Eigen::Vector3d& foot) const;
+  /// Adds a settled place as add() does.
+  std::optional<OffsetSurface::Place> keep(const std::optional<OffsetSurface::Place>& place,
+                                           double least_distance);
+
   const OffsetSurface& offset_;
   double spacing_;
   std::function<bool(const Eigen::Vector3d&)> wanted_;

@@ -30,7 +30,7 @@ WallSpheres make_wall_spheres(const Mesh& mesh, const WallSphereOptions& options
 WallSpheres make_wall_spheres(const Mesh& mesh, const SolidQuery& solid, const WallSphereOptions& options) {
   check(options);
   const double spacing = options.spacing * options.radius;
-  const Facets facets = find_facets(mesh, find_topology(mesh));
+  const Facets facets = find_facets(mesh, solid.topology());
   CoverTarget target{
       mesh, facets, options.reachable, stretches_of(facets), PointGrid(spacing), PointGrid(spacing)};
   const OffsetSurface offset(solid, options.radius);
@@ -47,12 +47,12 @@ WallSpheres make_wall_spheres(const Mesh& mesh, const SolidQuery& solid, const W
   for (const Strip& strip : strips.bent) layout.add_grid(strip);
   add_edge_rows(facets, layout);
   for (const Strip& strip : strips.plane) layout.add_grid(strip);
-  close_cover(target, layout);
+  const SamplesKnown known = close_cover(target, layout);
 
   WallSpheres spheres;
   spheres.radius = options.radius;
   spheres.centres = layout.centres().points();
-  measure_cover(target, layout, spheres);
+  measure_cover(target, layout, known, spheres);
   return spheres;
 }
 

@@ -6,10 +6,6 @@
 
 namespace diefill::geometry {
 
-namespace {
-
-/// Solid angle of a triangle seen from `eye`, sr, positive when seen from behind (Van Oosterom and Strackee
-/// 1983).
 double solid_angle(const Corners& corners, const Eigen::Vector3d& eye) {
   const Eigen::Vector3d a = corners[0] - eye;
   const Eigen::Vector3d b = corners[1] - eye;
@@ -19,8 +15,6 @@ double solid_angle(const Corners& corners, const Eigen::Vector3d& eye) {
   const double lc = c.norm();
   return 2 * std::atan2(a.dot(b.cross(c)), la * lb * lc + a.dot(b) * lc + b.dot(c) * la + c.dot(a) * lb);
 }
-
-}  // namespace
 
 double winding_number(const std::vector<Corners>& triangles, const Eigen::Vector3d& point) {
   double sum = 0;

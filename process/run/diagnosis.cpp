@@ -37,9 +37,7 @@ bool lies_in(const geometry::Cavity& cavity, const Scene& scene, const Eigen::Ve
 bool elsewhere(const Scene& scene, const Tooling& tooling, const Tool& one, const Tool& other,
                const Eigen::Vector3d& place) {
   for (const Tool& third : tooling.tools)
-    if (&third != &one && &third != &other && third.mesh.bounding_box().contains(place) &&
-        third.solid().inside(place))
-      return true;
+    if (&third != &one && &third != &other && third.solid().inside(place)) return true;
   const auto within = [&](const geometry::Cavity& cavity) { return lies_in(cavity, scene, place); };
   return within(tooling.cavity) || std::ranges::any_of(tooling.other_cavities, within);
 }
@@ -98,6 +96,7 @@ PairDiagnosis pair_of(const Scene& scene, const Tooling& tooling, const Tool& on
 
 Diagnosis diagnose(const Scene& scene, const Tooling& tooling, double sphere_radius) {
   Diagnosis diagnosis;
+  for (const Tool& tool : tooling.tools) tool.solid();  // there before several threads ask for it
   for (std::size_t k = 0; k < tooling.tools.size(); ++k) {
     const Tool& tool = tooling.tools[k];
     const double radius = tool.spec.sphere_radius.value_or(scene.walls.sphere_radius);

@@ -1,5 +1,6 @@
 // From a tool's CAD file to its mesh in the laboratory.
 #include <Eigen/Geometry>
+#include <future>
 
 #include "geometry/mesh_import.h"
 #include "geometry/mesh_repair.h"
@@ -62,12 +63,14 @@ Tool read_tool(const Scene& scene, const ToolSpec& spec) {
   Tool tool;
   tool.spec = spec;
   const double chord = spec.chord_tolerance.value_or(kChordOverRadius * wall_radius(scene, spec));
+  // Beside the reading, which it would take seconds of for large files.
+  auto hash = std::async(std::launch::async, geometry::file_hash, spec.file);
   geometry::ImportedPart part = read_file(scene, spec, chord);
   tool.file_parts = part.parts;
   tool.metres_per_unit = part.metres_per_unit;
   tool.unit_from_file = part.unit_from_file;
   if (part.curved) tool.chord_tolerance = chord;
-  tool.file_hash = geometry::file_hash(spec.file);
+  tool.file_hash = hash.get();
   const geometry::Mesh mesh = placed(std::move(part.mesh), spec);
   check_size(mesh, wall_radius(scene, spec), part.metres_per_unit, tool_in_words(scene, spec));
   tool.found = geometry::check_mesh(mesh);

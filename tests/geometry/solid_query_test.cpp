@@ -58,6 +58,26 @@ TEST(SolidQuery, FindsTheSameFootAsASearchOverAllTriangles) {
   }
 }
 
+TEST(SolidQuery, AnswersTheSameWhateverTheGuess) {
+  const SolidQuery query(sample::tube(0.008, 0.012, 0.01, 37));
+  std::mt19937 random(4);
+  for (int i = 0; i < 500; ++i) {
+    // Half of the points on the tube's axis and in planes of symmetry, where several triangles are equally
+    // near.
+    Eigen::Vector3d point = random_point(random, 0.015);
+    if (i % 2 == 0) point.x() = 0;
+    if (i % 4 == 0) point.y() = 0;
+    const SolidQuery::SignedNearest plain = query.signed_nearest(point);
+    for (const double factor : {0.0, 0.5, 1 - 1e-9, 1 - 1e-12, 1.0, 1 + 1e-12, 1 + 1e-9, 1.5, 100.0}) {
+      const SolidQuery::SignedNearest guessed = query.signed_nearest(point, factor * plain.distance);
+      EXPECT_EQ(guessed.point, plain.point);
+      EXPECT_EQ(guessed.distance, plain.distance);
+      EXPECT_EQ(guessed.triangle, plain.triangle);
+      EXPECT_EQ(guessed.inside, plain.inside);
+    }
+  }
+}
+
 TEST(SolidQuery, KnowsTheBoreOfATubeFromItsWall) {
   const SolidQuery query(sample::tube(0.008, 0.012, 0.01, 360));
   EXPECT_FALSE(query.inside({0, 0, 0.005}));

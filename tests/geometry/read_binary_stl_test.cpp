@@ -1,0 +1,62 @@
+// Binary STL read without a library gives what assimp gives.
+#include "geometry/read_binary_stl.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstring>
+#include <limits>
+
+#include "geometry/cad_readers.h"
+#include "tests/geometry/mesh_files.h"
+#include "tests/geometry/sample_meshes.h"
+#include "tests/support/temporary_folder.h"
+
+namespace diefill::geometry {
+namespace {
+
+/// The bytes of the corner `corner` of triangle `triangle`.
+float* corner_in(std::string& bytes, std::size_t triangle, std::size_t corner) {
+  return reinterpret_cast<float*>(bytes.data() + 84 + 50 * triangle + 12 + 12 * corner);
+}
+
+TEST(BinaryStl, IsReadAsAssimpReadsIt) {
+  const support::TemporaryFolder directory;
+  std::string bytes = sample::binary_stl(sample::tube(0.008, 0.012, 0.01, 37));
+  float minus_zero = -0.0F;
+  std::memcpy(corner_in(bytes, 3, 0), &minus_zero, sizeof minus_zero);
+  ASSERT_TRUE(is_binary_stl(bytes));
+  const auto file = directory.write("tube.stl", bytes);
+  const CadParts own = read_binary_stl(bytes), other = read_cad_parts(file, *cad_format(file), 1e-6);
+  ASSERT_EQ(own.parts.size(), 1U);
+  ASSERT_EQ(other.parts.size(), 1U);
+  EXPECT_EQ(own.parts[0].name, other.parts[0].name);
+  EXPECT_EQ(own.metres_per_unit, other.metres_per_unit);
+  EXPECT_EQ(own.parts[0].mesh.triangles, other.parts[0].mesh.triangles);
+  const auto &vertices = own.parts[0].mesh.vertices, &expected = other.parts[0].mesh.vertices;
+  ASSERT_EQ(vertices.size(), expected.size());
+  EXPECT_EQ(std::memcmp(vertices.data(), expected.data(), vertices.size() * sizeof vertices[0]), 0);
+}
+
+TEST(BinaryStl, IsNoneWhereTheLengthSaysOtherwise) {
+  const std::string bytes = sample::binary_stl(sample::box({0, 0, 0}, {1, 1, 1}));
+  EXPECT_FALSE(is_binary_stl(bytes + "x"));
+  EXPECT_FALSE(is_binary_stl(bytes.substr(0, bytes.size() - 1)));
+  EXPECT_FALSE(is_binary_stl(bytes.substr(0, 84)));
+  EXPECT_FALSE(is_binary_stl(std::string(84, '\0')));
+  EXPECT_FALSE(is_binary_stl(bytes.substr(0, 10)));
+  EXPECT_FALSE(is_binary_stl(""));
+  EXPECT_FALSE(is_binary_stl(sample::ascii_stl(sample::box({0, 0, 0}, {1, 1, 1}))));
+}
+
+TEST(BinaryStl, KeepsCornersThatAreNoNumbersForWhoeverLooksAtThem) {
+  std::string bytes = sample::binary_stl(sample::box({0, 0, 0}, {1, 1, 1}));
+  const float nan = std::numeric_limits<float>::quiet_NaN();
+  std::memcpy(corner_in(bytes, 5, 1), &nan, sizeof nan);
+  const CadParts contents = read_binary_stl(bytes);
+  EXPECT_EQ(contents.parts[0].mesh.vertices.size(), 9U);
+  EXPECT_EQ(contents.parts[0].mesh.triangles.size(), 12U);
+}
+
+}  // namespace
+}  // namespace diefill::geometry
