@@ -141,19 +141,19 @@ class HoleCloser {
     HoleFinder holes = holes_;
     std::vector<Look> looks;
     std::vector<SampleKnown>& known = known_[stretch.number];
-    std::size_t number = 0;
-    sample_stretch(target_, stretch, radius, [&](const SurfaceSample& sample, std::size_t facet) {
-      if (first_) known.push_back(SampleKnown::kNothing);
-      SampleKnown& known_here = known[number++];
-      if (known_here == SampleKnown::kCovered) return;
-      if (holes.covered(sample, allowed_)) {
-        known_here = SampleKnown::kCovered;
-        return;
-      }
-      looks.push_back({sample, static_cast<std::uint32_t>(facet), {}, false, false, count()});
-      look(looks.back(), holes);
-      if (looks.back().place == sample.at_depth(radius)) known_here = SampleKnown::kStraightBelow;
-    });
+    if (!first_ && known.empty()) return looks;  // no samples
+    sample_stretch(target_, stretch, radius, known,
+                   [&](const SurfaceSample& sample, std::size_t facet, SampleKnown& known_here) {
+                     if (known_here == SampleKnown::kCovered) return;
+                     if (holes.covered(sample, allowed_)) {
+                       known_here = SampleKnown::kCovered;
+                       return;
+                     }
+                     looks.push_back({sample, static_cast<std::uint32_t>(facet), {}, false, false, count()});
+                     look(looks.back(), holes);
+                     if (looks.back().place == sample.at_depth(radius))
+                       known_here = SampleKnown::kStraightBelow;
+                   });
     return looks;
   }
 

@@ -38,25 +38,34 @@ void visit_parts_near_powder(NearPoints& powder_parts, const Corners& corners, d
   if (powder_parts.any_within(middle, near_powder_part(longest))) visit(corners);
 }
 
-/// Calls `visit(sample, facet)` for the reachable samples of a stretch and, once, of the inner edges between
-/// facets, kSampleStep of `depth` (m) apart.
+/// Calls `visit(sample, facet, known)` for the reachable samples of a stretch and, once, of the inner edges
+/// between facets, kSampleStep of `depth` (m) apart. `known` is of all samples of the stretch: empty the
+/// first time, when it is filled with whether they are reachable; visits may write what they find out.
 template <typename Visit>
-void sample_stretch(const CoverTarget& target, const Stretch& stretch, double depth, Visit visit) {
+void sample_stretch(const CoverTarget& target, const Stretch& stretch, double depth,
+                    std::vector<SampleKnown>& known, Visit visit) {
   /// A sample this near (over R) to a point known as reachable is reachable too.
   constexpr double kSameAnswer = 0.75;
-  const double step = kSampleStep * depth;
+  const double step = kSampleStep * depth, longest = kPartLength * depth;
+  const bool first = known.empty();
+  std::size_t number = 0, last = PointGrid::kNone;
   // What is reachable was asked once, about R apart: asking again more finely would find slivers at frayed
-  // edges that no sphere was meant for.
-  const double longest = kPartLength * depth;
-  NearPoints near_powder(target.near_powder, kSameAnswer * depth, 3 * depth);
-  NearPoints powder_parts(target.powder_parts, near_powder_part(longest), longest);
+  // edges that no sphere was meant for. What makes one sample reachable mostly does so for the next.
   const auto is_reachable = [&](const SurfaceSample& sample) {
-    return !target.reachable || near_powder.any_within(sample.point, kSameAnswer * depth);
+    if (!target.reachable) return true;
+    const double near = kSameAnswer * depth;
+    const auto& points = target.near_powder.points();
+    if (last != PointGrid::kNone && (points[last] - sample.point).squaredNorm() <= near * near) return true;
+    last = target.near_powder.some_within(sample.point, near);
+    return last != PointGrid::kNone;
   };
+  NearPoints powder_parts(target.powder_parts, near_powder_part(longest), longest);
   visit_facets(target.facets, stretch, [&](std::size_t f, std::size_t begin, std::size_t end, bool whole) {
     const Facet& facet = target.facets[f];
     const auto visit_reachable = [&](const SurfaceSample& sample) {
-      if (is_reachable(sample)) visit(sample, f);
+      if (first) known.push_back(is_reachable(sample) ? SampleKnown::kReachable : SampleKnown::kBeyond);
+      SampleKnown& here = known[number++];
+      if (here != SampleKnown::kBeyond) visit(sample, f, here);
     };
     const auto sample_part = [&](const Corners& part) { sample_triangle(part, step, visit_reachable); };
     for (std::size_t place = begin; place < end; ++place) {

@@ -78,7 +78,7 @@ class Surveyor {
 
 }  // namespace
 
-void measure_cover(const CoverTarget& target, const WallLayout& layout, const SamplesKnown& known,
+void measure_cover(const CoverTarget& target, const WallLayout& layout, SamplesKnown& known,
                    WallSpheres& spheres) {
   const double radius = layout.offset().depth();
   Measured all;
@@ -86,10 +86,12 @@ void measure_cover(const CoverTarget& target, const WallLayout& layout, const Sa
     Surveyor surveyor(layout);
     Measured here;
     here.widest = all.widest;  // of stretches taken: less need not be looked for
-    std::size_t number = 0;
-    sample_stretch(target, stretch, radius, [&](const SurfaceSample& sample, std::size_t) {
-      surveyor.measure(sample, known[stretch.number][number++], here);
-    });
+    std::vector<SampleKnown>& known_here = known[stretch.number];
+    if (known_here.empty()) return here;  // no samples
+    sample_stretch(target, stretch, radius, known_here,
+                   [&](const SurfaceSample& sample, std::size_t, SampleKnown sample_known) {
+                     surveyor.measure(sample, sample_known, here);
+                   });
     return here;
   };
   work_and_take(target.stretches, measure, [&](const Measured& here) { all.add(here); });

@@ -28,9 +28,11 @@ Gap seen_from(std::span<const Corners> triangles, const TriangleTree& tree, cons
               double spacing, const std::function<bool(const Eigen::Vector3d&)>& elsewhere) {
   Gap gap;
   gap.narrowest = std::numeric_limits<double>::infinity();
+  Eigen::Vector3d foot = tree.corners(0)[0];  // of the sample before, near that of the next
   const auto look = [&](const SurfaceSample& sample) {
     if (!near.contains(sample.point)) return;
-    const auto hit = tree.nearest(sample.point);
+    const auto hit = tree.nearest(sample.point, (sample.point - foot).norm());
+    foot = hit.foot.point;
     if (hit.distance_squared > reach * reach) return;
     const Eigen::Vector3d facing = area_vector(tree.corners(hit.triangle)).normalized();
     if (facing.dot(sample.normal) > -kFacing) return;

@@ -10,7 +10,7 @@ namespace {
 
 /// Depths agree with R when they differ by less than this part of it.
 constexpr double kDepthTolerance = 1e-11;
-constexpr int kSettleSteps = 40;
+constexpr std::size_t kSettleSteps = 40;
 constexpr int kShrinkSteps = 60;
 /// Two faces are one when the directions away from them differ by less than this.
 constexpr double kSameDirection = 1e-3;
@@ -86,13 +86,22 @@ class Constraints {
 
 }  // namespace
 
+SolidQuery::Known OffsetSurface::nearest_at(const Eigen::Vector3d& place,
+                                            const Eigen::Vector3d& near_boundary, std::size_t step,
+                                            Trail* trail) const {
+  if (trail != nullptr && step < trail->size()) return query_.signed_nearest(place, (*trail)[step]);
+  const SolidQuery::Known nearest = query_.signed_nearest(place, (place - near_boundary).norm());
+  if (trail != nullptr) trail->push_back(nearest);
+  return nearest;
+}
+
 std::optional<OffsetSurface::Place> OffsetSurface::settle(const Eigen::Vector3d& guess,
-                                                          Eigen::Vector3d near_boundary,
-                                                          double& thickness) const {
+                                                          Eigen::Vector3d near_boundary, double& thickness,
+                                                          Trail* trail) const {
   Eigen::Vector3d place = guess;
   Constraints constraints;
-  for (int step = 0; step < kSettleSteps; ++step) {
-    const SolidQuery::SignedNearest nearest = query_.signed_nearest(place, (place - near_boundary).norm());
+  for (std::size_t step = 0; step < kSettleSteps; ++step) {
+    const SolidQuery::Known nearest = nearest_at(place, near_boundary, step, trail);
     near_boundary = nearest.point;
     // Moves may lead through the opposite face of a wedge; the guess itself has to be inside.
     if ((step == 0 && !nearest.inside) || nearest.distance == 0) return std::nullopt;
@@ -115,7 +124,7 @@ std::optional<OffsetSurface::Place> OffsetSurface::settle(const Eigen::Vector3d&
 std::optional<double> OffsetSurface::thickness_between_opposite_faces(
     const Eigen::Vector3d& guess, const Eigen::Vector3d& near_boundary) const {
   double thickness = 0;
-  if (settle(guess, near_boundary, thickness) || thickness == 0) return std::nullopt;
+  if (settle(guess, near_boundary, thickness, nullptr) || thickness == 0) return std::nullopt;
   return thickness;
 }
 

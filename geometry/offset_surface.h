@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <utility>
+#include <vector>
 
 #include "geometry/solid_query.h"
 
@@ -27,7 +28,16 @@ class OffsetSurface {
   /// it.
   std::optional<Place> settle(const Eigen::Vector3d& guess, const Eigen::Vector3d& near_boundary) const {
     double thickness = 0;
-    return settle(guess, near_boundary, thickness);
+    return settle(guess, near_boundary, thickness, nullptr);
+  }
+  /// What was asked on the way from a guess to its place.
+  using Trail = std::vector<SolidQuery::Known>;
+  /// The same, sooner where `trail` is of a guess that differs by rounding alone; writes it where it is
+  /// empty.
+  std::optional<Place> settle(const Eigen::Vector3d& guess, const Eigen::Vector3d& near_boundary,
+                              Trail& trail) const {
+    double thickness = 0;
+    return settle(guess, near_boundary, thickness, &trail);
   }
 
   /// Places farther than this many R from the guess are another part of the tool: settle() finds none there.
@@ -48,8 +58,10 @@ class OffsetSurface {
   double depth() const { return depth_; }
 
  private:
-  std::optional<Place> settle(const Eigen::Vector3d& guess, Eigen::Vector3d near_boundary,
-                              double& thickness) const;
+  std::optional<Place> settle(const Eigen::Vector3d& guess, Eigen::Vector3d near_boundary, double& thickness,
+                              Trail* trail) const;
+  SolidQuery::Known nearest_at(const Eigen::Vector3d& place, const Eigen::Vector3d& near_boundary,
+                               std::size_t step, Trail* trail) const;
 
   SolidQuery query_;
   double depth_;

@@ -46,13 +46,17 @@ std::size_t PointGrid::nearest_within(const Eigen::Vector3d& place, double radiu
   return best_distance <= radius * radius ? best : kNone;
 }
 
-bool PointGrid::any_within(const Eigen::Vector3d& place, double radius) const {
+std::size_t PointGrid::some_within(const Eigen::Vector3d& place, double radius) const {
   const double radius_squared = radius * radius;
+  std::size_t some = kNone;
   const auto near = [&](std::size_t index) {
-    return (points_[index] - place).squaredNorm() <= radius_squared;
+    if ((points_[index] - place).squaredNorm() > radius_squared) return false;
+    some = index;
+    return true;
   };
-  return find_in_cell(cell_of(place), near) ||
-         find_cell(place, radius, [&](const Eigen::Vector3i& cell) { return find_in_cell(cell, near); });
+  if (!find_in_cell(cell_of(place), near))
+    find_cell(place, radius, [&](const Eigen::Vector3i& cell) { return find_in_cell(cell, near); });
+  return some;
 }
 
 void PointGrid::grow() {

@@ -19,8 +19,12 @@ class PointGrid {
   static constexpr std::size_t kNone = static_cast<std::size_t>(-1);
   /// The nearest point within `radius` (m) of `place`, or kNone.
   std::size_t nearest_within(const Eigen::Vector3d& place, double radius) const;
-  /// Whether a point lies within `radius` (m, not negative) of `place`: costs less than the nearest one.
-  bool any_within(const Eigen::Vector3d& place, double radius) const;
+  /// Some point within `radius` (m, not negative) of `place`, or kNone: costs less than the nearest one.
+  std::size_t some_within(const Eigen::Vector3d& place, double radius) const;
+  /// Whether there is one.
+  bool any_within(const Eigen::Vector3d& place, double radius) const {
+    return some_within(place, radius) != kNone;
+  }
 
   /// Calls `visit(index)` for every point within `radius` of `place`, in an order that depends only on the
   /// insertions.

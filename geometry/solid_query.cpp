@@ -65,7 +65,7 @@ struct SolidQuery::Implementation {
   Eigen::Vector3d corner_normal(std::size_t triangle, std::size_t corner) const;
   Eigen::Vector3d pseudo_normal(std::size_t triangle, const TriangleFeature& feature) const;
   bool is_behind(std::size_t triangle, const TriangleFoot& foot, const Eigen::Vector3d& point) const;
-  SignedNearest signed_by(const TriangleTree::Hit& hit, const Eigen::Vector3d& point) const;
+  Known signed_by(const TriangleTree::Hit& hit, const Eigen::Vector3d& point) const;
 };
 
 SolidQuery::Implementation::Implementation(const Mesh& mesh)
@@ -151,10 +151,13 @@ bool SolidQuery::Implementation::is_behind(std::size_t triangle, const TriangleF
   return normal.dot(point - foot.point) < 0;
 }
 
-SolidQuery::SignedNearest SolidQuery::Implementation::signed_by(const TriangleTree::Hit& hit,
-                                                                const Eigen::Vector3d& point) const {
-  return {{hit.foot.point, std::sqrt(hit.distance_squared), mesh_triangle[hit.triangle]},
-          is_behind(hit.triangle, hit.foot, point)};
+SolidQuery::Known SolidQuery::Implementation::signed_by(const TriangleTree::Hit& hit,
+                                                        const Eigen::Vector3d& point) const {
+  return {{{hit.foot.point, std::sqrt(hit.distance_squared), mesh_triangle[hit.triangle]},
+           is_behind(hit.triangle, hit.foot, point)},
+          point,
+          static_cast<std::uint32_t>(hit.triangle),
+          hit.alone};
 }
 
 SolidQuery::SolidQuery(const Mesh& mesh) : implementation_(std::make_shared<const Implementation>(mesh)) {}
@@ -174,8 +177,20 @@ SolidQuery::SignedNearest SolidQuery::signed_nearest(const Eigen::Vector3d& poin
   return implementation_->signed_by(implementation_->tree.nearest(point), point);
 }
 
-SolidQuery::SignedNearest SolidQuery::signed_nearest(const Eigen::Vector3d& point, double guess) const {
+SolidQuery::Known SolidQuery::signed_nearest(const Eigen::Vector3d& point, double guess) const {
   return implementation_->signed_by(implementation_->tree.nearest(point, guess), point);
+}
+
+SolidQuery::Known SolidQuery::signed_nearest(const Eigen::Vector3d& point, const Known& known) const {
+  // Where no other triangle is about as near, so little as this makes none of them the nearest.
+  constexpr double kRounding = 1e-11;
+  if (!known.alone || (point - known.asked).norm() > kRounding * known.distance)
+    return signed_nearest(point, (point - known.point).norm());
+  TriangleTree::Hit hit;
+  hit.triangle = known.tree_triangle;
+  hit.foot = closest_point(implementation_->tree.corners(hit.triangle), point);
+  hit.distance_squared = (hit.foot.point - point).squaredNorm();
+  return implementation_->signed_by(hit, point);
 }
 
 const Topology& SolidQuery::topology() const {

@@ -1,6 +1,7 @@
 // Distance, nearest point and inside/outside questions to a closed mesh, in double precision.
 #pragma once
 
+#include <cstdint>
 #include <memory>
 
 #include "geometry/mesh.h"
@@ -29,8 +30,16 @@ class SolidQuery {
   };
   /// Both answers for the price of one.
   SignedNearest signed_nearest(const Eigen::Vector3d& point) const;
+  /// The answer for a point, kept to answer for others.
+  struct Known : SignedNearest {
+    Eigen::Vector3d asked;
+    std::uint32_t tree_triangle;  ///< number in tree()
+    bool alone;                   ///< TriangleTree::Hit::alone
+  };
   /// The same, sooner where the surface is within `guess` (m) of the point or hardly farther.
-  SignedNearest signed_nearest(const Eigen::Vector3d& point, double guess) const;
+  Known signed_nearest(const Eigen::Vector3d& point, double guess) const;
+  /// The same, soonest where `known` is of a point that differs by rounding alone.
+  Known signed_nearest(const Eigen::Vector3d& point, const Known& known) const;
   bool inside(const Eigen::Vector3d& point) const;
   /// Distance to the surface in m, negative inside the solid.
   double signed_distance(const Eigen::Vector3d& point) const;

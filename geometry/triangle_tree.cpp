@@ -31,9 +31,22 @@ Eigen::Vector3d middle(const Corners& corners) {
 
 }  // namespace
 
-void TriangleTree::Node::enclose(const Box& box) {
-  lower = box.lower.unaryExpr([](double value) { return rounded_down(value); });
-  upper = box.upper.unaryExpr([](double value) { return -rounded_down(-value); });
+void TriangleTree::Siblings::enclose(int side, const Box& box) {
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const auto at = static_cast<Eigen::Index>(axis);
+    lower[axis][side] = rounded_down(box.lower[at]);
+    upper[axis][side] = -rounded_down(-box.upper[at]);
+  }
+}
+
+Eigen::Array2d TriangleTree::Siblings::distances_squared(const Eigen::Vector3d& point) const {
+  const auto along = [&](std::size_t axis) {
+    const double place = point[static_cast<Eigen::Index>(axis)];
+    const Eigen::Array2d below = lower[axis].cast<double>() - place,
+                         above = place - upper[axis].cast<double>();
+    return Eigen::Array2d(below.max(above).max(0.0).square());
+  };
+  return along(0) + (along(1) + along(2));
 }
 
 /// Splits the triangles of a tree in halves, large ones on all cores: places in the list of nodes follow from
@@ -44,31 +57,35 @@ class TriangleTree::Builder {
     middles_.reserve(tree.triangles_.size());
     for (const Corners& corners : tree.triangles_) middles_.push_back(middle(corners));
     const auto count = static_cast<std::uint32_t>(tree.order_.size());
-    tree.nodes_.resize(1 + nodes_below(count));
-    tree.box_ = split(0, {0, count}, 1);
+    tree.nodes_.resize(1 + siblings_below(count));
+    tree.box_ = split({0, 0}, {0, count}, 1);
   }
 
  private:
   struct Part {
     std::uint32_t first, count;  ///< places in order_
   };
+  struct Place {
+    std::uint32_t siblings;
+    int side;
+  };
 
-  static std::uint32_t nodes_below(std::uint32_t count) {
-    return count <= kLeafSize ? 0 : 2 + nodes_below(count / 2) + nodes_below(count - count / 2);
+  static std::uint32_t siblings_below(std::uint32_t count) {
+    return count <= kLeafSize ? 0 : 1 + siblings_below(count / 2) + siblings_below(count - count / 2);
   }
 
-  /// Makes the nodes of a part, and says in which box it lies. `free`: place of the first node that is not
-  /// taken.
-  Box split(std::uint32_t place, Part part, std::uint32_t free) {
-    Node& node = tree_.nodes_[place];
+  /// Makes the nodes of a part, and says in which box it lies. `free`: the first siblings that are not taken.
+  Box split(Place place, Part part, std::uint32_t free) {
+    Siblings& node = tree_.nodes_[place.siblings];
+    const auto side = static_cast<std::size_t>(place.side);
     const auto begin = tree_.order_.begin() + part.first, end = begin + part.count;
     Box box;
     if (part.count <= kLeafSize) {
       for (auto own = begin; own != end; ++own)
         for (const Eigen::Vector3d& corner : tree_.triangles_[*own]) box.include(corner);
-      node.first = part.first;
-      node.count = part.count;
-      node.enclose(box);
+      node.first[side] = part.first;
+      node.count[side] = part.count;
+      node.enclose(place.side, box);
       return box;
     }
     Box middles;
@@ -80,11 +97,11 @@ class TriangleTree::Builder {
     std::nth_element(begin, begin + left.count, end, [&](std::uint32_t a, std::uint32_t b) {
       return std::pair(middles_[a][axis], a) < std::pair(middles_[b][axis], b);
     });
-    node.first = free;
-    const std::uint32_t free_of_right = free + 2 + nodes_below(left.count);
+    node.first[side] = free;
+    const std::uint32_t free_of_right = free + 1 + siblings_below(left.count);
     Box box_of_right;
-    const auto split_left = [&] { box = split(free, left, free + 2); };
-    const auto split_right = [&] { box_of_right = split(free + 1, right, free_of_right); };
+    const auto split_left = [&] { box = split({free, 0}, left, free + 1); };
+    const auto split_right = [&] { box_of_right = split({free, 1}, right, free_of_right); };
     if (part.count > kWorthAThread) {
       side_by_side(split_left, split_right);
     } else {
@@ -92,7 +109,7 @@ class TriangleTree::Builder {
       split_right();
     }
     box.include(box_of_right);
-    node.enclose(box);
+    node.enclose(place.side, box);
     return box;
   }
 
@@ -120,30 +137,40 @@ TriangleTree::Hit TriangleTree::nearest(const Eigen::Vector3d& point, double gue
 
 TriangleTree::Hit TriangleTree::nearer_than(double bound, const Eigen::Vector3d& point) const {
   struct Waiting {
-    std::uint32_t node;
+    std::uint32_t first, count;  ///< as in the node
     double distance_squared;
   };
   std::array<Waiting, kStackSize> stack;
   std::size_t depth = 0;
-  stack[depth++] = {0, 0};
+  stack[depth++] = {nodes_[0].first[0], nodes_[0].count[0], 0};
   Hit best;
   best.distance_squared = bound;
+  double others = std::numeric_limits<double>::infinity();  // m^2, no other triangle is nearer
   while (depth > 0) {
     const Waiting next = stack[--depth];
-    if (next.distance_squared >= best.distance_squared) continue;
-    const Node& node = nodes_[next.node];
-    for (std::uint32_t i = node.first; i < node.first + node.count; ++i) {
+    if (next.distance_squared >= best.distance_squared) {
+      others = std::min(others, next.distance_squared);
+      continue;
+    }
+    for (std::uint32_t i = next.first; i < next.first + next.count; ++i) {
       const TriangleFoot foot = closest_point(triangles_[order_[i]], point);
       const double distance = (foot.point - point).squaredNorm();
-      if (distance < best.distance_squared) best = {order_[i], foot, distance};
+      others = std::min(others, std::max(distance, best.distance_squared));
+      if (distance < best.distance_squared) best = {order_[i], foot, distance, false};
     }
-    if (node.count > 0) continue;
-    Waiting near = {node.first, nodes_[node.first].distance_squared(point)};
-    Waiting far = {node.first + 1, nodes_[node.first + 1].distance_squared(point)};
-    if (far.distance_squared < near.distance_squared) std::swap(near, far);
-    stack[depth++] = far;
-    stack[depth++] = near;
+    if (next.count > 0) continue;
+    const Siblings& children = nodes_[next.first];
+    const Eigen::Array2d distances = children.distances_squared(point);
+    const std::size_t near = distances[1] < distances[0] ? 1 : 0;
+    for (const std::size_t side : {1 - near, near}) {
+      const double distance = distances[static_cast<Eigen::Index>(side)];
+      if (distance < best.distance_squared)
+        stack[depth++] = {children.first[side], children.count[side], distance};
+      else
+        others = std::min(others, distance);
+    }
   }
+  best.alone = others > best.distance_squared * kHardlyMore;
   return best;
 }
 

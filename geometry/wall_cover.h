@@ -30,9 +30,10 @@ PointGrid reachable_points(const CoverTarget& target, double step);
 /// So many of the `reachable` points that each has one of them near, for spheres of `radius` (m).
 PointGrid powder_parts(const PointGrid& reachable, double radius);
 
-/// What closing found out about a sample of the surface, and measuring need not find again.
+/// What was found out about a sample of the surface and need not be found again.
 enum class SampleKnown : std::uint8_t {
-  kNothing,
+  kBeyond,        ///< where powder comes
+  kReachable,     ///< and nothing more is known
   kCovered,       ///< no hole can be there, as centres only come
   kStraightBelow  ///< its place at depth R is straight below
 };
@@ -45,7 +46,7 @@ using SamplesKnown = std::vector<std::vector<SampleKnown>>;
 SamplesKnown close_cover(const CoverTarget& target, WallLayout& layout);
 
 /// Fills in the deviations and the largest gap of `spheres` (see wall_spheres.h for what they mean).
-void measure_cover(const CoverTarget& target, const WallLayout& layout, const SamplesKnown& known,
+void measure_cover(const CoverTarget& target, const WallLayout& layout, SamplesKnown& known,
                    WallSpheres& spheres);
 
 }  // namespace diefill::geometry

@@ -16,6 +16,13 @@ namespace {
 
 /// On a square grid the third of the nearest centres is nowhere farther than this, over the spacing.
 constexpr double kThirdNearest = 1.12;
+/// Guesses that differ by less, over the spacing, go the same way.
+constexpr double kSameGuess = 1e-9;
+
+int rounded_down(double value) {
+  const int near = static_cast<int>(value);
+  return value < near ? near - 1 : near;
+}
 
 [[noreturn]] void throw_too_thin(const Eigen::Vector3d& place, double thickness, double radius) {
   std::ostringstream text;
@@ -59,7 +66,7 @@ double HoleFinder::distance_to_nearest(const Eigen::Vector3d& place, double limi
 Hole HoleFinder::find(const SurfaceSample& sample, const Eigen::Vector3d& place, double least) {
   const Hole hole{place, distance_to_nearest(place, limit())};
   if (hole.distance < least - step_) return {};
-  const std::optional<Hole> between = between_nearest(sample, place);
+  const std::optional<Hole> between = hole_at(between_nearest(place), sample.point);
   if (!between || (between->middle - place).norm() > step_) return hole;
   return between->distance > hole.distance ? *between : hole;
 }
@@ -91,27 +98,26 @@ std::optional<HoleFinder::Three> HoleFinder::three_nearest(const Eigen::Vector3d
   return Three{nearest[0].second, nearest[1].second, nearest[2].second};
 }
 
-/// The circle's centre lies off the surface at depth R where that is bent, so it is brought back there.
-std::optional<Hole> HoleFinder::hole_at(const Eigen::Vector3d& guess, const Eigen::Vector3d& surface_point) {
-  const auto place = layout_.offset().settle(guess, surface_point);
-  if (!place) return std::nullopt;
-  return Hole{place->centre, distance_to_nearest(place->centre, limit())};
-}
-
-std::optional<Hole> HoleFinder::between_nearest(const SurfaceSample& sample, const Eigen::Vector3d& place) {
+Eigen::Vector3d HoleFinder::between_nearest(const Eigen::Vector3d& place) {
   std::optional<Three> three = three_nearest(place, kThirdNearest * layout_.spacing());
   if (!three) three = three_nearest(place, 2 * layout_.spacing());
-  if (!three) return hole_at(place, sample.point);
+  if (!three) return place;
   const auto& points = layout_.centres().points();
-  if (known_of_ != points.size()) known_.fill({});
-  known_of_ = points.size();
   const auto& [a, b, c] = *three;
-  Between& known = known_[(a + 3 * b + 5 * c) % known_.size()];
-  if (known.centres == *three) return known.hole;
-  const auto middle = circumcentre(points[a], points[b], points[c]);
-  if (!middle) return hole_at(place, sample.point);
-  known = {*three, hole_at(*middle, sample.point)};
-  return known.hole;
+  return circumcentre(points[a], points[b], points[c]).value_or(place);
+}
+
+/// The circle's centre lies off the surface at depth R where that is bent, so it is brought back there.
+std::optional<Hole> HoleFinder::hole_at(const Eigen::Vector3d& guess, const Eigen::Vector3d& surface_point) {
+  const Eigen::Vector3i cube = (guess / layout_.spacing()).unaryExpr(&rounded_down);
+  Way& way = ways_[static_cast<std::size_t>(cube.x() + 4 * cube.y() + 16 * cube.z()) % ways_.size()];
+  if ((way.guess - guess).norm() > kSameGuess * layout_.spacing()) {
+    way.guess = guess;
+    way.trail.clear();
+  }
+  const auto place = layout_.offset().settle(guess, surface_point, way.trail);
+  if (!place) return std::nullopt;
+  return Hole{place->centre, distance_to_nearest(place->centre, limit())};
 }
 
 }  // namespace diefill::geometry

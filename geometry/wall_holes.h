@@ -42,24 +42,23 @@ class HoleFinder {
 
  private:
   using Three = std::array<std::size_t, 3>;
-  /// What lies equally far from three centres.
-  struct Between {
-    Three centres = {PointGrid::kNone, PointGrid::kNone, PointGrid::kNone};
-    std::optional<Hole> hole;  ///< at depth R; none where there is no such place
+  /// The way from a guess to depth R.
+  struct Way {
+    Eigen::Vector3d guess = Eigen::Vector3d::Zero();
+    OffsetSurface::Trail trail;
   };
 
   std::optional<Three> three_nearest(const Eigen::Vector3d& place, double radius);
   std::optional<Hole> hole_at(const Eigen::Vector3d& guess, const Eigen::Vector3d& surface_point);
-  std::optional<Hole> between_nearest(const SurfaceSample& sample, const Eigen::Vector3d& place);
+  Eigen::Vector3d between_nearest(const Eigen::Vector3d& place);
   /// Distance (m) at which the search for a nearest centre ends.
   double limit() const { return 2 * layout_.spacing() + layout_.offset().depth(); }
 
   const WallLayout& layout_;
   double step_;
   NearPoints near_;
-  /// The same three centres are the nearest ones of many samples.
-  std::array<Between, 64> known_;
-  std::size_t known_of_ = 0;  ///< centres that there were
+  /// Many samples see the same centres, between which the way is the same but for rounding.
+  std::array<Way, 64> ways_;
 };
 
 }  // namespace diefill::geometry

@@ -47,7 +47,7 @@ WallSpheres make_wall_spheres(const Mesh& mesh, const SolidQuery& solid, const W
   for (const Strip& strip : strips.bent) layout.add_grid(strip);
   add_edge_rows(facets, layout);
   for (const Strip& strip : strips.plane) layout.add_grid(strip);
-  const SamplesKnown known = close_cover(target, layout);
+  SamplesKnown known = close_cover(target, layout);
 
   WallSpheres spheres;
   spheres.radius = options.radius;
