@@ -14,7 +14,7 @@ namespace {
 /// after a while, and what a search for contacts needs for a moment would be held for the whole run.
 void hold_no_freed_memory() {
 #ifdef __GLIBC__
-  constexpr int kBigArray = 128 * 1024;  // bytes, what the library itself begins with
+  constexpr int kBigArray = 32 * 1024;  // bytes; what a block of grains remembers counts
   mallopt(M_MMAP_THRESHOLD, kBigArray);
 #endif
 }

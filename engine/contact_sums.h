@@ -38,6 +38,8 @@ class ContactSums {
         __builtin_memcpy(sums[k].data(), &value_[k * kNumbers], kNumbers * sizeof(double));
     });
   }
+  /// Asks for sum k, which is going to be read soon.
+  void fetch(std::size_t k) const { __builtin_prefetch(&value_[k * numbers_]); }
   ContactSum operator[](std::size_t k) const {
     ContactSum sum;
     with_numbers([&]<std::size_t kNumbers>(std::integral_constant<std::size_t, kNumbers>) {

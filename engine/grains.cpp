@@ -15,7 +15,6 @@ void permute(std::vector<Value>& values, const std::vector<std::uint32_t>& order
 template <class Action>
 void for_each_array(Grains& grains, const Action& action) {
   action(grains.id);
-  action(grains.kind);
   action(grains.position);
   action(grains.velocity);
   action(grains.spin);
@@ -25,14 +24,16 @@ void for_each_array(Grains& grains, const Action& action) {
 
 }  // namespace
 
-void Grains::resize(std::size_t count, bool composed) {
+void Grains::resize(std::size_t count, bool composed, bool mixed) {
   for_each_array(*this, [count](auto& values) { values.resize(count); });
   if (composed) orientation.resize(count);
+  if (mixed) kind.resize(count);
 }
 
 void Grains::reorder(const std::vector<std::uint32_t>& order) {
   for_each_array(*this, [&order](auto& values) { permute(values, order); });
   if (!orientation.empty()) permute(orientation, order);
+  if (!kind.empty()) permute(kind, order);
 }
 
 std::vector<Quaternion> Grains::orientations() const {

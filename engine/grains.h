@@ -17,7 +17,7 @@ using Quaternion = Eigen::Vector4d;
 /// and changes whenever contacts are searched anew; `id` stays with the grain.
 struct Grains {
   std::vector<std::uint64_t> id;
-  std::vector<std::uint16_t> kind;        ///< number in the table of kinds; 0 where all grains are alike
+  std::vector<std::uint16_t> kind;        ///< number in the table of kinds; empty where there is only one
   std::vector<Eigen::Vector3d> position;  ///< m, centre of mass, laboratory frame
   std::vector<Eigen::Vector3d> velocity;  ///< m/s
   std::vector<Quaternion> orientation;    ///< of composed grains; empty for single spheres
@@ -26,8 +26,9 @@ struct Grains {
   std::vector<Eigen::Vector3d> torque;    ///< N m, all torques at the present time, body frame
 
   std::size_t size() const { return id.size(); }
-  /// `composed`: several spheres a grain, which then have an orientation.
-  void resize(std::size_t count, bool composed);
+  /// `composed`: several spheres a grain, which then have an orientation. `mixed`: there are several kinds.
+  void resize(std::size_t count, bool composed, bool mixed);
+  std::uint16_t kind_of(std::size_t k) const { return kind.empty() ? std::uint16_t{0} : kind[k]; }
   /// Of grain k: a single sphere's body frame is the laboratory's.
   Quaternion orientation_of(std::size_t k) const {
     return orientation.empty() ? Quaternion(1, 0, 0, 0) : orientation[k];

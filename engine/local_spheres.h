@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "engine/look_ahead.h"
 #include "engine/pair_table.h"
 #include "engine/sphere_field.h"
 #include "engine/transpose.h"
@@ -45,7 +46,12 @@ class LocalSpheres {
       motion_.resize(all);
     }
     const std::size_t first = std::size_t{block.begin} * block.spheres_per_grain;
-    for (std::size_t k = 0; k < own; ++k) put(k, spheres, first + k);
+    constexpr std::size_t kAhead = 16;
+    for (std::size_t k = 0; k < own; ++k) {
+      look_ahead<1>(spheres.motion, first + k + kAhead);
+      __builtin_prefetch(spheres.coordinates + 3 * std::min(first + k + kAhead, spheres.real() - 1));
+      put(k, spheres, first + k);
+    }
     const std::size_t real = spheres.real();
     for (std::size_t k = own; k < all; ++k) {
       const std::size_t partner = block.partners[k - own];

@@ -111,18 +111,20 @@ void NeighbourList::number_spheres(Block& block, const SphereField& spheres) con
   for (std::uint32_t k = 0; per_grain > 1 && k < block.own_spheres(); ++k)
     block.slot.push_back(static_cast<std::uint16_t>(k / per_grain));
   block.foreign.clear();
+  block.seen.clear();
   std::uint32_t last = kGone;
   for (const std::uint32_t sphere : block.partners) {
     const std::uint32_t grain = sphere / per_grain;
     if (grain != last) {
-      const bool real = grain < spheres.grains;
-      block.foreign.push_back({real ? grain : spheres.images[grain - spheres.grains].owner, grain});
+      block.foreign.push_back(static_cast<std::uint32_t>(spheres.owner(sphere)));
+      if (per_grain > 1) block.seen.push_back(grain);
       last = grain;
     }
     if (per_grain > 1)
       block.slot.push_back(static_cast<std::uint16_t>(block.grains() + block.foreign.size() - 1));
   }
   block.foreign.shrink_to_fit();
+  block.seen.shrink_to_fit();
 }
 
 template <bool kAlike>
@@ -134,8 +136,7 @@ void NeighbourList::find_grain_pairs(Block& block, const SphereField& spheres, c
   const auto per_grain = static_cast<std::uint32_t>(spheres.spheres_per_grain);
   const auto real_sphere = [&](std::uint32_t j) { return static_cast<std::uint32_t>(spheres.original(j)); };
   const std::uint32_t first = block.begin * per_grain, end = block.end * per_grain;
-  thread_local std::vector<Found> found;
-  found.clear();
+  std::vector<Found> found;
   block.partners.clear();
   for (std::uint32_t i = first; i < end; ++i) {
     const Vector3 here = spheres.position(i);
@@ -194,14 +195,14 @@ void NeighbourList::index_foreign_sums() {
   };
   foreign_first_.assign(blocks_.size() + 1, 0);
   for (const auto& block : blocks_)
-    for (const auto& foreign : block.foreign) ++foreign_first_[home(foreign.owner) + 1];
+    for (const std::uint32_t grain : block.foreign) ++foreign_first_[home(grain) + 1];
   std::partial_sum(foreign_first_.begin(), foreign_first_.end(), foreign_first_.begin());
   make_room(foreign_sums_, foreign_first_.back());
   foreign_sums_.resize(foreign_first_.back());
   std::vector<std::uint32_t> next(foreign_first_.begin(), foreign_first_.end() - 1);
   for (std::uint32_t b = 0; b < blocks_.size(); ++b)
     for (std::uint32_t k = 0; k < blocks_[b].foreign.size(); ++k) {
-      const std::uint32_t grain = blocks_[b].foreign[k].owner;
+      const std::uint32_t grain = blocks_[b].foreign[k];
       const std::size_t own = home(grain);
       foreign_sums_[next[own]++] = {b, static_cast<std::uint16_t>(blocks_[b].grains() + k),
                                     static_cast<std::uint16_t>(grain - blocks_[own].begin)};

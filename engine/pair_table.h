@@ -144,12 +144,6 @@ inline void make_memory(std::vector<double>& memory, std::size_t count, std::siz
   std::fill_n(memory.begin(), width, 0.0);
 }
 
-/// A grain outside a block that pairs of the block push, and where the pairs see it.
-struct ForeignGrain {
-  std::uint32_t owner;
-  std::uint32_t seen;  ///< the grain itself, or the image of it that the pairs meet (SphereField)
-};
-
 /// A run of grains that one thread works on at a time: its pairs, and the forces they cause. Sums 0 to
 /// grains() - 1 belong to the block's own grains, the rest to `foreign` ones.
 struct Block {
@@ -165,10 +159,11 @@ struct Block {
   std::vector<float> wall_distance;     ///< m, of a wall pair's centres when the list was made, rounded down;
                                         ///< 0 where it is not known (planes)
   std::vector<std::uint32_t> partners;  ///< spheres outside the block (of grains or images), rising
-  std::vector<std::uint16_t> slot;  ///< sum that forces on a local sphere of a composed grain are added to
-  std::vector<std::uint16_t> kind;  ///< of a local sphere's grain; empty where all are alike
-  std::vector<ForeignGrain> foreign;
-  ContactSums sums;  ///< of the last step
+  std::vector<std::uint16_t> slot;     ///< sum that forces on a local sphere of a composed grain are added to
+  std::vector<std::uint16_t> kind;     ///< of a local sphere's grain; empty where all are alike
+  std::vector<std::uint32_t> foreign;  ///< grains outside the block that its pairs push
+  std::vector<std::uint32_t> seen;     ///< where they are composed: each itself, or its image that pairs meet
+  ContactSums sums;                    ///< of the last step
 
   std::uint32_t grains() const { return end - begin; }
   std::uint32_t own_spheres() const { return grains() * spheres_per_grain; }

@@ -6,6 +6,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "engine/look_ahead.h"
 #include "engine/rigid_motion.h"
 #include "engine/spatial_order.h"
 
@@ -25,6 +26,12 @@ AdaptiveSkin skin_for(const SimulationSettings& settings, const KindTable& kinds
     throw std::invalid_argument(
         "a periodic length is below two grain sizes, the reach of the law and the skin");
   return skin;
+}
+
+/// Sums that a thread works on: those of a block's pairs, later those of its grains.
+std::vector<ContactSum>& sums_of_thread() {
+  thread_local std::vector<ContactSum> sums;
+  return sums;
 }
 
 LeverArm arm_for(const KindTable& kinds, LeverArm wanted) {
@@ -165,12 +172,12 @@ void Simulation::add_grains(const std::vector<NewGrain>& added) {
   const double before = energy().total(), added_before = ledger_.added_energy;
   wrap_grains();
   const std::size_t old_count = grains_.size();
-  grains_.resize(old_count + added.size(), kinds_.composed());
+  grains_.resize(old_count + added.size(), kinds_.composed(), !kinds_.alike());
   for (std::size_t k = 0; k < added.size(); ++k) {
     const std::size_t g = old_count + k;
     const NewGrain& grain = added[k];
     grains_.id[g] = next_id_++;
-    grains_.kind[g] = grain.kind;
+    if (!kinds_.alike()) grains_.kind[g] = grain.kind;
     grains_.position[g] = box_.wrapped(grain.position);
     grains_.velocity[g] = grain.velocity;
     if (kinds_.composed()) grains_.orientation[g] = grain.orientation.normalized();
@@ -258,8 +265,10 @@ bool Simulation::has_moved_too_far(const Block& block) const {
   const Vector3 drifted = plain(Eigen::Vector3d(reference_.drift * (time_ - reference_.time)));
   // A sphere at distance r turns by at most 2 r |q - q_0|.
   const double per_turn = 2 * list_.settings().farthest_sphere;
+  constexpr std::size_t kAhead = 32;
   double excess = -1;  // m, beyond what is allowed
   for (std::size_t k = block.begin; k < block.end; ++k) {
+    look_ahead<1>(reference_.position, k + kAhead);
     const Vector3 way = plain(grains_.position[k]) - plain(reference_.position[k]) - drifted;
     double moved = std::sqrt(dot(way, way));
     if (composed) {
@@ -283,14 +292,20 @@ void Simulation::gather(std::size_t b, std::vector<ContactSum>& contacts) const 
       ContactSum& sum = contacts[k - own.begin];
       sum.add_moment(-cross(arm, sum.force()));
     }
-  for (std::uint32_t f = list_.foreign_first()[b]; f < list_.foreign_first()[b + 1]; ++f) {
+  constexpr std::uint32_t kAhead = 8;  // sums of other blocks lie anywhere: they are asked for in time
+  const std::uint32_t end = list_.foreign_first()[b + 1];
+  for (std::uint32_t f = list_.foreign_first()[b]; f < end; ++f) {
+    if (f + kAhead < end) {
+      const auto& soon = list_.foreign_sums()[f + kAhead];
+      list_.blocks()[soon.block].sums.fetch(soon.slot);
+    }
     const auto& place = list_.foreign_sums()[f];
     const Block& block = list_.blocks()[place.block];
     ContactSum sum = block.sums[place.slot];
     if (composed) {
-      const ForeignGrain& seen = block.foreign[place.slot - block.grains()];
-      const Vector3 arm = plain(grains_.position[own.begin + place.grain]) + spheres_.shift(seen.seen) -
-                          plain(block.reference);
+      const std::uint32_t seen = block.seen[place.slot - block.grains()];
+      const Vector3 arm =
+          plain(grains_.position[own.begin + place.grain]) + spheres_.shift(seen) - plain(block.reference);
       sum.add_moment(-cross(arm, sum.force()));
     }
     contacts[place.grain] += sum;
@@ -312,7 +327,7 @@ void Simulation::compute_block(std::size_t b) {
   local.take(block, spheres_);
   const ContactScene scene = contact_scene(local);
   tallies_[b].start(bodies_.size());
-  thread_local std::vector<ContactSum> sums;
+  std::vector<ContactSum>& sums = sums_of_thread();
   sums.assign(block.sums.size(), {});
   grain_loop_->add_forces(block, scene, sums, tallies_[b]);
   wall_loop_->add_forces(block, scene, sums, tallies_[b]);
@@ -323,7 +338,7 @@ void Simulation::finish_grains() {
   const auto& blocks = list_.blocks();
   workers_.for_each(blocks.size(), [&](std::size_t b) {
     if (rests(b)) return;
-    thread_local std::vector<ContactSum> contacts;
+    std::vector<ContactSum>& contacts = sums_of_thread();
     gather(b, contacts);
     if (sleeping_) return finish_awake(b, contacts);
     if (settings_.air_draught) draw_air(b, contacts);
@@ -363,27 +378,6 @@ void Simulation::book_step() {
     ledger_.wall_work -= (wall_loads_[b].force.dot(body_motion_[b].velocity) +
                           wall_loads_[b].torque.dot(body_motion_[b].angular_velocity)) *
                          settings_.time_step;
-}
-
-double Simulation::bytes_moved_per_step() const {
-  const auto grains = static_cast<double>(grains_.size()), spheres = static_cast<double>(spheres_.size());
-  const bool composed = kinds_.composed();
-  constexpr double kVector = sizeof(Vector3), kSphere = sizeof(Vector3) + sizeof(SphereMotion);
-  const double turning = kinds_.rotates() ? 2 * kVector : 0;  // spin and torque
-  const double orientation = composed ? sizeof(Quaternion) : 0;
-  // Reads position, velocity, force and the reference, writes positions and spheres.
-  const double advance = grains * (5 * kVector + turning + 3 * orientation) +
-                         spheres * (composed ? kSphere : sizeof(SphereMotion));
-  // Reads and writes velocity and force; places of composed grains, for moments about their centres.
-  const double finish = grains * (4 * kVector + 2 * turning + orientation + (composed ? kVector : 0));
-  double contacts = spheres * kSphere;
-  for (const auto& block : list_.blocks())
-    contacts +=
-        static_cast<double>(block.grain_pairs.size() * (sizeof(GrainPair) + 1) +
-                            block.wall_pairs.size() * (sizeof(WallPair) + 1) + 2 * block.sums.bytes());
-  contacts += static_cast<double>(touching_) * 2 *
-              static_cast<double>(list_.settings().grain_memory_sign.size()) * sizeof(double);
-  return advance + finish + contacts;
 }
 
 ContactScene Simulation::contact_scene(const LocalSpheres& local) const {

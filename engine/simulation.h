@@ -96,7 +96,7 @@ class Simulation {
   const Grains& grains() const { return grains_; }
   const KindTable& kinds() const { return kinds_; }
   /// Of grain k.
-  const GrainShape& shape_of(std::size_t k) const { return kinds_.shape(grains_.kind[k]); }
+  const GrainShape& shape_of(std::size_t k) const { return kinds_.shape(grains_.kind_of(k)); }
   /// kg, of grains [begin, end), added in their order.
   double mass_of(std::size_t begin, std::size_t end) const;
   const std::vector<WallBody>& bodies() const { return bodies_; }

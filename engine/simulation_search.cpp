@@ -240,7 +240,9 @@ void Simulation::restore(const Snapshot& snapshot) {
   next_id_ = snapshot.next_id;
   overlap_ever_ = snapshot.overlap;
   grains_ = snapshot.grains;
-  if (!kinds_.composed()) grains_.orientation.clear();  // older checkpoints have some
+  // Older checkpoints have more than is needed.
+  if (!kinds_.composed()) grains_.orientation.clear();
+  if (kinds_.alike()) grains_.kind.clear();
   reference_ = snapshot.reference;
   if (sleeping_) {
     // A run in which nobody could sleep is gone on with by one in which all are awake.

@@ -190,10 +190,10 @@ void FillRun::let_spilled_grains_go() {
 }
 
 void FillRun::remove_grains(const std::function<bool(const Eigen::Vector3d&)>& leaves) {
-  const auto& kinds = simulation_->grains().kind;
+  const engine::Grains& grains = simulation_->grains();
   std::size_t k = 0;
   simulation_->remove_grains([&](const Eigen::Vector3d& position) {
-    const engine::KindNumber kind = kinds[k++];
+    const engine::KindNumber kind = grains.kind_of(k++);
     const bool gone = leaves(position);
     if (gone) probes_.count_removed(position, simulation_->kinds().shape(kind).mass, 1);
     if (gone) left_.add(kind);
@@ -237,7 +237,7 @@ void FillRun::shear_off_pinched_grains() {
   for (const auto& grain : engine::pinched_grains(*simulation_, kShearingOverlap)) ids.push_back(grain.id);
   if (ids.empty()) return;
   const auto poured = static_cast<double>(simulation_->grains().size() + left_.grains() + sheared_.grains());
-  for (const std::uint64_t id : ids) sheared_.add(simulation_->grains().kind[place_of(id)]);
+  for (const std::uint64_t id : ids) sheared_.add(simulation_->grains().kind_of(place_of(id)));
   simulation_->remove_grains(ids);
   if (static_cast<double>(sheared_.grains()) > std::max(kFewSheared, kMostSheared * poured))
     throw engine::OutOfRange(shear_warning() + " by t = " + std::to_string(simulation_->time()) +
@@ -288,7 +288,7 @@ void FillRun::look_for_lost_grains() {
   for (const std::uint64_t id : strayed) {
     const std::size_t k = place_of(id);
     probes_.count_removed(simulation_->grains().position[k], simulation_->shape_of(k).mass, 1);
-    left_.add(simulation_->grains().kind[k]);
+    left_.add(simulation_->grains().kind_of(k));
   }
   simulation_->remove_grains(strayed);
 }
