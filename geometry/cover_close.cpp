@@ -1,4 +1,5 @@
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 #include <deque>
 #include <optional>
@@ -81,6 +82,22 @@ class Newcomers {
   bool may_be_seen_from(const SurfaceSample& sample) const {
     return !far_.points().empty() && far_.any_within(sample.at_depth(radius_), rough_sight_);
   }
+  /// The same for samples anywhere in a box.
+  bool may_be_seen_from(const Box& box) const {
+    const double sight = rough_sight_ + radius_;
+    return std::any_of(far_.points().begin(), far_.points().end(), [&](const Eigen::Vector3d& centre) {
+      return (box.lower - centre).cwiseMax(centre - box.upper).cwiseMax(0).squaredNorm() <= sight * sight;
+    });
+  }
+  /// The same for samples of a part, asked of near_parts().
+  bool may_be_seen_from(const Corners& part, NearPoints& newcomers) const {
+    if (far_.points().empty()) return false;
+    const Eigen::Vector3d middle = (part[0] + part[1] + part[2]) / 3;
+    double farthest = 0;
+    for (const Eigen::Vector3d& corner : part) farthest = std::max(farthest, (corner - middle).norm());
+    return newcomers.any_within(middle, farthest + radius_ + rough_sight_);
+  }
+  NearPoints near_parts() const { return {far_, kPartLength * radius_ + rough_sight_, rough_sight_}; }
 
  private:
   double sight_, rough_sight_, radius_;  // m
@@ -106,15 +123,10 @@ class HoleCloser {
   /// True when centres were added.
   bool pass() {
     const std::size_t before = count();
-    work_and_take(
-        target_.stretches, [&](const Stretch& stretch) { return look_at(stretch); },
-        [&](const std::vector<Look>& looks) {
-          for (const Look& look : looks) {
-            forget_before(look.centres);
-            take(look);
-            note_new();
-          }
-        });
+    if (first_)
+      look_at_all();
+    else
+      look_again();
     fresh_.clear();
     for (std::size_t i = before; i < count(); ++i) fresh_.insert(layout_.centres().points()[i]);
     first_ = false;
@@ -134,17 +146,34 @@ class HoleCloser {
     std::size_t centres = 0;               ///< there were
   };
 
+  /// Whether samples of a stretch may see a hole that they did not see before.
+  struct Again {
+    const Stretch* stretch = nullptr;
+    bool hole = false;        ///< one does, or sees that the solid is too thin
+    Box box;                  ///< round its parts near powder, m
+    std::size_t centres = 0;  ///< there were
+  };
+
   std::size_t count() const { return layout_.centres().points().size(); }
+  void look_at_all() {
+    work_and_take(
+        target_.stretches, [&](const Stretch& stretch) { return look_at(stretch); },
+        [&](const std::vector<Look>& looks) {
+          for (const Look& look : looks) {
+            forget_before(look.centres);
+            take(look);
+            note_new();
+          }
+        });
+  }
+
   /// Each stretch is looked at by one thread at a time, which alone writes what is known of it.
   std::vector<Look> look_at(const Stretch& stretch) {
     const double radius = layout_.offset().depth();
     HoleFinder holes = holes_;
     std::vector<Look> looks;
-    std::vector<SampleKnown>& known = known_[stretch.number];
-    if (!first_ && known.empty()) return looks;  // no samples
-    sample_stretch(target_, stretch, radius, known,
+    sample_stretch(target_, stretch, radius, known_[stretch.number],
                    [&](const SurfaceSample& sample, std::size_t facet, SampleKnown& known_here) {
-                     if (known_here == SampleKnown::kCovered) return;
                      if (holes.covered(sample, allowed_)) {
                        known_here = SampleKnown::kCovered;
                        return;
@@ -158,28 +187,69 @@ class HoleCloser {
   }
 
   void look(Look& look, HoleFinder& holes) const {
-    if (!first_ && !fresh_.may_be_seen_from(look.sample)) return;
     try {
-      const Eigen::Vector3d place = holes.below(look.sample);
-      if (!first_ && !fresh_.seen_from(look.sample, place)) return;
-      look.place = place;
-      look.hole = holes.find(look.sample, place, allowed_).distance >= allowed_;
+      look.place = holes.below(look.sample);
+      look.hole = holes.find(look.sample, *look.place, allowed_).distance >= allowed_;
     } catch (const MeshError&) {
       look.too_thin = true;
     }
   }
 
   void take(const Look& look) {
-    if (look.place) {
-      const bool changed = since_look_.seen_from(look.sample, *look.place);
-      if (changed && holes_.covered(look.sample, allowed_)) return;
-      if (changed || look.hole) close(look, *look.place);
-      return;
-    }
-    if (!look.too_thin && !since_look_.may_be_seen_from(look.sample)) return;
-    if (holes_.covered(look.sample, allowed_)) return;
-    const Eigen::Vector3d place = holes_.below(look.sample);  // throws where it is too thin
-    if (since_look_.seen_from(look.sample, place)) close(look, place);
+    const bool changed = look.place && since_look_.seen_from(look.sample, *look.place);
+    if (!changed && !look.hole && !look.too_thin) return;
+    if ((changed || look.too_thin) && holes_.covered(look.sample, allowed_)) return;
+    close(look.sample, look.facet,
+          look.place ? *look.place : holes_.below(look.sample));  // throws if too thin
+  }
+
+  /// Few stretches see a centre that came, and fewer a hole: those are gone through sample by sample.
+  void look_again() {
+    work_and_take(
+        target_.stretches, [&](const Stretch& stretch) { return look_again_at(stretch); },
+        [&](const Again& again) {
+          forget_before(again.centres);
+          if (again.hole || since_look_.may_be_seen_from(again.box)) close_along(*again.stretch);
+        });
+  }
+
+  Again look_again_at(const Stretch& stretch) const {
+    const double radius = layout_.offset().depth();
+    HoleFinder holes = holes_;
+    ReachableSamples reachable(target_, radius);
+    NearPoints newcomers = fresh_.near_parts();
+    Again again{&stretch, false, {}, count()};
+    visit_samples(
+        target_, stretch, radius,
+        [&](const Corners& part) {
+          for (const Eigen::Vector3d& corner : part) again.box.include(corner);
+          return !again.hole && fresh_.may_be_seen_from(part, newcomers);
+        },
+        [&](const SurfaceSample& sample, std::size_t) {
+          if (again.hole || !may_have_changed(sample, reachable, holes)) return;
+          Look seen{sample, 0, {}, false, false, 0};
+          look(seen, holes);
+          again.hole = seen.too_thin || (seen.hole && fresh_.seen_from(sample, *seen.place));
+        });
+    return again;
+  }
+
+  void close_along(const Stretch& stretch) {
+    const double radius = layout_.offset().depth();
+    ReachableSamples reachable(target_, radius);
+    visit_samples(
+        target_, stretch, radius, [](const Corners&) { return true; },
+        [&](const SurfaceSample& sample, std::size_t facet) {
+          if (!may_have_changed(sample, reachable, holes_)) return;
+          const Eigen::Vector3d place = holes_.below(sample);  // throws where it is too thin
+          if (fresh_.seen_from(sample, place)) close(sample, static_cast<std::uint32_t>(facet), place);
+          note_new();
+        });
+  }
+
+  /// Whether a sample that powder reaches may see a centre that it did not see when it was looked at last.
+  bool may_have_changed(const SurfaceSample& sample, ReachableSamples& reachable, HoleFinder& holes) const {
+    return fresh_.may_be_seen_from(sample) && reachable(sample) && !holes.covered(sample, allowed_);
   }
 
   /// Makes the centres since the last look those from `first` on.
@@ -196,12 +266,12 @@ class HoleCloser {
     }
   }
 
-  void close(const Look& look, const Eigen::Vector3d& place) {
-    const Hole hole = holes_.find(look.sample, place, allowed_);
+  void close(const SurfaceSample& sample, std::uint32_t facet, const Eigen::Vector3d& place) {
+    const Hole hole = holes_.find(sample, place, allowed_);
     if (hole.distance < allowed_) return;
-    const auto added = layout_.add(hole.middle, look.sample.point, (1 - 1e-3) * allowed_);
+    const auto added = layout_.add(hole.middle, sample.point, (1 - 1e-3) * allowed_);
     if (!added) return;
-    const Corners corners = corners_of(target_.mesh, target_.facets[look.facet].triangles.front());
+    const Corners corners = corners_of(target_.mesh, target_.facets[facet].triangles.front());
     front_.grow(*added, (corners[1] - corners[0]).normalized());
   }
 

@@ -38,36 +38,45 @@ void visit_parts_near_powder(NearPoints& powder_parts, const Corners& corners, d
   if (powder_parts.any_within(middle, near_powder_part(longest))) visit(corners);
 }
 
-/// Calls `visit(sample, facet, known)` for the reachable samples of a stretch and, once, of the inner edges
-/// between facets, kSampleStep of `depth` (m) apart. `known` is of all samples of the stretch: empty the
-/// first time, when it is filled with whether they are reachable; visits may write what they find out.
-template <typename Visit>
-void sample_stretch(const CoverTarget& target, const Stretch& stretch, double depth,
-                    std::vector<SampleKnown>& known, Visit visit) {
+/// Tells which samples powder reaches. What is reachable was asked once, about R apart: asking again more
+/// finely would find slivers at frayed edges that no sphere was meant for.
+class ReachableSamples {
+ public:
+  /// For spheres of radius `depth` (m). One thread asks.
+  ReachableSamples(const CoverTarget& target, double depth) : target_(target), near_(kSameAnswer * depth) {}
+
+  bool operator()(const SurfaceSample& sample) {
+    if (!target_.reachable) return true;
+    // What makes one sample reachable mostly does so for the next.
+    const auto& points = target_.near_powder.points();
+    if (last_ != PointGrid::kNone && (points[last_] - sample.point).squaredNorm() <= near_ * near_)
+      return true;
+    last_ = target_.near_powder.some_within(sample.point, near_);
+    return last_ != PointGrid::kNone;
+  }
+
+ private:
   /// A sample this near (over R) to a point known as reachable is reachable too.
-  constexpr double kSameAnswer = 0.75;
+  static constexpr double kSameAnswer = 0.75;
+  const CoverTarget& target_;
+  double near_;  // m
+  std::size_t last_ = PointGrid::kNone;
+};
+
+/// Calls `visit(sample, facet)` for the samples of a stretch near powder and, once, of the inner edges
+/// between facets, kSampleStep of `depth` (m) apart. Parts of triangles for which `wanted(corners)` is false
+/// are passed over; they are kPartLength of `depth` long at most where only some of the surface is reachable.
+template <typename Wanted, typename Visit>
+void visit_samples(const CoverTarget& target, const Stretch& stretch, double depth, Wanted wanted,
+                   Visit visit) {
   const double step = kSampleStep * depth, longest = kPartLength * depth;
-  const bool first = known.empty();
-  std::size_t number = 0, last = PointGrid::kNone;
-  // What is reachable was asked once, about R apart: asking again more finely would find slivers at frayed
-  // edges that no sphere was meant for. What makes one sample reachable mostly does so for the next.
-  const auto is_reachable = [&](const SurfaceSample& sample) {
-    if (!target.reachable) return true;
-    const double near = kSameAnswer * depth;
-    const auto& points = target.near_powder.points();
-    if (last != PointGrid::kNone && (points[last] - sample.point).squaredNorm() <= near * near) return true;
-    last = target.near_powder.some_within(sample.point, near);
-    return last != PointGrid::kNone;
-  };
   NearPoints powder_parts(target.powder_parts, near_powder_part(longest), longest);
   visit_facets(target.facets, stretch, [&](std::size_t f, std::size_t begin, std::size_t end, bool whole) {
     const Facet& facet = target.facets[f];
-    const auto visit_reachable = [&](const SurfaceSample& sample) {
-      if (first) known.push_back(is_reachable(sample) ? SampleKnown::kReachable : SampleKnown::kBeyond);
-      SampleKnown& here = known[number++];
-      if (here != SampleKnown::kBeyond) visit(sample, f, here);
+    const auto visit_one = [&](const SurfaceSample& sample) { visit(sample, f); };
+    const auto sample_part = [&](const Corners& part) {
+      if (wanted(part)) sample_triangle(part, step, visit_one);
     };
-    const auto sample_part = [&](const Corners& part) { sample_triangle(part, step, visit_reachable); };
     for (std::size_t place = begin; place < end; ++place) {
       const Corners corners = corners_of(target.mesh, facet.triangles[place]);
       if (target.reachable)
@@ -79,8 +88,26 @@ void sample_stretch(const CoverTarget& target, const Stretch& stretch, double de
     for (const BorderEdge& edge : facet.border)
       if (!edge.convex && edge.other > static_cast<std::int32_t>(f))
         sample_inner_edge(edge, facet.normal, target.facets[static_cast<std::size_t>(edge.other)].normal,
-                          depth, step, visit_reachable);
+                          depth, step, visit_one);
   });
+}
+
+/// Calls `visit(sample, facet, known)` for the reachable samples of a stretch. `known` is of all its samples:
+/// empty the first time, when it is filled with whether they are reachable; visits may write what they find
+/// out.
+template <typename Visit>
+void sample_stretch(const CoverTarget& target, const Stretch& stretch, double depth,
+                    std::vector<SampleKnown>& known, Visit visit) {
+  ReachableSamples reachable(target, depth);
+  const bool first = known.empty();
+  std::size_t number = 0;
+  visit_samples(
+      target, stretch, depth, [](const Corners&) { return true; },
+      [&](const SurfaceSample& sample, std::size_t facet) {
+        if (first) known.push_back(reachable(sample) ? SampleKnown::kReachable : SampleKnown::kBeyond);
+        SampleKnown& here = known[number++];
+        if (here != SampleKnown::kBeyond) visit(sample, facet, here);
+      });
 }
 
 }  // namespace diefill::geometry

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <numeric>
 
+#include "geometry/all_cores.h"
+
 namespace diefill::geometry {
 
 namespace {
@@ -23,8 +25,10 @@ HalfEdges::HalfEdges(const Mesh& mesh, const Topology& topology,
   };
   std::vector<std::uint8_t> taken(triangles);
   first_.assign(mesh.vertices.size() + 1, 0);
+  in_parts_on_all_cores(triangles, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t t = begin; t < end; ++t) taken[t] = takes_part(t);
+  });
   for (std::size_t t = 0; t < triangles; ++t) {
-    taken[t] = takes_part(t);
     for (int k = 0; taken[t] && k < 3; ++k) {
       const auto [from, to] = ends(t, k);
       ++first_[static_cast<std::size_t>(std::min(from, to)) + 1];
@@ -39,8 +43,10 @@ HalfEdges::HalfEdges(const Mesh& mesh, const Topology& topology,
       edges_[next[static_cast<std::size_t>(std::min(from, to))]++] =
           HalfEdge(static_cast<std::uint32_t>(std::max(from, to)), t, k, from < to);
     }
-  for (std::size_t low = 0; low + 1 < first_.size(); ++low)
-    std::sort(edges_.begin() + first_[low], edges_.begin() + first_[low + 1]);
+  in_parts_on_all_cores(mesh.vertices.size(), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t low = begin; low < end; ++low)
+      std::sort(edges_.begin() + first_[low], edges_.begin() + first_[low + 1]);
+  });
 }
 
 }  // namespace diefill::geometry

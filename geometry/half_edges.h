@@ -35,15 +35,20 @@ class HalfEdge {
 /// Half edges by the edge they lie on.
 class HalfEdges {
  public:
-  /// Of the triangles for which `takes_part(triangle)` is true. Throws MeshError beyond 700 million
-  /// triangles.
+  /// Of the triangles for which `takes_part(triangle)` is true; several threads ask it at once. Throws
+  /// MeshError beyond 700 million triangles.
   HalfEdges(const Mesh& mesh, const Topology& topology, const std::function<bool(std::size_t)>& takes_part);
 
   /// Calls visit(low, sides) for every edge, in rising order of its two vertices (Topology::vertex): the
   /// lower one, and the half edges on it in rising order of triangle and side.
   template <class Visit>
   void visit_edges(const Visit& visit) const {
-    for (std::size_t low = 0; low + 1 < first_.size(); ++low)
+    visit_edges_from(0, first_.size() - 1, visit);
+  }
+  /// The same for edges whose lower vertex is one from `low` to below `end_of_low`.
+  template <class Visit>
+  void visit_edges_from(std::size_t low, std::size_t end_of_low, const Visit& visit) const {
+    for (; low < end_of_low; ++low)
       for (std::uint32_t begin = first_[low]; begin < first_[low + 1];) {
         std::uint32_t end = begin + 1;
         while (end < first_[low + 1] && edges_[end].high() == edges_[begin].high()) ++end;
