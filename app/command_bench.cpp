@@ -10,6 +10,7 @@
 #include "app/bench_trace.h"
 #include "app/commands.h"
 #include "app/exit_code.h"
+#include "app/freed_memory.h"
 #include "process/laboratory/race_bed.h"
 
 namespace diefill::app {
@@ -106,6 +107,7 @@ void print(const nlohmann::ordered_json& figures) {
 
 int bench(const BenchOptions& options) {
   const RaceBed kind = options.bed == "spheres" ? RaceBed::spheres : RaceBed::clumps;
+  give_back_freed_memory();
   const double before = resident_bytes();
   std::optional<engine::Simulation> simulation;
   {

@@ -100,6 +100,7 @@ int compare(const CompareArguments& arguments) {
   options.program = std::filesystem::read_symlink("/proc/self/exe");
   options.at_once = arguments.jobs;
   options.cores = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+  options.share_beginnings = true;
   options.show_progress = !arguments.quiet;
   options.stop = &stop_asked;
   std::signal(SIGINT, ask_to_stop);
@@ -132,7 +133,9 @@ void add_compare(CLI::App& program, Action& chosen) {
       "  diefill compare sample_tools/narrow_ring/strategies.toml --jobs 2 --seeds 3\n"
       "  diefill compare strategies.toml --seeds 5 --export-jobs jobs     then sbatch slurm.sh there\n"
       "  diefill compare --collect jobs\n"
-      "The same command goes on where it was stopped; finished runs are kept. Writes comparison.json,\n"
+      "The same command goes on where it was stopped; finished runs are kept. Variants that differ only in\n"
+      "later steps share what comes before: with one job at a time it is computed once. Writes "
+      "comparison.json,\n"
       "comparison.csv and comparison.png. Exit codes: 0 all runs finished, 1 some did not, 2 bad input, 3 "
       "some "
       "left the\n"

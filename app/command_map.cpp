@@ -10,6 +10,7 @@
 #include "app/exit_code.h"
 #include "app/output.h"
 #include "app/picture_kinds.h"
+#include "app/source_names.h"
 #include "process/measure/time_average.h"
 #include "process/results/result_file.h"
 #include "process/scene/units.h"
@@ -85,15 +86,6 @@ render::Camera camera_of(const std::string& text) {
                             "degrees, such as 30,20");
 }
 
-/// The directory's own name, and a number where an earlier one has it too.
-std::string source_name(const std::filesystem::path& directory, const std::vector<PictureSource>& before) {
-  auto path = std::filesystem::weakly_canonical(directory);
-  const std::string name = path.filename().string();
-  const auto same = std::count_if(before.begin(), before.end(),
-                                  [&](const auto& source) { return source.name.starts_with(name); });
-  return same > 0 ? name + "_" + std::to_string(same + 1) : name;
-}
-
 render::SceneLook look_of(const MapArguments& arguments) {
   render::SceneLook look;
   look.ambient_occlusion = arguments.ambient_occlusion;
@@ -158,11 +150,11 @@ void require_averages(const MapArguments& arguments) {
 
 PictureRequest request_of(const MapArguments& arguments) {
   PictureRequest request;
-  for (const auto& directory : arguments.directories) {
-    const std::string name = source_name(directory, request.sources);
-    results::FillResult result = results::read_results(directory);
+  const auto names = source_names({arguments.directories.begin(), arguments.directories.end()});
+  for (std::size_t k = 0; k < names.size(); ++k) {
+    results::FillResult result = results::read_results(arguments.directories[k]);
     std::string when = with_number("t = %.3f s", result.powder.time);
-    request.sources.push_back({name, std::move(result), std::move(when)});
+    request.sources.push_back({names[k], std::move(result), std::move(when)});
   }
   const auto& first = request.sources.front().result;
   request.out = arguments.out.empty() ? arguments.directories.front() : arguments.out;

@@ -7,6 +7,7 @@
 
 #include "app/commands.h"
 #include "app/exit_code.h"
+#include "app/freed_memory.h"
 #include "app/plan_report.h"
 #include "process/run/progress.h"
 
@@ -53,6 +54,7 @@ int plan(const PlanArguments& arguments) {
   const auto plan = [&] {
     process::Progress progress(true);
     options.tell = progress.listener();
+    give_back_freed_memory();  // as the runs will whose memory is foretold
     return process::plan::make_plan(process::read_scene(arguments.scene), options);
   }();
   std::optional<process::plan::Choice> in_time;

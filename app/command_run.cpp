@@ -5,6 +5,7 @@
 #include "app/commands.h"
 #include "app/drawing.h"
 #include "app/exit_code.h"
+#include "app/freed_memory.h"
 #include "app/output.h"
 #include "app/scene_choice.h"
 #include "process/results/group_names.h"
@@ -24,7 +25,7 @@ void ask_to_stop(int) {
 }
 
 struct RunArguments {
-  std::string scene, directory, setting;
+  std::string scene, directory, setting, beginnings;
   int threads = 0;
   bool resume = false, quiet = false, no_pictures = false;
 };
@@ -75,6 +76,7 @@ int run(const RunArguments& arguments) {
                         ? arguments.threads
                         : static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
   options.resume = arguments.resume;
+  options.beginnings = arguments.beginnings;
   options.show_progress = !arguments.quiet;
   options.stop = &stop_asked;
   const auto folder = [&](const std::string& name) {
@@ -87,10 +89,12 @@ int run(const RunArguments& arguments) {
       results::write_report(folder(name), snapshot);
     });
   };
+  give_back_freed_memory();
   process::FillRun fill(scene, tooling, options);
   std::signal(SIGINT, ask_to_stop);
   std::signal(SIGTERM, ask_to_stop);
   make_output_directory(options.directory);
+  if (!options.beginnings.empty()) make_output_directory(options.beginnings);
   fill.run();
 
   const auto result = process::assemble(scene, tooling, fill);
@@ -125,6 +129,8 @@ void add_run(CLI::App& program, Action& chosen) {
       ->check(CLI::Range(1, 1024));
   add_setting(*command, arguments->setting);
   command->add_flag("--resume", arguments->resume, "go on from the checkpoint in the results directory");
+  command->add_option("--beginnings", arguments->beginnings,
+                      "directory in which runs that begin alike leave that part for each other");
   command->add_flag("--no-pictures", arguments->no_pictures, "draw nothing; diefill map does it later");
   command->add_flag("--quiet", arguments->quiet, "no progress");
   command->footer(

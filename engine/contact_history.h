@@ -12,35 +12,35 @@ namespace diefill::engine {
 
 /// Touching pairs outside any table, named by sphere `a` and its partner `b`. For grain pairs both are
 /// spheres of grains (never images) with a < b; for walls b is the wall sphere's number over all bodies.
-/// Pairs are sorted by `a` once all are added.
+/// Pairs are sorted by `a`: all are announced first and added then, so that each finds its place at once.
 class ContactHistory {
  public:
   ContactHistory() = default;
-  /// `width`: numbers that a pair remembers.
-  explicit ContactHistory(std::size_t width) : width_(width) {}
+  /// `width`: numbers that a pair remembers; `spheres`: number of spheres that `a` counts over.
+  ContactHistory(std::size_t width, std::size_t spheres) : width_(width), first_(spheres + 2, 0) {}
 
+  /// One more pair of `a` will be added.
+  void announce(std::uint32_t a) { ++first_[a + 2]; }
+  /// Ends announcing.
+  void make_places();
   /// Adds what pair (a, b) remembers; `sign`: what each number is multiplied by, or nullptr.
   void add(std::uint32_t a, std::uint32_t b, const double* memory, const double* sign);
-  /// Ends adding. `spheres`: number of spheres that `a` counts over.
-  void sort(std::size_t spheres);
 
   /// What the contact of a with b remembers, or nullptr. A pair without memory is found, too.
   const double* find(std::uint32_t a, std::uint32_t b) const {
     if (first_.empty()) return nullptr;
     for (std::uint32_t k = first_[a]; k < first_[a + 1]; ++k)
-      if (sorted_[k].b == b) return memory_.data() + sorted_[k].memory;
+      if (partner_[k] == b) return memory_.data() + k * width_;
     return nullptr;
   }
 
  private:
-  struct Entry {
-    std::uint32_t a, b;
-    std::size_t memory;
-  };
   std::size_t width_ = 0;
-  std::vector<Entry> added_, sorted_;
-  std::vector<double> memory_ = {0.0};  ///< never empty, so that find() can point into it
+  /// Pairs of `a` are [first_[a], first_[a + 1]); until all are added, first_[a + 1] is where the next one of
+  /// `a` belongs.
   std::vector<std::uint32_t> first_;
+  std::vector<std::uint32_t> partner_;
+  std::vector<double> memory_;
 };
 
 /// Grains' new places after sorting: new_place[old grain], or kGone for those that left.

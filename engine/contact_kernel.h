@@ -11,18 +11,16 @@
 
 namespace diefill::engine {
 
-/// Reads what pair `p` remembers into `lane` of the batch; a pair that has just come to touch remembers
+/// Reads what a pair remembers into `lane` of the batch; a pair that has just come to touch remembers
 /// nothing.
-template <class Law, class Pair>
-void recall(const PairTable<Pair>& table, std::size_t p, ContactBatch<Law>& batch, std::size_t lane) {
-  const double* memory = table.memory_of(p);
+template <class Law>
+void recall(const double* memory, ContactBatch<Law>& batch, std::size_t lane) {
   for (std::size_t k = 0; k < ContactBatch<Law>::kMemory; ++k) batch.memory[k][lane] = memory[k];
 }
 
 /// The way back.
-template <class Law, class Pair>
-void remember(const ContactBatch<Law>& batch, std::size_t lane, PairTable<Pair>& table, std::size_t p) {
-  double* memory = table.memory_of(p);
+template <class Law>
+void remember(const ContactBatch<Law>& batch, std::size_t lane, double* memory) {
   for (std::size_t k = 0; k < ContactBatch<Law>::kMemory; ++k) memory[k] = batch.memory[k][lane];
 }
 

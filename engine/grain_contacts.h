@@ -13,15 +13,14 @@ void visit_grain_contacts(const Simulation& simulation, const Visit& visit) {
   const SphereField& spheres = simulation.spheres();
   for (const Block& block : simulation.neighbours().blocks()) {
     const auto& table = block.grain_pairs;
-    for (std::size_t p = 0; p < table.size(); ++p) {
-      if (!table.touching[p]) continue;
+    table.visit_touching([&](std::size_t p, const double*) {
       const std::size_t i = block.sphere(table.pair[p].own), j = block.sphere(table.pair[p].other);
       const std::size_t grain = spheres.owner(i), other = spheres.owner(j);
       const double reach =
           simulation.shape_of(grain).sphere_radius + simulation.shape_of(other).sphere_radius;
-      const double overlap = reach - length(spheres.position[i] - spheres.position[j]);
+      const double overlap = reach - length(spheres.position(i) - spheres.position(j));
       if (overlap > 0) visit(grain, other, overlap);
-    }
+    });
   }
 }
 

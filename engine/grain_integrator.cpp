@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "engine/lanes.h"
+#include "engine/look_ahead.h"
 #include "engine/rigid_motion.h"
 
 namespace diefill::engine {
@@ -11,6 +12,7 @@ namespace diefill::engine {
 namespace {
 
 constexpr std::size_t kGrains = 16;  ///< grains worked on at a time
+constexpr std::size_t kAhead = 32;   ///< grains between those worked on and those whose memory is asked for
 using Scalars = Lanes<kGrains>;
 using Vectors = VectorLanes<kGrains>;
 
@@ -39,6 +41,13 @@ struct GrainLanes {
   void load(const Grains& grains, std::size_t first, std::size_t end, bool rotates, bool composed) {
     begin = first;
     count = std::min(kGrains, end - first);
+    look_ahead<kGrains>(grains.velocity, first + kAhead);
+    look_ahead<kGrains>(grains.force, first + kAhead);
+    if (rotates) {
+      look_ahead<kGrains>(grains.spin, first + kAhead);
+      look_ahead<kGrains>(grains.torque, first + kAhead);
+      look_ahead<kGrains>(grains.orientation, first + kAhead);
+    }
     for (std::size_t lane = 0; lane < groups(); ++lane) {
       const std::size_t k = grain(lane);
       velocity.set(lane, plain(grains.velocity[k]));
@@ -51,6 +60,7 @@ struct GrainLanes {
   }
   /// Positions are needed on the way to the end of the step only.
   void load_positions(const Grains& grains) {
+    look_ahead<kGrains>(grains.position, begin + kAhead);
     for (std::size_t lane = 0; lane < groups(); ++lane)
       position.set(lane, plain(grains.position[grain(lane)]));
   }
@@ -305,7 +315,6 @@ void GrainIntegrator::advance_with(Bodies& bodies, Grains& grains, std::size_t b
       if (per_grain > 1) {
         grains.orientation[k] = eigen(lanes.orientation[lane]);
       } else {
-        spheres.position[k] = lanes.position[lane];
         spheres.motion[k] = {out.velocity[lane], rotates_ ? out.spin[lane] : Vector3{}};
       }
     }
@@ -314,7 +323,7 @@ void GrainIntegrator::advance_with(Bodies& bodies, Grains& grains, std::size_t b
       bodies.load_offset(s, bodies_, grains, lanes);
       with_instructions(instructions_, [&] { place_sphere(lanes, out, bodies, position, velocity); });
       for (std::size_t lane = 0; lane < lanes.count; ++lane) {
-        spheres.position[(first + lane) * per_grain + s] = position[lane];
+        spheres.placed[(first + lane) * per_grain + s] = position[lane];
         spheres.motion[(first + lane) * per_grain + s] = {velocity[lane], out.spin[lane]};
       }
     }

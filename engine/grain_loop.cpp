@@ -13,6 +13,11 @@ void BlockTally::start(std::size_t bodies) {
 
 namespace {
 
+/// A touching pair's number in its table, and where the table has what it remembered before this step.
+struct TouchingPair {
+  std::uint32_t pair, memory;
+};
+
 /// Pairs between grains. `Pairs`: which law acts between which. `kComposed`: several spheres a grain, moments
 /// about the block's reference point.
 template <class Pairs, LeverArm kArm, bool kComposed>
@@ -20,26 +25,34 @@ class GrainLoop final : public PairLoop {
  public:
   explicit GrainLoop(Pairs pairs) : pairs_(std::move(pairs)) {}
 
-  void add_forces(Block& block, const ContactScene& scene, BlockTally& tally) const override {
-    thread_local std::vector<std::uint32_t> touching;
-    touching.resize(block.grain_pairs.size());
+  void add_forces(Block& block, const ContactScene& scene, std::vector<ContactSum>& sums,
+                  BlockTally& tally) const override {
+    thread_local std::vector<TouchingPair> touching;
+    // Contacts begin and end: what pairs remember is written anew in every step, closely packed, into memory
+    // that was another block's before.
+    thread_local std::vector<double> remembered;
+    GrainPairTable& table = block.grain_pairs;
+    touching.resize(table.size());
     std::size_t count = 0;
     with_instructions(scene.instructions,
                       [&] { count = find_touching(block, scene.spheres, touching.data()); });
+    make_memory(remembered, count, table.width);
     Batch& batch = batch_of_thread<Batch>();
     BatchTally<Law> batches;
     for (std::size_t done = 0; done < count; done += batch.count) {
       batch.count = std::min(count - done, Batch::kLanes);
-      const std::uint32_t* pairs = touching.data() + done;
+      const TouchingPair* pairs = touching.data() + done;
+      double* memory = remembered.data() + (done + 1) * table.width;
       with_instructions(scene.instructions, [&] {
         pack(block, pairs, scene.spheres, batch);
         react_all(batch, scene.time_step);
-        hand_out(batch, pairs, block);
+        hand_out(batch, pairs, block, sums, memory);
       });
       batches.add(batch);
       if constexpr (!Pairs::kAlike)
         batches.add_over_radius(batch, [&](std::size_t lane) { return smaller_radius(batch.kinds[lane]); });
     }
+    table.memory.swap(remembered);
     batches.book(scene.time_step, tally);
     tally.overlap.grains = std::max(tally.overlap.grains, batches.deepest());
     const double over_radius =
@@ -49,15 +62,18 @@ class GrainLoop final : public PairLoop {
 
   void visit_forces(const Block& block, const ContactScene& scene,
                     const PairForceVisitor& visit) const override {
-    const auto touching = touching_pairs(block.grain_pairs, 0, block.grain_pairs.size());
+    std::vector<TouchingPair> touching;
+    block.grain_pairs.visit_touching([&](std::size_t p, const double*) {
+      touching.push_back({static_cast<std::uint32_t>(p), static_cast<std::uint32_t>(touching.size() + 1)});
+    });
     Batch& batch = batch_of_thread<Batch>();
     for (std::size_t done = 0; done < touching.size(); done += batch.count) {
       batch.count = std::min(touching.size() - done, Batch::kLanes);
-      const std::uint32_t* pairs = touching.data() + done;
+      const TouchingPair* pairs = touching.data() + done;
       pack(block, pairs, scene.spheres, batch);
       react_all(batch, 0);
       for (std::size_t lane = 0; lane < batch.count; ++lane) {
-        const GrainPair pair = block.grain_pairs.pair[pairs[lane]];
+        const GrainPair pair = block.grain_pairs.pair[pairs[lane].pair];
         const Vector3 separation = batch.separation[lane];
         const double radius = pairs_.of(kinds_of(batch, lane)).reach.radius;
         const double share = (radius - 0.5 * batch.overlap[lane]) / length(separation);
@@ -70,17 +86,21 @@ class GrainLoop final : public PairLoop {
   double stored_energy(const Block& block, const ContactScene& scene) const override {
     double energy = 0;
     const auto& table = block.grain_pairs;
+    std::uint32_t place = GrainPairTable::kNothing;
     for (std::size_t p = 0; p < table.size(); ++p) {
       const GrainPair pair = table.pair[p];
+      place += table.touching[p];
+      const double* memory = table.memory_at(table.touching[p] ? place : GrainPairTable::kNothing);
       const auto [law, reach] = pairs_.of(pairs_.kinds(block, pair));
       const double overlap =
           reach.contact - length(scene.spheres.position(pair.own) - scene.spheres.position(pair.other));
-      if (overlap > 0) energy += law.energy(overlap, table.memory_of(p));
+      if (overlap > 0) energy += law.energy(overlap, memory);
     }
     return energy;
   }
 
   std::vector<double> memory_signs() const override { return Law::memory_signs(); }
+  bool rolls() const override { return kRolls && pairs_.rolling_friction() != 0; }
   double range() const override { return pairs_.range(); }
 
  private:
@@ -88,6 +108,8 @@ class GrainLoop final : public PairLoop {
   using Batch = ContactBatch<Law>;
 
   static constexpr bool kTurns = Lever<kArm>::kTurns;
+  /// Loads count where single spheres roll.
+  static constexpr bool kRolls = !kComposed && kTurns;
   /// Whether the reaction on j is not the one on i with other signs.
   static constexpr bool kOtherDiffers =
       kTurns && (kComposed ? Lever<kArm>::kOtherDiffers : static_cast<bool>(Law::kRolls));
@@ -109,40 +131,44 @@ class GrainLoop final : public PairLoop {
 
   /// Distances are tested first and touching pairs collected, so that the costly part runs without guessing.
   /// Returns how many were written to `touching`.
-  std::size_t find_touching(Block& block, const LocalSpheres& spheres, std::uint32_t* touching) const {
-    PairTable<GrainPair>& table = block.grain_pairs;
+  std::size_t find_touching(Block& block, const LocalSpheres& spheres, TouchingPair* touching) const {
+    GrainPairTable& table = block.grain_pairs;
     std::size_t count = 0;
+    std::uint32_t before = 0;  // pairs so far that touched in the last step
     const double alike_reach = Pairs::kAlike ? pairs_.reach_squared(0) : 0;
     for (std::size_t p = 0; p < table.size(); ++p) {
       // What touching pairs remember is not looked at before all distances are known: time to fetch it.
-      __builtin_prefetch(table.memory_of(p), 1, 2);
+      __builtin_prefetch(table.memory_at(before), 0, 2);
       const GrainPair pair = table.pair[p];
       const Vector3 between = spheres.position(pair.own) - spheres.position(pair.other);
       const double reach_squared =
           Pairs::kAlike ? alike_reach : pairs_.reach_squared(pairs_.kinds(block, pair));
       const bool touches = dot(between, between) < reach_squared;
-      note_touching(table, p, touches);
-      touching[count] = static_cast<std::uint32_t>(p);
+      // Whether a near pair touches cannot be guessed: no branch depends on it.
+      const std::uint32_t touched = table.touching[p];
+      before += touched;
+      touching[count] = {static_cast<std::uint32_t>(p), before * touched};
       count += touches;
+      table.touching[p] = touches;
     }
     return count;
   }
 
   /// Brings the batch's pairs into its lanes, whole groups of them: the last pair fills up.
-  void pack(const Block& block, const std::uint32_t* pairs, const LocalSpheres& spheres, Batch& batch) const {
+  void pack(const Block& block, const TouchingPair* pairs, const LocalSpheres& spheres, Batch& batch) const {
     const std::size_t lanes = whole_groups(batch.count);
     for (std::size_t lane = 0; lane < lanes; ++lane) {
-      const std::uint32_t p = pairs[std::min(lane, batch.count - 1)];
-      const GrainPair pair = block.grain_pairs.pair[p];
+      const TouchingPair touching = pairs[std::min(lane, batch.count - 1)];
+      const GrainPair pair = block.grain_pairs.pair[touching.pair];
+      const double* memory = block.grain_pairs.memory_at(touching.memory);
       if constexpr (!Pairs::kAlike) batch.kinds[lane] = pairs_.kinds(block, pair);
       const auto &here = spheres.centre(pair.own), &there = spheres.centre(pair.other);
       Record& between = batch.between[lane];
       for (std::size_t k = 0; k < 4; ++k) between.value[k] = here.value[k] - there.value[k];
       if constexpr (Batch::kMemoryInRecord)
-        for (std::size_t k = 0; k < Batch::kMemory; ++k)
-          between.value[3 + k] = block.grain_pairs.memory_of(p)[k];
+        for (std::size_t k = 0; k < Batch::kMemory; ++k) between.value[3 + k] = memory[k];
       else
-        recall(block.grain_pairs, p, batch, lane);
+        recall(memory, batch, lane);
       // Velocities are subtracted, spins added.
       constexpr double kSign[8] = {-1, -1, -1, 1, 1, 1, 1, 1};
       const Record &own = spheres.motion(pair.own), &other = spheres.motion(pair.other);
@@ -155,25 +181,25 @@ class GrainLoop final : public PairLoop {
     batch.spread_records(lanes);
   }
 
-  void hand_out(Batch& batch, const std::uint32_t* pairs, Block& block) const {
+  /// Adds the batch's forces to `sums` and writes what its pairs remember to `memory`.
+  void hand_out(Batch& batch, const TouchingPair* pairs, const Block& block, std::vector<ContactSum>& sums,
+                double* memory) const {
     const std::size_t lanes = whole_groups(batch.count);
     if constexpr (kTurns)
       batch.collect_records(lanes, batch.moment, batch.on_own);
     else
       batch.collect_forces(lanes);
     if constexpr (kOtherDiffers) batch.collect_records(lanes, batch.other_moment, batch.on_other);
-    // Loads count where single spheres roll.
-    const double rolling = !kComposed && kTurns ? pairs_.rolling_friction() : 0;
+    const double rolling = kRolls ? pairs_.rolling_friction() : 0;
     const Eight own_sign = {1, 1, 1, 1, 1, 1, rolling, 0};
     const double turn = kComposed && !kOtherDiffers ? -1 : 1;
     const Eight other_sign = {-1, -1, -1, turn, turn, turn, rolling, 0};
     for (std::size_t lane = 0; lane < batch.count; ++lane) {
-      const std::uint32_t p = pairs[lane];
-      const GrainPair pair = block.grain_pairs.pair[p];
-      add_times(block.sums[block.slot[pair.own]].data(), batch.on_own[lane], own_sign);
-      add_times(block.sums[block.slot[pair.other]].data(),
+      const GrainPair pair = block.grain_pairs.pair[pairs[lane].pair];
+      add_times(sums[block.slot_of<kComposed>(pair.own)].data(), batch.on_own[lane], own_sign);
+      add_times(sums[block.slot_of<kComposed>(pair.other)].data(),
                 kOtherDiffers ? batch.on_other[lane] : batch.on_own[lane], other_sign);
-      remember(batch, lane, block.grain_pairs, p);
+      remember(batch, lane, memory + lane * Batch::kMemory);
     }
   }
 

@@ -11,14 +11,12 @@ void permute(std::vector<Value>& values, const std::vector<std::uint32_t>& order
   values.swap(sorted);
 }
 
-/// Calls `action` with every array of `grains`.
+/// Calls `action` with every array of `grains` that there is for all kinds of them.
 template <class Action>
 void for_each_array(Grains& grains, const Action& action) {
   action(grains.id);
-  action(grains.kind);
   action(grains.position);
   action(grains.velocity);
-  action(grains.orientation);
   action(grains.spin);
   action(grains.force);
   action(grains.torque);
@@ -26,12 +24,20 @@ void for_each_array(Grains& grains, const Action& action) {
 
 }  // namespace
 
-void Grains::resize(std::size_t count) {
+void Grains::resize(std::size_t count, bool composed, bool mixed) {
   for_each_array(*this, [count](auto& values) { values.resize(count); });
+  if (composed) orientation.resize(count);
+  if (mixed) kind.resize(count);
 }
 
 void Grains::reorder(const std::vector<std::uint32_t>& order) {
   for_each_array(*this, [&order](auto& values) { permute(values, order); });
+  if (!orientation.empty()) permute(orientation, order);
+  if (!kind.empty()) permute(kind, order);
+}
+
+std::vector<Quaternion> Grains::orientations() const {
+  return orientation.empty() ? std::vector<Quaternion>(size(), Quaternion(1, 0, 0, 0)) : orientation;
 }
 
 }  // namespace diefill::engine

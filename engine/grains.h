@@ -17,16 +17,24 @@ using Quaternion = Eigen::Vector4d;
 /// and changes whenever contacts are searched anew; `id` stays with the grain.
 struct Grains {
   std::vector<std::uint64_t> id;
-  std::vector<std::uint16_t> kind;        ///< number in the table of kinds; 0 where all grains are alike
+  std::vector<std::uint16_t> kind;        ///< number in the table of kinds; empty where there is only one
   std::vector<Eigen::Vector3d> position;  ///< m, centre of mass, laboratory frame
   std::vector<Eigen::Vector3d> velocity;  ///< m/s
-  std::vector<Quaternion> orientation;
-  std::vector<Eigen::Vector3d> spin;    ///< rad/s, angular velocity in the body frame
-  std::vector<Eigen::Vector3d> force;   ///< N, all forces at the present time, laboratory frame
-  std::vector<Eigen::Vector3d> torque;  ///< N m, all torques at the present time, body frame
+  std::vector<Quaternion> orientation;    ///< of composed grains; empty for single spheres
+  std::vector<Eigen::Vector3d> spin;      ///< rad/s, angular velocity in the body frame
+  std::vector<Eigen::Vector3d> force;     ///< N, all forces at the present time, laboratory frame
+  std::vector<Eigen::Vector3d> torque;    ///< N m, all torques at the present time, body frame
 
   std::size_t size() const { return id.size(); }
-  void resize(std::size_t count);
+  /// `composed`: several spheres a grain, which then have an orientation. `mixed`: there are several kinds.
+  void resize(std::size_t count, bool composed, bool mixed);
+  std::uint16_t kind_of(std::size_t k) const { return kind.empty() ? std::uint16_t{0} : kind[k]; }
+  /// Of grain k: a single sphere's body frame is the laboratory's.
+  Quaternion orientation_of(std::size_t k) const {
+    return orientation.empty() ? Quaternion(1, 0, 0, 0) : orientation[k];
+  }
+  /// The same of all grains.
+  std::vector<Quaternion> orientations() const;
   /// Entry k becomes the former entry order[k]; grains not named in `order` leave.
   void reorder(const std::vector<std::uint32_t>& order);
 };
@@ -34,6 +42,9 @@ struct Grains {
 /// Sum of contact forces on a grain, laid out as a Record.
 class ContactSum {
  public:
+  /// Numbers that count where grains do not rotate, where they do, and where single spheres roll as well.
+  static constexpr std::size_t kForce = 3, kMoment = 6, kRolling = 7;
+
   Vector3 force() const { return {value_[0], value_[1], value_[2]}; }  ///< N
   /// N m, laboratory frame: about the centre of a single sphere, about the block's reference point for
   /// composed grains.
@@ -42,6 +53,7 @@ class ContactSum {
   double rolling_load() const { return value_[6]; }
   /// The numbers above in their order, then one to spare.
   double* data() { return value_; }
+  const double* data() const { return value_; }
 
   void add_force(Vector3 force) {
     value_[0] += force.x;

@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "engine/look_ahead.h"
 #include "engine/pair_table.h"
 #include "engine/sphere_field.h"
 #include "engine/transpose.h"
@@ -45,15 +46,32 @@ class LocalSpheres {
       motion_.resize(all);
     }
     const std::size_t first = std::size_t{block.begin} * block.spheres_per_grain;
-    for (std::size_t k = 0; k < own; ++k) put(k, spheres, first + k);
-    for (std::size_t k = own; k < all; ++k) put(k, spheres, block.partners[k - own]);
+    constexpr std::size_t kAhead = 16;
+    for (std::size_t k = 0; k < own; ++k) {
+      look_ahead<1>(spheres.motion, first + k + kAhead);
+      __builtin_prefetch(spheres.coordinates + 3 * std::min(first + k + kAhead, spheres.real() - 1));
+      put(k, spheres, first + k);
+    }
+    const std::size_t real = spheres.real();
+    for (std::size_t k = own; k < all; ++k) {
+      const std::size_t partner = block.partners[k - own];
+      if (partner < real)
+        put(k, spheres, partner);
+      else
+        put_image(k, spheres, partner);
+    }
   }
 
  private:
   void put(std::size_t k, const SphereField& spheres, std::size_t sphere) {
     static_assert(sizeof(SphereMotion) == 6 * sizeof(double));
-    __builtin_memcpy(centres_[k].value, &spheres.position[sphere], sizeof(Vector3));
+    __builtin_memcpy(centres_[k].value, spheres.coordinates + 3 * sphere, sizeof(Vector3));
     __builtin_memcpy(motion_[k].value, &spheres.motion[sphere], sizeof(SphereMotion));
+  }
+  void put_image(std::size_t k, const SphereField& spheres, std::size_t sphere) {
+    put(k, spheres, spheres.original(sphere));
+    const Vector3 centre = spheres.position(sphere);
+    __builtin_memcpy(centres_[k].value, &centre, sizeof centre);
   }
 
   std::vector<Centre> centres_;

@@ -55,7 +55,7 @@ void NeighbourList::build(const SphereField& spheres, const std::vector<WallBody
     else
       find_grain_pairs<false>(block, spheres, reference, history);
     find_wall_pairs(block, spheres, bodies, reference, wall_history);
-    block.sums.resize(block.grains() + block.foreign.size());
+    block.sums.start(block.grains() + block.foreign.size(), settings_.sum_numbers);
   });
   index_foreign_sums();
   // Between searches they would be the largest thing in memory that nobody looks at.
@@ -64,12 +64,12 @@ void NeighbourList::build(const SphereField& spheres, const std::vector<WallBody
 
 void NeighbourList::sort_into_cells(const SphereField& spheres, double skin) {
   const auto edge = [&](const SizeLevel& level) { return 2 * level.largest + settings_.law_range + skin; };
-  if (levels_.size() == 1) return levels_.front().cells.build(spheres.position, edge(levels_.front()));
+  if (levels_.size() == 1) return levels_.front().cells.build(spheres, edge(levels_.front()));
   std::vector<std::vector<std::uint32_t>> members(levels_.size());
   for (std::uint32_t j = 0; j < spheres.size(); ++j)
-    members[level_of_kind_[spheres.kind[j / spheres.spheres_per_grain]]].push_back(j);
+    members[level_of_kind_[spheres.kind[spheres.owner(j)]]].push_back(j);
   for (std::size_t l = 0; l < levels_.size(); ++l)
-    levels_[l].cells.build(spheres.position, std::move(members[l]), edge(levels_[l]));
+    levels_[l].cells.build(spheres, std::move(members[l]), edge(levels_[l]));
 }
 
 std::size_t NeighbourList::near_pairs() const {
@@ -103,22 +103,28 @@ void NeighbourList::number_spheres(Block& block, const SphereField& spheres) con
   if (!alike()) {
     for (std::uint32_t k = 0; k < block.own_spheres(); ++k)
       block.kind.push_back(spheres.kind[block.begin + k / per_grain]);
-    for (const std::uint32_t sphere : block.partners) block.kind.push_back(spheres.kind[sphere / per_grain]);
+    for (const std::uint32_t sphere : block.partners)
+      block.kind.push_back(spheres.kind[spheres.owner(sphere)]);
   }
   block.slot.clear();
-  for (std::uint32_t k = 0; k < block.own_spheres(); ++k)
+  if (per_grain > 1) block.slot.reserve(all);
+  for (std::uint32_t k = 0; per_grain > 1 && k < block.own_spheres(); ++k)
     block.slot.push_back(static_cast<std::uint16_t>(k / per_grain));
   block.foreign.clear();
+  block.seen.clear();
   std::uint32_t last = kGone;
   for (const std::uint32_t sphere : block.partners) {
     const std::uint32_t grain = sphere / per_grain;
     if (grain != last) {
-      const bool real = grain < spheres.grains;
-      block.foreign.push_back({real ? grain : spheres.images[grain - spheres.grains].owner, grain});
+      block.foreign.push_back(static_cast<std::uint32_t>(spheres.owner(sphere)));
+      if (per_grain > 1) block.seen.push_back(grain);
       last = grain;
     }
-    block.slot.push_back(static_cast<std::uint16_t>(block.grains() + block.foreign.size() - 1));
+    if (per_grain > 1)
+      block.slot.push_back(static_cast<std::uint16_t>(block.grains() + block.foreign.size() - 1));
   }
+  block.foreign.shrink_to_fit();
+  block.seen.shrink_to_fit();
 }
 
 template <bool kAlike>
@@ -128,17 +134,12 @@ void NeighbourList::find_grain_pairs(Block& block, const SphereField& spheres, c
     std::uint32_t own, other;
   };
   const auto per_grain = static_cast<std::uint32_t>(spheres.spheres_per_grain);
-  const auto grains = static_cast<std::uint32_t>(spheres.grains);
-  const auto real_sphere = [&](std::uint32_t j) {
-    const std::uint32_t grain = j / per_grain;
-    return grain < grains ? j : spheres.images[grain - grains].owner * per_grain + j % per_grain;
-  };
+  const auto real_sphere = [&](std::uint32_t j) { return static_cast<std::uint32_t>(spheres.original(j)); };
   const std::uint32_t first = block.begin * per_grain, end = block.end * per_grain;
-  thread_local std::vector<Found> found;
-  found.clear();
+  std::vector<Found> found;
   block.partners.clear();
   for (std::uint32_t i = first; i < end; ++i) {
-    const Vector3 here = spheres.position[i];
+    const Vector3 here = spheres.position(i);
     const std::uint32_t grain = i / per_grain;
     const std::uint8_t swift = reference.doublings[grain];
     const double radius = settings_.sphere_radii[kAlike ? 0 : spheres.kind[grain]];
@@ -183,6 +184,7 @@ void NeighbourList::find_grain_pairs(Block& block, const SphereField& spheres, c
     else
       block.grain_pairs.add(named, history.find(other, pair.own), opposite);
   }
+  block.grain_pairs.finish();
 }
 
 void NeighbourList::index_foreign_sums() {
@@ -193,14 +195,17 @@ void NeighbourList::index_foreign_sums() {
   };
   foreign_first_.assign(blocks_.size() + 1, 0);
   for (const auto& block : blocks_)
-    for (const auto& foreign : block.foreign) ++foreign_first_[home(foreign.owner) + 1];
+    for (const std::uint32_t grain : block.foreign) ++foreign_first_[home(grain) + 1];
   std::partial_sum(foreign_first_.begin(), foreign_first_.end(), foreign_first_.begin());
+  make_room(foreign_sums_, foreign_first_.back());
   foreign_sums_.resize(foreign_first_.back());
   std::vector<std::uint32_t> next(foreign_first_.begin(), foreign_first_.end() - 1);
   for (std::uint32_t b = 0; b < blocks_.size(); ++b)
     for (std::uint32_t k = 0; k < blocks_[b].foreign.size(); ++k) {
-      const std::uint32_t grain = blocks_[b].foreign[k].owner;
-      foreign_sums_[next[home(grain)]++] = {grain, b, blocks_[b].grains() + k};
+      const std::uint32_t grain = blocks_[b].foreign[k];
+      const std::size_t own = home(grain);
+      foreign_sums_[next[own]++] = {b, static_cast<std::uint16_t>(blocks_[b].grains() + k),
+                                    static_cast<std::uint16_t>(grain - blocks_[own].begin)};
     }
 }
 

@@ -19,6 +19,7 @@ struct NeighbourSettings {
   double law_range = 0;                   ///< m, gap up to which the law acts between grains
   std::vector<double> grain_memory_sign;  ///< PairLoop::memory_signs() of pairs of grains
   std::size_t wall_memory = 0;            ///< numbers that touching pairs with walls remember
+  std::size_t sum_numbers = ContactSum::kRolling;  ///< of a ContactSum that count
 };
 
 /// m, radius of the spheres of a grain or image.
@@ -63,7 +64,9 @@ class NeighbourList {
 
   /// Where a grain's forces are summed outside its own block.
   struct ForeignSum {
-    std::uint32_t grain, block, slot;
+    std::uint32_t block;
+    std::uint16_t slot;   ///< of the block's sums
+    std::uint16_t grain;  ///< counted from the first of its own block
   };
   /// Foreign sums of the grains of block b are [foreign_first()[b], foreign_first()[b + 1]), in the order of
   /// the blocks that hold them.

@@ -56,8 +56,10 @@ using PairForceVisitor = std::function<void(const PairForce&)>;
 class PairLoop {
  public:
   virtual ~PairLoop() = default;
-  /// Adds the forces of the block's touching pairs to its sums and advances what they remember.
-  virtual void add_forces(Block& block, const ContactScene& scene, BlockTally& tally) const = 0;
+  /// Adds the forces of the block's touching pairs to `sums`, one for each of Block::sums, and advances what
+  /// pairs remember.
+  virtual void add_forces(Block& block, const ContactScene& scene, std::vector<ContactSum>& sums,
+                          BlockTally& tally) const = 0;
   /// Visits the forces of the pairs that touched in the last step, in the order of the table, as they stand:
   /// nothing is advanced.
   virtual void visit_forces(const Block& block, const ContactScene& scene,
@@ -67,6 +69,8 @@ class PairLoop {
   /// For each number that a pair remembers: what it is multiplied by when the pair is seen from its other
   /// side.
   virtual std::vector<double> memory_signs() const = 0;
+  /// Whether rolling loads of sums count.
+  virtual bool rolls() const = 0;
   /// m, largest gap at which pairs act on each other.
   virtual double range() const = 0;
 };

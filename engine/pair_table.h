@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "engine/grains.h"
+#include "engine/contact_sums.h"
 #include "engine/vector3.h"
 
 namespace diefill::engine {
@@ -44,6 +44,15 @@ struct WallRun {
   }
 };
 
+/// Room for `count` values in `values`, which becomes empty. Memory that would stand idle is given back: a
+/// step's speed is that of the memory it has to pass through.
+template <class Value>
+void make_room(std::vector<Value>& values, std::size_t count) {
+  if (values.capacity() > count + count / 4) std::vector<Value>().swap(values);
+  values.clear();
+  values.reserve(count);
+}
+
 /// Pairs with a memory of `width` numbers each; what a pair that does not touch remembers has no meaning.
 template <class Pair>
 struct PairTable {
@@ -53,8 +62,7 @@ struct PairTable {
   std::vector<double> memory;          ///< SI units, as the law lays them out
 
   std::size_t size() const { return pair.size(); }
-  /// Empties the table and makes room for `count` pairs that remember `numbers` each. Memory that would stand
-  /// idle is given back: a step's speed is that of the memory it has to pass through.
+  /// Empties the table and makes room for `count` pairs that remember `numbers` each.
   void start(std::size_t count, std::size_t numbers) {
     width = numbers;
     make_room(pair, count);
@@ -69,21 +77,72 @@ struct PairTable {
     for (std::size_t k = 0; k < width; ++k)
       memory.push_back(!remembered ? 0.0 : sign ? sign[k] * remembered[k] : remembered[k]);
   }
-  template <class Value>
-  static void make_room(std::vector<Value>& values, std::size_t count) {
-    if (values.capacity() > count + count / 4) std::vector<Value>().swap(values);
-    values.clear();
-    values.reserve(count);
-  }
   double* memory_of(std::size_t p) { return memory.data() + p * width; }
   const double* memory_of(std::size_t p) const { return memory.data() + p * width; }
+  /// Calls visit(p, memory) for every touching pair p in their order.
+  template <class Visit>
+  void visit_touching(const Visit& visit) const {
+    for (std::size_t p = 0; p < size(); ++p)
+      if (touching[p]) visit(p, memory_of(p));
+  }
+  /// Makes p, which did not touch, a touching pair that remembers `remembered`.
+  void recall(std::size_t p, const double* remembered) {
+    touching[p] = 1;
+    std::copy_n(remembered, width, memory_of(p));
+  }
 };
 
-/// A grain outside a block that pairs of the block push, and where the pairs see it.
-struct ForeignGrain {
-  std::uint32_t owner;
-  std::uint32_t seen;  ///< the grain itself, or the image of it that the pairs meet (SphereField)
+/// Near pairs between grains. Half of them do not touch even in a dense bed, so only those that do have a
+/// memory: one after the other in the order of the table, behind a first one that is 0.
+struct GrainPairTable {
+  /// Place of what a contact remembers that has just begun.
+  static constexpr std::uint32_t kNothing = 0;
+
+  std::size_t width = 0;  ///< numbers that a touching pair remembers
+  std::vector<GrainPair> pair;
+  std::vector<std::uint8_t> touching;  ///< 1 while the pair is within the law's reach
+  std::vector<double> memory;          ///< SI units, as the law lays them out; there may be more than is used
+
+  std::size_t size() const { return pair.size(); }
+  /// Empties the table and makes room for `count` pairs that remember `numbers` each.
+  void start(std::size_t count, std::size_t numbers) {
+    width = numbers;
+    make_room(pair, count);
+    make_room(touching, count);
+    memory.assign(width, 0.0);
+  }
+  /// As PairTable::add().
+  void add(const GrainPair& added, const double* remembered, const double* sign) {
+    pair.push_back(added);
+    touching.push_back(remembered != nullptr);
+    if (!remembered) return;
+    for (std::size_t k = 0; k < width; ++k) memory.push_back(sign ? sign[k] * remembered[k] : remembered[k]);
+  }
+  /// Ends adding.
+  void finish() { memory.shrink_to_fit(); }
+  /// Memory number `place`: counted from 1 among those of touching pairs, or kNothing.
+  const double* memory_at(std::uint32_t place) const { return memory.data() + place * width; }
+  /// Calls visit(p, memory) for every touching pair p in their order.
+  template <class Visit>
+  void visit_touching(const Visit& visit) const {
+    std::uint32_t place = kNothing;
+    for (std::size_t p = 0; p < size(); ++p)
+      if (touching[p]) visit(p, memory_at(++place));
+  }
+  /// As PairTable::recall(), for pairs in their order, in a table in which none touched.
+  void recall(std::size_t p, const double* remembered) {
+    touching[p] = 1;
+    memory.insert(memory.end(), remembered, remembered + width);
+  }
 };
+
+/// Makes `memory` hold what `count` touching pairs are going to remember, `width` numbers each, and 0 before:
+/// other numbers are of no use. Memory that fits is taken as it is.
+inline void make_memory(std::vector<double>& memory, std::size_t count, std::size_t width) {
+  const std::size_t needed = (count + 1) * width;
+  if (memory.size() < needed || memory.size() > needed + needed / 4) memory = std::vector<double>(needed);
+  std::fill_n(memory.begin(), width, 0.0);
+}
 
 /// A run of grains that one thread works on at a time: its pairs, and the forces they cause. Sums 0 to
 /// grains() - 1 belong to the block's own grains, the rest to `foreign` ones.
@@ -92,7 +151,7 @@ struct Block {
   std::uint32_t spheres_per_grain = 1;
   Eigen::Vector3d reference =
       Eigen::Vector3d::Zero();  ///< m, point that moments of composed grains are about
-  PairTable<GrainPair> grain_pairs;
+  GrainPairTable grain_pairs;
   PairTable<WallPair> wall_pairs;             ///< body after body, sphere after sphere
   std::vector<std::uint32_t> wall_first;      ///< first wall pair of each body, and the number of all
   std::vector<WallRun> wall_runs;             ///< body after body; one more stands for the end
@@ -100,13 +159,19 @@ struct Block {
   std::vector<float> wall_distance;     ///< m, of a wall pair's centres when the list was made, rounded down;
                                         ///< 0 where it is not known (planes)
   std::vector<std::uint32_t> partners;  ///< spheres outside the block (of grains or images), rising
-  std::vector<std::uint16_t> slot;      ///< sum that forces on a local sphere are added to
-  std::vector<std::uint16_t> kind;      ///< of a local sphere's grain; empty where all are alike
-  std::vector<ForeignGrain> foreign;
-  std::vector<ContactSum> sums;
+  std::vector<std::uint16_t> slot;     ///< sum that forces on a local sphere of a composed grain are added to
+  std::vector<std::uint16_t> kind;     ///< of a local sphere's grain; empty where all are alike
+  std::vector<std::uint32_t> foreign;  ///< grains outside the block that its pairs push
+  std::vector<std::uint32_t> seen;     ///< where they are composed: each itself, or its image that pairs meet
+  ContactSums sums;                    ///< of the last step
 
   std::uint32_t grains() const { return end - begin; }
   std::uint32_t own_spheres() const { return grains() * spheres_per_grain; }
+  /// Sum that forces on a local sphere are added to: single spheres have one each.
+  template <bool kComposed>
+  std::size_t slot_of(LocalSphere local) const {
+    return kComposed ? slot[local] : local;
+  }
   /// Number of a local sphere among all spheres.
   std::uint32_t sphere(LocalSphere local) const {
     return local < own_spheres() ? begin * spheres_per_grain + local : partners[local - own_spheres()];

@@ -23,7 +23,7 @@ double wall_overlap(const Simulation& simulation, std::size_t body, std::uint32_
   const WallBody& wall = simulation.bodies()[body];
   const BodyMotion& pose = simulation.body_motion(body);
   const Eigen::Vector3d place =
-      pose.rotation.transpose() * (eigen(simulation.spheres().position[i]) - pose.translation);
+      pose.rotation.transpose() * (eigen(simulation.spheres().position(i)) - pose.translation);
   if (wall.meshed()) return radius - separation_from_triangle(wall, wall_part, place, radius).norm();
   if (!wall.flat()) return radius + wall.sphere_radius() - (place - wall.centres()[wall_part]).norm();
   const WallPlane& plane = wall.planes()[wall_part];

@@ -6,6 +6,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "engine/look_ahead.h"
 #include "engine/rigid_motion.h"
 #include "engine/spatial_order.h"
 
@@ -25,6 +26,12 @@ AdaptiveSkin skin_for(const SimulationSettings& settings, const KindTable& kinds
     throw std::invalid_argument(
         "a periodic length is below two grain sizes, the reach of the law and the skin");
   return skin;
+}
+
+/// Sums that a thread works on: those of a block's pairs, later those of its grains.
+std::vector<ContactSum>& sums_of_thread() {
+  thread_local std::vector<ContactSum> sums;
+  return sums;
 }
 
 LeverArm arm_for(const KindTable& kinds, LeverArm wanted) {
@@ -122,7 +129,10 @@ NeighbourSettings neighbour_settings(const KindTable& kinds, const PairLoop& gra
           .farthest_sphere = kinds.farthest_sphere(),
           .law_range = grain_loop.range(),
           .grain_memory_sign = grain_loop.memory_signs(),
-          .wall_memory = wall_loop.memory_signs().size()};
+          .wall_memory = wall_loop.memory_signs().size(),
+          .sum_numbers = !kinds.rotates()                          ? ContactSum::kForce
+                         : grain_loop.rolls() || wall_loop.rolls() ? ContactSum::kRolling
+                                                                   : ContactSum::kMoment};
 }
 
 }  // namespace
@@ -147,6 +157,7 @@ Simulation::Simulation(const SimulationSettings& settings, std::vector<WallBodyS
   clearance_.resize(bodies_.size());
   if (settings_.sleep) sleeping_.emplace(*settings_.sleep, kinds_, settings_.gravity, settings_.time_step);
   spheres_.spheres_per_grain = kinds_.spheres();
+  spheres_.box = box_;
   reference_.skin = skin_.first();
   sort_and_search();
 }
@@ -156,25 +167,26 @@ void Simulation::add_grains(const std::vector<NewGrain>& added) {
     if (grain.kind >= kinds_.size())
       throw std::invalid_argument("a grain of kind " + std::to_string(grain.kind) + ", but there are " +
                                   std::to_string(kinds_.size()) + " kinds, counted from 0");
+  // Contacts are between spheres where they are now, so that their energy must be known before grains are
+  // put back into the periodic box, whose own booking is in the difference.
+  const double before = energy().total(), added_before = ledger_.added_energy;
   wrap_grains();
-  const double before = energy().total();
   const std::size_t old_count = grains_.size();
-  grains_.resize(old_count + added.size());
+  grains_.resize(old_count + added.size(), kinds_.composed(), !kinds_.alike());
   for (std::size_t k = 0; k < added.size(); ++k) {
     const std::size_t g = old_count + k;
     const NewGrain& grain = added[k];
     grains_.id[g] = next_id_++;
-    grains_.kind[g] = grain.kind;
+    if (!kinds_.alike()) grains_.kind[g] = grain.kind;
     grains_.position[g] = box_.wrapped(grain.position);
     grains_.velocity[g] = grain.velocity;
-    // A single sphere has no orientation worth following: its body frame is the laboratory's.
-    grains_.orientation[g] = kinds_.composed() ? grain.orientation.normalized() : Quaternion(1, 0, 0, 0);
-    grains_.spin[g] = rotation_matrix(grains_.orientation[g]).transpose() * grain.angular_velocity;
+    if (kinds_.composed()) grains_.orientation[g] = grain.orientation.normalized();
+    grains_.spin[g] = rotation_matrix(grains_.orientation_of(g)).transpose() * grain.angular_velocity;
     grains_.force[g] = shape_of(g).mass * settings_.gravity;
     grains_.torque[g].setZero();
   }
   sort_and_search();
-  ledger_.added_energy += energy().total() - before;
+  ledger_.added_energy = added_before + (energy().total() - before);
 }
 
 std::size_t Simulation::remove_grains(const std::function<bool(const Eigen::Vector3d&)>& leaves) {
@@ -194,10 +206,10 @@ std::size_t Simulation::remove_grains(const std::vector<std::uint64_t>& ids) {
 std::size_t Simulation::keep_grains(const std::vector<std::uint32_t>& staying) {
   const std::size_t gone = grains_.size() - staying.size();
   if (gone == 0) return 0;
+  const double before = energy().total(), added_before = ledger_.added_energy;
   wrap_grains();
-  const double before = energy().total();
   search_in_order(staying);
-  ledger_.added_energy += energy().total() - before;
+  ledger_.added_energy = added_before + (energy().total() - before);
   return gone;
 }
 
@@ -207,7 +219,7 @@ void Simulation::set_motion(std::size_t body, std::function<BodyMotion(double)> 
 }
 
 Eigen::Vector3d Simulation::angular_velocity(std::size_t k) const {
-  return rotation_matrix(grains_.orientation[k]) * grains_.spin[k];
+  return rotation_matrix(grains_.orientation_of(k)) * grains_.spin[k];
 }
 
 void Simulation::step() {
@@ -223,7 +235,6 @@ void Simulation::step() {
     sort_and_search();
     timers_.lap(Phase::search);
   }
-  place_images();
   compute_contacts();
   timers_.lap(Phase::contacts);
   finish_grains();
@@ -254,8 +265,10 @@ bool Simulation::has_moved_too_far(const Block& block) const {
   const Vector3 drifted = plain(Eigen::Vector3d(reference_.drift * (time_ - reference_.time)));
   // A sphere at distance r turns by at most 2 r |q - q_0|.
   const double per_turn = 2 * list_.settings().farthest_sphere;
+  constexpr std::size_t kAhead = 32;
   double excess = -1;  // m, beyond what is allowed
   for (std::size_t k = block.begin; k < block.end; ++k) {
+    look_ahead<1>(reference_.position, k + kAhead);
     const Vector3 way = plain(grains_.position[k]) - plain(reference_.position[k]) - drifted;
     double moved = std::sqrt(dot(way, way));
     if (composed) {
@@ -272,24 +285,30 @@ bool Simulation::has_moved_too_far(const Block& block) const {
 void Simulation::gather(std::size_t b, std::vector<ContactSum>& contacts) const {
   const Block& own = list_.blocks()[b];
   const bool composed = kinds_.composed();
-  contacts.assign(own.sums.begin(), own.sums.begin() + own.grains());
+  own.sums.copy_to(contacts, own.grains());
   if (composed)
     for (std::size_t k = own.begin; k < own.end; ++k) {
       const Vector3 arm = plain(grains_.position[k]) - plain(own.reference);
       ContactSum& sum = contacts[k - own.begin];
       sum.add_moment(-cross(arm, sum.force()));
     }
-  for (std::uint32_t f = list_.foreign_first()[b]; f < list_.foreign_first()[b + 1]; ++f) {
+  constexpr std::uint32_t kAhead = 8;  // sums of other blocks lie anywhere: they are asked for in time
+  const std::uint32_t end = list_.foreign_first()[b + 1];
+  for (std::uint32_t f = list_.foreign_first()[b]; f < end; ++f) {
+    if (f + kAhead < end) {
+      const auto& soon = list_.foreign_sums()[f + kAhead];
+      list_.blocks()[soon.block].sums.fetch(soon.slot);
+    }
     const auto& place = list_.foreign_sums()[f];
     const Block& block = list_.blocks()[place.block];
     ContactSum sum = block.sums[place.slot];
     if (composed) {
-      const ForeignGrain& seen = block.foreign[place.slot - block.grains()];
+      const std::uint32_t seen = block.seen[place.slot - block.grains()];
       const Vector3 arm =
-          plain(grains_.position[place.grain]) + spheres_.shift(seen.seen) - plain(block.reference);
+          plain(grains_.position[own.begin + place.grain]) + spheres_.shift(seen) - plain(block.reference);
       sum.add_moment(-cross(arm, sum.force()));
     }
-    contacts[place.grain - own.begin] += sum;
+    contacts[place.grain] += sum;
   }
 }
 
@@ -308,16 +327,18 @@ void Simulation::compute_block(std::size_t b) {
   local.take(block, spheres_);
   const ContactScene scene = contact_scene(local);
   tallies_[b].start(bodies_.size());
-  std::fill(block.sums.begin(), block.sums.end(), ContactSum{});
-  grain_loop_->add_forces(block, scene, tallies_[b]);
-  wall_loop_->add_forces(block, scene, tallies_[b]);
+  std::vector<ContactSum>& sums = sums_of_thread();
+  sums.assign(block.sums.size(), {});
+  grain_loop_->add_forces(block, scene, sums, tallies_[b]);
+  wall_loop_->add_forces(block, scene, sums, tallies_[b]);
+  block.sums.keep(sums);
 }
 
 void Simulation::finish_grains() {
   const auto& blocks = list_.blocks();
   workers_.for_each(blocks.size(), [&](std::size_t b) {
     if (rests(b)) return;
-    thread_local std::vector<ContactSum> contacts;
+    std::vector<ContactSum>& contacts = sums_of_thread();
     gather(b, contacts);
     if (sleeping_) return finish_awake(b, contacts);
     if (settings_.air_draught) draw_air(b, contacts);
@@ -357,26 +378,6 @@ void Simulation::book_step() {
     ledger_.wall_work -= (wall_loads_[b].force.dot(body_motion_[b].velocity) +
                           wall_loads_[b].torque.dot(body_motion_[b].angular_velocity)) *
                          settings_.time_step;
-}
-
-double Simulation::bytes_moved_per_step() const {
-  const auto grains = static_cast<double>(grains_.size()), spheres = static_cast<double>(spheres_.size());
-  const bool composed = kinds_.composed();
-  constexpr double kVector = sizeof(Vector3), kSphere = sizeof(Vector3) + sizeof(SphereMotion);
-  const double turning = kinds_.rotates() ? 2 * kVector : 0;  // spin and torque
-  const double orientation = composed ? sizeof(Quaternion) : 0;
-  // Reads position, velocity, force and the reference, writes positions and spheres.
-  const double advance = grains * (5 * kVector + turning + 3 * orientation) + spheres * kSphere;
-  // Reads and writes velocity and force; places of composed grains, for moments about their centres.
-  const double finish = grains * (4 * kVector + 2 * turning + orientation + (composed ? kVector : 0));
-  double contacts = spheres * kSphere;
-  for (const auto& block : list_.blocks())
-    contacts += static_cast<double>(block.grain_pairs.size() * (sizeof(GrainPair) + 1) +
-                                    block.wall_pairs.size() * (sizeof(WallPair) + 1) +
-                                    2 * block.sums.size() * sizeof(ContactSum));
-  contacts += static_cast<double>(touching_) * 2 *
-              static_cast<double>(list_.settings().grain_memory_sign.size()) * sizeof(double);
-  return advance + finish + contacts;
 }
 
 ContactScene Simulation::contact_scene(const LocalSpheres& local) const {

@@ -96,7 +96,7 @@ class Simulation {
   const Grains& grains() const { return grains_; }
   const KindTable& kinds() const { return kinds_; }
   /// Of grain k.
-  const GrainShape& shape_of(std::size_t k) const { return kinds_.shape(grains_.kind[k]); }
+  const GrainShape& shape_of(std::size_t k) const { return kinds_.shape(grains_.kind_of(k)); }
   /// kg, of grains [begin, end), added in their order.
   double mass_of(std::size_t begin, std::size_t end) const;
   const std::vector<WallBody>& bodies() const { return bodies_; }
@@ -118,7 +118,7 @@ class Simulation {
   const DeepestOverlap& overlaps_of_run() const { return overlap_ever_; }
   /// Angular velocity (rad/s) of grain k in the laboratory frame.
   Eigen::Vector3d angular_velocity(std::size_t k) const;
-  /// Sphere centres (m) of the last contact computation, grain after grain, images last.
+  /// Spheres as the last contact computation saw them, grain after grain, images last.
   const SphereField& spheres() const { return spheres_; }
 
   /// Visits the forces of all contacts of the last step, in a fixed order; none before the first. For figures
@@ -165,7 +165,6 @@ class Simulation {
   void find_images();
   void place_spheres(const std::vector<Eigen::Vector3d>& position,
                      const std::vector<Quaternion>& orientation);
-  void place_images();
   void compute_contacts();
   void compute_block(std::size_t b);
   void finish_grains();

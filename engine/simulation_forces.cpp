@@ -4,7 +4,6 @@
 namespace diefill::engine {
 
 void Simulation::visit_contact_forces(const std::function<void(const ContactForce&)>& visit) const {
-  const std::size_t per_grain = spheres_.spheres_per_grain;
   LocalSpheres local;
   for (const Block& block : list_.blocks()) {
     local.take(block, spheres_);
@@ -13,8 +12,7 @@ void Simulation::visit_contact_forces(const std::function<void(const ContactForc
     const auto centre_of = [&](LocalSphere sphere) -> Eigen::Vector3d {
       const std::uint32_t number = block.sphere(sphere);
       const std::size_t owner = spheres_.owner(number);
-      const Vector3 shift =
-          spheres_.position[number] - spheres_.position[owner * per_grain + number % per_grain];
+      const Vector3 shift = spheres_.position(number) - spheres_.position(spheres_.original(number));
       return grains_.position[owner] + eigen(shift);
     };
     grain_loop_->visit_forces(block, scene, [&](const PairForce& pair) {

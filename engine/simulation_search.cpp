@@ -53,7 +53,7 @@ void Simulation::wrap_grains() {
 /// A search sorts grains into cells: there must be a place to sort them to.
 void Simulation::check_places() const {
   for (std::size_t k = 0; k < grains_.size(); ++k) {
-    if (grains_.position[k].norm() < kFarthestPlace && grains_.orientation[k].allFinite()) continue;
+    if (grains_.position[k].norm() < kFarthestPlace && grains_.orientation_of(k).allFinite()) continue;
     throw OutOfRange("grain " + std::to_string(grains_.id[k]) +
                      " has no finite position any more at t = " + std::to_string(time_) +
                      " s: the run is unstable; take a shorter time step, and add no grain where another is");
@@ -85,6 +85,7 @@ void Simulation::search_in_order(std::vector<std::uint32_t> order) {
   spheres_.reorder_motion(order);
   remember_reference(awake);
   search(history, wall_history);
+  spheres_.stand_at(grains_.position);
 }
 
 void Simulation::remember_reference(std::size_t awake) {
@@ -126,12 +127,9 @@ void Simulation::search(const ContactHistory& history, const ContactHistory& wal
   ++searches_;
   spheres_.grains = reference_.position.size();
   find_images();
-  if (!kinds_.alike()) {
-    spheres_.kind = grains_.kind;
-    for (const auto& image : spheres_.images) spheres_.kind.push_back(grains_.kind[image.owner]);
-  }
-  spheres_.position.resize((spheres_.grains + spheres_.images.size()) * spheres_.spheres_per_grain);
-  spheres_.motion.resize(spheres_.position.size());
+  if (!kinds_.alike()) spheres_.kind = grains_.kind;
+  if (kinds_.composed()) spheres_.placed.resize(spheres_.real());
+  spheres_.motion.resize(spheres_.real());
   place_spheres(reference_.position, reference_.orientation);
   list_.build(spheres_, bodies_, reference_, history, wall_history, workers_);
   tallies_.resize(list_.blocks().size());
@@ -141,9 +139,10 @@ void Simulation::search(const ContactHistory& history, const ContactHistory& wal
   }
 
   Eigen::Vector3d lower = Eigen::Vector3d::Constant(1e300), upper = -lower;
-  for (const auto& centre : spheres_.position) {
-    lower = lower.cwiseMin(eigen(centre));
-    upper = upper.cwiseMax(eigen(centre));
+  for (std::size_t k = 0; k < spheres_.size(); ++k) {
+    const Eigen::Vector3d centre = eigen(spheres_.position(k));
+    lower = lower.cwiseMin(centre);
+    upper = upper.cwiseMax(centre);
   }
   const double sphere_reach = kinds_.largest_sphere() + farthest_allowance();
   for (std::size_t b = 0; b < bodies_.size(); ++b) {
@@ -168,40 +167,21 @@ void Simulation::find_images() {
   // A grain on the border meets others whose centre is up to two grain radii and what both may move beyond
   // it.
   const double margin = 2 * kinds_.largest_grain() + grain_loop_->range() + 2 * farthest_allowance();
-  std::vector<Eigen::Vector3d> shifts;
-  for (std::uint32_t k = 0; k < reference_.position.size(); ++k) {
-    shifts.clear();
-    box_.image_shifts(reference_.position[k], margin, shifts);
-    for (const auto& shift : shifts) spheres_.images.push_back({k, shift});
-  }
+  for (std::uint32_t k = 0; k < reference_.position.size(); ++k)
+    box_.add_images(k, reference_.position[k], margin, spheres_.images);
+  spheres_.images.shrink_to_fit();
 }
 
 void Simulation::place_spheres(const std::vector<Eigen::Vector3d>& position,
                                const std::vector<Quaternion>& orientation) {
+  spheres_.stand_at(position);
+  if (!kinds_.composed()) return;
   for (std::size_t k = 0; k < spheres_.grains; ++k) {
     const GrainShape& shape = shape_of(k);
-    if (shape.spheres() == 1) {
-      spheres_.position[k] = plain(position[k]);
-      continue;
-    }
     const Eigen::Matrix3d to_lab = rotation_matrix(orientation[k]);
     for (std::size_t s = 0; s < shape.spheres(); ++s)
-      spheres_.position[k * shape.spheres() + s] =
+      spheres_.placed[k * shape.spheres() + s] =
           plain(Eigen::Vector3d(position[k] + to_lab * shape.sphere_offsets[s]));
-  }
-  place_images();
-}
-
-void Simulation::place_images() {
-  const std::size_t per_grain = spheres_.spheres_per_grain;
-  for (std::size_t m = 0; m < spheres_.images.size(); ++m) {
-    const GrainImage& image = spheres_.images[m];
-    const Vector3 shift = plain(image.shift);
-    const std::size_t copy = (spheres_.grains + m) * per_grain, original = image.owner * per_grain;
-    for (std::size_t s = 0; s < per_grain; ++s) {
-      spheres_.position[copy + s] = spheres_.position[original + s] + shift;
-      spheres_.motion[copy + s] = spheres_.motion[original + s];
-    }
   }
 }
 
@@ -214,11 +194,10 @@ Snapshot::Memory memory_of(const std::vector<Block>& blocks, Table Block::*table
   std::uint64_t before = 0;
   for (const auto& block : blocks) {
     const auto& pairs = block.*table;
-    for (std::size_t p = 0; p < pairs.size(); ++p) {
-      if (!pairs.touching[p]) continue;
+    pairs.visit_touching([&](std::size_t p, const double* numbers) {
       memory.pair.push_back(before + p);
-      memory.value.insert(memory.value.end(), pairs.memory_of(p), pairs.memory_of(p) + pairs.width);
-    }
+      memory.value.insert(memory.value.end(), numbers, numbers + pairs.width);
+    });
     before += pairs.size();
   }
   return memory;
@@ -231,11 +210,8 @@ void recall(std::vector<Block>& blocks, Table Block::*table, const Snapshot::Mem
   std::size_t next = 0;
   for (auto& block : blocks) {
     auto& pairs = block.*table;
-    for (; next < memory.pair.size() && memory.pair[next] < before + pairs.size(); ++next) {
-      const std::size_t p = memory.pair[next] - before;
-      pairs.touching[p] = 1;
-      std::copy_n(memory.value.data() + next * pairs.width, pairs.width, pairs.memory_of(p));
-    }
+    for (; next < memory.pair.size() && memory.pair[next] < before + pairs.size(); ++next)
+      pairs.recall(memory.pair[next] - before, memory.value.data() + next * pairs.width);
     before += pairs.size();
   }
 }
@@ -264,6 +240,9 @@ void Simulation::restore(const Snapshot& snapshot) {
   next_id_ = snapshot.next_id;
   overlap_ever_ = snapshot.overlap;
   grains_ = snapshot.grains;
+  // Older checkpoints have more than is needed.
+  if (!kinds_.composed()) grains_.orientation.clear();
+  if (kinds_.alike()) grains_.kind.clear();
   reference_ = snapshot.reference;
   if (sleeping_) {
     // A run in which nobody could sleep is gone on with by one in which all are awake.

@@ -40,13 +40,13 @@ void Simulation::compute_resting(std::size_t b) {
   if (!sleeping_->computed(b)) {
     auto& grain_pairs = list_.blocks()[b].grain_pairs;
     auto& wall_pairs = list_.blocks()[b].wall_pairs;
-    const auto grain_touching = grain_pairs.touching, wall_touching = wall_pairs.touching;
-    const auto grain_memory = grain_pairs.memory, wall_memory = wall_pairs.memory;
+    auto grain_touching = grain_pairs.touching, wall_touching = wall_pairs.touching;
+    auto grain_memory = grain_pairs.memory, wall_memory = wall_pairs.memory;
     compute_block(b);
-    grain_pairs.touching = grain_touching;
-    wall_pairs.touching = wall_touching;
-    grain_pairs.memory = grain_memory;
-    wall_pairs.memory = wall_memory;
+    grain_pairs.touching = std::move(grain_touching);
+    wall_pairs.touching = std::move(wall_touching);
+    grain_pairs.memory = std::move(grain_memory);
+    wall_pairs.memory = std::move(wall_memory);
     sleeping_->set_computed(b);
   }
   BlockTally& tally = tallies_[b];

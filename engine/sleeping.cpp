@@ -16,10 +16,9 @@ constexpr std::size_t kFewestSpheres = 1024, kFewestShare = 16;
 template <class Visit>
 void visit_touching(const Block& block, const SphereField& spheres, const Visit& visit) {
   const auto& table = block.grain_pairs;
-  for (std::size_t p = 0; p < table.size(); ++p) {
-    if (!table.touching[p]) continue;
+  table.visit_touching([&](std::size_t p, const double*) {
     visit(spheres.owner(block.sphere(table.pair[p].own)), spheres.owner(block.sphere(table.pair[p].other)));
-  }
+  });
 }
 
 bool in_any(const std::vector<Eigen::AlignedBox3d>& boxes, const Eigen::Vector3d& place) {
@@ -79,7 +78,7 @@ void Sleeping::sort_blocks(const NeighbourList& list, bool anew) {
     const auto first = state_.asleep.begin() + blocks[b].begin, last = state_.asleep.begin() + blocks[b].end;
     rests_[b] = std::all_of(first, last, [](auto mark) { return mark != 0; }) &&
                 std::all_of(blocks[b].foreign.begin(), blocks[b].foreign.end(),
-                            [&](const ForeignGrain& grain) { return asleep(grain.owner); });
+                            [&](std::uint32_t grain) { return asleep(grain); });
   }
 }
 
@@ -89,7 +88,7 @@ void Sleeping::count_step(const NeighbourList& list) {
 }
 
 double Sleeping::kinetic_energy(const Grains& grains, std::size_t k) const {
-  const GrainShape& shape = kinds_.shape(grains.kind[k]);
+  const GrainShape& shape = kinds_.shape(grains.kind_of(k));
   double energy = 0.5 * shape.mass * grains.velocity[k].squaredNorm();
   if (shape.rotates) energy += 0.5 * shape.inertia.dot(grains.spin[k].cwiseAbs2());
   return energy;
@@ -99,7 +98,7 @@ void Sleeping::look(const Grains& grains) {
   for (std::size_t k = 0; k < grains.size(); ++k) {
     if (!asleep(k)) {
       state_.looks[k] =
-          kinetic_energy(grains, k) < limits_[grains.kind[k]].slow_energy ? state_.looks[k] + 1 : 0;
+          kinetic_energy(grains, k) < limits_[grains.kind_of(k)].slow_energy ? state_.looks[k] + 1 : 0;
       continue;
     }
     if (state_.looks[k] == 0) state_.force[k] = grains.force[k];
@@ -111,13 +110,14 @@ std::vector<std::uint32_t> Sleeping::disturbed(const Grains& grains, const Neigh
                                                const SphereField& spheres) const {
   std::vector<std::uint8_t> wakes(grains.size(), 0);
   for (std::size_t k = 0; k < grains.size(); ++k)
-    wakes[k] = asleep(k) && (grains.force[k] - state_.force[k]).norm() > limits_[grains.kind[k]].waking_force;
+    wakes[k] =
+        asleep(k) && (grains.force[k] - state_.force[k]).norm() > limits_[grains.kind_of(k)].waking_force;
   for (std::size_t b = 0; b < list.blocks().size(); ++b) {
     if (rests(b)) continue;
     visit_touching(list.blocks()[b], spheres, [&](std::size_t i, std::size_t j) {
       if (asleep(i) == asleep(j)) return;
       const std::size_t sleeper = asleep(i) ? i : j, other = asleep(i) ? j : i;
-      if (kinetic_energy(grains, other) > limits_[grains.kind[other]].waking_energy) wakes[sleeper] = 1;
+      if (kinetic_energy(grains, other) > limits_[grains.kind_of(other)].waking_energy) wakes[sleeper] = 1;
     });
   }
   return places_of(wakes);

@@ -12,19 +12,20 @@ constexpr double kCellsPerPoint = 8, kFewCells = 4096;
 
 }  // namespace
 
-void SphereCells::build(const std::vector<Vector3>& points, double cell) {
-  members_.resize(points.size());
+void SphereCells::build(const SphereField& spheres, double cell) {
+  members_.resize(spheres.size());
   std::iota(members_.begin(), members_.end(), 0U);
-  build(points, std::move(members_), cell);
+  build(spheres, std::move(members_), cell);
 }
 
-void SphereCells::build(const std::vector<Vector3>& points, std::vector<std::uint32_t> members, double cell) {
+void SphereCells::build(const SphereField& spheres, std::vector<std::uint32_t> members, double cell) {
   members_ = std::move(members);
   lower_ = Eigen::Vector3d::Constant(1e300);
   Eigen::Vector3d upper = -lower_;
   for (const std::uint32_t k : members_) {
-    lower_ = lower_.cwiseMin(eigen(points[k]));
-    upper = upper.cwiseMax(eigen(points[k]));
+    const Eigen::Vector3d point = eigen(spheres.position(k));
+    lower_ = lower_.cwiseMin(point);
+    upper = upper.cwiseMax(point);
   }
   if (members_.empty()) lower_ = upper = Eigen::Vector3d::Zero();
   edge_ = cell;
@@ -38,7 +39,7 @@ void SphereCells::build(const std::vector<Vector3>& points, std::vector<std::uin
   first_.assign(index_of(cells_[0] - 1, cells_[1] - 1, cells_[2] - 1) + 2, 0);
   cell_.resize(members_.size());
   for (std::size_t k = 0; k < members_.size(); ++k) {
-    const Eigen::Vector3i place = cell_of(points[members_[k]]);
+    const Eigen::Vector3i place = cell_of(spheres.position(members_[k]));
     cell_[k] = static_cast<std::uint32_t>(index_of(place[0], place[1], place[2]));
     ++first_[cell_[k] + 1];
   }
@@ -50,7 +51,7 @@ void SphereCells::build(const std::vector<Vector3>& points, std::vector<std::uin
   for (std::size_t k = 0; k < members_.size(); ++k) {
     const std::uint32_t place = next[cell_[k]]++;
     index_[place] = members_[k];
-    position_[place] = points[members_[k]];
+    position_[place] = spheres.position(members_[k]);
   }
 }
 

@@ -5,18 +5,18 @@
 #include <cstdint>
 #include <vector>
 
-#include "engine/vector3.h"
+#include "engine/sphere_field.h"
 
 namespace diefill::engine {
 
-/// A grid of cells over points (m). Points of a cell lie together, and cells along x follow each other, so
-/// that a neighbourhood of 27 cells is nine runs.
+/// A grid of cells over spheres' centres, points (m) here. Points of a cell lie together, and cells along x
+/// follow each other, so that a neighbourhood of 27 cells is nine runs.
 class SphereCells {
  public:
-  /// Sorts `points` into cells of edge at least `cell` (m).
-  void build(const std::vector<Vector3>& points, double cell);
-  /// The same for some of them only, given by their indices.
-  void build(const std::vector<Vector3>& points, std::vector<std::uint32_t> members, double cell);
+  /// Sorts the centres of all spheres into cells of edge at least `cell` (m).
+  void build(const SphereField& spheres, double cell);
+  /// The same for some of them only, given by their numbers.
+  void build(const SphereField& spheres, std::vector<std::uint32_t> members, double cell);
 
   /// Calls visit(index, position) for every point in the cells that the cube of half edge `reach` (m) about
   /// `point` meets, in a fixed order.

@@ -13,4 +13,12 @@ void SphereField::reorder_motion(const std::vector<std::uint32_t>& order) {
   motion.swap(reordered);
 }
 
+void SphereField::stand_at(const std::vector<Eigen::Vector3d>& position) {
+  static_assert(sizeof(Vector3) == 3 * sizeof(double) && sizeof(Eigen::Vector3d) == sizeof(Vector3));
+  if (spheres_per_grain > 1)
+    coordinates = placed.empty() ? nullptr : &placed.front().x;
+  else
+    coordinates = position.empty() ? nullptr : position.front().data();
+}
+
 }  // namespace diefill::engine

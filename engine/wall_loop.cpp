@@ -19,10 +19,11 @@ class WallLoop final : public PairLoop {
   WallLoop(std::vector<Law> laws, std::vector<double> radii)
       : radii_(std::move(radii)), laws_(std::move(laws)) {}
 
-  void add_forces(Block& block, const ContactScene& scene, BlockTally& tally) const override {
+  void add_forces(Block& block, const ContactScene& scene, std::vector<ContactSum>& sums,
+                  BlockTally& tally) const override {
     if (block.wall_pairs.size() == 0) return;
     for (std::size_t body = 0; body < scene.bodies.size(); ++body)
-      if (block.wall_first[body] < block.wall_first[body + 1]) add_body(block, body, scene, tally);
+      if (block.wall_first[body] < block.wall_first[body + 1]) add_body(block, body, scene, sums, tally);
   }
 
   void visit_forces(const Block& block, const ContactScene& scene,
@@ -67,6 +68,10 @@ class WallLoop final : public PairLoop {
   }
 
   std::vector<double> memory_signs() const override { return Law::memory_signs(); }
+  bool rolls() const override {
+    return !kComposed && Lever<kArm>::kTurns &&
+           std::any_of(laws_.begin(), laws_.end(), [](const Law& any) { return any.rolling_friction != 0; });
+  }
   double range() const override { return 0; }
 
  private:
@@ -152,7 +157,8 @@ class WallLoop final : public PairLoop {
     std::fill(block.wall_pairs.touching.data() + p, block.wall_pairs.touching.data() + end, std::uint8_t{0});
   }
 
-  void add_body(Block& block, std::size_t body, const ContactScene& scene, BlockTally& tally) const {
+  void add_body(Block& block, std::size_t body, const ContactScene& scene, std::vector<ContactSum>& sums,
+                BlockTally& tally) const {
     thread_local std::vector<WallTouch> touching;
     find_touching(block, body, scene, touching, tally);
     Batch& batch = batch_of_thread<Batch>();
@@ -165,7 +171,7 @@ class WallLoop final : public PairLoop {
       batch.fill_last_group();
       with_instructions(scene.instructions, [&] { react_all(batch, body, scene, scene.time_step); });
       for (std::size_t lane = 0; lane < batch.count; ++lane)
-        hand_out(batch, lane, block, body, pairs[lane], scene, tally);
+        hand_out(batch, lane, block, body, pairs[lane], scene, sums, tally);
       batches.add(batch);
       if constexpr (kKinds)
         batches.add_over_radius(batch, [&](std::size_t lane) { return radii_[batch.kinds[lane]]; });
@@ -198,19 +204,19 @@ class WallLoop final : public PairLoop {
       batch.spin_sum.set(lane, spin);
       if constexpr (Law::kRolls) batch.relative_spin.set(lane, spin - plain(pose.angular_velocity));
     }
-    recall(block.wall_pairs, touch.pair, batch, lane);
+    recall(block.wall_pairs.memory_of(touch.pair), batch, lane);
   }
 
   void hand_out(const Batch& batch, std::size_t lane, Block& block, std::size_t body, const WallTouch& touch,
-                const ContactScene& scene, BlockTally& tally) const {
+                const ContactScene& scene, std::vector<ContactSum>& sums, BlockTally& tally) const {
     const WallPair pair = block.wall_pairs.pair[touch.pair];
-    ContactSum& own = block.sums[block.slot[pair.own]];
+    ContactSum& own = sums[block.slot_of<kComposed>(pair.own)];
     const Vector3 force = batch.force[lane];
     own.add_force(force);
     if constexpr (Lever<kArm>::kTurns) own.add_moment(batch.moment[lane]);
     if constexpr (!kComposed && Lever<kArm>::kTurns)
       own.add_rolling_load(law(body, touch.kind).rolling_friction * batch.load[lane]);
-    remember(batch, lane, block.wall_pairs, touch.pair);
+    remember(batch, lane, block.wall_pairs.memory_of(touch.pair));
 
     const Vector3 contact =
         scene.spheres.position(pair.own) - contact_share(touch, body, scene) * batch.separation[lane];

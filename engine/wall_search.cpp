@@ -60,7 +60,7 @@ void NeighbourList::find_wall_pairs(Block& block, const SphereField& spheres,
     for (std::uint32_t k = 0; k < own; ++k) {
       const std::uint32_t sphere = block.begin * per_grain + k, grain = sphere / per_grain;
       const Eigen::Vector3d place =
-          pose.rotation.transpose() * (eigen(spheres.position[sphere]) - pose.translation);
+          pose.rotation.transpose() * (eigen(spheres.position(sphere)) - pose.translation);
       find_parts(bodies[b], place,
                  radius_of(settings_, spheres, grain) + bodies[b].sphere_radius() +
                      reference.body_allowance[b] + reference.allowance(grain),

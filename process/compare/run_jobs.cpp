@@ -22,8 +22,9 @@ namespace {
 namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
 
-constexpr useconds_t kPause = 20000;  // microseconds between looks at the jobs
-constexpr int kBadSignal = 128;       // exit codes from here on: ended by a signal, or stopped and resumable
+constexpr useconds_t kPause = 20000;               // microseconds between looks at the jobs
+constexpr const char* kBeginnings = "beginnings";  // folder, while jobs are under way
+constexpr int kBadSignal = 128;  // exit codes from here on: ended by a signal, or stopped and resumable
 
 /// Share of the work that a job's log last told of, 0 to 1.
 double share_in(const fs::path& log) {
@@ -68,6 +69,7 @@ class JobPool {
       if (left() <= 0) end_early();
       show();
     }
+    fs::remove_all(directory_ / kBeginnings);
   }
 
  private:
@@ -104,6 +106,8 @@ class JobPool {
                                       "--threads",
                                       std::to_string(threads)};
     if (!options_.pictures) words.push_back("--no-pictures");
+    if (options_.share_beginnings)
+      words.insert(words.end(), {"--beginnings", (directory_ / kBeginnings).string()});
     running.process = std::make_unique<ChildProcess>(words, folder / kJobLog);
     progress_.say("started " + in_words(job));
     running_.push_back(std::move(running));

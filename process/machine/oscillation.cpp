@@ -21,6 +21,17 @@ double Oscillation::rate(double time, const Envelope& envelope) const {
          (envelope.slope(time) * std::sin(angle) + envelope.value(time) * omega * std::cos(angle));
 }
 
+std::vector<double> Oscillation::turning_points(double length) const {
+  const double half_period = 0.5 / frequency, quarter = 0.25 / frequency,
+               offset = phase / (2 * std::numbers::pi * frequency);
+  const double first =
+      quarter - offset + half_period * std::ceil((swelling.ramp + offset - quarter) / half_period);
+  std::vector<double> points;
+  for (const double point : {first, first + half_period})
+    if (point <= length - swelling.ramp) points.push_back(point);
+  return points;
+}
+
 Oscillation read_oscillation(TableReader& table, const QuantityRule& rule) {
   Oscillation oscillation;
   oscillation.amplitude = table.required_quantity("amplitude", rule);

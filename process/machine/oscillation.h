@@ -2,6 +2,8 @@
 // dies away (Bierwisch 2009, Eq. 6.1 and section 6.5.2).
 #pragma once
 
+#include <vector>
+
 #include "process/machine/swelling_motion.h"
 
 namespace diefill::process {
@@ -15,6 +17,9 @@ struct Oscillation {
 
   double value(double time, const Envelope& envelope) const;  ///< m or rad
   double rate(double time, const Envelope& envelope) const;   ///< m/s or rad/s
+  /// s: of an oscillation that lasts `length` s, the first instant at full swing and the one half a period
+  /// later, on the other side; fewer where it ends before.
+  std::vector<double> turning_points(double length) const;
 };
 
 /// Reads `amplitude` by `rule`, `frequency`, `phase`, `ramp` (one period unless given) and `duration`. Throws

@@ -18,6 +18,9 @@ class RotationalOscillation final : public SwellingMotion {
                         const Oscillation& oscillation)
       : SwellingMotion(std::move(tools), oscillation.swelling), axis_(axis), oscillation_(oscillation) {}
 
+  std::vector<double> turning_points(double length) const override {
+    return oscillation_.turning_points(length);
+  }
   std::string in_words() const override;
 
  private:

@@ -61,6 +61,12 @@ class Step {
   virtual std::optional<double> duration() const = 0;
   /// True for motions about one place, such as shaking: the tool stays where it is, in the long run.
   virtual bool stays() const { return false; }
+  /// s since the step began: instants at which such a motion, lasting `length` s, is farthest out to either
+  /// side. Empty where the kind does not know them.
+  virtual std::vector<double> turning_points(double length) const {
+    (void)length;
+    return {};
+  }
   /// Motion of the tools at `time` (s since the step began), added to where the other steps leave them.
   /// Asked from 0 to the duration only.
   virtual ToolMotion motion(double time) const {

@@ -17,6 +17,9 @@ class Vibration final : public SwellingMotion {
   Vibration(std::vector<std::string> tools, const Eigen::Vector3d& axis, const Oscillation& oscillation)
       : SwellingMotion(std::move(tools), oscillation.swelling), axis_(axis), oscillation_(oscillation) {}
 
+  std::vector<double> turning_points(double length) const override {
+    return oscillation_.turning_points(length);
+  }
   std::string in_words() const override;
 
  private:

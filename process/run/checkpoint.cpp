@@ -6,6 +6,7 @@
 #include <sstream>
 #include <type_traits>
 
+#include "engine/fnv1a.h"
 #include "process/results/atomic_file.h"
 #include "process/results/result_file.h"
 
@@ -13,12 +14,12 @@ namespace diefill::process {
 
 namespace {
 
-constexpr std::array<char, 8> kMagic = {'d', 'f', 'c', 'h', 'k', 'p', 't', '9'};
+constexpr std::array<char, 8> kMagic = {'d', 'f', 'c', 'h', 'k', 'p', '1', '0'};
 
 std::uint64_t hash_of(const std::string& bytes) {
-  std::uint64_t hash = 0xcbf29ce484222325ULL;
-  for (const char byte : bytes) hash = (hash ^ static_cast<unsigned char>(byte)) * 0x100000001b3ULL;
-  return hash;
+  engine::Fnv1a hash;
+  hash.add(bytes);
+  return hash.value();
 }
 
 /// Appends values to a string of bytes.
@@ -87,6 +88,7 @@ void transfer_instants(Io& io, Instants& instants) {
 template <class Io, class Contents>
 void transfer(Io& io, Contents& checkpoint) {
   io(checkpoint.scene_hash);
+  io(checkpoint.beginning_hash);
   io(checkpoint.grains_left);
   io(checkpoint.grains_sheared);
   io(checkpoint.wall_seconds);
@@ -140,10 +142,10 @@ std::filesystem::path checkpoint_file(const std::filesystem::path& directory) {
   return directory / "checkpoint.bin";
 }
 
-void write_checkpoint(const std::filesystem::path& directory, const Checkpoint& checkpoint) {
+void write_checkpoint(const std::filesystem::path& path, const Checkpoint& checkpoint) {
   Writer contents;
   transfer(contents, checkpoint);
-  results::write_atomically(checkpoint_file(directory), [&](const std::filesystem::path& temporary) {
+  results::write_atomically(path, [&](const std::filesystem::path& temporary) {
     std::ofstream file(temporary, std::ios::binary);
     const std::uint64_t hash = hash_of(contents.bytes());
     file.write(kMagic.data(), kMagic.size());
@@ -154,8 +156,7 @@ void write_checkpoint(const std::filesystem::path& directory, const Checkpoint& 
   });
 }
 
-std::optional<Checkpoint> read_checkpoint(const std::filesystem::path& directory) {
-  const auto path = checkpoint_file(directory);
+std::optional<Checkpoint> read_checkpoint(const std::filesystem::path& path) {
   std::ifstream file(path, std::ios::binary);
   if (!file) return std::nullopt;
   std::ostringstream text;

@@ -14,9 +14,10 @@
 
 namespace diefill::process {
 
-/// A run at one instant. `scene_hash` ties it to the scene and CAD files it came from.
+/// A run at one instant. `scene_hash` ties it to the scene and CAD files it came from, `beginning_hash` to
+/// all that has acted by then (beginning.h).
 struct Checkpoint {
-  std::uint64_t scene_hash = 0;
+  std::uint64_t scene_hash = 0, beginning_hash = 0;
   engine::Snapshot simulation;
   ScheduleState schedule;
   ProbesState probes;
@@ -31,12 +32,12 @@ struct Checkpoint {
 /// The file of a run's checkpoint in its results directory.
 std::filesystem::path checkpoint_file(const std::filesystem::path& directory);
 
-/// Writes the checkpoint. Throws results::ResultError when the disk is full; the one before then still
-/// stands.
-void write_checkpoint(const std::filesystem::path& directory, const Checkpoint& checkpoint);
+/// Writes the checkpoint to a file. Throws results::ResultError when the disk is full; the one before then
+/// still stands.
+void write_checkpoint(const std::filesystem::path& path, const Checkpoint& checkpoint);
 
-/// Reads it; nothing if there is none. Throws results::ResultError when the file is damaged or of another
+/// Reads such a file; nothing if there is none. Throws results::ResultError when it is damaged or of another
 /// program version.
-std::optional<Checkpoint> read_checkpoint(const std::filesystem::path& directory);
+std::optional<Checkpoint> read_checkpoint(const std::filesystem::path& path);
 
 }  // namespace diefill::process

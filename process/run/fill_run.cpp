@@ -5,10 +5,12 @@
 #include <cmath>
 #include <cstdio>
 
+#include "engine/fnv1a.h"
 #include "engine/pinched_grains.h"
 #include "process/machine/clear.h"
 #include "process/measure/cavity_position.h"
 #include "process/results/result_file.h"
+#include "process/run/beginning.h"
 #include "process/run/die_frame.h"
 #include "process/run/economies.h"
 #include "process/run/half_model.h"
@@ -17,6 +19,7 @@
 #include "process/run/mixed_powder.h"
 #include "process/run/pour.h"
 #include "process/run/suction.h"
+#include "process/run/wall_bodies.h"
 #include "process/scene/setting.h"
 
 namespace diefill::process {
@@ -37,38 +40,6 @@ constexpr double kMostSheared = 0.005, kFewSheared = 3;
 
 double seconds_since(Clock::time_point then) {
   return std::chrono::duration<double>(Clock::now() - then).count();
-}
-
-/// The mesh as the engine takes it; triangles without area face nowhere and are left out.
-std::vector<engine::WallTriangle> wall_triangles(const geometry::Mesh& mesh) {
-  std::vector<engine::WallTriangle> triangles;
-  for (const Eigen::Vector3i& corners : mesh.triangles) {
-    engine::WallTriangle triangle;
-    for (std::size_t k = 0; k < 3; ++k)
-      triangle.corner[k] = mesh.vertices[static_cast<std::size_t>(corners[static_cast<Eigen::Index>(k)])];
-    if (std::abs(triangle.normal().norm() - 1) < 1e-9) triangles.push_back(triangle);
-  }
-  return triangles;
-}
-
-std::vector<engine::WallBodySpec> wall_bodies(const Scene& scene, const Tooling& tooling,
-                                              const engine::ContactParameters& grain_contact) {
-  std::vector<engine::WallBodySpec> bodies;
-  for (const Tool& tool : tooling.tools) {
-    engine::WallBodySpec body;
-    body.name = tool.spec.name;
-    body.material = kWallMaterial;
-    body.sphere_radius = tool.spheres.radius;
-    if (tool.wall_mesh)
-      body.triangles = wall_triangles(*tool.wall_mesh);
-    else
-      body.centres = tool.spheres.centres;
-    if (scene.walls.contact_radius == MeshContactRadius::wall_spheres)
-      body.contact_radius = tool.spec.sphere_radius.value_or(scene.walls.sphere_radius);
-    bodies.push_back(std::move(body));
-  }
-  if (tooling.mirror) bodies.push_back(mirror_wall(*tooling.mirror, grain_contact));
-  return bodies;
 }
 
 }  // namespace
@@ -92,7 +63,7 @@ FillRun::FillRun(const Scene& scene, const Tooling& tooling, const RunOptions& o
   settings.air_draught = draught_of(scene, tooling, settings);
   critical_step_ = process::critical_time_step(settings, impact);
   simulation_ =
-      std::make_unique<engine::Simulation>(settings, wall_bodies(scene, tooling, settings.grain_contact));
+      std::make_unique<engine::Simulation>(settings, wall_bodies(scene, tooling, settings));
 
   domain_ = schedule_.swept();
   const double largest = largest_grain(scene.powder), margin = 2 * largest;
@@ -127,26 +98,45 @@ FillRun::FillRun(const Scene& scene, const Tooling& tooling, const RunOptions& o
 }
 
 void FillRun::start_or_resume() {
-  if (!options_.resume) return;
-  const auto checkpoint = read_checkpoint(options_.directory);
-  if (!checkpoint) {
+  if (const auto own = own_checkpoint()) {
+    go_on_from(*own);
+    progress_.say("resuming at t = " + std::to_string(simulation_->time()) + " s");
+  } else if (const auto shared = shared_beginning()) {
+    go_on_from(*shared);
+    progress_.say("the first " + std::to_string(simulation_->time()) + " s are those of an earlier run");
+  } else if (options_.resume) {
     progress_.say("no checkpoint in " + options_.directory.string() + ": starting from the beginning");
-    return;
   }
-  if (checkpoint->scene_hash != scene_hash())
-    throw SceneError(checkpoint_file(options_.directory).string() +
-                     ": the checkpoint belongs to another scene or other CAD files than " +
+}
+
+std::optional<Checkpoint> FillRun::own_checkpoint() const {
+  if (!options_.resume) return std::nullopt;
+  const auto path = checkpoint_file(options_.directory);
+  auto checkpoint = read_checkpoint(path);
+  if (checkpoint && checkpoint->scene_hash != scene_hash())
+    throw SceneError(path.string() + ": the checkpoint belongs to another scene or other CAD files than " +
                      scene_.file.string() + "; run without --resume or name another directory");
-  schedule_.begin(*simulation_, checkpoint->schedule);
-  probes_.restore(checkpoint->probes);
-  snapshots_.restore(checkpoint->snapshots);
-  simulation_->restore(checkpoint->simulation);
-  left_ = GrainTally(checkpoint->grains_left);
-  sheared_ = GrainTally(checkpoint->grains_sheared);
-  earlier_wall_seconds_ = checkpoint->wall_seconds;
-  sphere_steps_ = checkpoint->sphere_steps;
-  instants_ = checkpoint->instants;
-  progress_.say("resuming at t = " + std::to_string(simulation_->time()) + " s");
+  return checkpoint;
+}
+
+std::optional<Checkpoint> FillRun::shared_beginning() const {
+  if (options_.beginnings.empty()) return std::nullopt;
+  return latest_beginning(options_.beginnings, [this](const Checkpoint& other) {
+    return other.schedule.steps.size() == schedule_.stages().size() &&
+           other.beginning_hash == beginning_hash(other.schedule, other.simulation.time);
+  });
+}
+
+void FillRun::go_on_from(const Checkpoint& checkpoint) {
+  schedule_.begin(*simulation_, checkpoint.schedule);
+  probes_.restore(checkpoint.probes);
+  snapshots_.restore(checkpoint.snapshots);
+  simulation_->restore(checkpoint.simulation);
+  left_ = GrainTally(checkpoint.grains_left);
+  sheared_ = GrainTally(checkpoint.grains_sheared);
+  earlier_wall_seconds_ = checkpoint.wall_seconds;
+  sphere_steps_ = checkpoint.sphere_steps;
+  instants_ = checkpoint.instants;
 }
 
 void FillRun::run() {
@@ -192,6 +182,7 @@ void FillRun::duties() {
                       " s; the same command with --resume goes on");
   }
   if (stage_over || seconds_since(last_checkpoint_) > scene_.numerics.checkpoint_interval) write_checkpoint();
+  if (stage_over && !schedule_.finished()) leave_beginning();
 }
 
 void FillRun::let_spilled_grains_go() {
@@ -199,10 +190,10 @@ void FillRun::let_spilled_grains_go() {
 }
 
 void FillRun::remove_grains(const std::function<bool(const Eigen::Vector3d&)>& leaves) {
-  const auto& kinds = simulation_->grains().kind;
+  const engine::Grains& grains = simulation_->grains();
   std::size_t k = 0;
   simulation_->remove_grains([&](const Eigen::Vector3d& position) {
-    const engine::KindNumber kind = kinds[k++];
+    const engine::KindNumber kind = grains.kind_of(k++);
     const bool gone = leaves(position);
     if (gone) probes_.count_removed(position, simulation_->kinds().shape(kind).mass, 1);
     if (gone) left_.add(kind);
@@ -246,7 +237,7 @@ void FillRun::shear_off_pinched_grains() {
   for (const auto& grain : engine::pinched_grains(*simulation_, kShearingOverlap)) ids.push_back(grain.id);
   if (ids.empty()) return;
   const auto poured = static_cast<double>(simulation_->grains().size() + left_.grains() + sheared_.grains());
-  for (const std::uint64_t id : ids) sheared_.add(simulation_->grains().kind[place_of(id)]);
+  for (const std::uint64_t id : ids) sheared_.add(simulation_->grains().kind_of(place_of(id)));
   simulation_->remove_grains(ids);
   if (static_cast<double>(sheared_.grains()) > std::max(kFewSheared, kMostSheared * poured))
     throw engine::OutOfRange(shear_warning() + " by t = " + std::to_string(simulation_->time()) +
@@ -276,7 +267,7 @@ void FillRun::keep_instant() {
   instant.id = grains.id;
   if (!simulation_->kinds().alike()) instant.kind.assign(grains.kind.begin(), grains.kind.end());
   instant.position = grains.position;
-  instant.orientation = grains.orientation;
+  instant.orientation = grains.orientations();
   instant.velocity = grains.velocity;
   for (std::size_t b = 0; b < tooling_.tools.size(); ++b) {
     const auto& motion = simulation_->body_motion(b);
@@ -297,7 +288,7 @@ void FillRun::look_for_lost_grains() {
   for (const std::uint64_t id : strayed) {
     const std::size_t k = place_of(id);
     probes_.count_removed(simulation_->grains().position[k], simulation_->shape_of(k).mass, 1);
-    left_.add(simulation_->grains().kind[k]);
+    left_.add(simulation_->grains().kind_of(k));
   }
   simulation_->remove_grains(strayed);
 }
@@ -307,10 +298,10 @@ std::size_t FillRun::place_of(std::uint64_t id) const {
   return static_cast<std::size_t>(std::find(ids.begin(), ids.end(), id) - ids.begin());
 }
 
-void FillRun::write_checkpoint() {
-  last_checkpoint_ = Clock::now();
+Checkpoint FillRun::checkpoint() const {
   Checkpoint checkpoint;
   checkpoint.scene_hash = scene_hash();
+  checkpoint.beginning_hash = beginning_hash(schedule_.state(), simulation_->time());
   checkpoint.simulation = simulation_->snapshot();
   checkpoint.schedule = schedule_.state();
   checkpoint.probes = probes_.state();
@@ -320,11 +311,28 @@ void FillRun::write_checkpoint() {
   checkpoint.wall_seconds = wall_seconds();
   checkpoint.sphere_steps = sphere_steps_;
   checkpoint.instants = instants_;
+  return checkpoint;
+}
+
+void FillRun::write_checkpoint() {
+  last_checkpoint_ = Clock::now();
+  keep([this] { process::write_checkpoint(checkpoint_file(options_.directory), checkpoint()); },
+       "no checkpoint written, the one before still stands");
+}
+
+void FillRun::leave_beginning() {
+  // Air flows through what the whole schedule makes of the tools.
+  if (options_.beginnings.empty() || scene_.suction) return;
+  keep([this] { process::leave_beginning(options_.beginnings, checkpoint()); },
+       "no beginning left for other runs, which will compute it themselves");
+}
+
+/// Writes; where that fails for want of room, a warning tells what is so `otherwise`, and the run goes on.
+void FillRun::keep(const std::function<void()>& write, const std::string& otherwise) {
   try {
-    process::write_checkpoint(options_.directory, checkpoint);
+    write();
   } catch (const results::ResultError& error) {
-    progress_.say(std::string("warning: no checkpoint written, the one before still stands: ") +
-                  error.what());
+    progress_.say("warning: " + otherwise + ": " + error.what());
   }
 }
 
@@ -351,13 +359,15 @@ std::vector<std::string> FillRun::warnings() const {
 }
 
 std::uint64_t FillRun::scene_hash() const {
-  std::uint64_t hash = 0xcbf29ce484222325ULL;
-  const auto add = [&hash](const std::string& text) {
-    for (const char byte : text) hash = (hash ^ static_cast<unsigned char>(byte)) * 0x100000001b3ULL;
-  };
-  add(scene_.text);
-  for (const Tool& tool : tooling_.tools) add(tool.file_hash);
-  return hash;
+  engine::Fnv1a hash;
+  hash.add(scene_.text);
+  for (const Tool& tool : tooling_.tools) hash.add(tool.file_hash);
+  return hash.value();
+}
+
+std::uint64_t FillRun::beginning_hash(const ScheduleState& schedule, double now) const {
+  return process::beginning_hash(scene_, tooling_, {simulation_->settings().time_step, domain_}, schedule,
+                                 now);
 }
 
 }  // namespace diefill::process

@@ -27,6 +27,8 @@ struct RunOptions {
   std::filesystem::path directory;  ///< for checkpoints
   int threads = 2;
   bool resume = false;  ///< go on from the directory's checkpoint
+  /// Where runs leave their beginnings for each other (beginning.h); empty: nowhere.
+  std::filesystem::path beginnings;
   bool show_progress = true;
   const std::atomic<bool>* stop =
       nullptr;  ///< set from a signal handler: stop at the next step with a checkpoint
@@ -67,6 +69,9 @@ class FillRun {
 
  private:
   void start_or_resume();
+  std::optional<Checkpoint> own_checkpoint() const;
+  std::optional<Checkpoint> shared_beginning() const;
+  void go_on_from(const Checkpoint& checkpoint);
   void duties();
   void let_spilled_grains_go();
   void shear_off_pinched_grains();
@@ -77,9 +82,13 @@ class FillRun {
   void take_snapshots();
   void look_for_lost_grains();
   void keep_instant();
+  Checkpoint checkpoint() const;
   void write_checkpoint();
+  void leave_beginning();
+  void keep(const std::function<void()>& write, const std::string& otherwise);
   void show_progress();
   std::uint64_t scene_hash() const;
+  std::uint64_t beginning_hash(const ScheduleState& schedule, double now) const;
   std::size_t place_of(std::uint64_t id) const;
 
   const Scene& scene_;

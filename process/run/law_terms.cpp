@@ -1,5 +1,8 @@
 #include "process/run/law_terms.h"
 
+#include <algorithm>
+
+#include "process/run/tool_surface.h"
 #include "process/scene/contact_spec.h"
 
 namespace diefill::process {
@@ -17,11 +20,17 @@ void add_part(const PartInWords& grains, const PartInWords& walls, LawTerms& ter
   add(walls, " with tools");
 }
 
+/// Whether `coefficient` is above zero for [walls] or for a tool that differs from it.
+bool any_tool(const Scene& scene, double (*coefficient)(const Scene&, const ToolSpec&)) {
+  return coefficient(scene, {}) > 0 ||
+         std::any_of(scene.tools.begin(), scene.tools.end(),
+                     [&](const ToolSpec& tool) { return coefficient(scene, tool) > 0; });
+}
+
 }  // namespace
 
 LawTerms law_terms(const Scene& scene, const engine::SimulationSettings& settings) {
   const auto& grains = settings.grain_contact;
-  const auto& walls = settings.wall_contact;
   LawTerms terms;
   const auto& contact = scene.contact;
   if (contact)
@@ -34,9 +43,9 @@ LawTerms law_terms(const Scene& scene, const engine::SimulationSettings& setting
     term("Hertz repulsion", true);
     term("damping", grains.damping > 0);
     term("Coulomb friction among grains", grains.friction > 0);
-    term("Coulomb friction with tools", walls.friction > 0);
+    term("Coulomb friction with tools", any_tool(scene, friction_of));
     term("cohesion among grains", grains.work_of_adhesion > 0);
-    term("cohesion with tools", walls.work_of_adhesion > 0);
+    term("cohesion with tools", any_tool(scene, adhesion_of));
     term("rolling friction", scene.powder.model == GrainModel::B && grains.rolling_friction > 0);
   }
   term("rotation of grains", settings.shape.rotates);

@@ -10,6 +10,7 @@
 #include "engine/mix_time_step.h"
 #include "engine/time_step.h"
 #include "process/run/mixed_powder.h"
+#include "process/run/tool_surface.h"
 #include "process/scene/contact_spec.h"
 
 namespace diefill::process {

@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+
+#include "process/run/tool_surface.h"
 
 namespace diefill::process {
 
@@ -27,8 +30,17 @@ laws::LawParameters own_law(const engine::ContactParameters& contact, engine::Sp
   return law;
 }
 
-std::string material_of(std::size_t kind) {
+std::string grain_material(std::size_t kind) {
   return "grains of kind " + std::to_string(kind);
+}
+
+/// The law of grains of mean size with each material that tools have.
+std::map<std::string, laws::LawParameters> laws_with_tools(const Scene& scene,
+                                                           const laws::LawParameters& walls) {
+  std::map<std::string, laws::LawParameters> laws = {{kWallMaterial, walls}};
+  for (const ToolSpec& tool : scene.tools)
+    if (has_own_surface(tool)) laws.emplace(material_of(tool), contact_with(scene, tool, walls));
+  return laws;
 }
 
 }  // namespace
@@ -57,13 +69,14 @@ engine::GrainMix grain_mix(const Scene& scene, const engine::GrainShape& mean,
   std::vector<double> factors;
   for (const auto& size : scene.powder.sizes) {
     factors.push_back(size.diameter / scene.powder.grain_diameter);
-    mix.kinds.push_back({enlarged(mean, factors.back()), material_of(mix.kinds.size())});
+    mix.kinds.push_back({enlarged(mean, factors.back()), grain_material(mix.kinds.size())});
   }
   for (std::size_t i = 0; i < factors.size(); ++i) {
     for (std::size_t j = i; j < factors.size(); ++j)
-      mix.laws.push_back(
-          {material_of(i), material_of(j), at_radius(contact.grains, std::min(factors[i], factors[j]))});
-    mix.laws.push_back({material_of(i), kWallMaterial, at_radius(contact.walls, factors[i])});
+      mix.laws.push_back({grain_material(i), grain_material(j),
+                          at_radius(contact.grains, std::min(factors[i], factors[j]))});
+    for (const auto& [material, law] : laws_with_tools(scene, contact.walls))
+      mix.laws.push_back({grain_material(i), material, at_radius(law, factors[i])});
   }
   return mix;
 }

@@ -16,13 +16,11 @@
 
 namespace diefill::process {
 
-/// Material of all tools in the laws of a mix.
-inline constexpr const char* kWallMaterial = "tools";
-
 /// The law that the powder's own parameters make (Bierwisch 2009, section 2.2), in parts that any pair can
 /// take, among grains and with tools.
 engine::GeneralContact own_law(const engine::SimulationSettings& settings);
 
+/// Laws of a mix are between kinds of grains, and between each and each material of tools (tool_surface.h).
 /// The kinds of a scene with `powder.sizes`, ascending. `mean`: the grain of mean mass, whose size
 /// `contact` belongs to.
 engine::GrainMix grain_mix(const Scene& scene, const engine::GrainShape& mean,

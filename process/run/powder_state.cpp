@@ -38,7 +38,7 @@ results::PowderState powder_state(const engine::Simulation& simulation, const en
     powder.period[axis] = simulation.settings().period[axis].value_or(0);
   powder.id = grains.id;
   powder.position = grains.position;
-  powder.orientation = grains.orientation;
+  powder.orientation = grains.orientations();
   powder.velocity = grains.velocity;
   for (std::size_t k = 0; k < grains.size(); ++k)
     powder.angular_velocity.push_back(simulation.angular_velocity(k));

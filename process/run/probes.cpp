@@ -39,7 +39,7 @@ double mass_beyond(const ProbeSpec& probe, const engine::Simulation& simulation,
   const engine::Grains& grains = simulation.grains();
   for (std::size_t k = 0; k < grains.size(); ++k)
     visit_images(tooling, grains.position[k], [&](const Eigen::Vector3d& place) {
-      if ((place - probe.origin).dot(probe.normal) > 0) beyond.add(grains.kind[k]);
+      if ((place - probe.origin).dot(probe.normal) > 0) beyond.add(grains.kind_of(k));
     });
   return beyond.mass(simulation.kinds());
 }
@@ -138,7 +138,7 @@ std::vector<double> Probes::fill_level(const engine::Simulation& simulation) con
   };
   const engine::Grains& grains = simulation.grains();
   for (std::size_t k = 0; k < grains.size(); ++k) {
-    radius = 0.5 * diameters[grains.kind[k]];
+    radius = 0.5 * diameters[grains.kind_of(k)];
     visit_images(tooling_, grains.position[k], raise);
   }
   double sum = 0, lowest = size[2], count = 0;

@@ -169,6 +169,7 @@ std::vector<double> instants(const Stages& stages, const std::vector<StepState>&
           stages.steps[k]->stays() ? std::fmod(n * kGoldenRatio, 1.0) : static_cast<double>(n) / count;
       times.push_back(from + length * share);
     }
+    for (const double point : stages.steps[k]->turning_points(length)) times.push_back(from + point);
     times.push_back(states[k].ended);
   }
   std::sort(times.begin(), times.end());

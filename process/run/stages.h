@@ -62,7 +62,8 @@ ToolPose pose_of(const Stages& stages, const std::vector<StepState>& states, con
 std::vector<StepState> foreseen(const Stages& stages, double settling_time);
 
 /// Instants (s) of a run that goes as foreseen at which to look where tools are: dense during every step that
-/// moves one, a few score, spread over all phases, where it moves about one place. Sorted.
+/// moves one; a few score, spread over all phases, and those farthest out where it moves about one place.
+/// Sorted.
 std::vector<double> instants(const Stages& stages, const std::vector<StepState>& states, int dense);
 
 }  // namespace diefill::process

@@ -5,6 +5,7 @@
 
 #include "process/run/assemble.h"
 #include "process/run/law_terms.h"
+#include "process/run/tool_surface.h"
 #include "process/scene/contact_spec.h"
 #include "process/scene/setting.h"
 
@@ -134,6 +135,11 @@ results::Topic walls_topic(const Scene& scene) {
   state(topic, "Friction of walls", with_number("coefficient %.3g", walls.friction));
   state(topic, "Cohesion of walls",
         walls.work_of_adhesion > 0 ? with_number("%.3g J/m\u00b2", walls.work_of_adhesion) : "none");
+  for (const ToolSpec& tool : scene.tools)
+    if (has_own_surface(tool))
+      state(topic, "Surface of " + tool.name,
+            with_number("coefficient of friction %.3g, ", friction_of(scene, tool)) +
+                with_number("work of adhesion %.3g J/m\u00b2", adhesion_of(scene, tool)));
   return topic;
 }
 

@@ -215,6 +215,11 @@ void refuse_idle_tables(TableReader& document, const ChosenLaw& grains, const Ch
                    grains, contact);
   if (const auto table = document.table("walls"))
     refuse_idle_keys(*table, {"friction", "work_of_adhesion"}, walls, contact);
+  for (TableReader& tool : document.tables("tool"))
+    for (const char* key : {"friction", "work_of_adhesion"})
+      if (tool.has(key))
+        tool.reject(key, "[contact] in line " + std::to_string(contact.line()) +
+                             " gives all tools one law; leave this key out, or leave out [contact]");
   auto numerics = document.table("numerics");
   if (numerics && numerics->has("tangential_spring"))
     numerics->reject("tangential_spring", "[contact] in line " + std::to_string(contact.line()) +

@@ -101,6 +101,8 @@ ToolSpec read_tool(TableReader& table, const WallSpec& walls, const PowderSpec& 
   tool.walls = table.choice("walls", wall_kinds());
   tool.sphere_radius = table.quantity("sphere_radius", kWallSphereRadius);
   tool.spacing = table.number("spacing", kWallSpacing);
+  tool.friction = table.number("friction", kWallFriction);
+  tool.work_of_adhesion = table.quantity("work_of_adhesion", kWallAdhesion);
   table.finish();
   check_wall_is_tight(table, tool.sphere_radius.value_or(walls.sphere_radius),
                       tool.spacing.value_or(walls.spacing), powder);

@@ -3,13 +3,6 @@
 #include "process/scene/wall_rules.h"
 
 namespace diefill::process {
-namespace {
-
-constexpr NumberRule kFriction = {0, 10, false, "0.15"};
-constexpr QuantityRule kAdhesion = {Dimension::work_of_adhesion, "0 J/m^2", "0 J/m^2", "10 J/m^2"};
-
-}  // namespace
-
 WallSpec read_walls(TableReader table, const PowderSpec& powder) {
   static const Choices<MeshContactRadius> radii = {{"flat", MeshContactRadius::flat},
                                                    {"wall spheres", MeshContactRadius::wall_spheres}};
@@ -18,8 +11,8 @@ WallSpec read_walls(TableReader table, const PowderSpec& powder) {
   walls.contact_radius = table.choice("contact_radius", radii).value_or(walls.contact_radius);
   walls.sphere_radius = table.quantity("sphere_radius", kWallSphereRadius).value_or(walls.sphere_radius);
   walls.spacing = table.number("spacing", kWallSpacing).value_or(walls.spacing);
-  walls.friction = table.number("friction", kFriction).value_or(walls.friction);
-  walls.work_of_adhesion = table.quantity("work_of_adhesion", kAdhesion).value_or(walls.work_of_adhesion);
+  walls.friction = table.number("friction", kWallFriction).value_or(walls.friction);
+  walls.work_of_adhesion = table.quantity("work_of_adhesion", kWallAdhesion).value_or(walls.work_of_adhesion);
   table.finish();
   check_wall_is_tight(table, walls.sphere_radius, walls.spacing, powder);
   return walls;

@@ -100,9 +100,10 @@ struct ToolSpec {
   Eigen::Vector3d position = Eigen::Vector3d::Zero();      ///< m, then shifted
   std::optional<double> chord_tolerance;  ///< m, for curved surfaces; a hundredth of the wall spheres' radius
   geometry::RepairLevel repair = geometry::RepairLevel::kSafe;
-  std::optional<WallKind> walls;                 ///< override of WallSpec::kind
-  std::optional<double> sphere_radius, spacing;  ///< overrides of WallSpec
-  int line = 0;                                  ///< in the scene file, for messages
+  std::optional<WallKind> walls;                     ///< override of WallSpec::kind
+  std::optional<double> sphere_radius, spacing;      ///< overrides of WallSpec
+  std::optional<double> friction, work_of_adhesion;  ///< the same
+  int line = 0;                                      ///< in the scene file, for messages
 };
 
 /// Powder poured at the start: lattice in `box`, up to `height` above its floor once settled when mass is not

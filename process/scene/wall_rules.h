@@ -1,4 +1,4 @@
-// What a wall's spheres may be, for [walls] and for a tool that differs from it.
+// What a wall may be, for [walls] and for a tool that differs from it.
 #pragma once
 
 #include "process/scene/scene.h"
@@ -9,6 +9,9 @@ namespace diefill::process {
 inline constexpr QuantityRule kWallSphereRadius = {Dimension::length, "0.15 mm", "0.001 mm", "10 mm"};
 /// Below 0.1 a wall would take hundreds of spheres where one does; above 4 the spheres stand apart.
 inline constexpr NumberRule kWallSpacing = {0.1, 4, true, "1.6"};
+
+inline constexpr NumberRule kWallFriction = {0, 10, false, "0.15"};
+inline constexpr QuantityRule kWallAdhesion = {Dimension::work_of_adhesion, "0 J/m^2", "0 J/m^2", "10 J/m^2"};
 
 inline const Choices<WallKind>& wall_kinds() {
   static const Choices<WallKind> choices = {{"spheres", WallKind::spheres}, {"mesh", WallKind::mesh}};

@@ -167,6 +167,49 @@ TEST(Compare, GoesOnAfterCtrlCAndAfterAKillAndEndsAlike) {
   EXPECT_EQ(contents(die.out() / "comparison.json"), contents(unbroken.out() / "comparison.json"));
 }
 
+TEST(Compare, ComputesACommonBeginningOnceAndEndsAsIfEachHadRunAlone) {
+  const SmallDie die;
+  const std::string shaken = R"(
+[[step]]
+kind = "vibration"
+tool = "die"
+axis = "y"
+amplitude = "0.3 mm"
+frequency = "100 Hz"
+duration = "60 ms"
+)",
+                    variants = R"(
+[[variant]]
+name = "fast"
+[[variant]]
+name = "faster"
+step.2.frequency = "150 Hz"
+[[variant]]
+name = "slow shoe"
+step.1.velocity = "0.05 m/s"
+)";
+  die.exchange("[numerics]", shaken + "\n[numerics]");
+  die.write("scene.toml", contents(die.scene()) + variants);
+  const Outcome compared = run_program({"compare", die.scene().string(), "--out", die.out().string()});
+  ASSERT_EQ(compared.exit_code, 0) << compared.err;
+  EXPECT_FALSE(std::filesystem::exists(die.out() / "beginnings"));
+
+  std::vector<double> taken_over;  // s
+  for (const std::string folder : {"fast", "faster", "slow_shoe"}) {
+    const auto there = die.out() / folder / "seed-1", alone = die.folder() / folder;
+    const Outcome run = run_program({"run", (there / "scene.toml").string(), "--out", alone.string()});
+    ASSERT_EQ(run.exit_code, 0) << run.err;
+    for (const char* key : {"state_hash", "steps", "simulated_s", "filled_mass_kg", "energy_balance_error"})
+      EXPECT_EQ(report_in(there).at(key), report_in(alone).at(key)) << folder << ' ' << key;
+    const std::string log = contents(there / "run.log"), words = "the first ";
+    const std::size_t place = log.find(words);
+    taken_over.push_back(place == std::string::npos ? 0 : std::stod(log.substr(place + words.size())));
+  }
+  EXPECT_EQ(taken_over[0], 0);
+  EXPECT_GT(taken_over[2], 0) << "the settling in the shoe is common to all";
+  EXPECT_GT(taken_over[1], taken_over[2]) << "the passage is common to two";
+}
+
 TEST(ExportedJobs, StandAloneAndGatherToTheSameComparison) {
   const SmallDie die;
   add_variants(die);

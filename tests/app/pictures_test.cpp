@@ -8,6 +8,7 @@
 
 #include "process/results/result_file.h"
 #include "tests/app/program.h"
+#include "tests/app/small_die.h"
 #include "tests/support/temporary_folder.h"
 
 namespace diefill::app {
@@ -140,6 +141,32 @@ TEST_F(EveryPicture, OfTwoRunsSharesTheirScale) {
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
   for (const char* name : {"map_one.png", "map_two.png", "difference_two.png", "histogram.png"})
     EXPECT_TRUE(fs::exists(out() / name)) << name;
+}
+
+TEST_F(EveryPicture, OfSeveralRunsIsCalledByWhatTellsThemApart) {
+  const auto folder = out().parent_path();
+  const auto make = [&](const std::string& place) {
+    fs::create_directories(folder / place);
+    results::write_results(folder / place, small_ring());
+    return (folder / place).string();
+  };
+  const std::string fast = make("fast/seed-1"), slow = make("slow/seed-1"), again = make("slow/seed-2");
+  const auto names = [&](const std::vector<std::string>& directories) {
+    fs::remove_all(out());
+    std::vector<std::string> arguments = {"map"};
+    arguments.insert(arguments.end(), directories.begin(), directories.end());
+    for (const char* more : {"--picture", "map", "--width", "400", "--out"}) arguments.push_back(more);
+    arguments.push_back(out().string());
+    const Outcome outcome = run_program(arguments);
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    return SmallDie::files_in(out());
+  };
+  using Names = std::vector<std::string>;
+  EXPECT_EQ(names({fast, slow}), (Names{"map_fast.png", "map_slow.png"}));
+  EXPECT_EQ(names({slow, again}), (Names{"map_seed-1.png", "map_seed-2.png"}));
+  EXPECT_EQ(names({fast, slow, again}),
+            (Names{"map_fast_seed-1.png", "map_slow_seed-1.png", "map_slow_seed-2.png"}));
+  EXPECT_EQ(names({fast, fast}), (Names{"map_seed-1.png", "map_seed-1_2.png"}));
 }
 
 TEST_F(EveryPicture, OfThePressureSaysWhatOlderResultsLack) {

@@ -155,7 +155,7 @@ FreeTop spin_freely(double time_step, int steps) {
   FreeTop top{0, 0, 0};
   for (int k = 0; k < steps; ++k) {
     simulation.step();
-    top.worst_norm = std::max(top.worst_norm, std::abs(simulation.grains().orientation[0].norm() - 1));
+    top.worst_norm = std::max(top.worst_norm, std::abs(simulation.grains().orientation_of(0).norm() - 1));
   }
   top.energy_change = std::abs(simulation.energy().rotation - energy) / energy;
   top.momentum_change = (angular_momentum(simulation) - before).norm() / before.norm();
@@ -189,7 +189,7 @@ TEST(FreeTop, SymmetricTopPrecessesAboutItsAngularMomentum) {
   const Eigen::Vector3d axis = Eigen::Vector3d::UnitZ();
   run_steps(simulation, 40000);
   const Eigen::Vector3d expected = Eigen::AngleAxisd(rate * simulation.time(), turning.normalized()) * axis;
-  const Eigen::Vector3d found = rotation_matrix(simulation.grains().orientation[0]).col(2);
+  const Eigen::Vector3d found = rotation_matrix(simulation.grains().orientation_of(0)).col(2);
   EXPECT_LT((found - expected).norm(), 1e-5);
   EXPECT_GT(rate * simulation.time(), 2 * std::numbers::pi);
 }

@@ -7,27 +7,27 @@
 
 namespace diefill::engine {
 
-/// Calls visit(block, sphere i, pair number) for every touching grain pair; pairs of a block are read in the
-/// order in which the engine streams them.
+/// Calls visit(block, sphere i, pair number, memory) for every touching grain pair; pairs of a block are read
+/// in the order in which the engine streams them.
 template <class Visit>
 void visit_touching_grain_pairs(const Simulation& simulation, const Visit& visit) {
   for (const auto& block : simulation.neighbours().blocks()) {
     const auto& table = block.grain_pairs;
-    for (std::size_t p = 0; p < table.size(); ++p)
-      if (table.touching[p]) visit(block, block.sphere(table.pair[p].own), p);
+    table.visit_touching([&](std::size_t p, const double* memory) {
+      visit(block, block.sphere(table.pair[p].own), p, memory);
+    });
   }
 }
 
 /// Overlap (m) of sphere `i` with its partner in pair `p`.
 inline double overlap_of(const Simulation& simulation, const Block& block, std::size_t i, std::size_t p) {
-  const auto& position = simulation.spheres().position;
+  const auto& spheres = simulation.spheres();
   return 2 * simulation.settings().shape.sphere_radius -
-         length(position[i] - position[block.sphere(block.grain_pairs.pair[p].other)]);
+         length(spheres.position(i) - spheres.position(block.sphere(block.grain_pairs.pair[p].other)));
 }
 
-/// Tangential spring (m) of pair `p`.
-inline Eigen::Vector3d spring_of(const Block& block, std::size_t p) {
-  const double* memory = block.grain_pairs.memory_of(p);
+/// Tangential spring (m) that a pair remembers.
+inline Eigen::Vector3d spring_of(const double* memory) {
   return {memory[0], memory[1], memory[2]};
 }
 
@@ -36,9 +36,10 @@ inline double tangential_energy(const Simulation& simulation) {
   const auto& settings = simulation.settings();
   const double effective = 0.5 * settings.shape.sphere_radius;
   double energy = 0;
-  visit_touching_grain_pairs(simulation, [&](const Block& block, std::size_t i, std::size_t p) {
+  visit_touching_grain_pairs(simulation, [&](const Block& block, std::size_t i, std::size_t p,
+                                             const double* memory) {
     energy += 0.5 * settings.grain_contact.tangential *
-              std::sqrt(overlap_of(simulation, block, i, p) / effective) * spring_of(block, p).squaredNorm();
+              std::sqrt(overlap_of(simulation, block, i, p) / effective) * spring_of(memory).squaredNorm();
   });
   return energy;
 }

@@ -162,7 +162,7 @@ inline Eigen::Vector3d angular_momentum(const Simulation& simulation) {
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
   for (std::size_t k = 0; k < grains.size(); ++k) {
     sum += shape.mass * grains.position[k].cross(grains.velocity[k]);
-    sum += rotation_matrix(grains.orientation[k]) * shape.inertia.cwiseProduct(grains.spin[k]);
+    sum += rotation_matrix(grains.orientation_of(k)) * shape.inertia.cwiseProduct(grains.spin[k]);
   }
   return sum;
 }

@@ -44,7 +44,7 @@ double observed_order(double damping_over_radius, double friction) {
     const auto& grains = simulation.grains();
     Eigen::VectorXd state(10);
     state << grains.position[k] / simulation.settings().shape.sphere_radius, grains.velocity[k],
-        grains.orientation[k];
+        grains.orientation_of(k);
     return state;
   };
   const Eigen::VectorXd coarse = at(50), middle = at(100), fine = at(200);

@@ -79,7 +79,7 @@ inline Eigen::Vector3d angular_momentum_of_mix(const Simulation& simulation) {
   for (std::size_t k = 0; k < grains.size(); ++k) {
     const GrainShape& shape = simulation.shape_of(k);
     sum += shape.mass * grains.position[k].cross(grains.velocity[k]);
-    sum += rotation_matrix(grains.orientation[k]) * shape.inertia.cwiseProduct(grains.spin[k]);
+    sum += rotation_matrix(grains.orientation_of(k)) * shape.inertia.cwiseProduct(grains.spin[k]);
   }
   return sum;
 }

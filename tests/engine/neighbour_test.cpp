@@ -25,11 +25,12 @@ std::pair<SphereName, SphereName> named(const Simulation& simulation, std::size_
 SpherePairs found_pairs(const Simulation& simulation) {
   const auto& field = simulation.spheres();
   SpherePairs pairs;
-  visit_touching_grain_pairs(simulation, [&](const Block& block, std::size_t i, std::size_t p) {
-    std::size_t j = block.sphere(block.grain_pairs.pair[p].other);
-    j = field.owner(j) * field.spheres_per_grain + j % field.spheres_per_grain;
-    pairs.insert(named(simulation, i, j));
-  });
+  visit_touching_grain_pairs(simulation,
+                             [&](const Block& block, std::size_t i, std::size_t p, const double*) {
+                               std::size_t j = block.sphere(block.grain_pairs.pair[p].other);
+                               j = field.owner(j) * field.spheres_per_grain + j % field.spheres_per_grain;
+                               pairs.insert(named(simulation, i, j));
+                             });
   return pairs;
 }
 
@@ -55,7 +56,7 @@ SpherePairs all_touching_pairs(const Simulation& simulation) {
       if (centres.norm() > 2 * settings.shape.bounding_radius()) continue;
       for (std::size_t i = a * per_grain; i < (a + 1) * per_grain; ++i)
         for (std::size_t j = b * per_grain; j < (b + 1) * per_grain; ++j)
-          if (nearest(settings, eigen(field.position[i] - field.position[j])).norm() <
+          if (nearest(settings, eigen(field.position(i) - field.position(j))).norm() <
               2 * settings.shape.sphere_radius)
             pairs.insert(named(simulation, i, j));
     }
@@ -138,12 +139,13 @@ INSTANTIATE_TEST_SUITE_P(Clouds, NeighbourSearch,
 std::map<std::pair<SphereName, SphereName>, Eigen::Vector3d> springs(const Simulation& simulation) {
   std::map<std::pair<SphereName, SphereName>, Eigen::Vector3d> found;
   const std::size_t per_grain = simulation.spheres().spheres_per_grain;
-  visit_touching_grain_pairs(simulation, [&](const Block& block, std::size_t i, std::size_t p) {
-    const std::size_t j = block.sphere(block.grain_pairs.pair[p].other);
-    const auto pair = named(simulation, i, j);
-    const bool straight = pair.first == SphereName{simulation.grains().id[i / per_grain], i % per_grain};
-    found[pair] = straight ? spring_of(block, p) : Eigen::Vector3d(-spring_of(block, p));
-  });
+  visit_touching_grain_pairs(
+      simulation, [&](const Block& block, std::size_t i, std::size_t p, const double* memory) {
+        const std::size_t j = block.sphere(block.grain_pairs.pair[p].other);
+        const auto pair = named(simulation, i, j);
+        const bool straight = pair.first == SphereName{simulation.grains().id[i / per_grain], i % per_grain};
+        found[pair] = straight ? spring_of(memory) : Eigen::Vector3d(-spring_of(memory));
+      });
   return found;
 }
 

@@ -28,7 +28,7 @@ std::size_t overlapping_pairs(const Simulation& simulation, const WallBodySpec& 
   const double reach = shape.sphere_radius + wall.sphere_radius;
   std::size_t pairs = 0;
   for (std::size_t k = 0; k < grains.size(); ++k) {
-    const Eigen::Matrix3d turn = rotation_matrix(grains.orientation[k]);
+    const Eigen::Matrix3d turn = rotation_matrix(grains.orientation_of(k));
     for (const auto& offset : shape.sphere_offsets)
       for (const auto& centre : wall.centres)
         pairs += (grains.position[k] + turn * offset - pose.point(centre)).norm() < reach;

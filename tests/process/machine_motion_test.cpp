@@ -132,6 +132,27 @@ TEST(Vibration, DiesAwayWhenItIsToldToStop) {
   EXPECT_TRUE(motion(stop).velocity.isApprox(vibration.motion(stop).velocity, 1e-12));
 }
 
+TEST(Vibration, KnowsWhereItIsFarthestOut) {
+  const double length = 1;
+  for (const double phase : {-3.0, 0.0, 0.4, 3.0})
+    for (const double frequency : {2.0, 8.0, 32.0}) {
+      const Vibration shaking({"die"}, Eigen::Vector3d::UnitY(),
+                              {.amplitude = 1e-3,
+                               .frequency = frequency,
+                               .phase = phase,
+                               .swelling = {.ramp = 0.03, .duration = length}});
+      const auto points = shaking.turning_points(length);
+      ASSERT_EQ(points.size(), 2U) << frequency;
+      EXPECT_EQ(shaking.motion(points[0]).translation, -shaking.motion(points[1]).translation);
+      for (const double time : points) {
+        EXPECT_EQ(std::abs(shaking.motion(time).translation[1]), 1e-3) << frequency << ' ' << phase;
+        EXPECT_GE(time, 0.03);
+        EXPECT_LE(time, length - 0.03);
+      }
+      EXPECT_TRUE(shaking.turning_points(0.03).empty());
+    }
+}
+
 TEST(RotationalOscillation, TurnsAboutItsAxisByEquation61) {
   RotationAxis axis;
   axis.through = {0.01, 0, 0};

@@ -187,6 +187,7 @@ TEST_F(CheckpointFile, GivesBackEveryBitAndContinuesTheSameRun) {
   for (int n = 0; n < 300; ++n) original.step();
   Checkpoint kept;
   kept.scene_hash = 42;
+  kept.beginning_hash = 43;
   kept.simulation = original.snapshot();
   kept.schedule.steps.resize(3);
   kept.schedule.steps[1].until.rest.quiet_since = 0.25;
@@ -198,10 +199,11 @@ TEST_F(CheckpointFile, GivesBackEveryBitAndContinuesTheSameRun) {
   kept.snapshots[0].taken = 4;
   kept.grains_left = {3, 4};
   kept.grains_sheared = {3};
-  write_checkpoint(folder_.path(), kept);
-  const auto read = read_checkpoint(folder_.path());
+  write_checkpoint(checkpoint_file(folder_.path()), kept);
+  const auto read = read_checkpoint(checkpoint_file(folder_.path()));
   ASSERT_TRUE(read.has_value());
   EXPECT_EQ(read->scene_hash, 42U);
+  EXPECT_EQ(read->beginning_hash, 43U);
   ASSERT_EQ(read->schedule.steps.size(), 3U);
   EXPECT_EQ(read->schedule.steps[1].until.rest.quiet_since, 0.25);
   EXPECT_EQ(read->schedule.steps[2].control.integral, 0.125);
@@ -220,9 +222,9 @@ TEST_F(CheckpointFile, GivesBackEveryBitAndContinuesTheSameRun) {
 }
 
 TEST_F(CheckpointFile, IsNothingWhereThereIsNoneAndAnErrorWhereItIsDamaged) {
-  EXPECT_FALSE(read_checkpoint(folder_.path()).has_value());
+  EXPECT_FALSE(read_checkpoint(checkpoint_file(folder_.path())).has_value());
   std::ofstream(checkpoint_file(folder_.path())) << "no checkpoint at all";
-  EXPECT_THROW(read_checkpoint(folder_.path()), results::ResultError);
+  EXPECT_THROW(read_checkpoint(checkpoint_file(folder_.path())), results::ResultError);
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include "engine/pair_laws.h"
 #include "process/run/material.h"
 #include "process/run/mixed_powder.h"
+#include "process/run/tool_surface.h"
 #include "process/run/pour.h"
 #include "tests/process/scene_files.h"
 #include "tests/process/wrong_scene.h"

@@ -31,6 +31,7 @@ const std::vector<Rule>& rules() {
       {"process/", {"engine/", "geometry/", "process/"}, {"Eigen/", "toml++/", "udunits2.h", "zlib.h", "boost/math/"}},
       {"render/", {"process/results/", "render/"}, {"Eigen/", "Q", "vtk", "GL/"}},
       {"app/", {"engine/", "geometry/", "process/", "render/", "app/"}, {"Eigen/", "CLI/", "nlohmann/"}},
+      {"app/freed_memory.cpp", {"app/"}, {"malloc.h"}},  // GNU's, where there is one
   };
   return all;
 }

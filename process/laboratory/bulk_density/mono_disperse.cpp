@@ -23,7 +23,7 @@ struct Published {
 };
 
 laws::AnyRolling::Parameters epsd2(double rolling_friction) {
-  return laws::Epsd2Rolling::Parameters{rolling_friction, poured_shear_modulus()};
+  return laws::Epsd2Rolling::Parameters{rolling_friction, sticky_shear_modulus()};
 }
 
 laws::AnyRolling::Parameters constant_torque(double rolling_friction) {

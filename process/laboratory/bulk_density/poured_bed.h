@@ -3,13 +3,13 @@
 
 #include <cstdint>
 
-#include "engine/laws/law_parameters.h"
+#include "process/laboratory/bulk_density/bed_figures.h"
+#include "process/laboratory/bulk_density/sticky_spheres.h"
 
 namespace diefill::process::laboratory {
 
-/// A bed of mono-disperse spheres: 0.5 mm, 1000 kg/m^3, E = 10 MPa, nu = 0.3, restitution 0.1, friction 0.3,
-/// surface energy 0.2 J/m^2, simplified JKR. 16.8 g fall from 240 to 330 mm above a plane floor at 0.2 m/s
-/// into 21 x 21 mm, periodic, and settle.
+/// A bed of sticky spheres of 0.5 mm, surface energy 0.2 J/m^2. 16.8 g fall from 240 to 330 mm above a plane
+/// floor at 0.2 m/s into 21 x 21 mm, periodic, and settle.
 struct PouredBed {
   engine::laws::AnyRolling::Parameters rolling = {};
   engine::laws::JkrLoad load = engine::laws::JkrLoad::corrected;
@@ -19,17 +19,7 @@ struct PouredBed {
   int threads = 1;
 };
 
-/// Pa, E* and G* between the spheres.
-double poured_modulus();
-double poured_shear_modulus();
-
-struct PouredBedFigures {
-  double density = 0;       ///< kg/m^3, between 20 and 60 mm
-  double height = 0;        ///< m, of the highest sphere's top
-  double coordination = 0;  ///< mean number of touching spheres of those with centres between 20 and 60 mm
-  double simulated = 0;     ///< s
-  double kinetic = 0;       ///< mean kinetic energy of a sphere over m g d, at the end
-  std::size_t spheres = 0;
+struct PouredBedFigures : SphereBedFigures {
   std::uint64_t sphere_steps = 0;
 };
 

@@ -10,5 +10,6 @@ namespace diefill::process::laboratory {
 const std::vector<Experiment>& bulk_density_experiments();
 
 void measure_mono_disperse_beds(const ExperimentOptions& options, results::ExperimentResult& result);
+void measure_log_normal_beds(const ExperimentOptions& options, results::ExperimentResult& result);
 
 }  // namespace diefill::process::laboratory

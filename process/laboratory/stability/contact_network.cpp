@@ -32,7 +32,7 @@ class Network {
       : settings_(simulation.settings()), springs_(springs), box_(settings_.period) {
     const auto& grains = simulation.grains();
     for (std::size_t g = 0; g < grains.size(); ++g) {
-      turn_.push_back(engine::rotation_matrix(grains.orientation[g]));
+      turn_.push_back(engine::rotation_matrix(grains.orientation_of(g)));
       for (const auto& offset : settings_.shape.sphere_offsets) {
         const Vector3d arm = turn_.back() * offset;
         spheres_.push_back({g, grains.position[g] + arm, arm});

@@ -37,7 +37,7 @@ Tumble tumble(const engine::GrainShape& shape, double angle, double turns) {
   grain.angular_velocity = kSpin * Eigen::Vector3d(0.3, 0.9, 0.3).normalized();
   simulation.add_grains({grain});
   const auto momentum = [&]() -> Eigen::Vector3d {
-    return engine::rotation_matrix(simulation.grains().orientation[0]) *
+    return engine::rotation_matrix(simulation.grains().orientation_of(0)) *
            shape.inertia.cwiseProduct(simulation.grains().spin[0]);
   };
   const double energy = simulation.energy().rotation;
@@ -45,7 +45,7 @@ Tumble tumble(const engine::GrainShape& shape, double angle, double turns) {
   const auto steps = std::lround(2 * std::numbers::pi * turns / angle);
   for (long k = 0; k < steps; ++k) simulation.step();
   return {std::abs(simulation.energy().rotation / energy - 1), (momentum() - before).norm() / before.norm(),
-          std::abs(simulation.grains().orientation[0].norm() - 1)};
+          std::abs(simulation.grains().orientation_of(0).norm() - 1)};
 }
 
 /// Never zero, for logarithmic axes, and never beyond them where the scheme has failed.

@@ -16,7 +16,7 @@ std::vector<engine::NewGrain> grains_of(const engine::Simulation& simulation) {
   std::vector<engine::NewGrain> grains(state.size());
   for (std::size_t k = 0; k < state.size(); ++k) {
     grains[k].position = state.position[k];
-    grains[k].orientation = state.orientation[k];
+    grains[k].orientation = state.orientation_of(k);
   }
   return grains;
 }

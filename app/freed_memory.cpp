@@ -1,0 +1,17 @@
+#include "app/freed_memory.h"
+
+#include <cstdlib>
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
+
+namespace diefill::app {
+
+void give_back_freed_memory() {
+#ifdef __GLIBC__
+  constexpr int kBigArray = 32 * 1024;  // bytes; what a block of grains remembers counts
+  mallopt(M_MMAP_THRESHOLD, kBigArray);
+#endif
+}
+
+}  // namespace diefill::app

@@ -1,0 +1,53 @@
+// What is kept of sums and of contacts between the passes of a step.
+#include <gtest/gtest.h>
+
+#include <utility>
+
+#include "engine/pair_table.h"
+
+namespace diefill::engine {
+namespace {
+
+ContactSum some_sum(double start) {
+  ContactSum sum;
+  sum.add_force({start, start + 1, start + 2});
+  sum.add_moment({start + 3, start + 4, start + 5});
+  sum.add_rolling_load(start + 6);
+  return sum;
+}
+
+TEST(ContactSums, KeepTheNumbersThatCountAndNoOthers) {
+  const std::vector<ContactSum> given = {some_sum(1), some_sum(20)};
+  for (const std::size_t numbers : {ContactSum::kForce, ContactSum::kMoment, ContactSum::kRolling}) {
+    ContactSums kept;
+    kept.start(given.size(), numbers);
+    kept.keep(given);
+    EXPECT_EQ(kept.bytes(), 2 * numbers * sizeof(double));
+    std::vector<ContactSum> copies;
+    kept.copy_to(copies, 2);
+    for (std::size_t k = 0; k < given.size(); ++k)
+      for (std::size_t n = 0; n < 8; ++n) {
+        const double expected = n < numbers ? given[k].data()[n] : 0;
+        EXPECT_EQ(std::as_const(kept)[k].data()[n], expected);
+        EXPECT_EQ(copies[k].data()[n], expected);
+      }
+  }
+}
+
+TEST(GrainPairTable, RemembersTouchingPairsInTheirOrderOnly) {
+  const double one[] = {1, 2, 3}, other[] = {4, 5, 6}, opposite[] = {-1, -1, -1};
+  GrainPairTable table;
+  table.start(3, 3);
+  table.add({0, 1}, one, nullptr);
+  table.add({0, 2}, nullptr, nullptr);
+  table.add({1, 2}, other, opposite);
+  table.finish();
+  EXPECT_EQ(table.memory.size(), 3U * 3U);
+  std::vector<std::pair<std::size_t, double>> seen;
+  table.visit_touching([&](std::size_t p, const double* memory) { seen.emplace_back(p, memory[2]); });
+  EXPECT_EQ(seen, (std::vector<std::pair<std::size_t, double>>{{0, 3.0}, {2, -6.0}}));
+  EXPECT_EQ(table.memory_at(GrainPairTable::kNothing)[0], 0);
+}
+
+}  // namespace
+}  // namespace diefill::engine
