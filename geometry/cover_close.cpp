@@ -162,9 +162,11 @@ class HoleCloser {
 
   std::size_t count() const { return layout_.centres().points().size(); }
   void look_at_all() {
+    StretchProgress progress(target_, kHolesBegin, kLaterLooksBegin);
     work_and_take(
         target_.stretches, [&](const Stretch& stretch) { return look_at(stretch); },
         [&](const std::vector<Look>& looks) {
+          progress.next();
           for (const Look& look : looks) {
             forget_before(look.centres);
             take(look);

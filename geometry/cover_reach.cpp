@@ -16,7 +16,9 @@ PointGrid reachable_points(const CoverTarget& target, double step) {
     });
     return reachable;
   };
+  StretchProgress progress(target, 0, kHolesBegin);
   work_while_taking(target.stretches, reachable_in, [&](const std::vector<Eigen::Vector3d>& reachable) {
+    progress.next();
     for (const Eigen::Vector3d& point : reachable)
       if (!points.any_within(point, step / 2)) points.insert(point);
   });

@@ -94,7 +94,11 @@ void measure_cover(const CoverTarget& target, const WallLayout& layout, SamplesK
                    });
     return here;
   };
-  work_and_take(target.stretches, measure, [&](const Measured& here) { all.add(here); });
+  StretchProgress progress(target, kMeasuringBegins, 1);
+  work_and_take(target.stretches, measure, [&](const Measured& here) {
+    progress.next();
+    all.add(here);
+  });
   spheres.mean_deviation = all.area > 0 ? all.deviation_times_area / all.area : 0;
   spheres.largest_deviation = all.largest_deviation;
   spheres.largest_deviation_place = all.deviation_place;

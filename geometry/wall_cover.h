@@ -21,7 +21,30 @@ struct CoverTarget {
   std::vector<Stretch> stretches;  ///< of the facets
   PointGrid near_powder;           ///< reachable_points(): what is reachable is asked once
   PointGrid powder_parts;          ///< a few of them, to pass over large surfaces far from powder quickly
+  const std::function<void(double)>& tell;  ///< hears the share that is done; may be empty
 };
+
+/// Tells the share of all work that is done while stretches are gone through: of a part of it that takes the
+/// share `from` to `to`.
+class StretchProgress {
+ public:
+  StretchProgress(const CoverTarget& target, double from, double to)
+      : target_(target), from_(from), to_(to) {}
+  void next() {
+    ++done_;
+    if (target_.tell)
+      target_.tell(from_ + (to_ - from_) * static_cast<double>(done_) /
+                               static_cast<double>(target_.stretches.size()));
+  }
+
+ private:
+  const CoverTarget& target_;
+  double from_, to_;
+  std::size_t done_ = 0;
+};
+
+/// Shares of the time that a large surface takes, as measured, when they begin.
+inline constexpr double kHolesBegin = 0.2, kLaterLooksBegin = 0.65, kMeasuringBegins = 0.75;
 
 /// Points of the reachable surface about `step` (m) apart. Reachable patches narrower than that may be
 /// missed.

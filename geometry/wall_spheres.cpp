@@ -33,7 +33,8 @@ WallSpheres make_wall_spheres(const Mesh& mesh, const SolidQuery& solid, const W
   const double spacing = options.spacing * options.radius;
   const Facets facets = find_facets(mesh, solid.topology());
   CoverTarget target{
-      mesh, facets, options.reachable, stretches_of(facets), PointGrid(spacing), PointGrid(spacing)};
+      mesh,        facets, options.reachable, stretches_of(facets), PointGrid(spacing), PointGrid(spacing),
+      options.tell};
   const OffsetSurface offset(solid, options.radius);
 
   std::function<bool(const Eigen::Vector3d&)> wanted = [](const Eigen::Vector3d&) { return true; };

@@ -17,6 +17,8 @@ struct WallSphereOptions {
   /// True for surface points (m, the mesh's frame) that powder can reach; the others carry no spheres, but
   /// for about one spacing beyond the edge of the reachable surface. Empty: all of the surface.
   std::function<bool(const Eigen::Vector3d& surface_point, const Eigen::Vector3d& outward_normal)> reachable;
+  /// Hears the share that is done, 0 to 1, of one thread at a time. Empty: nobody wants to know.
+  std::function<void(double share)> tell;
 };
 
 /// The spheres of one tool and how well their envelope follows the CAD surface, measured on points of the

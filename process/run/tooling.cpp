@@ -8,6 +8,7 @@
 #include <stdexcept>
 #include <system_error>
 
+#include "process/run/cover_progress.h"
 #include "process/run/half_model.h"
 #include "process/run/periodic_tool.h"
 #include "process/run/reachable_surface.h"
@@ -151,12 +152,14 @@ void move_to_surface(geometry::WallSpheres& spheres, const geometry::SolidQuery&
 
 /// The tool's wall spheres; complaints about its geometry name the tool.
 geometry::WallSpheres cover(const Scene& scene, const Tool& tool, double grain_diameter,
-                            decltype(geometry::WallSphereOptions::reachable) reachable) {
+                            decltype(geometry::WallSphereOptions::reachable) reachable,
+                            decltype(geometry::WallSphereOptions::tell) tell) {
   const std::string where = tool_in_words(scene, tool.spec);
   geometry::WallSphereOptions options;
   options.radius = sphere_radius(scene, tool.spec);
   options.spacing = tool.spec.spacing.value_or(scene.walls.spacing);
   options.reachable = std::move(reachable);
+  options.tell = std::move(tell);
   try {
     const auto& period = scene.numerics.period;
     auto spheres = period[0] || period[1]
@@ -304,21 +307,24 @@ Tooling build_tooling(const Scene& scene, double smallest_radius, double grain_d
   Tooling tooling = read_tooling(scene, tell);
   tell(kToolsFit, "seeing where powder can come");
   const ReachableSurface reachable(scene, tooling, grain_diameter);
+  std::vector<CoverProgress::Part> parts;
+  for (const Tool& tool : tooling.tools)
+    parts.push_back({tool.spec.name, static_cast<double>(tool.mesh.triangles.size())});
+  CoverProgress progress(parts);
   // Tools do not know of each other: they are covered side by side.
   std::vector<std::future<geometry::WallSpheres>> covered;
   for (std::size_t k = 0; k < tooling.tools.size(); ++k)
     covered.push_back(std::async(std::launch::async, [&, k] {
-      return cover(scene, tooling.tools[k], grain_diameter,
-                   [&, k](const Eigen::Vector3d& point, const Eigen::Vector3d& normal) {
-                     return !scene.economy.skip_far_walls || reachable(k, point, normal);
-                   });
+      return cover(
+          scene, tooling.tools[k], grain_diameter,
+          [&, k](const Eigen::Vector3d& point, const Eigen::Vector3d& normal) {
+            return !scene.economy.skip_far_walls || reachable(k, point, normal);
+          },
+          [&, k](double share) { progress.done(k, share); });
     }));
-  const auto count = static_cast<double>(tooling.tools.size());
   for (std::size_t k = 0; k < tooling.tools.size(); ++k) {
     Tool& tool = tooling.tools[k];
-    const double share = kReachKnown + (1 - kReachKnown) * static_cast<double>(k) / count;
-    tell(share, "covering \"" + tool.spec.name + "\" with wall spheres");
-    tool.spheres = covered[k].get();
+    tool.spheres = progress.wait_for(k, covered[k], kReachKnown, tell);
     if (is_mesh(scene, tool.spec))
       tool.wall_mesh = wall_mesh(scene, tool, grain_diameter);
     else

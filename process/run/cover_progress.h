@@ -1,0 +1,38 @@
+// How far the covering of tools is, while they are covered side by side.
+#pragma once
+
+#include <atomic>
+#include <future>
+#include <string>
+#include <vector>
+
+#include "geometry/wall_spheres.h"
+#include "process/run/progress.h"
+
+namespace diefill::process {
+
+/// Each tool counts by its triangles; each is told of by the thread that covers it.
+class CoverProgress {
+ public:
+  struct Part {
+    std::string tool;
+    double triangles = 0;
+  };
+  explicit CoverProgress(const std::vector<Part>& parts);
+
+  /// Tells of tool k (by number in `parts`) the share that is done, 0 to 1.
+  void done(std::size_t k, double share) { shares_[k].store(share, std::memory_order_relaxed); }
+
+  /// Waits for the spheres of tool k and meanwhile tells the share of all that is done, `from` to 1.
+  geometry::WallSpheres wait_for(std::size_t k, std::future<geometry::WallSpheres>& spheres, double from,
+                                 const TellProgress& tell) const;
+
+ private:
+  double share_of_all() const;
+
+  std::vector<Part> parts_;
+  std::vector<std::atomic<double>> shares_;
+  double all_triangles_ = 0;
+};
+
+}  // namespace diefill::process
