@@ -79,10 +79,13 @@ void say_walls(const Scene& scene, const Tooling& tooling, std::vector<std::stri
   std::string each;
   for (const Tool& tool : tooling.tools)
     each += (each.empty() ? "" : ", ") + tool.spec.name + " " + std::to_string(tool.spheres.centres.size());
-  said.push_back("walls: " + std::to_string(tooling.wall_spheres()) +
-                 " wall spheres where powder can come (" + each + ")" +
-                 line(", radius %.3g mm, spacing %.2g radii; surfaces out of its reach have none",
-                      1e3 * scene.walls.sphere_radius, scene.walls.spacing));
+  const bool all = !scene.economy.skip_far_walls;
+  said.push_back(
+      "walls: " + std::to_string(tooling.wall_spheres()) + " wall spheres " +
+      (all ? "on all surfaces (" : "where powder can come (") + each + ")" +
+      line(", radius %.3g mm, spacing %.2g radii; ", 1e3 * scene.walls.sphere_radius, scene.walls.spacing) +
+      (all ? "economy.skip_far_walls would spare those out of its reach"
+           : "surfaces out of its reach have none"));
 }
 
 void say_powder(const Needs& needs, const Scene& scene, std::vector<std::string>& said) {

@@ -20,8 +20,8 @@ if [ "${3:-}" = children ]; then
   reading=
 fi
 cd "$source"
-for file in cad_file cad_parts equal_vertices half_edges mesh mesh_check mesh_findings mesh_import point_grid read_3mf \
-  read_curved_faces read_triangles topology triangle triangle_tree winding; do
+for file in cad_file cad_parts equal_vertices half_edges lie_apart mesh mesh_check mesh_findings mesh_import point_grid read_3mf \
+  read_binary_stl read_curved_faces read_triangles topology triangle triangle_tree winding; do
   # shellcheck disable=SC2086
   [ "$out/objects/$file.o" -nt "geometry/$file.cpp" ] ||
     clang++ $flags "-fsanitize=fuzzer-no-link$sanitizers" -c "geometry/$file.cpp" -o "$out/objects/$file.o"

@@ -58,5 +58,13 @@ TEST(BinaryStl, KeepsCornersThatAreNoNumbersForWhoeverLooksAtThem) {
   EXPECT_EQ(contents.parts[0].mesh.triangles.size(), 12U);
 }
 
+TEST(BinaryStl, OfNothingButNumbersThatAreNoneHasOneCorner) {
+  const std::uint32_t count = 1000;
+  std::string bytes = std::string(84, ' ') + std::string(std::size_t{50} * count, '\xff');
+  std::memcpy(bytes.data() + 80, &count, sizeof count);
+  ASSERT_TRUE(is_binary_stl(bytes));
+  EXPECT_EQ(read_binary_stl(bytes).parts[0].mesh.vertices.size(), 1U);
+}
+
 }  // namespace
 }  // namespace diefill::geometry
