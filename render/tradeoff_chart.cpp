@@ -199,8 +199,8 @@ void draw_labels(QPainter& painter, const Tradeoff& tradeoff, TradeoffPicture& p
   }
 }
 
-/// Which errors are meant, and against what.
-QString note_of(const Tradeoff& tradeoff) {
+/// Which errors are meant, and against what. `some_below`: there are settings with errors below the axis.
+QString note_of(const Tradeoff& tradeoff, bool some_below) {
   QString names;
   bool target = false;
   for (const auto& quantity : tradeoff.quantities) {
@@ -216,6 +216,7 @@ QString note_of(const Tradeoff& tradeoff) {
       missing += (missing.isEmpty() ? "" : ", ") + QString::fromStdString(point.label);
   }
   if (!missing.isEmpty()) names += QStringLiteral("; failed: ") + missing;
+  if (some_below) names += QStringLiteral("; on the lower edge: that or less");
   return QStringLiteral("Largest error of: ") + names;
 }
 
@@ -247,7 +248,8 @@ TradeoffPicture compose_tradeoff(const Tradeoff& tradeoff) {
   for (std::size_t k = 0; k < drawn.points.size(); ++k)
     draw_mark(painter, picture.places[k], tradeoff.points[drawn.points[k]]);
   draw_labels(painter, tradeoff, picture);
-  draw_centred(painter, {0.5 * kWidth, kHeight - kMargin - 8}, note_of(tradeoff), kNotePixels,
+  const bool some_below = *std::ranges::min_element(drawn.error) < plot.y.range.lower;
+  draw_centred(painter, {0.5 * kWidth, kHeight - kMargin - 8}, note_of(tradeoff, some_below), kNotePixels,
                kWidth - 2 * kMargin);
   return picture;
 }

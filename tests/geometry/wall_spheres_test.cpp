@@ -317,6 +317,21 @@ TEST(WallSpheres, AreTheSameBitForBitOnAnyNumberOfThreads) {
   EXPECT_EQ(one.largest_gap_place, four.largest_gap_place);
 }
 
+TEST(WallSpheres, TellHowFarTheyAreWithoutEverGoingBack) {
+  WallSphereOptions telling = options();
+  telling.reachable = [](const Eigen::Vector3d&, const Eigen::Vector3d&) { return true; };
+  std::vector<double> told;
+  telling.tell = [&](double share) { told.push_back(share); };
+  const Mesh tube = sample::tube(0.004, 0.006, 0.005, 200);
+  const WallSpheres spheres = make_wall_spheres(tube, telling);
+  ASSERT_FALSE(told.empty());
+  EXPECT_TRUE(std::is_sorted(told.begin(), told.end()));
+  EXPECT_GT(told.front(), 0);
+  EXPECT_DOUBLE_EQ(told.back(), 1);
+  telling.tell = nullptr;
+  EXPECT_EQ(make_wall_spheres(tube, telling).centres, spheres.centres);
+}
+
 TEST(WallSpheres, PredictTheGapOfACoarseGrid) {
   // 8 x 8 x 4 intervals of exactly 3 R between the outermost rows.
   const double side = (8 * 3 + 2) * kRadius;
