@@ -7,8 +7,8 @@
 
 namespace diefill::geometry {
 
-/// A growing set of places, each there once. Equal is what compares equal: both zeros are one, what is not a
-/// number is like nothing.
+/// A growing set of places, each there once. Equal is what compares equal, so that both zeros are one; what is
+/// not a number is equal to the same bits, of which damaged files may hold millions.
 class EqualVertices {
  public:
   /// Number of the place, which is new if none was equal before.

@@ -60,13 +60,14 @@ TEST(EqualVertices, KeepsTheOrderOfFirstComing) {
   EXPECT_EQ(places.places().size(), 5000U);
 }
 
-TEST(EqualVertices, ZerosAreOneAndNoNumberIsLikeNothing) {
+TEST(EqualVertices, ZerosAreOneAndWhatIsNoNumberIsLikeItself) {
   EqualVertices places;
   EXPECT_EQ(places.add({0.0, 1, 2}), 0U);
   EXPECT_EQ(places.add({-0.0, 1, 2}), 0U);
   const double nan = std::numeric_limits<double>::quiet_NaN();
   EXPECT_EQ(places.add({nan, 1, 2}), 1U);
-  EXPECT_EQ(places.add({nan, 1, 2}), 2U);
+  EXPECT_EQ(places.add({nan, 1, 2}), 1U);
+  EXPECT_EQ(places.add({nan, 2, 1}), 2U);
 }
 
 }  // namespace
