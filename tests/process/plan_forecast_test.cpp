@@ -86,9 +86,12 @@ TEST(PlanForecast, WallTimeIsCostTimesSphereSteps) {
 }
 
 TEST(PlanForecast, MemoryIsThatOfMeasuredRuns) {
-  // Peaks of `diefill run` in the narrow ring: spheres, wall spheres, bytes.
-  const double runs[][3] = {{5516, 58533, 564.49e6}, {5516, 128387, 631.27e6}, {27587, 82545, 615.31e6}};
-  for (const auto& run : runs) EXPECT_NEAR(predicted_memory(run[0], run[1]) / run[2], 1, 0.01);
+  // Peaks of `diefill run` of shipped scenes: spheres, wall spheres, bytes.
+  const double runs[][3] = {{53263, 219043, 558e6}, {27587, 82541, 541e6}, {30436, 154347, 591e6},
+                            {2863, 21752, 464e6},   {7532, 37750, 468e6},  {3654, 6488, 442e6},
+                            {7609, 35472, 467e6}};
+  constexpr double kPromised = 0.1;
+  for (const auto& run : runs) EXPECT_NEAR(predicted_memory(run[0], run[1]) / run[2], 1, kPromised);
 }
 
 TEST(PlanForecast, AKindThePilotDidNotSeeCostsWhatTheDearestDoes) {
