@@ -1,6 +1,6 @@
 #include "app/freed_memory.h"
 
-#include <cstdlib>
+#include <cstdlib>  // says whether this is GNU's C library
 #ifdef __GLIBC__
 #include <malloc.h>
 #endif

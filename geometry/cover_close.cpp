@@ -161,6 +161,7 @@ class HoleCloser {
   };
 
   std::size_t count() const { return layout_.centres().points().size(); }
+
   void look_at_all() {
     StretchProgress progress(target_, kHolesBegin, kLaterLooksBegin);
     work_and_take(

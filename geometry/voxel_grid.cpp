@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "geometry/all_cores.h"
+#include "geometry/topology.h"
 
 namespace diefill::geometry {
 namespace {
@@ -32,7 +33,7 @@ class TriangleLines {
   TriangleLines(const VoxelGrid& grid, int axis, std::vector<Crossing>& crossings)
       : grid_(grid), axis_(axis), u_((axis + 1) % 3), v_((axis + 2) % 3), crossings_(crossings) {}
 
-  void add(const std::array<Eigen::Vector3d, 3>& corners) {
+  void add(const Corners& corners) {
     for (std::size_t i = 0; i < 3; ++i) flat_[i] = {corners[i][u_], corners[i][v_]};
     const Eigen::Vector3d normal = (corners[1] - corners[0]).cross(corners[2] - corners[0]);
     if (normal[axis_] == 0) return;
@@ -52,7 +53,7 @@ class TriangleLines {
     return voxel;
   }
 
-  void add_line(const std::array<Eigen::Vector3d, 3>& corners, const Eigen::Vector3d& normal, int v) {
+  void add_line(const Corners& corners, const Eigen::Vector3d& normal, int v) {
     const double at = centre(v_, v);
     double from = 1e300, to = -1e300;
     for (std::size_t i = 0; i < 3; ++i) {
@@ -86,12 +87,7 @@ std::vector<Crossing> crossings_with(const Mesh& mesh, const VoxelGrid& grid, in
   on_all_cores(parts.size(), [&](std::size_t part) {
     TriangleLines lines(grid, axis, parts[part]);
     const std::size_t end = std::min(mesh.triangles.size(), (part + 1) * kOfAPart);
-    for (std::size_t t = part * kOfAPart; t < end; ++t) {
-      const Eigen::Vector3i& triangle = mesh.triangles[t];
-      lines.add({mesh.vertices[static_cast<std::size_t>(triangle[0])],
-                 mesh.vertices[static_cast<std::size_t>(triangle[1])],
-                 mesh.vertices[static_cast<std::size_t>(triangle[2])]});
-    }
+    for (std::size_t t = part * kOfAPart; t < end; ++t) lines.add(corners_of(mesh, t));
   });
   std::vector<Crossing> all;
   for (const auto& part : parts) all.insert(all.end(), part.begin(), part.end());

@@ -10,7 +10,7 @@ namespace diefill::process::laboratory {
 
 namespace {
 
-/// m^3 of a sphere at height `z` below `height`.
+/// m^3 of a sphere at height `z` (m) below `height` (m): a spherical cap, pi h^2 (R - h / 3).
 double volume_below(double z, double radius, double height) {
   const double depth = std::clamp(height - z + radius, 0.0, 2 * radius);
   return std::numbers::pi * depth * depth * (radius - depth / 3);
