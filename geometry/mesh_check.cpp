@@ -11,7 +11,6 @@
 #include "geometry/all_cores.h"
 #include "geometry/half_edges.h"
 #include "geometry/mesh_crossings.h"
-#include "geometry/topology.h"
 #include "geometry/winding.h"
 
 namespace diefill::geometry {
@@ -47,7 +46,7 @@ class Pieces {
 class Examination {
  public:
   explicit Examination(const Mesh& mesh) : mesh_(mesh) { findings_.triangles = mesh.triangles.size(); }
-  MeshFindings run();
+  ExaminedMesh run();
 
  private:
   /// Counts one finding and keeps the places of the first of its kind.
@@ -191,8 +190,9 @@ void Examination::list_places() {
   }
 }
 
-MeshFindings Examination::run() {
-  if (every_corner_is_a_place()) {
+ExaminedMesh Examination::run() {
+  const bool joined = every_corner_is_a_place();
+  if (joined) {
     topology_ = find_topology(mesh_);
     std::vector<std::pair<std::size_t, std::size_t>> crossings;
     side_by_side([&] { crossings = find_crossings(mesh_, topology_.left_out); },
@@ -206,12 +206,16 @@ MeshFindings Examination::run() {
   }
   list_places();
   if (findings_.triangles == 0) findings_.places.push_back(Eigen::Vector3d::Zero());
-  return findings_;
+  return {findings_, joined ? std::optional(std::move(topology_)) : std::nullopt};
 }
 
 }  // namespace
 
 MeshFindings check_mesh(const Mesh& mesh) {
+  return examine_mesh(mesh).findings;
+}
+
+ExaminedMesh examine_mesh(const Mesh& mesh) {
   return Examination(mesh).run();
 }
 

@@ -2,10 +2,12 @@
 // degenerate and duplicate triangles (CGAL).
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "geometry/mesh.h"
+#include "geometry/topology.h"
 
 namespace diefill::geometry {
 
@@ -45,5 +47,13 @@ struct MeshFindings {
 
 /// Examines `mesh`. Never throws for a bad mesh: badness is what it reports.
 MeshFindings check_mesh(const Mesh& mesh);
+
+/// The findings, and the adjacency that had to be found for them, for a SolidQuery about the same mesh; empty
+/// where a corner is no place.
+struct ExaminedMesh {
+  MeshFindings findings;
+  std::optional<Topology> topology;
+};
+ExaminedMesh examine_mesh(const Mesh& mesh);
 
 }  // namespace diefill::geometry

@@ -52,8 +52,7 @@ NearPoints::Cube& NearPoints::round(const Eigen::Vector3d& place) {
     seen_ = grid_.points().size();
   }
   const Eigen::Vector3i number = (place / edge_).unaryExpr(&rounded_down);
-  Cube& cube =
-      cubes_[static_cast<std::size_t>(number.x() + 4 * number.y() + 16 * number.z()) % cubes_.size()];
+  Cube& cube = cubes_.at(number);
   if (!cube.filled || cube.number != number) {
     cube.number = number;
     fill(cube);

@@ -2,11 +2,11 @@
 // last places are kept in rows, so that few questions need a look into the grid.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <vector>
 
 #include "geometry/point_grid.h"
+#include "geometry/slots_in_space.h"
 
 namespace diefill::geometry {
 
@@ -56,7 +56,7 @@ class NearPoints {
 
   const PointGrid& grid_;
   double radius_, edge_;
-  std::array<Cube, 64> cubes_;
+  SlotsInSpace<Cube, 256> cubes_;
   std::size_t seen_ = 0;  ///< points of the grid when cubes were filled
 };
 

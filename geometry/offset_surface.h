@@ -27,17 +27,23 @@ class OffsetSurface {
   /// `near_boundary` is about the point of the boundary nearest to the guess; the answer does not depend on
   /// it.
   std::optional<Place> settle(const Eigen::Vector3d& guess, const Eigen::Vector3d& near_boundary) const {
+    TriangleTree::Region region;
+    return settle(guess, near_boundary, region);
+  }
+  /// The same, sooner where `region` is that of a guess near by.
+  std::optional<Place> settle(const Eigen::Vector3d& guess, const Eigen::Vector3d& near_boundary,
+                              TriangleTree::Region& region) const {
     double thickness = 0;
-    return settle(guess, near_boundary, thickness, nullptr);
+    return settle(guess, near_boundary, region, thickness, nullptr);
   }
   /// What was asked on the way from a guess to its place.
   using Trail = std::vector<SolidQuery::Known>;
   /// The same, sooner where `trail` is of a guess that differs by rounding alone; writes it where it is
   /// empty.
   std::optional<Place> settle(const Eigen::Vector3d& guess, const Eigen::Vector3d& near_boundary,
-                              Trail& trail) const {
+                              TriangleTree::Region& region, Trail& trail) const {
     double thickness = 0;
-    return settle(guess, near_boundary, thickness, &trail);
+    return settle(guess, near_boundary, region, thickness, &trail);
   }
 
   /// Places farther than this many R from the guess are another part of the tool: settle() finds none there.
@@ -58,10 +64,10 @@ class OffsetSurface {
   double depth() const { return depth_; }
 
  private:
-  std::optional<Place> settle(const Eigen::Vector3d& guess, Eigen::Vector3d near_boundary, double& thickness,
-                              Trail* trail) const;
+  std::optional<Place> settle(const Eigen::Vector3d& guess, Eigen::Vector3d near_boundary,
+                              TriangleTree::Region& region, double& thickness, Trail* trail) const;
   SolidQuery::Known nearest_at(const Eigen::Vector3d& place, const Eigen::Vector3d& near_boundary,
-                               std::size_t step, Trail* trail) const;
+                               TriangleTree::Region& region, std::size_t step, Trail* trail) const;
 
   SolidQuery query_;
   double depth_;

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "geometry/all_cores.h"
@@ -48,7 +49,7 @@ struct SolidQuery::Implementation {
   std::vector<std::uint32_t> triangles_at;   ///< by vertex of the mesh: how many have a corner there
   TriangleTree tree;
 
-  explicit Implementation(const Mesh& mesh);
+  Implementation(const Mesh& mesh, Topology adjacency);
   void name_neighbours(const Mesh& mesh);
   Eigen::Vector3d normal_of(std::size_t triangle) const {
     return area_vector(tree.corners(triangle)).normalized();
@@ -60,8 +61,8 @@ struct SolidQuery::Implementation {
   Known signed_by(const TriangleTree::Hit& hit, const Eigen::Vector3d& point) const;
 };
 
-SolidQuery::Implementation::Implementation(const Mesh& mesh)
-    : topology(find_topology(mesh)),
+SolidQuery::Implementation::Implementation(const Mesh& mesh, Topology adjacency)
+    : topology(std::move(adjacency)),
       mesh_triangle(useful_triangles(topology)),
       across(mesh_triangle.size()),
       vertex(mesh_triangle.size()),
@@ -152,7 +153,10 @@ SolidQuery::Known SolidQuery::Implementation::signed_by(const TriangleTree::Hit&
           hit.alone};
 }
 
-SolidQuery::SolidQuery(const Mesh& mesh) : implementation_(std::make_shared<const Implementation>(mesh)) {}
+SolidQuery::SolidQuery(const Mesh& mesh) : SolidQuery(mesh, find_topology(mesh)) {}
+
+SolidQuery::SolidQuery(const Mesh& mesh, Topology topology)
+    : implementation_(std::make_shared<const Implementation>(mesh, std::move(topology))) {}
 
 SolidQuery::Nearest SolidQuery::nearest(const Eigen::Vector3d& point) const {
   const TriangleTree::Hit hit = implementation_->tree.nearest(point);
@@ -169,15 +173,17 @@ SolidQuery::SignedNearest SolidQuery::signed_nearest(const Eigen::Vector3d& poin
   return implementation_->signed_by(implementation_->tree.nearest(point), point);
 }
 
-SolidQuery::Known SolidQuery::signed_nearest(const Eigen::Vector3d& point, double guess) const {
-  return implementation_->signed_by(implementation_->tree.nearest(point, guess), point);
+SolidQuery::Known SolidQuery::signed_nearest(const Eigen::Vector3d& point, double guess,
+                                             TriangleTree::Region& region) const {
+  return implementation_->signed_by(implementation_->tree.nearest(point, guess, region), point);
 }
 
-SolidQuery::Known SolidQuery::signed_nearest(const Eigen::Vector3d& point, const Known& known) const {
+SolidQuery::Known SolidQuery::signed_nearest(const Eigen::Vector3d& point, const Known& known,
+                                             TriangleTree::Region& region) const {
   // Where no other triangle is about as near, so little as this makes none of them the nearest.
   constexpr double kRounding = 1e-11;
   if (!known.alone || (point - known.asked).norm() > kRounding * known.distance)
-    return signed_nearest(point, (point - known.point).norm());
+    return signed_nearest(point, (point - known.point).norm(), region);
   TriangleTree::Hit hit;
   hit.triangle = known.tree_triangle;
   hit.foot = closest_point(implementation_->tree.corners(hit.triangle), point);

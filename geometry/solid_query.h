@@ -5,10 +5,10 @@
 #include <memory>
 
 #include "geometry/mesh.h"
+#include "geometry/triangle_tree.h"
 
 namespace diefill::geometry {
 
-class TriangleTree;
 struct Topology;
 
 /// Answers geometric questions about one closed, outward mesh. Building costs O(n log n), a question O(log
@@ -18,6 +18,8 @@ class SolidQuery {
  public:
   /// Throws MeshError for a mesh without a triangle that has an area.
   explicit SolidQuery(const Mesh& mesh);
+  /// The same for a mesh whose adjacency is known.
+  SolidQuery(const Mesh& mesh, Topology topology);
 
   struct Nearest {
     Eigen::Vector3d point;  ///< m, on the surface
@@ -36,10 +38,11 @@ class SolidQuery {
     std::uint32_t tree_triangle;  ///< number in tree()
     bool alone;                   ///< TriangleTree::Hit::alone
   };
-  /// The same, sooner where the surface is within `guess` (m) of the point or hardly farther.
-  Known signed_nearest(const Eigen::Vector3d& point, double guess) const;
+  /// The same, sooner where the surface is within `guess` (m) of the point or hardly farther and `region` is
+  /// that of a question about a place near by.
+  Known signed_nearest(const Eigen::Vector3d& point, double guess, TriangleTree::Region& region) const;
   /// The same, soonest where `known` is of a point that differs by rounding alone.
-  Known signed_nearest(const Eigen::Vector3d& point, const Known& known) const;
+  Known signed_nearest(const Eigen::Vector3d& point, const Known& known, TriangleTree::Region& region) const;
   bool inside(const Eigen::Vector3d& point) const;
   /// Distance to the surface in m, negative inside the solid.
   double signed_distance(const Eigen::Vector3d& point) const;

@@ -20,6 +20,9 @@ constexpr std::uint32_t kWorthAThread = 20000;  // triangles
 constexpr std::size_t kStackSize = 64;
 /// Distances squared in a smaller ratio may differ by rounding alone.
 constexpr double kHardlyMore = 1 + 1e-9;
+/// Radius of a region over the distance asked about first. A wide one holds longer, a narrow one has fewer
+/// levels.
+constexpr double kRegionRadius = 6;
 
 float rounded_down(double value) {
   const auto near = static_cast<float>(value);
@@ -131,25 +134,53 @@ TriangleTree::TriangleTree(std::size_t count, const std::function<Corners(std::s
 }
 
 TriangleTree::Hit TriangleTree::nearest(const Eigen::Vector3d& point) const {
-  return nearer_than(std::numeric_limits<double>::infinity(), point);
+  return nearer_than(std::numeric_limits<double>::infinity(), point, everywhere());
 }
 
 // Of triangles equally near the first one met is the answer, and the way through the tree does not depend on
 // the guess: with a bound that is larger than the answer it is met first too.
 TriangleTree::Hit TriangleTree::nearest(const Eigen::Vector3d& point, double guess) const {
+  Region region = everywhere();
+  return nearest(point, guess, region);
+}
+
+// Nor does it depend on the region, outside of which all is farther than the bound.
+TriangleTree::Hit TriangleTree::nearest(const Eigen::Vector3d& point, double guess, Region& region) const {
+  if ((point - region.middle).norm() + guess * kHardlyMore * kHardlyMore >= region.radius)
+    region = region_round(point, kRegionRadius * guess);
   const double bound = guess * guess * kHardlyMore * kHardlyMore;
-  const Hit hit = nearer_than(bound, point);
+  const Hit hit = nearer_than(bound, point, region);
   return hit.distance_squared * kHardlyMore < bound ? hit : nearest(point);
 }
 
-TriangleTree::Hit TriangleTree::nearer_than(double bound, const Eigen::Vector3d& point) const {
+TriangleTree::Region TriangleTree::everywhere() const {
+  return {{0, 0, 0}, std::numeric_limits<double>::infinity(), nodes_[0].first[0], nodes_[0].count[0]};
+}
+
+TriangleTree::Region TriangleTree::region_round(const Eigen::Vector3d& middle, double radius) const {
+  Region region = everywhere();
+  while (region.count == 0) {
+    const Siblings& children = nodes_[region.first];
+    const Eigen::Array2d distances = children.distances_squared(middle);
+    const std::size_t near = distances[1] < distances[0] ? 1 : 0;
+    if (distances[static_cast<Eigen::Index>(1 - near)] <= radius * radius) break;
+    region.first = children.first[near];
+    region.count = children.count[near];
+  }
+  region.middle = middle;
+  region.radius = radius;
+  return region;
+}
+
+TriangleTree::Hit TriangleTree::nearer_than(double bound, const Eigen::Vector3d& point,
+                                            const Region& region) const {
   struct Waiting {
     std::uint32_t first, count;  ///< as in the node
     double distance_squared;
   };
   std::array<Waiting, kStackSize> stack;
   std::size_t depth = 0;
-  stack[depth++] = {nodes_[0].first[0], nodes_[0].count[0], 0};
+  stack[depth++] = {region.first, region.count, 0};
   Hit best;
   best.distance_squared = bound;
   double others = std::numeric_limits<double>::infinity();  // m^2, no other triangle is nearer

@@ -33,6 +33,15 @@ class TriangleTree {
   Hit nearest(const Eigen::Vector3d& point) const;
   /// The same, sooner where a triangle lies within `guess` (m) of the point or hardly farther.
   Hit nearest(const Eigen::Vector3d& point, double guess) const;
+  /// The part of the tree that holds all triangles near a place: of many questions about places near each
+  /// other, most can begin there instead of at the root.
+  struct Region {
+    Eigen::Vector3d middle = Eigen::Vector3d::Zero();  ///< m
+    double radius = 0;                   ///< m, no triangle outside the part is nearer than this
+    std::uint32_t first = 0, count = 0;  ///< as in Siblings
+  };
+  /// The same, soonest where `region` is that of a question about a place near by; moves it on otherwise.
+  Hit nearest(const Eigen::Vector3d& point, double guess, Region& region) const;
 
   const Corners& corners(std::size_t triangle) const { return triangles_[triangle]; }
   std::span<const Corners> triangles() const { return {triangles_.get(), order_.size()}; }
@@ -58,8 +67,12 @@ class TriangleTree {
   };
   class Builder;
 
-  /// The nearest triangle if its distance squared is below `bound` (m^2); otherwise one at that distance.
-  Hit nearer_than(double bound, const Eigen::Vector3d& point) const;
+  Region everywhere() const;
+  /// The smallest that holds all triangles within `radius` (m).
+  Region region_round(const Eigen::Vector3d& middle, double radius) const;
+  /// The nearest triangle of a region if its distance squared is below `bound` (m^2); otherwise one at that
+  /// distance.
+  Hit nearer_than(double bound, const Eigen::Vector3d& point, const Region& region) const;
 
   std::unique_ptr<Corners[]> triangles_;  ///< memory that each core clears its part of
   std::vector<std::uint32_t> order_;

@@ -72,13 +72,13 @@ Hole HoleFinder::find(const SurfaceSample& sample, const Eigen::Vector3d& place,
 }
 
 // Where the solid is thinner than R, as at the tip of a wedge, the way starts from the middle of the solid.
-Eigen::Vector3d HoleFinder::below(const SurfaceSample& sample) const {
+Eigen::Vector3d HoleFinder::below(const SurfaceSample& sample) {
   const OffsetSurface& offset = layout_.offset();
   const Eigen::Vector3d guess = sample.at_depth(offset.depth());
-  if (const auto place = offset.settle(guess, sample.point)) return place->centre;
+  if (const auto place = offset.settle(guess, sample.point, region_)) return place->centre;
   const double thickness = offset.thickness(sample.point, sample.normal);
   const Eigen::Vector3d inside = sample.point - thickness / 2 * sample.normal;
-  if (const auto place = offset.settle(inside, sample.point)) return place->centre;
+  if (const auto place = offset.settle(inside, sample.point, region_)) return place->centre;
   if (const auto narrow = offset.thickness_between_opposite_faces(inside, sample.point))
     throw_too_thin(sample.point, *narrow, offset.depth());
   return guess;
@@ -110,12 +110,12 @@ Eigen::Vector3d HoleFinder::between_nearest(const Eigen::Vector3d& place) {
 /// The circle's centre lies off the surface at depth R where that is bent, so it is brought back there.
 std::optional<Hole> HoleFinder::hole_at(const Eigen::Vector3d& guess, const Eigen::Vector3d& surface_point) {
   const Eigen::Vector3i cube = (guess / layout_.spacing()).unaryExpr(&rounded_down);
-  Way& way = ways_[static_cast<std::size_t>(cube.x() + 4 * cube.y() + 16 * cube.z()) % ways_.size()];
+  Way& way = ways_.at(cube);
   if ((way.guess - guess).norm() > kSameGuess * layout_.spacing()) {
     way.guess = guess;
     way.trail.clear();
   }
-  const auto place = layout_.offset().settle(guess, surface_point, way.trail);
+  const auto place = layout_.offset().settle(guess, surface_point, region_, way.trail);
   if (!place) return std::nullopt;
   return Hole{place->centre, distance_to_nearest(place->centre, limit())};
 }

@@ -28,7 +28,7 @@ class HoleFinder {
   bool covered(const SurfaceSample& sample, double least);
   /// The place at depth R that belongs to the sample, whatever the centres. Throws MeshError where the solid
   /// is too thin for a sphere.
-  Eigen::Vector3d below(const SurfaceSample& sample) const;
+  Eigen::Vector3d below(const SurfaceSample& sample);
   /// The hole round `place`, the place below() the sample; distance 0 where it cannot be wider than `least`.
   /// From `place` the search goes to the point equally far from the three nearest centres, so that a hole is
   /// found in full size although samples miss its middle.
@@ -58,7 +58,8 @@ class HoleFinder {
   double step_;
   NearPoints near_;
   /// Many samples see the same centres, between which the way is the same but for rounding.
-  std::array<Way, 64> ways_;
+  SlotsInSpace<Way, 256> ways_;
+  TriangleTree::Region region_;  ///< where the last guesses were
 };
 
 }  // namespace diefill::geometry

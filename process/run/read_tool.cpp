@@ -53,6 +53,26 @@ std::string in_one_line(const Tool& tool) {
   return text;
 }
 
+/// Checks the mesh, repairs it as far as the tool's spec allows, and makes it the tool's.
+void examine(geometry::Mesh mesh, double wall_radius, Tool& tool) {
+  geometry::ExaminedMesh examined = geometry::examine_mesh(mesh);
+  tool.found = examined.findings;
+  if (tool.found.usable()) {
+    tool.findings = tool.found;
+    tool.mesh = std::move(mesh);
+    tool.keep(std::move(*examined.topology));
+    return;
+  }
+  geometry::RepairOptions options;
+  options.level = tool.spec.repair;
+  options.wrap_detail = kWrapOverRadius * wall_radius;
+  geometry::RepairedMesh repaired = geometry::repair_mesh(mesh, tool.found, options);
+  tool.mesh = std::move(repaired.mesh);
+  tool.findings = std::move(repaired.findings);
+  tool.repairs = std::move(repaired.repairs);
+  tool.not_repaired = std::move(repaired.refused);
+}
+
 }  // namespace
 
 std::string tool_in_words(const Scene& scene, const ToolSpec& spec) {
@@ -71,17 +91,9 @@ Tool read_tool(const Scene& scene, const ToolSpec& spec) {
   tool.unit_from_file = part.unit_from_file;
   if (part.curved) tool.chord_tolerance = chord;
   tool.file_hash = hash.get();
-  const geometry::Mesh mesh = placed(std::move(part.mesh), spec);
+  geometry::Mesh mesh = placed(std::move(part.mesh), spec);
   check_size(mesh, wall_radius(scene, spec), part.metres_per_unit, tool_in_words(scene, spec));
-  tool.found = geometry::check_mesh(mesh);
-  geometry::RepairOptions options;
-  options.level = spec.repair;
-  options.wrap_detail = kWrapOverRadius * wall_radius(scene, spec);
-  geometry::RepairedMesh repaired = geometry::repair_mesh(mesh, tool.found, options);
-  tool.mesh = std::move(repaired.mesh);
-  tool.findings = std::move(repaired.findings);
-  tool.repairs = std::move(repaired.repairs);
-  tool.not_repaired = std::move(repaired.refused);
+  examine(std::move(mesh), wall_radius(scene, spec), tool);
   return tool;
 }
 

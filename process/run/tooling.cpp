@@ -198,6 +198,10 @@ void refuse_leaks(const Scene& scene, const Tool& tool, double smallest_radius) 
 }  // namespace
 
 const geometry::SolidQuery& Tool::solid() const {
+  if (!solid_ && topology_) {
+    solid_.emplace(mesh, std::move(*topology_));
+    topology_.reset();
+  }
   if (!solid_) solid_.emplace(mesh);
   return *solid_;
 }

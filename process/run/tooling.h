@@ -4,6 +4,7 @@
 
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "geometry/cavity.h"
@@ -35,9 +36,13 @@ struct Tool {
 
   /// Answers about `mesh`, built when first asked for: millions of triangles take seconds and a gigabyte.
   const geometry::SolidQuery& solid() const;
+  /// Keeps the adjacency that a check of `mesh` found for solid(), which would find it again.
+  void keep(geometry::Topology topology) { topology_ = std::move(topology); }
 
  private:
-  mutable std::optional<geometry::SolidQuery> solid_;  // two threads may not ask one tool first at once
+  // Two threads may not ask one tool first at once.
+  mutable std::optional<geometry::SolidQuery> solid_;
+  mutable std::optional<geometry::Topology> topology_;  ///< until solid() takes it
 };
 
 struct Tooling {
