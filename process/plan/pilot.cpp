@@ -26,7 +26,8 @@ constexpr double kLeastPowder = 0.4;
 /// Over the narrowest width: coarser grains jam, and cannot be what a passage costs.
 constexpr double kCoarsestPilot = 0.75;
 
-/// s of motion that say what it costs, and how many times the limit may be passed to see them.
+/// s of motion that say what it costs, and how many times the limit may be passed to see them or how long
+/// powder goes on running out.
 constexpr double kMotionAtLeast = 3, kPatience = 3;
 
 /// Sets `flag` after `seconds`, unless it is gone by then.
@@ -127,17 +128,23 @@ Scene pilot_scene(const Scene& scene, const Tooling& tooling, double sphere_step
   look.every = 2e-3;
   pilot.snapshots = {look};
   pilot.numerics.checkpoint_interval = 86400;
-  const auto cheap = [&] { return forecast(pilot, tooling).sphere_steps() <= sphere_steps; };
-  if (cheap()) return pilot;
+  const auto costs_at_most = [&](double limit) { return forecast(pilot, tooling).sphere_steps() <= limit; };
+  const auto coarsen_until = [&](double limit) {
+    const double largest = largest_diameter(scene, tooling);
+    while (!costs_at_most(limit) && pilot.powder.grain_diameter * kFiner <= largest) {
+      const PowderSpec before = pilot.powder;
+      enlarge(pilot.powder, kFiner);
+      if (forecast(pilot, tooling).grains >= kFewestGrains) continue;
+      pilot.powder = before;
+      break;
+    }
+  };
+  // Where there is nothing to fill, powder heaps up or runs out, for longer the more there is and for longer
+  // than usual.
+  if (!tooling.cavity.found) coarsen_until(sphere_steps / 2);
+  if (costs_at_most(sphere_steps)) return pilot;
   pilot.pour.fill_height = kLeastPowder * scene.pour.fill_height;
-  const double largest = largest_diameter(scene, tooling);
-  while (!cheap() && pilot.powder.grain_diameter * kFiner <= largest) {
-    const PowderSpec before = pilot.powder;
-    enlarge(pilot.powder, kFiner);
-    if (forecast(pilot, tooling).grains >= kFewestGrains) continue;
-    pilot.powder = before;
-    break;
-  }
+  coarsen_until(sphere_steps);
   return pilot;
 }
 
@@ -162,8 +169,10 @@ Pilot run_pilot(const Scene& scene, const Tooling& tooling, int threads, double 
     const PhaseKind now = kind_of(run.schedule().stages(), run.schedule().state().steps);
     books.book(run, kind, now != kind, pilot);
     kind = now;
-    const bool motion_seen = !moves || pilot.of(PhaseKind::motion).wall_seconds > kMotionAtLeast;
-    if (run.wall_seconds() > wall_limit && motion_seen) stop.store(true);
+    const PhaseCost& motion = pilot.of(PhaseKind::motion);
+    const bool motion_seen = !moves || motion.whole || motion.wall_seconds > kMotionAtLeast;
+    const bool runs_out = kind == PhaseKind::rest && !tooling.cavity.found;
+    if (run.wall_seconds() > wall_limit && motion_seen && !runs_out) stop.store(true);
   };
   FillRun run(short_scene, tooling, options);
   books.begin(run);
@@ -182,8 +191,9 @@ Pilot run_pilot(const Scene& scene, const Tooling& tooling, int threads, double 
   if (fall.whole) pilot.rest.after_fall = std::max(0.0, fall.seconds - fall_time(short_scene, tooling));
   const auto rests = std::count_if(phases.begin(), phases.end(),
                                    [](const Phase& phase) { return phase.kind == PhaseKind::rest; });
-  if (pilot.of(PhaseKind::rest).whole && rests == 1)
-    pilot.rest.after_motion = pilot.of(PhaseKind::rest).seconds;
+  const PhaseCost& coming_to_rest = pilot.of(PhaseKind::rest);
+  if (rests == 1 && (coming_to_rest.whole || coming_to_rest.seconds > pilot.rest.after_motion))
+    pilot.rest.after_motion = coming_to_rest.seconds;
   return pilot;
 }
 

@@ -38,7 +38,7 @@ struct Pilot {
 Scene pilot_scene(const Scene& scene, const Tooling& tooling, double sphere_steps);
 
 /// Runs pilot_scene() for `wall_limit` s on `threads` threads, or up to three times as long where nothing has
-/// moved by then. `tooling` is that of the scene.
+/// moved by then or powder still runs out with no cavity to fill. `tooling` is that of the scene.
 Pilot run_pilot(const Scene& scene, const Tooling& tooling, int threads, double wall_limit);
 
 }  // namespace diefill::process::plan

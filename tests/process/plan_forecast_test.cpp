@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "process/plan/memory.h"
+#include "process/plan/pilot.h"
 #include "process/run/material.h"
 #include "process/run/pour.h"
 #include "tests/process/plan_sample.h"
@@ -92,6 +93,29 @@ TEST(PlanForecast, MemoryIsThatOfMeasuredRuns) {
                             {7609, 35472, 467e6}};
   constexpr double kPromised = 0.1;
   for (const auto& run : runs) EXPECT_NEAR(predicted_memory(run[0], run[1]) / run[2], 1, kPromised);
+  EXPECT_NEAR(predicted_memory(7797, 80396, true) / 559e6, 1, kPromised);
+}
+
+TEST(PlanForecast, ThePilotHasLessPowderOnlyWhereCoarserGrainsDoNotDo) {
+  const PlannedScene planned;
+  const double sphere_steps = plan::forecast(planned.scene, planned.tooling).sphere_steps();
+  const double height = planned.scene.pour.fill_height, diameter = planned.scene.powder.grain_diameter;
+
+  const Scene enough = pilot_scene(planned.scene, planned.tooling, sphere_steps);
+  EXPECT_EQ(enough.pour.fill_height, height);
+  EXPECT_EQ(enough.powder.grain_diameter, diameter);
+
+  const Scene filling = pilot_scene(planned.scene, planned.tooling, 0.9 * sphere_steps);
+  EXPECT_NEAR(filling.pour.fill_height, 0.4 * height, 1e-12);
+  EXPECT_EQ(filling.powder.grain_diameter, diameter);
+
+  // What runs out or heaps up does so for as long as there is powder: none is left out.
+  Tooling without_cavity = planned.tooling;
+  without_cavity.cavity = {};
+  const Scene running_out = pilot_scene(planned.scene, without_cavity, 0.9 * sphere_steps);
+  EXPECT_EQ(running_out.pour.fill_height, height);
+  EXPECT_GT(running_out.powder.grain_diameter, diameter);
+  EXPECT_LE(plan::forecast(running_out, without_cavity).sphere_steps(), 0.45 * sphere_steps);
 }
 
 TEST(PlanForecast, AKindThePilotDidNotSeeCostsWhatTheDearestDoes) {
