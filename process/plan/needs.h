@@ -17,11 +17,12 @@ inline constexpr double kMostDamping = 3e6;
 
 /// Facts about one scene. SI units.
 struct Needs {
-  geometry::Cavity cavity;  ///< Tooling::all_cavities()
+  geometry::Cavity cavity;                             ///< Tooling::all_cavities()
   double grain_diameter = 0, calibrated_diameter = 0;  ///< m
   double coarsest_grain = 0;                           ///< m, a third of the narrowest width; 0: no cavity
   double width_as_felt = 0;                 ///< m, narrowest width less 1.4 (d - calibrated d); 0: no cavity
   double time_step = 0, critical_step = 0;  ///< s
+  double wedged_step = 0;                   ///< s, wedged_time_step()
   double impact_speed = 0;                  ///< m/s
   double weight_pressure = 0;               ///< Pa, of the powder's own weight at the deepest place
   double piston_pressure = 0;               ///< Pa, of the hardest pressing force-controlled tool; 0: none

@@ -47,6 +47,11 @@ void say_step(const Needs& needs, std::vector<std::string>& said) {
       line("time step: %.3g s, %.2f of the critical %.3g s at collisions of %.2g m/s; undamped grains "
            "gain energy from 0.49 on, %.1f times as long (engine/STABILITY.md)",
            needs.time_step, share, needs.critical_step, needs.impact_speed, 0.49 / share));
+  if (needs.time_step > needs.wedged_step * (1 + 1e-9))
+    said.push_back(line(
+        "time step: longer than the %.3g s up to which grains stay stable that moving tools wedge, and the "
+        "run may stop where they do: leave out the step that the scene gives, or make it shorter",
+        needs.wedged_step));
 }
 
 void say_stiffness(const Needs& needs, const Scene& scene, std::vector<std::string>& said) {

@@ -138,7 +138,7 @@ double chosen_time_step(const Scene& scene, const engine::SimulationSettings& se
     const double fraction =
         numerics.time_step_fraction > 0 ? numerics.time_step_fraction : engine::kDefaultTimeStepFraction;
     if (numerics.time_step_fraction > 0) return fraction * critical;
-    return std::min(fraction * critical, kPinchFraction * shortest_pinch_step(scene, settings));
+    return std::min(fraction * critical, wedged_time_step(scene, settings));
   }
   if (*numerics.time_step < critical) return *numerics.time_step;
   char text[200];
@@ -208,6 +208,10 @@ double critical_time_step(const engine::SimulationSettings& settings, double imp
   if (settings.general_contact)
     return engine::critical_time_step(as_simulated(settings), *settings.general_contact, impact_speed);
   return engine::critical_time_step(settings.shape, settings.grain_contact, impact_speed);
+}
+
+double wedged_time_step(const Scene& scene, const engine::SimulationSettings& settings) {
+  return kPinchFraction * shortest_pinch_step(scene, settings);
 }
 
 double mean_grain_mass(const Scene& scene, const engine::Simulation& simulation) {

@@ -22,6 +22,10 @@ engine::SimulationSettings engine_settings(const Scene& scene, double impact_spe
 /// Critical time step (s) of those settings at `impact_speed` (m/s), grains and walls.
 double critical_time_step(const engine::SimulationSettings& settings, double impact_speed);
 
+/// s, longest step in which grains that the scene's moving tools wedge stay stable, with the margin of a step
+/// that is chosen; infinite where no tool moves. `settings` are those of the scene.
+double wedged_time_step(const Scene& scene, const engine::SimulationSettings& settings);
+
 /// kg, mean of all grains that the scene lets in; those of `simulation` where they are alike.
 double mean_grain_mass(const Scene& scene, const engine::Simulation& simulation);
 

@@ -41,6 +41,30 @@ TEST(PlanNeeds, WidthPressureAndLaws) {
   EXPECT_TRUE(says(said, "one half could stand for the whole"));
 }
 
+TEST(PlanNeeds, AStepTooLongForWedgedGrainsIsRemarkedUpon) {
+  support::SceneTables tables;
+  tables.steps = R"([[step]]
+kind = "move"
+tool = "shoe"
+direction = "y"
+distance = "10 mm"
+velocity = "0.1 m/s"
+)";
+  PlannedScene planned(tables);
+  const auto remark = [&] {
+    const Needs needs = needs_of(planned.scene, planned.tooling);
+    return says(in_words(needs, planned.scene, planned.tooling), "that moving tools wedge");
+  };
+  EXPECT_FALSE(remark());
+  const double chosen = needs_of(planned.scene, planned.tooling).time_step;
+  planned.scene.numerics.time_step = 0.9 * chosen;
+  EXPECT_FALSE(remark());
+  planned.scene.numerics.time_step = 2 * chosen;
+  EXPECT_TRUE(remark());
+  planned.scene.steps.clear();  // nothing moves
+  EXPECT_FALSE(remark());
+}
+
 TEST(PlanNeeds, APistonPressesOnItsArea) {
   support::SceneTables tables;
   tables.steps = R"([[step]]
