@@ -29,7 +29,7 @@ struct TradeoffArguments {
   std::vector<std::string> vary, targets;
   double budget = 0, tolerance = 2;
   int seeds = 2, jobs = 1, threads = 1;
-  bool quiet = false;
+  bool variants = false, quiet = false;
 };
 
 /// out/<folder of the scene>_<name of the scene>_tradeoff.
@@ -55,6 +55,7 @@ std::pair<std::string, double> read_target(const std::string& text) {
 std::string command_in_words(const TradeoffArguments& arguments) {
   std::string words = "diefill tradeoff " + arguments.scene;
   for (const auto& vary : arguments.vary) words += " --vary '" + vary + '\'';
+  if (arguments.variants) words += " --variants";
   for (const auto& target : arguments.targets) words += " --target '" + target + '\'';
   if (!arguments.reference.empty()) words += " --reference '" + arguments.reference + '\'';
   char text[100];
@@ -75,6 +76,7 @@ process::TradeoffOptions options_of(const TradeoffArguments& arguments) {
   options.seeds = arguments.seeds;
   options.tolerance = 0.01 * arguments.tolerance;
   options.reference = arguments.reference;
+  options.variants = arguments.variants;
   options.command = command_in_words(arguments);
   options.jobs.program = std::filesystem::read_symlink("/proc/self/exe");
   options.jobs.at_once = arguments.jobs;
@@ -138,6 +140,8 @@ void add_options(CLI::App& command, TradeoffArguments& arguments) {
           "KNOB=VALUE,VALUE,...: a knob's values, or those of any key of the scene by its path; again for "
           "more knobs (default: all knobs that do something in the scene)")
       ->allow_extra_args(false);
+  command.add_flag("--variants", arguments.variants,
+                   "the scene's [[variant]] tables are settings too: several knobs turned together");
   command.add_option("--seeds", arguments.seeds, "runs of each setting, with seeds counted up (default: 2)")
       ->check(CLI::Range(1, 1000));
   command

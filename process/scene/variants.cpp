@@ -181,6 +181,10 @@ std::vector<Variant> read_variants(const std::filesystem::path& file) {
   return variants;
 }
 
+bool has_variants(const Scene& scene) {
+  return parse_scene_text(scene.text, scene.file).contains("variant");
+}
+
 Scene changed_scene(const std::string& text, const std::filesystem::path& file, const SceneChanges& changes) {
   toml::table document = parse_scene_text(text, file);
   document.erase("variant");

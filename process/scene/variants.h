@@ -23,6 +23,9 @@ struct Variant {
 /// variant, naming the line in the variant.
 std::vector<Variant> read_variants(const std::filesystem::path& file);
 
+/// Whether the scene's text has [[variant]] tables.
+bool has_variants(const Scene& scene);
+
 /// What is to be different from a scene file.
 struct SceneChanges {
   std::string set;  ///< TOML, such as `step.1.velocity = "0.1 m/s"`, a key a line

@@ -98,6 +98,22 @@ Setting setting_with(const Scene& scene, const std::string& name, const std::str
   return setting;
 }
 
+std::vector<Setting> settings_of_variants(const Scene& scene) {
+  if (!has_variants(scene))
+    throw SceneError(scene.file.string() +
+                     ": --variants: the scene has none; add [[variant]] tables or leave the option out");
+  std::vector<Setting> settings;
+  for (Variant& variant : read_variants(scene.file)) {
+    Setting setting;
+    setting.name = setting.label = variant.name;
+    setting.changes = {{"variant", variant.name}};
+    setting.work = work_per_second(variant.scene);
+    setting.variant = std::move(variant);
+    settings.push_back(std::move(setting));
+  }
+  return settings;
+}
+
 std::vector<Setting> one_at_a_time(const Scene& scene, const std::vector<KnobValues>& knobs, bool strict) {
   std::vector<Setting> settings = {setting_with(scene, kBase, kBase, {})};
   if (!settings.front().refused.empty())

@@ -38,6 +38,10 @@ inline constexpr const char* kBase = "base";  ///< name of the scene as it stand
 Setting setting_with(const Scene& scene, const std::string& name, const std::string& label,
                      const std::vector<std::pair<Knob, std::string>>& turned);
 
+/// The scene's [[variant]] tables as settings: knobs turned together. Throws SceneError as read_variants
+/// does, and for a scene without variants.
+std::vector<Setting> settings_of_variants(const Scene& scene);
+
 /// The base, and every knob at every value that is not the scene's own. A value that the scene refuses is an
 /// error with `strict` (SceneError, naming knob and value) and else a setting that says why. Throws
 /// SceneError for two settings of one name.

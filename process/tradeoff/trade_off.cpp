@@ -147,6 +147,16 @@ void add_remarks(results::Tradeoff& tradeoff, const TradeoffOptions& options) {
     tradeoff.remarks.emplace_back("one seed each: what another seed changes is not known; --seeds 2 tells");
 }
 
+void add_variants(const Scene& scene, std::vector<Setting>& settings) {
+  for (Setting& setting : settings_of_variants(scene)) {
+    const auto same = [&](const Setting& other) { return other.variant.folder == setting.variant.folder; };
+    if (std::any_of(settings.begin(), settings.end(), same) || setting.name == kCombined)
+      throw SceneError(scene.file.string() + ": --variants: variant \"" + setting.name +
+                       "\" has the name of another setting; give it one of its own");
+    settings.push_back(std::move(setting));
+  }
+}
+
 std::size_t reference_of(const results::Tradeoff& tradeoff, const std::vector<Setting>& settings,
                          const std::string& wanted) {
   std::vector<int> finer;
@@ -161,10 +171,11 @@ std::size_t reference_of(const results::Tradeoff& tradeoff, const std::vector<Se
 
 TradeoffPlan plan_tradeoff(const Scene& scene, const std::vector<KnobValues>& knobs,
                            const TradeoffOptions& options) {
-  const bool strict = !knobs.empty();
+  const bool strict = !knobs.empty() || options.variants;
   TradeoffPlan plan;
   plan.knobs = strict ? knobs : usual_knobs(scene);
   plan.settings = one_at_a_time(scene, plan.knobs, strict);
+  if (options.variants) add_variants(scene, plan.settings);
   check_words(scene, plan.settings, options);
   return plan;
 }

@@ -17,6 +17,7 @@ struct TradeoffOptions {
   std::map<std::string, double> targets;  ///< published values by key of the quantity, in its unit
   std::string reference;  ///< name of the setting to hold others against; empty: reference_setting
   JobOptions jobs;        ///< with the budget as `cpu_seconds`; `starts` is set here
+  bool variants = false;  ///< the scene's variants are settings too
   std::string command;    ///< for the record
 };
 
@@ -26,8 +27,9 @@ struct TradeoffPlan {
   std::vector<Setting> settings;  ///< the base first
 };
 
-/// The knobs with these values, usual_knobs where there are none, and their settings. Throws SceneError for
-/// values that the scene refuses (usual ones are noted in their setting), and for unknown names in `options`.
+/// The knobs with these values, usual_knobs where there are none nor variants, and their settings. Throws
+/// SceneError for values that the scene refuses (usual ones are noted in their setting), and for unknown
+/// names in `options`.
 TradeoffPlan plan_tradeoff(const Scene& scene, const std::vector<KnobValues>& knobs,
                            const TradeoffOptions& options);
 

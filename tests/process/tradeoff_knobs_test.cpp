@@ -5,6 +5,7 @@
 
 #include "process/tradeoff/knob_registry.h"
 #include "process/tradeoff/settings.h"
+#include "process/tradeoff/trade_off.h"
 #include "process/tradeoff/work_estimate.h"
 #include "tests/process/scene_files.h"
 #include "tests/process/wrong_scene.h"
@@ -182,6 +183,37 @@ TEST(Settings, LeaveTheScenesOwnVariantsAsideAndKeepItsSeed) {
   EXPECT_EQ(settings[1].variant.scene.seed, 7U);
   EXPECT_EQ(settings[1].variant.scene.text.find("variant"), std::string::npos);
   EXPECT_EQ(strategy_in_words(settings[1].variant.scene), "1 passage at 0.2 m/s");
+}
+
+TEST(Settings, VariantsAreKnobsTurnedTogether) {
+  const KeptScene kept(faultless_scene() +
+                       "\n[[variant]]\nname = \"shallow and coarse\"\npour.fill_height = \"8 mm\"\n"
+                       "powder.grain_diameter = \"2.4 mm\"\n");
+  TradeoffOptions options;
+  options.variants = true;
+  const auto settings = plan_tradeoff(kept.scene, {}, options).settings;
+  ASSERT_EQ(settings.size(), 2U);  // no usual knobs beside
+  EXPECT_EQ(settings[1].name, "shallow and coarse");
+  EXPECT_FALSE(settings[1].changes.empty());  // or it could be taken for the base
+  EXPECT_EQ(settings[1].finer, 0);
+  EXPECT_NEAR(settings[1].variant.scene.pour.fill_height, 8e-3, 1e-12);
+  EXPECT_LT(settings[1].work, settings[0].work);
+}
+
+TEST(Settings, VariantsThatAreNoneOrNamedLikeAnotherSettingAreRefused) {
+  TradeoffOptions options;
+  options.variants = true;
+  const auto refusal = [&](const std::string& added) {
+    const KeptScene kept(faultless_scene() + added);
+    try {
+      plan_tradeoff(kept.scene, {}, options);
+    } catch (const SceneError& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  EXPECT_NE(refusal("").find("the scene has none"), std::string::npos);
+  EXPECT_NE(refusal("\n[[variant]]\nname = \"base\"\n").find("name of another setting"), std::string::npos);
 }
 
 TEST(Settings, UsualValuesThatASceneRefusesSaySo) {
