@@ -34,7 +34,7 @@ class TriangleTree {
   /// The same, sooner where a triangle lies within `guess` (m) of the point or hardly farther.
   Hit nearest(const Eigen::Vector3d& point, double guess) const;
   /// The part of the tree that holds all triangles near a place: of many questions about places near each
-  /// other, most can begin there instead of at the root.
+  /// other, most can begin there instead of at the root. Each thread has its own.
   struct Region {
     Eigen::Vector3d middle = Eigen::Vector3d::Zero();  ///< m
     double radius = 0;                   ///< m, no triangle outside the part is nearer than this
