@@ -49,7 +49,7 @@ struct MeshFindings {
 MeshFindings check_mesh(const Mesh& mesh);
 
 /// The findings, and the adjacency that had to be found for them, for a SolidQuery about the same mesh; empty
-/// where a corner is no place.
+/// where a corner is no place. Never throws for a bad mesh, as check_mesh().
 struct ExaminedMesh {
   MeshFindings findings;
   std::optional<Topology> topology;

@@ -2,17 +2,14 @@
 
 #include <limits>
 
+#include "geometry/cube_of_space.h"
+
 namespace diefill::geometry {
 
 namespace {
 
 /// More than what rounding can be off, over the length.
 constexpr double kRounding = 1e-9;
-
-int rounded_down(double value) {
-  const int near = static_cast<int>(value);
-  return value < near ? near - 1 : near;
-}
 
 }  // namespace
 
@@ -51,7 +48,7 @@ NearPoints::Cube& NearPoints::round(const Eigen::Vector3d& place) {
     for (Cube& cube : cubes_) cube.filled = false;
     seen_ = grid_.points().size();
   }
-  const Eigen::Vector3i number = (place / edge_).unaryExpr(&rounded_down);
+  const Eigen::Vector3i number = cube_of(place / edge_);
   Cube& cube = cubes_.at(number);
   if (!cube.filled || cube.number != number) {
     cube.number = number;

@@ -5,6 +5,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "geometry/cube_of_space.h"
+
 namespace diefill::geometry {
 
 /// A growing set of points. Answers do not depend on the hash: ties go to the point inserted first.
@@ -76,14 +78,7 @@ class PointGrid {
     return false;
   }
 
-  /// As std::floor, which calls a function where the processor's own is not to be relied on.
-  static int rounded_down(double value) {
-    const int near = static_cast<int>(value);
-    return value < near ? near - 1 : near;
-  }
-  Eigen::Vector3i cell_of(const Eigen::Vector3d& place) const {
-    return (place * inverse_cell_).unaryExpr(&rounded_down);
-  }
+  Eigen::Vector3i cell_of(const Eigen::Vector3d& place) const { return cube_of(place * inverse_cell_); }
   /// Blocks of cells are together in memory, as a question looks into neighbours.
   std::size_t bucket(const Eigen::Vector3i& cell) const {
     constexpr int kBits = 2;  // of a coordinate within a block

@@ -1,10 +1,9 @@
 // A few things remembered of the last places asked about.
 #pragma once
 
+#include <Eigen/Core>
 #include <array>
 #include <cstdint>
-
-#include "geometry/triangle.h"
 
 namespace diefill::geometry {
 

@@ -10,6 +10,8 @@
 #include <sstream>
 #include <utility>
 
+#include "geometry/cube_of_space.h"
+
 namespace diefill::geometry {
 
 namespace {
@@ -18,11 +20,6 @@ namespace {
 constexpr double kThirdNearest = 1.12;
 /// Guesses that differ by less, over the spacing, go the same way.
 constexpr double kSameGuess = 1e-9;
-
-int rounded_down(double value) {
-  const int near = static_cast<int>(value);
-  return value < near ? near - 1 : near;
-}
 
 [[noreturn]] void throw_too_thin(const Eigen::Vector3d& place, double thickness, double radius) {
   std::ostringstream text;
@@ -109,7 +106,7 @@ Eigen::Vector3d HoleFinder::between_nearest(const Eigen::Vector3d& place) {
 
 /// The circle's centre lies off the surface at depth R where that is bent, so it is brought back there.
 std::optional<Hole> HoleFinder::hole_at(const Eigen::Vector3d& guess, const Eigen::Vector3d& surface_point) {
-  const Eigen::Vector3i cube = (guess / layout_.spacing()).unaryExpr(&rounded_down);
+  const Eigen::Vector3i cube = cube_of(guess / layout_.spacing());
   Way& way = ways_.at(cube);
   if ((way.guess - guess).norm() > kSameGuess * layout_.spacing()) {
     way.guess = guess;
