@@ -21,15 +21,16 @@ struct BodyMotion;
 
 /// What one block did in one step.
 struct BlockTally {
-  double viscous_work = 0;                   ///< J, done by damping (negative)
-  double tangential_work = 0;                ///< J, done by tangential forces
-  double drag_work = 0;                      ///< J, done by air (negative)
-  double rolling_work = 0;                   ///< J, done by rolling friction (negative)
-  DeepestOverlap overlap;                    ///< m
-  bool list_is_old = false;                  ///< a grain has moved farther than the list of near pairs allows
-  std::uint64_t touching = 0;                ///< pairs
-  std::vector<Eigen::Vector3d> body_force;   ///< N on each wall body
-  std::vector<Eigen::Vector3d> body_torque;  ///< N m about the origin of each body's frame
+  double viscous_work = 0;     ///< J, done by damping (negative)
+  double tangential_work = 0;  ///< J, done by tangential forces
+  double drag_work = 0;        ///< J, done by air (negative)
+  double rolling_work = 0;     ///< J, done by rolling friction (negative)
+  DeepestOverlap overlap;      ///< m
+  bool list_is_old = false;    ///< a grain has moved farther than the list of near pairs allows
+  std::uint64_t touching = 0;  ///< pairs
+  Eigen::Vector3d held_force = Eigen::Vector3d::Zero();  ///< N, on all grains that are carried asleep
+  std::vector<Eigen::Vector3d> body_force;               ///< N on each wall body
+  std::vector<Eigen::Vector3d> body_torque;              ///< N m about the origin of each body's frame
 
   void start(std::size_t bodies);
 };
@@ -83,12 +84,13 @@ struct GeneralContact {
 
 /// The loop for pairs between grains of spheres of `sphere_radius` (m). `composed`: several spheres a grain.
 std::unique_ptr<PairLoop> make_grain_loop(const ContactParameters& parameters, LeverArm arm,
-                                          SpringLimit limit, double sphere_radius, bool composed);
+                                          SpringLimit limit, ZeroTerms zero_terms, double sphere_radius,
+                                          bool composed);
 /// The loop for pairs of grains with walls: parameters and radius of wall spheres (m, infinite for planes and
 /// flat triangles) of every body.
 std::unique_ptr<PairLoop> make_wall_loop(const std::vector<ContactParameters>& parameters, LeverArm arm,
-                                         SpringLimit limit, double sphere_radius, bool composed,
-                                         const std::vector<double>& wall_radii);
+                                         SpringLimit limit, ZeroTerms zero_terms, double sphere_radius,
+                                         bool composed, const std::vector<double>& wall_radii);
 /// The same for laws put together while the program runs. Throw std::invalid_argument where parts of the law
 /// do not go together, or walls are to attract from afar.
 std::unique_ptr<PairLoop> make_general_grain_loop(const GeneralContact& contact, LeverArm arm,

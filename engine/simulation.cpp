@@ -8,131 +8,17 @@
 
 #include "engine/look_ahead.h"
 #include "engine/rigid_motion.h"
+#include "engine/simulation_parts.h"
 #include "engine/spatial_order.h"
 
 namespace diefill::engine {
 
 namespace {
 
-/// The skin for these settings: no grain may come to meet another, or itself, from two sides of a period at
-/// once. `range`: m, gap at which grains act on each other. Small grains are the many, so that it goes by
-/// their size. Throws where even a still grain would.
-AdaptiveSkin skin_for(const SimulationSettings& settings, const KindTable& kinds, double range) {
-  double room = 1e300;  // m, for two grains that approach, on both sides of each
-  for (const auto& period : settings.period)
-    if (period) room = std::min(room, *period - 4 * kinds.largest_grain() - 2 * range);
-  const AdaptiveSkin skin(settings.skin, kinds.smallest_sphere(), 0.25 * room);
-  if (room < 2 * skin.largest())
-    throw std::invalid_argument(
-        "a periodic length is below two grain sizes, the reach of the law and the skin");
-  return skin;
-}
-
 /// Sums that a thread works on: those of a block's pairs, later those of its grains.
 std::vector<ContactSum>& sums_of_thread() {
   thread_local std::vector<ContactSum> sums;
   return sums;
-}
-
-LeverArm arm_for(const KindTable& kinds, LeverArm wanted) {
-  if (!kinds.rotates()) return LeverArm::none;
-  return kinds.composed() ? wanted : LeverArm::surface;
-}
-
-/// The kinds as they move: where forces are scaled, with the moments of inertia that torques balance with.
-KindTable kinds_of(const SimulationSettings& settings) {
-  if (settings.mix && settings.general_contact)
-    throw std::invalid_argument("a powder of several kinds has laws of its own: give no general contact law");
-  if (!settings.mix) {
-    if (settings.shape.sphere_offsets.empty()) throw std::invalid_argument("the grain shape has no spheres");
-    GrainShape shape = settings.shape;
-    if (settings.general_contact) shape.inertia /= settings.general_contact->scaling.torque_factor();
-    return KindTable({{std::move(shape), {}}});
-  }
-  auto kinds = settings.mix->kinds;
-  for (auto& kind : kinds) kind.shape.inertia /= settings.mix->scaling.torque_factor();
-  return KindTable(std::move(kinds));
-}
-
-SimulationSettings checked(SimulationSettings settings, const KindTable& kinds) {
-  if (!(settings.time_step > 0)) throw std::invalid_argument("the time step must be positive");
-  if (settings.threads < 1) throw std::invalid_argument("at least one thread is needed");
-  if (settings.air_draught && settings.sleep)
-    throw std::invalid_argument("grains cannot sleep where air is drawn through the powder");
-  if (settings.air_draught && settings.mix)
-    throw std::invalid_argument("air is drawn through powders of one kind only");
-  settings.lever_arm = arm_for(kinds, settings.lever_arm);
-  settings.shape = kinds.shape(0);
-  return settings;
-}
-
-std::vector<std::uint32_t> first_sphere_of_bodies(const std::vector<WallBodySpec>& walls) {
-  std::vector<std::uint32_t> first(1, 0);
-  for (const auto& wall : walls)
-    first.push_back(first.back() + static_cast<std::uint32_t>(wall.centres.size() + wall.planes.size() +
-                                                              wall.triangles.size()));
-  return first;
-}
-
-std::vector<double> radii_of(const std::vector<WallBodySpec>& walls) {
-  std::vector<double> radii;
-  for (const auto& wall : walls)
-    radii.push_back(!wall.triangles.empty() ? wall.contact_radius
-                    : wall.planes.empty()   ? wall.sphere_radius
-                                            : std::numeric_limits<double>::infinity());
-  return radii;
-}
-
-std::unique_ptr<PairLoop> grain_loop_for(const SimulationSettings& settings, const KindTable& kinds) {
-  if (settings.mix) return make_mixed_grain_loop(kinds, *settings.mix, settings.lever_arm);
-  if (settings.general_contact)
-    return make_general_grain_loop(*settings.general_contact, settings.lever_arm, settings.shape);
-  return make_grain_loop(settings.grain_contact, settings.lever_arm, settings.spring_limit,
-                         settings.shape.sphere_radius, settings.shape.spheres() > 1);
-}
-
-std::unique_ptr<PairLoop> mixed_wall_loop_for(const SimulationSettings& settings, const KindTable& kinds,
-                                              const std::vector<WallBodySpec>& walls) {
-  std::vector<std::string> materials;
-  for (const auto& wall : walls) {
-    if (wall.contact)
-      throw std::invalid_argument("wall '" + wall.name +
-                                  "' has a contact of its own, and the powder is of several kinds: give the "
-                                  "wall a material; planes of symmetry need a powder of one kind");
-    if (!wall.triangles.empty())
-      throw std::invalid_argument("wall '" + wall.name +
-                                  "' is of triangles, and the powder is of several kinds: give it spheres");
-    materials.push_back(wall.material);
-  }
-  return make_mixed_wall_loop(kinds, *settings.mix, settings.lever_arm, radii_of(walls), materials);
-}
-
-std::unique_ptr<PairLoop> wall_loop_for(const SimulationSettings& settings, const KindTable& kinds,
-                                        const std::vector<WallBodySpec>& walls) {
-  if (settings.mix) return mixed_wall_loop_for(settings, kinds, walls);
-  const auto radii = radii_of(walls);
-  std::vector<ContactParameters> contacts;
-  for (const auto& wall : walls) {
-    if (wall.contact && settings.general_contact)
-      throw std::invalid_argument("a wall has a contact of its own beside a general contact law");
-    contacts.push_back(wall.contact.value_or(settings.wall_contact));
-  }
-  if (settings.general_contact)
-    return make_general_wall_loop(*settings.general_contact, settings.lever_arm, settings.shape, radii);
-  return make_wall_loop(contacts, settings.lever_arm, settings.spring_limit, settings.shape.sphere_radius,
-                        settings.shape.spheres() > 1, radii);
-}
-
-NeighbourSettings neighbour_settings(const KindTable& kinds, const PairLoop& grain_loop,
-                                     const PairLoop& wall_loop) {
-  return {.sphere_radii = kinds.sphere_radii(),
-          .farthest_sphere = kinds.farthest_sphere(),
-          .law_range = grain_loop.range(),
-          .grain_memory_sign = grain_loop.memory_signs(),
-          .wall_memory = wall_loop.memory_signs().size(),
-          .sum_numbers = !kinds.rotates()                          ? ContactSum::kForce
-                         : grain_loop.rolls() || wall_loop.rolls() ? ContactSum::kRolling
-                                                                   : ContactSum::kMoment};
 }
 
 }  // namespace
@@ -226,8 +112,9 @@ void Simulation::step() {
   timers_.begin();
   ++step_;
   time_ = static_cast<double>(step_) * settings_.time_step;
+  const BodyMotion carrier_before = carrier();
   move_bodies();
-  if (sleeping_) wake_near_tools();
+  if (sleeping_) mind_tools(carrier_before);
   advance_grains();
   timers_.lap(Phase::advance);
   if (list_is_old()) {
@@ -285,10 +172,14 @@ bool Simulation::has_moved_too_far(const Block& block) const {
 void Simulation::gather(std::size_t b, std::vector<ContactSum>& contacts) const {
   const Block& own = list_.blocks()[b];
   const bool composed = kinds_.composed();
+  // Sums of a resting block are those of where its grains were when contacts were searched.
+  const auto places = [&](std::size_t block) -> const std::vector<Eigen::Vector3d>& {
+    return rests(block) ? reference_.position : grains_.position;
+  };
   own.sums.copy_to(contacts, own.grains());
   if (composed)
     for (std::size_t k = own.begin; k < own.end; ++k) {
-      const Vector3 arm = plain(grains_.position[k]) - plain(own.reference);
+      const Vector3 arm = plain(places(b)[k]) - plain(own.reference);
       ContactSum& sum = contacts[k - own.begin];
       sum.add_moment(-cross(arm, sum.force()));
     }
@@ -305,7 +196,7 @@ void Simulation::gather(std::size_t b, std::vector<ContactSum>& contacts) const 
     if (composed) {
       const std::uint32_t seen = block.seen[place.slot - block.grains()];
       const Vector3 arm =
-          plain(grains_.position[own.begin + place.grain]) + spheres_.shift(seen) - plain(block.reference);
+          plain(places(place.block)[own.begin + place.grain]) + spheres_.shift(seen) - plain(block.reference);
       sum.add_moment(-cross(arm, sum.force()));
     }
     contacts[place.grain] += sum;
@@ -314,10 +205,10 @@ void Simulation::gather(std::size_t b, std::vector<ContactSum>& contacts) const 
 
 void Simulation::compute_contacts() {
   workers_.for_each(list_.blocks().size(), [&](std::size_t b) {
-    if (rests(b))
-      compute_resting(b);
-    else
+    if (!rests(b))
       compute_block(b);
+    else if (carries())
+      slide(b);
   });
 }
 
@@ -337,7 +228,7 @@ void Simulation::compute_block(std::size_t b) {
 void Simulation::finish_grains() {
   const auto& blocks = list_.blocks();
   workers_.for_each(blocks.size(), [&](std::size_t b) {
-    if (rests(b)) return;
+    if (rests(b) && !carries()) return;
     std::vector<ContactSum>& contacts = sums_of_thread();
     gather(b, contacts);
     if (sleeping_) return finish_awake(b, contacts);
@@ -368,6 +259,7 @@ void Simulation::book_step() {
     ledger_.rolling_work += tally.rolling_work;
     touching_ += tally.touching;
     overlap_now_.include(tally.overlap);
+    ledger_.sleep_work -= tally.held_force.dot(carried_);
     for (std::size_t b = 0; b < bodies_.size(); ++b) {
       wall_loads_[b].force += tally.body_force[b];
       wall_loads_[b].torque += tally.body_torque[b];

@@ -37,6 +37,9 @@ struct SimulationSettings {
   double time_step = 0;  ///< s
   std::array<std::optional<double>, 2> period;  ///< m along x and y, box centred on the origin
   double skin = 0;                              ///< m; 0: follows the motion of the powder
+  /// Of the law that `grain_contact` and `wall_contact` are for.
+  ZeroTerms zero_terms = ZeroTerms::left_out;
+  ZeroTerms rotation_of_fixed_grains = ZeroTerms::left_out;  ///< where GrainShape::rotates is false
   /// Tools far from all powder do not age the list of near pairs by moving.
   bool skip_far_walls = true;
   std::optional<SleepSettings> sleep;  ///< settled grains are put to sleep
@@ -165,6 +168,7 @@ class Simulation {
   void find_images();
   void place_spheres(const std::vector<Eigen::Vector3d>& position,
                      const std::vector<Quaternion>& orientation);
+  void place_grain(std::size_t k, const Eigen::Vector3d& position, const Quaternion& orientation);
   void compute_contacts();
   void compute_block(std::size_t b);
   void finish_grains();
@@ -175,13 +179,18 @@ class Simulation {
 
   // Where settled grains are put to sleep.
   std::vector<Eigen::AlignedBox3d> moving_tools() const;
-  void wake_near_tools();
+  bool carries() const { return sleeping_ && settings_.sleep->carrier.has_value(); }
+  BodyMotion carrier() const;
+  void mind_tools(const BodyMotion& carrier_before);
+  void take_to(const Eigen::Vector3d& velocity);
   void advance_awake(std::size_t b);
-  void compute_resting(std::size_t b);
+  void carry(const Block& block);
+  void compute_resting();
+  void slide(std::size_t b);
   void finish_awake(std::size_t b, const std::vector<ContactSum>& contacts);
   void weigh_sleepers();
   void look_after_sleepers();
-  void still_sleepers();
+  void settle_motion_of_sleepers();
   bool rests(std::size_t b) const { return sleeping_ && sleeping_->rests(b); }
 
   KindTable kinds_;
@@ -202,6 +211,7 @@ class Simulation {
   SphereField spheres_;
   std::vector<BlockTally> tallies_;
   std::vector<double> clearance_;  ///< m a body, how far it stood from the powder when contacts were searched
+  Eigen::Vector3d carried_ = Eigen::Vector3d::Zero();  ///< m, how far sleepers are carried in this step
 
   std::uint64_t step_ = 0, next_id_ = 0, searches_ = 0, touching_ = 0;
   double time_ = 0;

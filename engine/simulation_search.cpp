@@ -86,6 +86,7 @@ void Simulation::search_in_order(std::vector<std::uint32_t> order) {
   remember_reference(awake);
   search(history, wall_history);
   spheres_.stand_at(grains_.position);
+  if (sleeping_) compute_resting();
 }
 
 void Simulation::remember_reference(std::size_t awake) {
@@ -98,7 +99,9 @@ void Simulation::remember_reference(std::size_t awake) {
   reference_.drift.setZero();
   // Where grains sleep, motion is measured against them: they are never the swifter ones, so that every pair
   // of both kinds is an awake grain's.
-  if (awake == grains_.size() && awake > 0) {
+  if (awake < grains_.size()) {
+    reference_.drift = carrier().velocity;
+  } else if (awake > 0) {
     for (const auto& velocity : grains_.velocity) reference_.drift += velocity;
     reference_.drift /= static_cast<double>(grains_.size());
   }
@@ -134,8 +137,8 @@ void Simulation::search(const ContactHistory& history, const ContactHistory& wal
   list_.build(spheres_, bodies_, reference_, history, wall_history, workers_);
   tallies_.resize(list_.blocks().size());
   if (sleeping_) {
-    sleeping_->sort_blocks(list_, true);
-    still_sleepers();
+    sleeping_->sort_blocks(list_);
+    settle_motion_of_sleepers();
   }
 
   Eigen::Vector3d lower = Eigen::Vector3d::Constant(1e300), upper = -lower;
@@ -176,13 +179,16 @@ void Simulation::place_spheres(const std::vector<Eigen::Vector3d>& position,
                                const std::vector<Quaternion>& orientation) {
   spheres_.stand_at(position);
   if (!kinds_.composed()) return;
-  for (std::size_t k = 0; k < spheres_.grains; ++k) {
-    const GrainShape& shape = shape_of(k);
-    const Eigen::Matrix3d to_lab = rotation_matrix(orientation[k]);
-    for (std::size_t s = 0; s < shape.spheres(); ++s)
-      spheres_.placed[k * shape.spheres() + s] =
-          plain(Eigen::Vector3d(position[k] + to_lab * shape.sphere_offsets[s]));
-  }
+  for (std::size_t k = 0; k < spheres_.grains; ++k) place_grain(k, position[k], orientation[k]);
+}
+
+/// The spheres of composed grain k.
+void Simulation::place_grain(std::size_t k, const Eigen::Vector3d& position, const Quaternion& orientation) {
+  const GrainShape& shape = shape_of(k);
+  const Eigen::Matrix3d to_lab = rotation_matrix(orientation);
+  for (std::size_t s = 0; s < shape.spheres(); ++s)
+    spheres_.placed[k * shape.spheres() + s] =
+        plain(Eigen::Vector3d(position + to_lab * shape.sphere_offsets[s]));
 }
 
 namespace {
@@ -250,11 +256,15 @@ void Simulation::restore(const Snapshot& snapshot) {
     sleep.asleep.resize(grains_.size(), 0);
     sleep.looks.resize(grains_.size(), 0);
     sleep.force.resize(grains_.size(), Eigen::Vector3d::Zero());
+    if (settings_.sleep->stray > 0) sleep.place.resize(grains_.size(), Eigen::Vector3d::Zero());
     sleeping_->restore(sleep);
   }
+  // Tools stand as they did then, until what rests has been computed.
+  body_motion_ = reference_.bodies;
   search({}, {});
   recall(list_.blocks(), &Block::grain_pairs, snapshot.grain_memory);
   recall(list_.blocks(), &Block::wall_pairs, snapshot.wall_memory);
+  if (sleeping_) compute_resting();
   place_spheres(grains_.position, grains_.orientation);
   move_bodies();
 }

@@ -1,10 +1,16 @@
-// How a simulation leaves sleeping grains alone, and when it looks at them.
+// How a simulation leaves sleeping grains alone, carries them along, and when it looks at them.
 #include "engine/rigid_motion.h"
 #include "engine/simulation.h"
 
 namespace diefill::engine {
 
+/// The body that sleepers ride on, at the present time; one at rest where they stand still.
+BodyMotion Simulation::carrier() const {
+  return carries() ? body_motion_[*settings_.sleep->carrier] : BodyMotion{};
+}
+
 /// Boxes (m) about the tools that move, or have since contacts were searched, a grain wider than they are.
+/// What moves as sleepers do leaves them alone.
 std::vector<Eigen::AlignedBox3d> Simulation::moving_tools() const {
   std::vector<Eigen::AlignedBox3d> boxes;
   for (std::size_t b = 0; b < bodies_.size(); ++b) {
@@ -12,6 +18,7 @@ std::vector<Eigen::AlignedBox3d> Simulation::moving_tools() const {
     if (now.velocity.isZero(0) && now.angular_velocity.isZero(0) && now.rotation == then.rotation &&
         now.translation == then.translation)
       continue;
+    if (carries() && b == *settings_.sleep->carrier) continue;
     const Eigen::Vector3d lower = bodies_[b].lower(), upper = bodies_[b].upper();
     const Eigen::Vector3d middle = now.point(0.5 * (lower + upper));
     const Eigen::Vector3d half =
@@ -22,8 +29,27 @@ std::vector<Eigen::AlignedBox3d> Simulation::moving_tools() const {
   return boxes;
 }
 
-void Simulation::wake_near_tools() {
+/// Wakes those near tools that move, and all when their carrier gains speed faster than powder would follow
+/// without stirring. They still have the speed of the step before.
+void Simulation::mind_tools(const BodyMotion& carrier_before) {
   sleeping_->wake(sleeping_->within(moving_tools(), grains_), list_, spheres_);
+  if (!carries()) return;
+  const BodyMotion now = carrier();
+  carried_ = now.translation - carrier_before.translation;
+  take_to(now.velocity);
+}
+
+/// Sleepers go on with `velocity` (m/s), or wake where that is too sudden.
+void Simulation::take_to(const Eigen::Vector3d& velocity) {
+  const double swiftest_change =
+      settings_.sleep->acceleration * settings_.gravity.norm() * settings_.time_step;
+  for (std::size_t k = 0; k < grains_.size(); ++k) {
+    if (!sleeping_->asleep(k)) continue;
+    if ((velocity - grains_.velocity[k]).norm() > swiftest_change) return sleeping_->wake_all(list_);
+    ledger_.sleep_work +=
+        0.5 * shape_of(k).mass * (velocity.squaredNorm() - grains_.velocity[k].squaredNorm());
+    grains_.velocity[k] = velocity;
+  }
 }
 
 void Simulation::advance_awake(std::size_t b) {
@@ -31,13 +57,27 @@ void Simulation::advance_awake(std::size_t b) {
   sleeping_->for_awake(block.begin, block.end, [&](std::size_t first, std::size_t last) {
     integrator_.advance(grains_, first, last, spheres_);
   });
+  if (carries()) carry(block);
 }
 
-/// The forces of a resting block do not change: its grains stand, and so does whatever they touch. They are a
-/// function of places and of springs as they were when it came to rest, so that computing them again, after a
-/// restart, gives the same bits.
-void Simulation::compute_resting(std::size_t b) {
-  if (!sleeping_->computed(b)) {
+/// Takes the block's sleepers along.
+void Simulation::carry(const Block& block) {
+  const std::size_t spheres = spheres_.spheres_per_grain;
+  for (std::size_t k = block.begin; k < block.end; ++k) {
+    if (!sleeping_->asleep(k)) continue;
+    grains_.position[k] += carried_;
+    if (kinds_.composed()) place_grain(k, grains_.position[k], grains_.orientation[k]);
+    for (std::size_t s = 0; s < spheres; ++s)
+      spheres_.motion[k * spheres + s] = {plain(grains_.velocity[k]), {}};
+  }
+}
+
+/// The forces of a resting block do not change: its grains stand, or ride side by side, and so does whatever
+/// they touch. They are computed once, when contacts have been searched: a function of places and of springs
+/// as they were then, so that a restart finds the same bits.
+void Simulation::compute_resting() {
+  workers_.for_each(list_.blocks().size(), [&](std::size_t b) {
+    if (!rests(b)) return;
     auto& grain_pairs = list_.blocks()[b].grain_pairs;
     auto& wall_pairs = list_.blocks()[b].wall_pairs;
     auto grain_touching = grain_pairs.touching, wall_touching = wall_pairs.touching;
@@ -47,20 +87,35 @@ void Simulation::compute_resting(std::size_t b) {
     wall_pairs.touching = std::move(wall_touching);
     grain_pairs.memory = std::move(grain_memory);
     wall_pairs.memory = std::move(wall_memory);
-    sleeping_->set_computed(b);
-  }
+    BlockTally& tally = tallies_[b];
+    tally.viscous_work = tally.tangential_work = tally.drag_work = tally.rolling_work = 0;
+  });
+}
+
+/// What a resting block that is carried loses on tools over which it slides.
+void Simulation::slide(std::size_t b) {
   BlockTally& tally = tallies_[b];
-  tally.viscous_work = tally.tangential_work = tally.drag_work = tally.rolling_work = 0;
+  tally.tangential_work = 0;
+  const Eigen::Vector3d velocity = carrier().velocity;
+  for (std::size_t body = 0; body < bodies_.size(); ++body)
+    tally.tangential_work -=
+        tally.body_force[body].dot(velocity - body_motion_[body].velocity) * settings_.time_step;
 }
 
 void Simulation::finish_awake(std::size_t b, const std::vector<ContactSum>& contacts) {
   const Block& block = list_.blocks()[b];
+  BlockTally& tally = tallies_[b];
   sleeping_->for_awake(block.begin, block.end, [&](std::size_t first, std::size_t last) {
     const auto own = std::span(contacts).subspan(first - block.begin, last - first);
     const auto work = integrator_.finish(grains_, first, last, own);
-    tallies_[b].drag_work += work.drag;
-    tallies_[b].rolling_work += work.rolling;
+    tally.drag_work += work.drag;
+    tally.rolling_work += work.rolling;
   });
+  tally.held_force.setZero();
+  if (!carries()) return;
+  for (std::size_t k = block.begin; k < block.end; ++k)
+    if (sleeping_->asleep(k))
+      tally.held_force += eigen(contacts[k - block.begin].force()) + shape_of(k).mass * settings_.gravity;
 }
 
 /// Forces and torques on sleepers, which no step has brought up to date.
@@ -88,26 +143,34 @@ void Simulation::weigh_sleepers() {
 void Simulation::look_after_sleepers() {
   sleeping_->count_step(list_);
   if (step_ % Sleeping::kStepsPerLook != 0) return;
+  const BodyMotion riding = carrier();
+  const Eigen::Vector3d& velocity = riding.velocity;
   weigh_sleepers();
-  sleeping_->look(grains_);
-  sleeping_->wake(sleeping_->disturbed(grains_, list_, spheres_), list_, spheres_);
-  const auto tired = sleeping_->tired(grains_, moving_tools(), list_, spheres_);
+  sleeping_->look(grains_, riding);
+  sleeping_->wake(sleeping_->disturbed(grains_, velocity, list_, spheres_), list_, spheres_);
+  sleeping_->wake(sleeping_->within(settings_.sleep->awake, grains_), list_, spheres_);
+  if (carries() && velocity.isZero(0)) return;  // powder in a shoe that stands settles as any other
+  auto restless = moving_tools();
+  restless.insert(restless.end(), settings_.sleep->awake.begin(), settings_.sleep->awake.end());
+  const auto tired = sleeping_->tired(grains_, restless, list_, spheres_);
   if (tired.empty()) return;
   for (const std::uint32_t k : tired) {
-    ledger_.sleep_work -= sleeping_->kinetic_energy(grains_, k);
-    grains_.velocity[k].setZero();
+    const double kinetic = sleeping_->kinetic_energy(grains_, k, Eigen::Vector3d::Zero());
+    ledger_.sleep_work += 0.5 * shape_of(k).mass * velocity.squaredNorm() - kinetic;
+    grains_.velocity[k] = velocity;
     grains_.spin[k].setZero();
   }
   sleeping_->put_to_sleep(tired);
   sort_and_search();
 }
 
-/// Sleepers' spheres stand still from now on.
-void Simulation::still_sleepers() {
+/// Sleepers' spheres stand still from now on, or move with their carrier.
+void Simulation::settle_motion_of_sleepers() {
+  const Vector3 velocity = plain(carrier().velocity);
   for (std::size_t k = 0; k < spheres_.grains; ++k)
     if (sleeping_->asleep(k))
       for (std::size_t s = 0; s < spheres_.spheres_per_grain; ++s)
-        spheres_.motion[k * spheres_.spheres_per_grain + s] = {};
+        spheres_.motion[k * spheres_.spheres_per_grain + s] = {velocity, {}};
 }
 
 }  // namespace diefill::engine

@@ -34,16 +34,29 @@ std::vector<std::uint32_t> places_of(const std::vector<std::uint8_t>& marks) {
 
 }  // namespace
 
+SleepSettings riding_on(std::size_t carrier) {
+  SleepSettings settings;
+  settings.energy = 0.05;  // a speed of 0.32 sqrt(g d)
+  settings.time = 10e-3;
+  settings.stray = 0.1;
+  settings.force = 100;  // forces leap as the floor's bumps pass
+  settings.speed = 3;
+  settings.carrier = carrier;
+  return settings;
+}
+
 Sleeping::Sleeping(const SleepSettings& settings, KindTable kinds, const Eigen::Vector3d& gravity,
                    double time_step)
     : kinds_(std::move(kinds)) {
-  if (!(settings.energy > 0 && settings.time > 0 && settings.force > 0 && settings.speed > 0))
+  if (!(settings.energy > 0 && settings.time > 0 && settings.force > 0 && settings.speed > 0 &&
+        settings.acceleration > 0 && settings.stray >= 0))
     throw std::invalid_argument("limits of sleeping grains must be positive");
   for (std::size_t k = 0; k < kinds_.size(); ++k) {
     const GrainShape& shape = kinds_.shape(static_cast<KindNumber>(k));
     const double weight = shape.mass * gravity.norm();
     const double slow_energy = settings.energy * weight * 2 * shape.bounding_radius();
-    limits_.push_back({slow_energy, slow_energy * settings.speed * settings.speed, settings.force * weight});
+    limits_.push_back({slow_energy, slow_energy * settings.speed * settings.speed, settings.force * weight,
+                       settings.stray * 2 * shape.bounding_radius()});
   }
   const double looks = std::ceil(settings.time / (time_step * static_cast<double>(kStepsPerLook)));
   looks_needed_ = static_cast<std::uint32_t>(std::clamp(looks, 1.0, 1e9));
@@ -57,6 +70,7 @@ std::size_t Sleeping::reorder(std::vector<std::uint32_t>& order, std::size_t gra
   state_.asleep.resize(grains, 0);
   state_.looks.resize(grains, 0);
   state_.force.resize(grains, Eigen::Vector3d::Zero());
+  if (limits_.front().stray > 0) state_.place.resize(grains, Eigen::Vector3d::Zero());
   const auto first_sleeper =
       std::stable_partition(order.begin(), order.end(), [&](std::uint32_t k) { return !asleep(k); });
   SleepState sorted;
@@ -64,16 +78,16 @@ std::size_t Sleeping::reorder(std::vector<std::uint32_t>& order, std::size_t gra
     sorted.asleep.push_back(state_.asleep[k]);
     sorted.looks.push_back(state_.looks[k]);
     sorted.force.push_back(state_.force[k]);
+    if (!state_.place.empty()) sorted.place.push_back(state_.place[k]);
   }
   sorted.sphere_steps_left_out = state_.sphere_steps_left_out;
   state_ = std::move(sorted);
   return static_cast<std::size_t>(first_sleeper - order.begin());
 }
 
-void Sleeping::sort_blocks(const NeighbourList& list, bool anew) {
+void Sleeping::sort_blocks(const NeighbourList& list) {
   const auto& blocks = list.blocks();
   rests_.assign(blocks.size(), 0);
-  if (anew) computed_.assign(blocks.size(), 0);
   for (std::size_t b = 0; b < blocks.size(); ++b) {
     const auto first = state_.asleep.begin() + blocks[b].begin, last = state_.asleep.begin() + blocks[b].end;
     rests_[b] = std::all_of(first, last, [](auto mark) { return mark != 0; }) &&
@@ -87,18 +101,29 @@ void Sleeping::count_step(const NeighbourList& list) {
     if (rests(b)) state_.sphere_steps_left_out += list.blocks()[b].own_spheres();
 }
 
-double Sleeping::kinetic_energy(const Grains& grains, std::size_t k) const {
+double Sleeping::kinetic_energy(const Grains& grains, std::size_t k, const Eigen::Vector3d& carried) const {
   const GrainShape& shape = kinds_.shape(grains.kind_of(k));
-  double energy = 0.5 * shape.mass * grains.velocity[k].squaredNorm();
+  double energy = 0.5 * shape.mass * (grains.velocity[k] - carried).squaredNorm();
   if (shape.rotates) energy += 0.5 * shape.inertia.dot(grains.spin[k].cwiseAbs2());
   return energy;
 }
 
-void Sleeping::look(const Grains& grains) {
+/// Whether awake grain k is slow, and has got nowhere since it began to be.
+void Sleeping::watch(const Grains& grains, std::size_t k, const BodyMotion& carrier) {
+  const Limits& limits = limits_[grains.kind_of(k)];
+  bool slow = kinetic_energy(grains, k, carrier.velocity) < limits.slow_energy;
+  if (slow && limits.stray > 0) {
+    const Eigen::Vector3d place = grains.position[k] - carrier.translation;
+    if (state_.looks[k] == 0) state_.place[k] = place;
+    slow = (place - state_.place[k]).norm() < limits.stray;
+  }
+  state_.looks[k] = slow ? state_.looks[k] + 1 : 0;
+}
+
+void Sleeping::look(const Grains& grains, const BodyMotion& carrier) {
   for (std::size_t k = 0; k < grains.size(); ++k) {
     if (!asleep(k)) {
-      state_.looks[k] =
-          kinetic_energy(grains, k) < limits_[grains.kind_of(k)].slow_energy ? state_.looks[k] + 1 : 0;
+      watch(grains, k, carrier);
       continue;
     }
     if (state_.looks[k] == 0) state_.force[k] = grains.force[k];
@@ -106,8 +131,8 @@ void Sleeping::look(const Grains& grains) {
   }
 }
 
-std::vector<std::uint32_t> Sleeping::disturbed(const Grains& grains, const NeighbourList& list,
-                                               const SphereField& spheres) const {
+std::vector<std::uint32_t> Sleeping::disturbed(const Grains& grains, const Eigen::Vector3d& carried,
+                                               const NeighbourList& list, const SphereField& spheres) const {
   std::vector<std::uint8_t> wakes(grains.size(), 0);
   for (std::size_t k = 0; k < grains.size(); ++k)
     wakes[k] =
@@ -117,7 +142,8 @@ std::vector<std::uint32_t> Sleeping::disturbed(const Grains& grains, const Neigh
     visit_touching(list.blocks()[b], spheres, [&](std::size_t i, std::size_t j) {
       if (asleep(i) == asleep(j)) return;
       const std::size_t sleeper = asleep(i) ? i : j, other = asleep(i) ? j : i;
-      if (kinetic_energy(grains, other) > limits_[grains.kind_of(other)].waking_energy) wakes[sleeper] = 1;
+      if (kinetic_energy(grains, other, carried) > limits_[grains.kind_of(other)].waking_energy)
+        wakes[sleeper] = 1;
     });
   }
   return places_of(wakes);
@@ -147,7 +173,13 @@ void Sleeping::wake(const std::vector<std::uint32_t>& sleepers, const NeighbourL
       state_.asleep[k] = 0;
       state_.looks[k] = 0;
     }
-  sort_blocks(list, false);
+  sort_blocks(list);
+}
+
+void Sleeping::wake_all(const NeighbourList& list) {
+  std::fill(state_.asleep.begin(), state_.asleep.end(), 0);
+  std::fill(state_.looks.begin(), state_.looks.end(), 0);
+  sort_blocks(list);
 }
 
 /// 1 for every awake grain that has been slow for long enough, away from tools that move, and every sleeper.

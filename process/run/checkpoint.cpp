@@ -14,7 +14,7 @@ namespace diefill::process {
 
 namespace {
 
-constexpr std::array<char, 8> kMagic = {'d', 'f', 'c', 'h', 'k', 'p', '1', '0'};
+constexpr std::array<char, 8> kMagic = {'d', 'f', 'c', 'h', 'k', 'p', '1', '1'};
 
 std::uint64_t hash_of(const std::string& bytes) {
   engine::Fnv1a hash;
@@ -132,6 +132,7 @@ void transfer(Io& io, Contents& checkpoint) {
   io(simulation.sleep.asleep);
   io(simulation.sleep.looks);
   io(simulation.sleep.force);
+  io(simulation.sleep.place);
   io(simulation.sleep.sphere_steps_left_out);
   transfer_instants(io, checkpoint.instants);
 }

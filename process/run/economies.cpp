@@ -3,7 +3,21 @@
 #include <algorithm>
 #include <cstdio>
 
+#include "process/scene/units.h"
+
 namespace diefill::process {
+
+namespace {
+
+std::string left_out(const engine::Simulation& simulation, std::uint64_t sphere_steps) {
+  char text[80];
+  const double share = static_cast<double>(simulation.sphere_steps_left_out()) /
+                       static_cast<double>(std::max<std::uint64_t>(1, sphere_steps));
+  std::snprintf(text, sizeof text, "%.1f %% of all sphere-steps were left out", 100 * share);
+  return text;
+}
+
+}  // namespace
 
 std::vector<std::string> economies_in_words(const Scene& scene, const engine::Simulation& simulation,
                                             std::uint64_t sphere_steps) {
@@ -13,14 +27,11 @@ std::vector<std::string> economies_in_words(const Scene& scene, const engine::Si
         std::string("half model: computed on one side of the plane ") +
         (*scene.economy.mirror == 0 ? "x" : "y") +
         " = 0 alone, and shown with its mirror image; differences between both halves are left out");
-  if (scene.economy.sleep) {
-    char text[160];
-    const double share = static_cast<double>(simulation.sphere_steps_left_out()) /
-                         static_cast<double>(std::max<std::uint64_t>(1, sphere_steps));
-    std::snprintf(text, sizeof text,
-                  "settled grains were put to sleep: %.1f %% of all sphere-steps were left out", 100 * share);
-    lines.emplace_back(text);
-  }
+  if (scene.economy.sleep)
+    lines.push_back("settled grains were put to sleep: " + left_out(simulation, sphere_steps));
+  if (scene.economy.carry_beyond)
+    lines.push_back("powder in the shoe farther than " + number_in_words(1e3 * *scene.economy.carry_beyond) +
+                    " mm from a cavity was carried along as a block: " + left_out(simulation, sphere_steps));
   return lines;
 }
 

@@ -11,6 +11,7 @@
 #include "process/measure/cavity_position.h"
 #include "process/results/result_file.h"
 #include "process/run/beginning.h"
+#include "process/run/carried_powder.h"
 #include "process/run/die_frame.h"
 #include "process/run/economies.h"
 #include "process/run/half_model.h"
@@ -61,9 +62,9 @@ FillRun::FillRun(const Scene& scene, const Tooling& tooling, const RunOptions& o
   auto settings = engine_settings(scene, impact);
   settings.threads = options.threads;
   settings.air_draught = draught_of(scene, tooling, settings);
+  if (auto carried = carried_powder(scene, tooling)) settings.sleep = std::move(carried);
   critical_step_ = process::critical_time_step(settings, impact);
-  simulation_ =
-      std::make_unique<engine::Simulation>(settings, wall_bodies(scene, tooling, settings));
+  simulation_ = std::make_unique<engine::Simulation>(settings, wall_bodies(scene, tooling, settings));
 
   domain_ = schedule_.swept();
   const double largest = largest_grain(scene.powder), margin = 2 * largest;

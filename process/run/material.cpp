@@ -183,6 +183,11 @@ engine::SimulationSettings engine_settings(const Scene& scene, double impact_spe
   settings.gravity = scene.gravity;
   settings.air_viscosity = material.air_viscosity;
   settings.period = scene.numerics.period;
+  const auto computed = [](bool skips) {
+    return skips ? engine::ZeroTerms::left_out : engine::ZeroTerms::computed;
+  };
+  settings.zero_terms = computed(scene.economy.skip_zero_terms);
+  settings.rotation_of_fixed_grains = computed(scene.economy.skip_rotation);
   settings.skip_far_walls = scene.economy.skip_far_walls;
   if (scene.economy.sleep) {
     settings.sleep = engine::SleepSettings{};

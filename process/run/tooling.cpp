@@ -8,6 +8,7 @@
 #include <stdexcept>
 #include <system_error>
 
+#include "process/run/carried_powder.h"
 #include "process/run/cover_progress.h"
 #include "process/run/half_model.h"
 #include "process/run/periodic_tool.h"
@@ -302,6 +303,7 @@ Tooling read_tooling(const Scene& scene, const TellProgress& tell) {
   prepare_steps(scene, tooling, true);
   tooling.mirror = scene.economy.mirror;
   refuse_asymmetry(scene, tooling);
+  carried_powder(scene, tooling);  // said now, before long work, where it cannot be
   find_standing(scene, tooling);
   return tooling;
 }

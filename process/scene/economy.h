@@ -12,10 +12,14 @@ struct EconomySpec {
   double sleep_after = 5e-3;   ///< s that a grain and its neighbours must have been slow
   double sleep_energy = 1e-4;  ///< over m g d: kinetic energy of a grain that counts as slow
   double wake_force = 0.5;     ///< over m g: change of the force on a sleeping grain that wakes it
-  std::optional<int> mirror;   ///< 0: half model across the plane x = 0, 1: across y = 0
-  bool drop_spilled = true;    ///< grains that leave the tools are taken out at once
-  bool skip_far_walls = true;  ///< walls that powder cannot reach, or is far from, cost nothing
-  std::string mirror_place;    ///< of the key in the scene file, for messages
+  /// m beside every cavity: powder in the shoe that is farther off is carried along as a block.
+  std::optional<double> carry_beyond;
+  std::optional<int> mirror;    ///< 0: half model across the plane x = 0, 1: across y = 0
+  bool skip_zero_terms = true;  ///< terms of the contact law with coefficients of zero are not computed
+  bool skip_rotation = true;    ///< grains that do not rotate have no torques and spins
+  bool drop_spilled = true;     ///< grains that leave the tools are taken out at once
+  bool skip_far_walls = true;   ///< walls that powder cannot reach, or is far from, cost nothing
+  std::string mirror_place, carry_place;  ///< of the keys in the scene file, for messages
 };
 
 }  // namespace diefill::process

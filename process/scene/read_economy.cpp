@@ -8,16 +8,17 @@ namespace diefill::process {
 namespace {
 
 constexpr QuantityRule kSleepAfter = {Dimension::time, "5 ms", "0 s", "10 s", true};
+constexpr QuantityRule kCarryBeyond = {Dimension::length, "20 mm", "0 mm", "1 m"};
 constexpr NumberRule kSleepEnergy = {0, 0.1, true, "1e-4"};
 constexpr NumberRule kWakeForce = {0, 0.9, true, "0.5"};
 
 /// Powder that sleeps in a tool that shakes would be shaken through the walls' grip alone, and wake at once.
-void refuse_sleep_while_shaken(TableReader& table, const Scene& scene) {
+void refuse_while_shaken(TableReader& table, const Scene& scene, const std::string& key) {
   for (const auto& step : scene.steps)
     if (step->stays() && !step->tools().empty())
-      table.reject("sleep", "the step \"" + step->in_words() +
-                                "\" shakes a tool, and powder that sleeps would not be shaken along; leave "
-                                "the key or the step out");
+      table.reject(key, "the step \"" + step->in_words() +
+                            "\" shakes a tool, and powder that sleeps would not be shaken along; leave "
+                            "the key or the step out");
 }
 
 void refuse_period_across(TableReader& table, const Scene& scene, int axis) {
@@ -70,10 +71,28 @@ void read_economy(TableReader table, Scene& scene) {
   economy.sleep_energy = table.number("sleep_energy", kSleepEnergy).value_or(economy.sleep_energy);
   economy.wake_force = table.number("wake_force", kWakeForce).value_or(economy.wake_force);
   economy.mirror = table.choice("mirror", planes);
+  economy.skip_zero_terms = table.flag("skip_zero_terms").value_or(economy.skip_zero_terms);
+  economy.skip_rotation = table.flag("skip_rotation").value_or(economy.skip_rotation);
   economy.drop_spilled = table.flag("drop_spilled").value_or(economy.drop_spilled);
   economy.skip_far_walls = table.flag("skip_far_walls").value_or(economy.skip_far_walls);
+  economy.carry_beyond = table.quantity("carry_beyond", kCarryBeyond);
   table.finish();
-  if (economy.sleep) refuse_sleep_while_shaken(table, scene);
+  if (economy.sleep) refuse_while_shaken(table, scene, "sleep");
+  if (economy.carry_beyond) {
+    economy.carry_place = table.where("carry_beyond");
+    refuse_while_shaken(table, scene, "carry_beyond");
+    if (economy.sleep)
+      table.reject("carry_beyond",
+                   "powder sleeps either where it lies or in the shoe, and economy.sleep is on; leave one of "
+                   "the two out");
+  }
+  if (!economy.skip_zero_terms && (scene.contact || !scene.powder.sizes.empty()))
+    table.reject(
+        "skip_zero_terms",
+        "the laws of [contact] and of grains of several sizes are made of the parts that are named, and "
+        "have no other terms; leave the key out");
+  if (!economy.skip_rotation && scene.powder.model != GrainModel::A)
+    table.reject("skip_rotation", "only grains of model A do not rotate; leave the key out");
   if (economy.mirror) {
     economy.mirror_place = table.where("mirror");
     check_mirror(table, scene);

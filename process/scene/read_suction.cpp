@@ -34,8 +34,9 @@ SuctionSpec read_suction(TableReader& table, const Scene& scene) {
   suction.viscosity = table.quantity("viscosity", kViscosity).value_or(suction.viscosity);
   suction.solid_fraction = table.number("solid_fraction", kSolidFraction).value_or(suction.solid_fraction);
   refuse_moving_die(table, scene);
-  if (scene.economy.sleep)
-    table.reject("tool", "economy.sleep holds grains that the air would draw on; leave one of the two out");
+  if (scene.economy.sleep || scene.economy.carry_beyond)
+    table.reject("tool", std::string("economy.") + (scene.economy.sleep ? "sleep" : "carry_beyond") +
+                             " holds grains that the air would draw on; leave one of the two out");
   table.finish();
   return suction;
 }

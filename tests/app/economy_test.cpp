@@ -32,12 +32,13 @@ const nlohmann::json& plain() {
   return report;
 }
 
-void expect_refused(const SmallDie& die, const std::vector<std::string>& words) {
+void expect_refused(const SmallDie& die, const std::vector<std::string>& words,
+                    const std::string& key = "economy.mirror") {
   const Outcome outcome = die.run();
   EXPECT_EQ(outcome.exit_code, 2);
   EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
   for (const auto& word : words) EXPECT_NE(outcome.err.find(word), std::string::npos) << outcome.err;
-  EXPECT_NE(outcome.err.find("economy.mirror"), std::string::npos) << outcome.err;
+  EXPECT_NE(outcome.err.find(key), std::string::npos) << outcome.err;
 }
 
 /// Filled masses (kg) of the same scene with several seeds.
@@ -75,8 +76,45 @@ TEST(Economy, SleepFillsThePocketAsWell) {
   EXPECT_NE(asleep.at("warnings").dump().find("settled grains were put to sleep"), std::string::npos);
 }
 
-TEST(Economy, SleepersOutliveARestart) {
-  const Economical unbroken("sleep = true"), broken("sleep = true");
+TEST(Economy, CarriedPowderFillsThePocketAsWell) {
+  expect_same_filling("carry_beyond = \"2 mm\"");
+  const auto carried = Economical("carry_beyond = \"2 mm\"").filled();
+  EXPECT_GT(number(carried, "sphere_steps_left_out"), 0.004 * number(carried, "sphere_steps"));
+  EXPECT_LT(std::abs(number(carried, "energy_balance_error")), 0.01);
+  EXPECT_NE(carried.at("warnings").dump().find("farther than 2 mm from a cavity was carried along"),
+            std::string::npos);
+}
+
+TEST(Economy, PowderIsNotCarriedWhereThatWouldBeWrong) {
+  const std::string carry = "carry_beyond = \"2 mm\"", key = "economy.carry_beyond";
+  Economical lifted(carry);
+  lifted.exchange("[economy]",
+                  "[[step]]\nkind = \"move\"\ntool = \"die\"\ndirection = \"z\"\ndistance = \"1 mm\"\n"
+                  "velocity = \"0.1 m/s\"\n\n[economy]");
+  expect_refused(lifted, {"moves the die", "leave the key out"}, key);
+
+  Economical turned(carry);
+  turned.exchange("[economy]",
+                  "[[step]]\nkind = \"rotation\"\ntool = \"shoe\"\naxis = \"z\"\nspeed = \"60 rpm\"\n"
+                  "ramp = \"20 ms\"\nduration = \"0.1 s\"\n\n[economy]");
+  expect_refused(turned, {"would not be shaken along", "leave the key or the step out"}, key);
+
+  Economical without_shoe(carry);
+  without_shoe.exchange("role = \"shoe\"", "role = \"plate\"");
+  expect_refused(without_shoe, {"no tool has the role \"shoe\"", "leave the key out"}, key);
+}
+
+TEST(Economy, TermsOfZeroComeToNothing) {
+  for (const char* key : {"skip_zero_terms = false", "skip_rotation = false"}) {
+    const auto report = Economical(key).filled();
+    EXPECT_EQ(number(report, "filled_mass_kg"), number(plain(), "filled_mass_kg")) << key;
+    EXPECT_EQ(number(report, "steps"), number(plain(), "steps")) << key;
+  }
+}
+
+/// Runs until a first checkpoint is there, is killed, and resumes.
+void expect_restart_ends_alike(const std::string& lines) {
+  const Economical unbroken(lines), broken(lines);
   const auto expected = unbroken.filled();
   Program program(broken.run_arguments());
   while (program.running() && !std::filesystem::exists(broken.out() / "checkpoint.bin")) {
@@ -87,6 +125,14 @@ TEST(Economy, SleepersOutliveARestart) {
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
   for (const char* key : {"state_hash", "filled_mass_kg", "steps", "sphere_steps_left_out"})
     EXPECT_EQ(broken.report().at(key), expected.at(key)) << key;
+}
+
+TEST(Economy, SleepersOutliveARestart) {
+  expect_restart_ends_alike("sleep = true");
+}
+
+TEST(Economy, CarriedPowderOutlivesARestart) {
+  expect_restart_ends_alike("carry_beyond = \"2 mm\"");
 }
 
 TEST(Economy, HalfModelStandsForTheWhole) {

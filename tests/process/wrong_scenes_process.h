@@ -188,6 +188,21 @@ inline std::vector<WrongScene> wrong_economies() {
             {"economy.sleep_after", "found \"0 s\"", "more than 0 s"}),
       spoil_two("economy_sleep_while_shaken", step, shaking + step, "[economy]\nsleep = @true",
                 {"economy.sleep", "found true", "vibration", "would not be shaken along", "leave"}),
+      spoil("economy_carry_beyond_without_unit", measure, "[economy]\ncarry_beyond = @10\n\n" + measure,
+            {"economy.carry_beyond", "found 10", "20 mm"}),
+      spoil("economy_carry_and_sleep", measure,
+            "[economy]\nsleep = true\ncarry_beyond = @\"10 mm\"\n\n" + measure,
+            {"economy.carry_beyond", "economy.sleep is on", "leave one"}),
+      spoil_two("economy_carry_while_shaken", step, shaking + step, "[economy]\ncarry_beyond = @\"10 mm\"",
+                {"economy.carry_beyond", "vibration", "would not be shaken along", "leave"}),
+      spoil("economy_rotation_of_clumps", measure, "[economy]\nskip_rotation = @false\n\n" + measure,
+            {"economy.skip_rotation", "found false", "only grains of model A", "leave"}),
+      spoil("economy_zero_terms_of_named_laws", measure,
+            "[economy]\nskip_zero_terms = @false\n\n[contact]\nnormal = { law = \"Bierwisch\", "
+            "reduced_modulus = \"5 MPa\" "
+            "}\n\n" +
+                measure,
+            {"economy.skip_zero_terms", "found false", "have no other terms", "leave"}),
       spoil_two("economy_mirror_across_a_period", time, time + "\nperiodic = { y = \"29 mm\" }",
                 "[economy]\nmirror = @\"y\"",
                 {"economy.mirror", "numerics.periodic repeats the scene along y", "leave one"}),

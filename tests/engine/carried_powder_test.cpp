@@ -1,0 +1,170 @@
+// Grains that sleep in the frame of a tool that moves: they ride along as a block.
+#include <gtest/gtest.h>
+
+#include "engine_test_support.h"
+
+namespace diefill::engine {
+namespace {
+
+constexpr double kStep = 4e-6;        // s
+constexpr double kSpeed = 0.1;        // m/s, of the tray
+constexpr double kSetsOut = 0.14;     // s, when the tray sets out
+constexpr double kSpeedingUp = 0.02;  // s
+constexpr std::size_t kTray = 0;      // of the bodies
+
+double grain_size(Model model) {
+  return 2 * half_size(thesis_shape(model));
+}
+
+/// Rests, speeds up from kSetsOut on, goes on.
+BodyMotion tray_motion(double time) {
+  const double since = std::clamp(time - kSetsOut, 0.0, kSpeedingUp), after = time - kSetsOut - kSpeedingUp;
+  BodyMotion motion;
+  motion.velocity.x() = kSpeed * since / kSpeedingUp;
+  motion.translation.x() = 0.5 * motion.velocity.x() * since + kSpeed * std::max(0.0, after);
+  return motion;
+}
+
+/// A frame without bottom, drawn over a floor.
+std::vector<WallBodySpec> tray_on_floor(double half_width, double floor_friction) {
+  WallBodySpec tray, floor;
+  tray.name = "tray";
+  for (const Eigen::Vector3d& inwards : {Eigen::Vector3d(1, 0, 0), Eigen::Vector3d(-1, 0, 0),
+                                         Eigen::Vector3d(0, 1, 0), Eigen::Vector3d(0, -1, 0)})
+    tray.planes.push_back({-half_width * inwards, inwards});
+  tray.motion = tray_motion;
+  floor.name = "floor";
+  floor.planes = {{Eigen::Vector3d::Zero(), Eigen::Vector3d::UnitZ()}};
+  floor.contact = weightless(Model::a, {}, kStep).wall_contact;
+  floor.contact->friction = floor_friction;
+  return {tray, floor};
+}
+
+/// A bed of grains in the tray. `carries`: as a block where it is calm.
+Simulation filled_tray(Model model, bool carries, int threads = 1, double floor_friction = 0.1) {
+  auto settings = weightless(model, {.friction = 0.5}, kStep);
+  settings.gravity = {0, 0, -9.81};
+  settings.threads = threads;
+  if (carries) settings.sleep = riding_on(kTray);
+  const double size = grain_size(model);
+  Simulation simulation(settings, tray_on_floor(3.5 * size, floor_friction));
+  simulation.add_grains(converging_cloud({6, 6, 5}, 1.1 * size, 0.02, 3, {0, 0, 2.8 * size}));
+  return simulation;
+}
+
+/// With the tray at its speed for 90 ms.
+Simulation tray_under_way(Model model, bool carries, int threads = 1) {
+  auto simulation = filled_tray(model, carries, threads);
+  run_steps(simulation, static_cast<int>((kSetsOut + kSpeedingUp + 0.09) / kStep));
+  return simulation;
+}
+
+Eigen::Vector3d mean_place(const Simulation& simulation) {
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  for (const auto& position : simulation.grains().position) sum += position;
+  return sum / static_cast<double>(simulation.grains().size());
+}
+
+class CarriedPowder : public ::testing::TestWithParam<Model> {};
+
+TEST_P(CarriedPowder, RidesAlongAndStaysAsItIs) {
+  auto simulation = tray_under_way(GetParam(), true);
+  const std::size_t grains = simulation.grains().size();
+  ASSERT_GT(simulation.sleepers(), grains * 9 / 10);
+  const Snapshot before = simulation.snapshot();
+  const Eigen::Vector3d place = mean_place(simulation);
+  constexpr int kSteps = 2500;
+  run_steps(simulation, kSteps);
+  const Eigen::Vector3d way = mean_place(simulation) - place;
+  EXPECT_NEAR(way.x(), kSpeed * kSteps * kStep, 0.01 * grain_size(GetParam()));
+  EXPECT_NEAR(way.tail<2>().norm(), 0, 0.02 * grain_size(GetParam()));
+  EXPECT_GT(simulation.sphere_steps_left_out() - before.sleep.sphere_steps_left_out,
+            kSteps * grains * simulation.settings().shape.spheres() / 2);
+  const auto& velocity = simulation.grains().velocity;
+  for (std::size_t k = 0; k < grains; ++k) {
+    if (!simulation.asleep(k)) continue;
+    EXPECT_EQ(velocity[k], Eigen::Vector3d(kSpeed, 0, 0));
+  }
+}
+
+TEST_P(CarriedPowder, IsWhereItWouldBeAwake) {
+  auto carried = tray_under_way(GetParam(), true), awake = tray_under_way(GetParam(), false);
+  run_steps(carried, 5000);
+  run_steps(awake, 5000);
+  EXPECT_NEAR(carried.time(), awake.time(), 0);
+  const double size = grain_size(GetParam());
+  EXPECT_NEAR((mean_place(carried) - mean_place(awake)).norm(), 0, 0.05 * size);
+}
+
+/// The powder slides over the floor for 2 mm: friction on it takes all that the tray gives.
+TEST_P(CarriedPowder, KeepsItsAccounts) {
+  auto simulation = tray_under_way(GetParam(), true);
+  const Ledger before = simulation.ledger();
+  const double error_before = simulation.energy_balance_error();
+  run_steps(simulation, 5000);
+  EXPECT_GT(simulation.sleepers(), simulation.grains().size() / 2);
+  EXPECT_LT(simulation.ledger().tangential_work, before.tangential_work);
+  EXPECT_LT(std::abs(error_before), 5e-3);
+  EXPECT_LT(std::abs(simulation.energy_balance_error()), 5e-3);
+}
+
+TEST_P(CarriedPowder, WakesWhenItsCarrierStops) {
+  auto simulation = tray_under_way(GetParam(), true);
+  const BodyMotion at = simulation.body_motion(kTray);
+  simulation.set_motion(kTray, [at](double) {
+    BodyMotion stopped;
+    stopped.translation = at.translation;
+    return stopped;
+  });
+  simulation.step();
+  EXPECT_EQ(simulation.sleepers(), 0U);
+  double speed = 0;
+  for (const auto& velocity : simulation.grains().velocity) speed += velocity.x();
+  EXPECT_GT(speed / static_cast<double>(simulation.grains().size()), 0.9 * kSpeed)
+      << "it still has the speed that it was carried with";
+}
+
+TEST_P(CarriedPowder, StopsAndGoesOnBitForBit) {
+  auto unbroken = tray_under_way(GetParam(), true);
+  run_steps(unbroken, 1500);
+  for (const int stop : {4, 333, 1200}) {
+    auto broken = tray_under_way(GetParam(), true);
+    run_steps(broken, stop);
+    auto resumed = filled_tray(GetParam(), true, 2);
+    resumed.restore(broken.snapshot());
+    run_steps(resumed, 1500 - stop);
+    EXPECT_EQ(resumed.hash(), unbroken.hash()) << stop;
+    EXPECT_EQ(resumed.sleepers(), unbroken.sleepers());
+    EXPECT_EQ(resumed.wall_load(kTray).force, unbroken.wall_load(kTray).force);
+    EXPECT_EQ(resumed.wall_load(kTray).torque, unbroken.wall_load(kTray).torque);
+    EXPECT_EQ(resumed.ledger().expected(), unbroken.ledger().expected());
+  }
+  EXPECT_GT(unbroken.sleepers(), unbroken.grains().size() / 2);
+}
+
+TEST_P(CarriedPowder, IsTheSameOnAnyNumberOfThreads) {
+  std::vector<std::uint64_t> hashes;
+  for (const int threads : {1, 2, 3}) hashes.push_back(tray_under_way(GetParam(), true, threads).hash());
+  EXPECT_EQ(hashes, std::vector<std::uint64_t>(3, hashes.front()));
+}
+
+INSTANTIATE_TEST_SUITE_P(Grains, CarriedPowder, ::testing::Values(Model::a, Model::d));
+
+TEST(CarriedPowder, WakesWhereItIsToBeAwake) {
+  const double size = grain_size(Model::a);
+  auto settings = filled_tray(Model::a, true).settings();
+  const double from = mean_place(tray_under_way(Model::a, true)).x() + size;
+  settings.sleep->awake = {{Eigen::Vector3d(from, -1, -1), Eigen::Vector3d(1, 1, 1)}};
+  Simulation simulation(settings, tray_on_floor(3.5 * size, 0.1));
+  simulation.restore(tray_under_way(Model::a, true).snapshot());
+  for (int look = 0; look < 100; ++look) {
+    run_steps(simulation, static_cast<int>(Sleeping::kStepsPerLook));
+    for (std::size_t k = 0; k < simulation.grains().size(); ++k)
+      ASSERT_FALSE(simulation.asleep(k) && simulation.grains().position[k].x() > from) << "at look " << look;
+  }
+  EXPECT_GT(simulation.sleepers(), simulation.grains().size() / 4) << "behind, it rides on";
+  EXPECT_LT(simulation.sleepers(), simulation.grains().size() * 3 / 4);
+}
+
+}  // namespace
+}  // namespace diefill::engine
