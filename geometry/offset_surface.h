@@ -25,12 +25,7 @@ class OffsetSurface {
   /// line at depth R below both faces of a convex edge, say); one too deep is moved towards the nearest point
   /// of the boundary. Empty when the guess is outside or the solid is too thin there. Soonest where
   /// `near_boundary` is about the point of the boundary nearest to the guess; the answer does not depend on
-  /// it.
-  std::optional<Place> settle(const Eigen::Vector3d& guess, const Eigen::Vector3d& near_boundary) const {
-    TriangleTree::Region region;
-    return settle(guess, near_boundary, region);
-  }
-  /// The same, sooner where `region` is that of a guess near by.
+  /// it, nor on `region`, which is best that of a guess near by.
   std::optional<Place> settle(const Eigen::Vector3d& guess, const Eigen::Vector3d& near_boundary,
                               TriangleTree::Region& region) const {
     double thickness = 0;
