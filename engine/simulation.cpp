@@ -119,6 +119,7 @@ void Simulation::step() {
   timers_.lap(Phase::advance);
   if (list_is_old()) {
     reference_.skin = skin_.next(reference_.skin, step_ - reference_.step);
+    if (carries()) fall_asleep();
     sort_and_search();
     timers_.lap(Phase::search);
   }
@@ -228,7 +229,10 @@ void Simulation::compute_block(std::size_t b) {
 void Simulation::finish_grains() {
   const auto& blocks = list_.blocks();
   workers_.for_each(blocks.size(), [&](std::size_t b) {
-    if (rests(b) && !carries()) return;
+    if (rests(b)) {
+      if (carries()) tallies_[b].held_force = force_on_resting(b);
+      return;
+    }
     std::vector<ContactSum>& contacts = sums_of_thread();
     gather(b, contacts);
     if (sleeping_) return finish_awake(b, contacts);

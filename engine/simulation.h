@@ -190,6 +190,8 @@ class Simulation {
   void finish_awake(std::size_t b, const std::vector<ContactSum>& contacts);
   void weigh_sleepers();
   void look_after_sleepers();
+  bool fall_asleep();
+  Eigen::Vector3d force_on_resting(std::size_t b) const;
   void settle_motion_of_sleepers();
   bool rests(std::size_t b) const { return sleeping_ && sleeping_->rests(b); }
 

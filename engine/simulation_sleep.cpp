@@ -118,6 +118,18 @@ void Simulation::finish_awake(std::size_t b, const std::vector<ContactSum>& cont
       tally.held_force += eigen(contacts[k - block.begin].force()) + shape_of(k).mass * settings_.gravity;
 }
 
+/// N, on all grains of a resting block: of its own contacts, of those of other blocks, and their weight.
+Eigen::Vector3d Simulation::force_on_resting(std::size_t b) const {
+  const Block& own = list_.blocks()[b];
+  Eigen::Vector3d force = mass_of(own.begin, own.end) * settings_.gravity;
+  for (std::size_t slot = 0; slot < own.grains(); ++slot) force += eigen(own.sums[slot].force());
+  for (std::uint32_t f = list_.foreign_first()[b]; f < list_.foreign_first()[b + 1]; ++f) {
+    const auto& place = list_.foreign_sums()[f];
+    force += eigen(list_.blocks()[place.block].sums[place.slot].force());
+  }
+  return force;
+}
+
 /// Forces and torques on sleepers, which no step has brought up to date.
 void Simulation::weigh_sleepers() {
   const bool composed = kinds_.composed();
@@ -144,16 +156,21 @@ void Simulation::look_after_sleepers() {
   sleeping_->count_step(list_);
   if (step_ % Sleeping::kStepsPerLook != 0) return;
   const BodyMotion riding = carrier();
-  const Eigen::Vector3d& velocity = riding.velocity;
   weigh_sleepers();
   sleeping_->look(grains_, riding);
-  sleeping_->wake(sleeping_->disturbed(grains_, velocity, list_, spheres_), list_, spheres_);
+  sleeping_->wake(sleeping_->disturbed(grains_, riding.velocity, list_, spheres_), list_, spheres_);
   sleeping_->wake(sleeping_->within(settings_.sleep->awake, grains_), list_, spheres_);
-  if (carries() && velocity.isZero(0)) return;  // powder in a shoe that stands settles as any other
+  // Powder that is carried falls asleep when contacts are searched anyway, which is often.
+  if (!carries() && fall_asleep()) sort_and_search();
+}
+
+/// Whether anybody does: contacts must then be searched.
+bool Simulation::fall_asleep() {
+  const Eigen::Vector3d velocity = carrier().velocity;
+  if (carries() && velocity.isZero(0)) return false;  // powder in a shoe that stands settles as any other
   auto restless = moving_tools();
   restless.insert(restless.end(), settings_.sleep->awake.begin(), settings_.sleep->awake.end());
   const auto tired = sleeping_->tired(grains_, restless, list_, spheres_);
-  if (tired.empty()) return;
   for (const std::uint32_t k : tired) {
     const double kinetic = sleeping_->kinetic_energy(grains_, k, Eigen::Vector3d::Zero());
     ledger_.sleep_work += 0.5 * shape_of(k).mass * velocity.squaredNorm() - kinetic;
@@ -161,7 +178,7 @@ void Simulation::look_after_sleepers() {
     grains_.spin[k].setZero();
   }
   sleeping_->put_to_sleep(tired);
-  sort_and_search();
+  return !tired.empty();
 }
 
 /// Sleepers' spheres stand still from now on, or move with their carrier.
