@@ -14,9 +14,11 @@ LeverArm arm_for(const KindTable& kinds, LeverArm wanted) {
   return kinds.composed() ? wanted : LeverArm::surface;
 }
 
+/// Factor of moments of inertia, and one (kg m^2) that no grain has without it.
+constexpr double kNothingTurnsIt = 1e30, kTooHeavy = 1;
+
 /// So heavy to turn that nothing turns it, where the rotation of grains that do not rotate is computed.
 GrainShape as_computed(GrainShape shape, const SimulationSettings& settings) {
-  constexpr double kNothingTurnsIt = 1e30;
   if (shape.rotates || settings.rotation_of_fixed_grains == ZeroTerms::left_out) return shape;
   shape.rotates = true;
   shape.inertia *= kNothingTurnsIt;
@@ -49,6 +51,10 @@ std::unique_ptr<PairLoop> mixed_wall_loop_for(const SimulationSettings& settings
 }
 
 }  // namespace
+
+bool is_held(const GrainShape& shape) {
+  return shape.rotates && shape.inertia.minCoeff() > kTooHeavy;
+}
 
 KindTable kinds_of(const SimulationSettings& settings) {
   if (settings.mix && settings.general_contact)

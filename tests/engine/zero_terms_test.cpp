@@ -25,7 +25,7 @@ TEST_P(ZeroTermsOf, ComeToNothing) {
   const auto [model, powder] = GetParam();
   const auto without = collapse(model, powder, ZeroTerms::left_out, ZeroTerms::left_out);
   const auto with = collapse(model, powder, ZeroTerms::computed, ZeroTerms::computed);
-  EXPECT_GT(without.touching_pairs(), 10U);
+  EXPECT_LT(without.ledger().viscous_work, 0) << "they have met";
   EXPECT_EQ(with.touching_pairs(), without.touching_pairs());
   for (std::uint64_t id = 0; id < without.grains().size(); ++id) {
     EXPECT_LT((position_of(with, id) - position_of(without, id)).norm(), 1e-15) << id;
@@ -34,12 +34,18 @@ TEST_P(ZeroTermsOf, ComeToNothing) {
   EXPECT_EQ(with.ledger().tangential_work, without.ledger().tangential_work);
 }
 
+std::string name_of(const ::testing::TestParamInfo<std::tuple<Model, Powder>>& instance) {
+  static const char* const kNames[] = {"Smooth", "Rough", "Sticky", "Rolling", "Clumps"};
+  return kNames[instance.index];
+}
+
 INSTANTIATE_TEST_SUITE_P(Grains, ZeroTermsOf,
                          ::testing::Values(std::tuple(Model::a, Powder{}),
                                            std::tuple(Model::a, Powder{.friction = 0.4}),
                                            std::tuple(Model::a, Powder{.work_of_adhesion = 0.01}),
                                            std::tuple(Model::b, Powder{.friction = 0.4}),
-                                           std::tuple(Model::d, Powder{.friction = 0.4})));
+                                           std::tuple(Model::d, Powder{.friction = 0.4})),
+                         name_of);
 
 TEST(RotationOfFixedGrains, IsComputedAndTurnsNothing) {
   const Powder rough{.friction = 0.8};
