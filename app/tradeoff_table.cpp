@@ -26,9 +26,12 @@ std::string line(const std::string& name, std::size_t width, const std::string& 
   return whole + '\n';
 }
 
-std::string marks(const results::TradeoffPoint& point) {
+std::string marks(const results::Tradeoff& tradeoff, const results::TradeoffPoint& point) {
   std::string words = point.recommended ? "take this one" : point.pareto ? "none cheaper and better" : "";
   if (point.reference) words += words.empty() ? "reference" : ", reference";
+  for (const auto& quantity : tradeoff.quantities)
+    if (std::ranges::find(point.beyond, quantity.key) != point.beyond.end())
+      words += (words.empty() ? "off: " : ", off: ") + quantity.name;
   if (point.state != "finished") words = point.state;
   return words;
 }
@@ -56,7 +59,7 @@ std::string tradeoff_table(const results::Tradeoff& tradeoff) {
     text += line(point->name, width, number(point->core_seconds, "%.3g"),
                  number(point->core_seconds_per_second, "%.3g"),
                  number(point->peak_memory_bytes / kMebibyte, "%.0f"), number(100 * point->error, "%.2g"),
-                 marks(*point));
+                 marks(tradeoff, *point));
   if (std::isfinite(tradeoff.floor))
     text += "another seed changes results by up to " + number(100 * tradeoff.floor, "%.2g") + " %\n";
   text += tradeoff.advice + '\n';

@@ -10,6 +10,7 @@ namespace {
 constexpr int kDirections = 16, kDistances = 9, kSweeps = 6;
 constexpr double kGap = 6, kStep = 22;  // pixels: to the mark, from one distance to the next
 constexpr double kCovering = 1e3;       // price of a covered pixel against one of distance
+constexpr double kCrossing = 2e4;       // price of a leader through a label
 
 double covered(const QRectF& a, const QRectF& b) {
   const QRectF both = a.intersected(b);
@@ -27,15 +28,29 @@ QRectF candidate(const LabelledPoint& point, int direction, int distance) {
           point.label.width(), point.label.height()};
 }
 
-/// Pixels of distance, and far more for every pixel of something else that is covered.
+/// Whether a line goes through a rectangle; looked at every few pixels.
+bool crosses(const QLineF& line, const QRectF& area) {
+  constexpr double kEvery = 4;
+  const int count = static_cast<int>(line.length() / kEvery);
+  for (int n = 0; n <= count && count > 0; ++n)
+    if (area.contains(line.pointAt(static_cast<double>(n) / count))) return true;
+  return false;
+}
+
+/// Pixels of distance, and far more for every pixel of something else that is covered and every leader
+/// across.
 double price(const QRectF& label, std::size_t own, const std::vector<LabelledPoint>& points,
              const std::vector<QRectF>& labels, const std::vector<QRectF>& taken) {
   const QRectF room = label.adjusted(-3, -1, 3, 1);
+  const QLineF leader = leader_of(label, points[own]);
   double sum = std::hypot(label.center().x() - points[own].at.x(), label.center().y() - points[own].at.y());
   for (std::size_t k = 0; k < points.size(); ++k) {
     const double r = points[k].radius + 2;
     sum += kCovering * covered(room, QRectF(points[k].at.x() - r, points[k].at.y() - r, 2 * r, 2 * r));
-    if (k != own) sum += kCovering * covered(room, labels[k]);
+    if (k == own || labels[k].isEmpty()) continue;
+    sum += kCovering * covered(room, labels[k]);
+    if (crosses(leader, labels[k])) sum += kCrossing;
+    if (crosses(leader_of(labels[k], points[k]), room)) sum += kCrossing;
   }
   for (const QRectF& other : taken) sum += kCovering * covered(room, other);
   return sum;
@@ -64,6 +79,14 @@ QRectF best_place(std::size_t own, const std::vector<LabelledPoint>& points, con
 }
 
 }  // namespace
+
+QLineF leader_of(const QRectF& label, const LabelledPoint& point) {
+  const QPointF nearest(std::clamp(point.at.x(), label.left(), label.right()),
+                        std::clamp(point.at.y(), label.top(), label.bottom()));
+  QLineF whole(point.at, nearest);
+  if (whole.length() <= point.radius) return {nearest, nearest};
+  return {whole.pointAt(point.radius / whole.length()), nearest};
+}
 
 std::vector<QRectF> place_labels(const std::vector<LabelledPoint>& points, const QRectF& area,
                                  const std::vector<QRectF>& taken) {

@@ -53,19 +53,20 @@ Interval cost_range(const Drawn& drawn) {
   return with_room(*low, *high, 1.5, 10);
 }
 
-/// Down to a third of the floor, or of the smallest error where no floor is known.
+/// Down to a third of the floor, and below the smallest error, but no farther than a tenth of the floor:
+/// smaller ones are as good as none.
 Interval error_range(const Drawn& drawn, double floor) {
   double low = INFINITY, high = 0;
   for (const double error : drawn.error) {
-    if (error > 0) low = std::min(low, error);
+    if (error > 0) low = std::min(low, 0.7 * error);
     high = std::max(high, error);
   }
   if (floor > 0) {
-    low = floor;
+    low = std::clamp(low, 0.1 * floor, floor / 3);
     high = std::max(high, floor);
   }
   if (!(high > 0)) low = high = 1;
-  return {std::max(low / 3, high * 1e-5), 1.6 * high};
+  return {std::max(low, high * 1e-5), 1.6 * high};
 }
 
 Axis logarithmic_axis(const QString& label, const Interval& range) {
@@ -86,9 +87,14 @@ void draw_mark(QPainter& painter, const QPointF& at, const TradeoffPoint& point)
   if (point.recommended) {
     painter.setBrush(kChosen);
     painter.drawPolygon(star(at, kStarRadius));
-  } else {
+  } else if (point.beyond.empty()) {
     painter.setBrush(point.pareto ? kFront : kPoint);
     painter.drawEllipse(at, kRadius, kRadius);
+  } else {
+    constexpr double kRing = 5;
+    painter.setPen(QPen(point.pareto ? kFront : kPoint, kRing));
+    painter.setBrush(Qt::white);
+    painter.drawEllipse(at, kRadius - 0.5 * kRing, kRadius - 0.5 * kRing);
   }
   if (!point.reference) return;
   painter.setPen(QPen(Qt::black, 3));
@@ -97,39 +103,54 @@ void draw_mark(QPainter& painter, const QPointF& at, const TradeoffPoint& point)
   painter.drawEllipse(at, r, r);
 }
 
-/// One entry of the legend; gives the place behind it.
-double draw_entry(QPainter& painter, double left, double middle, const QString& text,
-                  const std::function<void(const QPointF&)>& sample) {
-  constexpr double kSample = 56, kGap = 36;
-  sample({left + 0.5 * kSample, middle});
-  const QFont font = text_font(kNotePixels);
-  painter.setFont(font);
-  painter.setPen(Qt::black);
-  const double width = text_width(text, font) + 4;
-  painter.drawText(QRectF(left + kSample + 8, middle - 20, width, 40), Qt::AlignLeft | Qt::AlignVCenter,
-                   text);
-  return left + kSample + 8 + width + kGap;
+/// What a legend explains, and its sample.
+struct LegendEntry {
+  QString text;
+  std::function<void(QPainter&, const QPointF&)> sample;
+};
+
+/// A mark as points with these properties have it.
+LegendEntry mark_entry(const QString& text, const TradeoffPoint& point) {
+  return {text, [point](QPainter& painter, const QPointF& at) { draw_mark(painter, at, point); }};
 }
 
-void draw_legend_row(QPainter& painter, double left, double middle, bool floor) {
-  TradeoffPoint chosen, reference, front;
+std::vector<LegendEntry> legend_of(const Tradeoff& tradeoff) {
+  TradeoffPoint chosen, reference, front, off;
   chosen.recommended = reference.reference = front.pareto = true;
-  left = draw_entry(painter, left, middle, QStringLiteral("take this one"),
-                    [&](const QPointF& at) { draw_mark(painter, at, chosen); });
-  left = draw_entry(painter, left, middle, QStringLiteral("none cheaper and better"), [&](const QPointF& at) {
-    painter.setPen(QPen(kFront, 3));
-    painter.drawLine(at - QPointF(26, 0), at + QPointF(26, 0));
-    draw_mark(painter, at, front);
-  });
-  left = draw_entry(painter, left, middle, QStringLiteral("reference"),
-                    [&](const QPointF& at) { draw_mark(painter, at, reference); });
-  if (!floor) return;
-  draw_entry(painter, left, middle, QStringLiteral("within what another seed changes"),
-             [&](const QPointF& at) {
-               painter.setPen(Qt::NoPen);
-               painter.setBrush(kFloorColour);
-               painter.drawRect(QRectF(at.x() - 26, at.y() - 14, 52, 28));
-             });
+  off.beyond = {"some quantity"};
+  std::vector<LegendEntry> entries = {
+      mark_entry(QStringLiteral("take this one"), chosen),
+      {QStringLiteral("none cheaper and better"),
+       [front](QPainter& painter, const QPointF& at) {
+         painter.setPen(QPen(kFront, 3));
+         painter.drawLine(at - QPointF(26, 0), at + QPointF(26, 0));
+         draw_mark(painter, at, front);
+       }},
+      mark_entry(QStringLiteral("reference"), reference),
+  };
+  if (std::ranges::any_of(tradeoff.points, [](const TradeoffPoint& point) { return !point.beyond.empty(); }))
+    entries.push_back(mark_entry(QStringLiteral("off in some quantity"), off));
+  if (tradeoff.floor > 0)
+    entries.push_back({QStringLiteral("scatter over seeds"), [](QPainter& painter, const QPointF& at) {
+                         painter.setPen(Qt::NoPen);
+                         painter.setBrush(kFloorColour);
+                         painter.drawRect(QRectF(at.x() - 26, at.y() - 14, 52, 28));
+                       }});
+  return entries;
+}
+
+void draw_legend_row(QPainter& painter, double left, double middle, const Tradeoff& tradeoff) {
+  constexpr double kSample = 56, kGap = 20;
+  const QFont font = text_font(kNotePixels);
+  for (const LegendEntry& entry : legend_of(tradeoff)) {
+    entry.sample(painter, {left + 0.5 * kSample, middle});
+    painter.setFont(font);
+    painter.setPen(Qt::black);
+    const double width = text_width(entry.text, font) + 4;
+    painter.drawText(QRectF(left + kSample + 8, middle - 20, width, 40), Qt::AlignLeft | Qt::AlignVCenter,
+                     entry.text);
+    left += kSample + 8 + width + kGap;
+  }
 }
 
 void draw_floor(QPainter& painter, const PlotArea& plot, double floor) {
@@ -168,34 +189,77 @@ std::vector<QRectF> beads_along(const std::vector<QPointF>& front) {
 }
 
 /// A thin line from a label to its mark, where it stands apart.
-void draw_leader(QPainter& painter, const QRectF& label, const QPointF& at, double radius) {
-  const QPointF nearest(std::clamp(at.x(), label.left(), label.right()),
-                        std::clamp(at.y(), label.top(), label.bottom()));
-  const QPointF way = nearest - at;
-  const double length = std::hypot(way.x(), way.y());
-  if (length < radius + 14) return;
+void draw_leader(QPainter& painter, const QRectF& label, const LabelledPoint& point) {
+  const QLineF leader = leader_of(label, point);
+  if (leader.length() < 14) return;
   painter.setPen(QPen(QColor(110, 110, 110), 1.5));
-  painter.drawLine(at + way * (radius / length), nearest);
+  painter.drawLine(leader);
+}
+
+double mark_radius(const TradeoffPoint& point) {
+  return point.recommended ? kStarRadius : kRadius + (point.reference ? 7 : 0);
+}
+
+/// Points, numbers into `picture.points`, whose marks lie on top of each other: they share a label. Cheapest
+/// first.
+std::vector<std::vector<std::size_t>> heaps_of(const TradeoffPicture& picture) {
+  std::vector<std::vector<std::size_t>> heaps;
+  for (std::size_t k = 0; k < picture.places.size(); ++k) {
+    const auto near = [&](std::size_t other) {
+      const QPointF way = picture.places[k] - picture.places[other];
+      return std::hypot(way.x(), way.y()) < 2 * kRadius;
+    };
+    const auto heap =
+        std::ranges::find_if(heaps, [&](const auto& one) { return std::ranges::any_of(one, near); });
+    if (heap == heaps.end())
+      heaps.push_back({k});
+    else
+      heap->push_back(k);
+  }
+  for (auto& heap : heaps)
+    std::ranges::stable_sort(heap, {}, [&](std::size_t k) { return picture.places[k].x(); });
+  return heaps;
+}
+
+constexpr double kLine = 1.2 * kNotePixels;
+
+/// Room for the lines of a heap's label, at the mark that stands out most.
+LabelledPoint labelled(const Tradeoff& tradeoff, const TradeoffPicture& picture,
+                       const std::vector<std::size_t>& heap) {
+  LabelledPoint made{{}, {0, kLine * static_cast<double>(heap.size())}, 0};
+  for (const std::size_t k : heap) {
+    const TradeoffPoint& point = tradeoff.points[picture.points[k]];
+    const double width =
+        text_width(QString::fromStdString(point.label), text_font(kNotePixels, point.recommended)) + 2;
+    made.label.setWidth(std::max(made.label.width(), width));
+    if (mark_radius(point) <= made.radius) continue;
+    made.radius = mark_radius(point);
+    made.at = picture.places[k];
+  }
+  return made;
+}
+
+/// A line of text for each point of a heap, from the top.
+void draw_lines(QPainter& painter, const Tradeoff& tradeoff, const TradeoffPicture& picture,
+                const std::vector<std::size_t>& heap, const QRectF& label) {
+  for (std::size_t n = 0; n < heap.size(); ++n) {
+    const TradeoffPoint& point = tradeoff.points[picture.points[heap[n]]];
+    painter.setFont(text_font(kNotePixels, point.recommended));
+    painter.setPen(point.recommended ? kChosen : QColor(Qt::black));
+    const QRectF line(label.left(), label.top() + kLine * static_cast<double>(n), label.width(), kLine);
+    painter.drawText(line.adjusted(-2, -2, 2, 2), Qt::AlignCenter, QString::fromStdString(point.label));
+  }
 }
 
 void draw_labels(QPainter& painter, const Tradeoff& tradeoff, TradeoffPicture& picture) {
+  const auto heaps = heaps_of(picture);
   std::vector<LabelledPoint> points;
-  for (std::size_t k = 0; k < picture.points.size(); ++k) {
-    const TradeoffPoint& point = tradeoff.points[picture.points[k]];
-    const QFont font = text_font(kNotePixels, point.recommended);
-    const QSizeF size(text_width(QString::fromStdString(point.label), font) + 2, 1.2 * kNotePixels);
-    const double radius = point.recommended ? kStarRadius : kRadius + (point.reference ? 7 : 0);
-    points.push_back({picture.places[k], size, radius});
-  }
+  for (const auto& heap : heaps) points.push_back(labelled(tradeoff, picture, heap));
   picture.labels = place_labels(points, picture.plot.rect.adjusted(6, 6, -6, -6),
                                 beads_along(front_of(tradeoff, picture)));
   for (std::size_t k = 0; k < points.size(); ++k) {
-    const TradeoffPoint& point = tradeoff.points[picture.points[k]];
-    draw_leader(painter, picture.labels[k], points[k].at, points[k].radius);
-    painter.setFont(text_font(kNotePixels, point.recommended));
-    painter.setPen(point.recommended ? kChosen : QColor(Qt::black));
-    painter.drawText(picture.labels[k].adjusted(-2, -2, 2, 2), Qt::AlignCenter,
-                     QString::fromStdString(point.label));
+    draw_leader(painter, picture.labels[k], points[k]);
+    draw_lines(painter, tradeoff, picture, heaps[k], picture.labels[k]);
   }
 }
 
@@ -237,7 +301,7 @@ TradeoffPicture compose_tradeoff(const Tradeoff& tradeoff) {
   QPainter painter(&picture.image);
   painter.setRenderHints(QPainter::Antialiasing | QPainter::TextAntialiasing);
   heading.draw(painter, kMargin, kMargin - 8);
-  draw_legend_row(painter, left, legend + 0.5 * kLegendRow, floor > 0);
+  draw_legend_row(painter, kMargin, legend + 0.5 * kLegendRow, tradeoff);
   draw_floor(painter, plot, floor);
   draw_grid(painter, plot);
   draw_axes(painter, plot, {kWidth, kHeight});

@@ -1,5 +1,6 @@
 // Speed against accuracy at a glance: every setting's cost and error, the Pareto front, the setting to take,
-// and the scatter over seeds below which an error means nothing. One small chart for each knob.
+// the scatter over seeds below which an error means nothing, and which settings are off all the same, in a
+// quantity that scatters less. One small chart for each knob.
 #pragma once
 
 #include <QImage>
@@ -17,7 +18,7 @@ struct TradeoffPicture {
   PlotArea plot;
   std::vector<std::size_t> points;  ///< of Tradeoff::points that are drawn
   std::vector<QPointF> places;      ///< of their marks
-  std::vector<QRectF> labels;
+  std::vector<QRectF> labels;       ///< one for all points whose marks lie on top of each other
 };
 
 /// Error (percent, logarithmic) over processor time of a run (core seconds, logarithmic). Errors far below

@@ -36,6 +36,7 @@ Json point_entry(const TradeoffPoint& point, const std::vector<TradeoffQuantity>
   json["peak_memory_bytes"] = json_number(point.peak_memory_bytes);
   json["error"] = json_number(point.error);
   json["worst_quantity"] = point.worst;
+  json["beyond_scatter_and_tolerance"] = point.beyond;
   json["reference"] = point.reference;
   json["pareto"] = point.pareto;
   json["recommended"] = point.recommended;
@@ -52,22 +53,29 @@ Json point_entry(const TradeoffPoint& point, const std::vector<TradeoffQuantity>
 std::string csv_head(const std::vector<TradeoffQuantity>& quantities) {
   std::string text =
       "setting,state,seeds,core_seconds,core_seconds_per_simulated_second,wall_seconds,peak_memory_MiB,error,"
-      "floor,worst_quantity,reference,pareto,recommended";
+      "floor,worst_quantity,beyond,reference,pareto,recommended";
   for (const auto& quantity : quantities)
     text += ',' + csv_text(quantity.name + " [" + quantity.unit + "]") + ',' +
             csv_text(quantity.name + ", scatter") + ',' + csv_text(quantity.name + ", error");
   return text + '\n';
 }
 
+/// Words with blanks between them.
+std::string in_one(const std::vector<std::string>& words) {
+  std::string text;
+  for (const std::string& word : words) text += (text.empty() ? "" : " ") + word;
+  return text;
+}
+
 std::string csv_line(const TradeoffPoint& point, double floor) {
   const auto flag = [](bool value) { return std::string(value ? ",1" : ",0"); };
   constexpr double kMebibyte = 1024.0 * 1024.0;
-  std::string text = csv_text(point.name) + ',' + csv_text(point.state) + ',' + std::to_string(point.seeds) +
-                     ',' + csv_number(point.core_seconds, 6) + ',' +
-                     csv_number(point.core_seconds_per_second, 6) + ',' + csv_number(point.wall_seconds, 6) +
-                     ',' + csv_number(point.peak_memory_bytes / kMebibyte, 6) + ',' +
-                     csv_number(point.error, 6) + ',' + csv_number(floor, 6) + ',' + csv_text(point.worst) +
-                     flag(point.reference) + flag(point.pareto) + flag(point.recommended);
+  std::string text =
+      csv_text(point.name) + ',' + csv_text(point.state) + ',' + std::to_string(point.seeds) + ',' +
+      csv_number(point.core_seconds, 6) + ',' + csv_number(point.core_seconds_per_second, 6) + ',' +
+      csv_number(point.wall_seconds, 6) + ',' + csv_number(point.peak_memory_bytes / kMebibyte, 6) + ',' +
+      csv_number(point.error, 6) + ',' + csv_number(floor, 6) + ',' + csv_text(point.worst) + ',' +
+      csv_text(in_one(point.beyond)) + flag(point.reference) + flag(point.pareto) + flag(point.recommended);
   for (const TradeoffValue& value : point.values)
     text += ',' + csv_number(value.mean, 6) + ',' + csv_number(value.scatter, 6) + ',' +
             csv_number(value.error, 6);

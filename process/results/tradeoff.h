@@ -50,6 +50,7 @@ struct TradeoffPoint {
   std::vector<TradeoffValue> values;   ///< in the order of Tradeoff::quantities
   double error = 0;                    ///< largest of the deciding quantities' errors; NaN: none
   std::string worst;                   ///< key of the quantity with that error
+  std::vector<std::string> beyond;     ///< keys of deciding quantities with errors above their own limits
   bool reference = false, recommended = false, pareto = false;
 };
 

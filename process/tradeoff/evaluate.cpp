@@ -62,10 +62,16 @@ void set_floors(Tradeoff& tradeoff) {
   }
 }
 
+/// Error of a quantity below which a setting is as good as the reference.
+double limit_of(const TradeoffQuantity& quantity, double tolerance) {
+  return std::isfinite(quantity.floor) ? std::max(quantity.floor, tolerance) : tolerance;
+}
+
 /// A setting without a value that the reference has cannot be judged: its error is NaN then.
 void set_errors(const Tradeoff& tradeoff, TradeoffPoint& point) {
   point.error = kNone;
   point.worst.clear();
+  point.beyond.clear();
   bool judged = true;
   for (std::size_t q = 0; q < point.values.size(); ++q) {
     const TradeoffQuantity& quantity = tradeoff.quantities[q];
@@ -74,6 +80,7 @@ void set_errors(const Tradeoff& tradeoff, TradeoffPoint& point) {
     value.error = scale > 0 ? std::abs(value.mean - quantity.reference) / scale : kNone;
     if (!quantity.decides || !(scale > 0) || !std::isfinite(quantity.reference)) continue;
     judged = judged && std::isfinite(value.error);
+    if (value.error > limit_of(quantity, tradeoff.tolerance)) point.beyond.push_back(quantity.key);
     if (std::isnan(point.error) || value.error > point.error) {
       point.error = value.error;
       point.worst = quantity.key;
@@ -88,34 +95,37 @@ std::string percent(double share) {
   return text;
 }
 
-std::string times(double factor) {
+/// How much less a setting costs than the reference.
+std::string saving(double cost, double reference) {
+  const double factor = reference / cost;
+  if (factor < 1.2) return percent(1 - cost / reference) + " cheaper";
   char text[32];
-  std::snprintf(text, sizeof text, factor < 10 ? "%.1f" : "%.0f", factor);
+  std::snprintf(text, sizeof text, factor < 10 ? "%.1f times cheaper" : "%.0f times cheaper", factor);
   return text;
+}
+
+/// What a quantity's error is within, in words.
+std::string limit_in_words(const TradeoffQuantity& quantity, double tolerance) {
+  return quantity.floor > tolerance ? "the " + percent(quantity.floor) + " by which another seed changes it"
+                                    : "the tolerance of " + percent(tolerance);
 }
 
 std::string advice_for(const Tradeoff& tradeoff, const TradeoffPoint& chosen,
                        const TradeoffPoint& reference) {
-  const double floor = std::isfinite(tradeoff.floor) ? tradeoff.floor : 0;
-  const std::string limit = tradeoff.tolerance > floor
-                                ? "the tolerance of " + percent(tradeoff.tolerance)
-                                : "the " + percent(floor) + " by which another seed changes results";
   if (&chosen == &reference)
-    return "Take \"" + chosen.name + "\": nothing cheaper comes within " + limit + '.';
-  std::string words = "Take \"" + chosen.name + "\": " + times(reference.core_seconds / chosen.core_seconds) +
-                      " times cheaper than \"" + reference.name + "\", error " + percent(chosen.error);
+    return "Take \"" + chosen.name +
+           "\": nothing cheaper comes within tolerance and scatter of every quantity.";
+  std::string words = "Take \"" + chosen.name + "\": " + saving(chosen.core_seconds, reference.core_seconds) +
+                      " than \"" + reference.name + "\", error " + percent(chosen.error);
   if (const TradeoffQuantity* worst = quantity_called(tradeoff, chosen.worst))
-    words += " (" + worst->name + ')';
-  return words + ", within " + limit + '.';
+    words += " (" + worst->name + "), within " + limit_in_words(*worst, tradeoff.tolerance);
+  return words + '.';
 }
 
 void recommend(Tradeoff& tradeoff, std::size_t reference) {
-  const double floor = std::isfinite(tradeoff.floor) ? tradeoff.floor : 0;
-  const double limit = std::max(floor, tradeoff.tolerance);
   TradeoffPoint* chosen = nullptr;
   for (TradeoffPoint& point : tradeoff.points)
-    if (point.reason.empty() && point.error <= limit &&
-        (chosen == nullptr || point.core_seconds < chosen->core_seconds))
+    if (is_acceptable(point) && (chosen == nullptr || point.core_seconds < chosen->core_seconds))
       chosen = &point;
   if (chosen == nullptr) {
     tradeoff.advice = "No setting comes within the tolerance and the scatter over seeds.";
@@ -166,6 +176,10 @@ std::size_t reference_setting(const std::vector<TradeoffPoint>& points, const st
     if (best == points.size() || points[k].core_seconds > points[best].core_seconds) best = k;
   }
   return best;
+}
+
+bool is_acceptable(const TradeoffPoint& point) {
+  return point.reason.empty() && std::isfinite(point.error) && point.beyond.empty();
 }
 
 void evaluate(Tradeoff& tradeoff, std::size_t reference) {

@@ -29,8 +29,12 @@ std::size_t reference_setting(const std::vector<results::TradeoffPoint>& points,
                               const std::vector<int>& finer);
 
 /// Fills in everything that follows from the values: references (those of point `reference` unless targets),
-/// scatter and floors, errors, Pareto front, and the recommendation: the cheapest setting whose error is
-/// within the larger of floor and tolerance and none of whose runs failed.
+/// scatter and floors, errors, what is beyond its limit, Pareto front, and the recommendation: the cheapest
+/// setting that is acceptable.
 void evaluate(results::Tradeoff& tradeoff, std::size_t reference);
+
+/// Whether none of the setting's runs failed, its error is known, and every quantity that decides is within
+/// the larger of its own floor and the tolerance. Asks for an evaluated setting.
+bool is_acceptable(const results::TradeoffPoint& point);
 
 }  // namespace diefill::process

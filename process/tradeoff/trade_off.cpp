@@ -98,16 +98,13 @@ std::optional<Setting> combination(const Scene& scene, results::Tradeoff tradeof
                                    const std::vector<KnobValues>& knobs, double tolerance) {
   tradeoff.tolerance = tolerance;
   evaluate(tradeoff, 0);
-  const double limit = std::max(std::isfinite(tradeoff.floor) ? tradeoff.floor : 0, tolerance);
   std::vector<std::pair<Knob, std::string>> turned;
   for (const results::KnobRow& row : tradeoff.knobs) {
     double cheapest = kWorthwhile * tradeoff.points.front().core_seconds;
     std::string value;
     for (std::size_t k = 0; k < row.points.size(); ++k) {
       const auto& point = tradeoff.points[row.points[k]];
-      if (row.points[k] == 0 || !point.reason.empty() || !(point.error <= limit) ||
-          !(point.core_seconds < cheapest))
-        continue;
+      if (row.points[k] == 0 || !is_acceptable(point) || !(point.core_seconds < cheapest)) continue;
       cheapest = point.core_seconds;
       value = row.values[k];
     }

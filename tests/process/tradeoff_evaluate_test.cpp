@@ -105,13 +105,41 @@ TEST(Evaluation, RecommendsTheCheapestWithinTheToleranceOrTheFloor) {
   evaluate(tradeoff, 3);
   EXPECT_NEAR(tradeoff.floor, 2.228139 * 0.01 * std::sqrt(2.0 / 3), 1e-8);
   EXPECT_TRUE(tradeoff.points[0].recommended);
-  EXPECT_NE(tradeoff.advice.find("by which another seed changes results"), std::string::npos)
+  EXPECT_NE(tradeoff.advice.find("(mass), within the 1.8 % by which another seed changes it"),
+            std::string::npos)
       << tradeoff.advice;
 
   tradeoff.tolerance = 0.05;
   evaluate(tradeoff, 3);
   EXPECT_TRUE(tradeoff.points[1].recommended);
   EXPECT_FALSE(tradeoff.points[0].recommended);
+
+  tradeoff.points[1].core_seconds = 38;
+  tradeoff.points[0].core_seconds = 39;
+  tradeoff.points[2].core_seconds = 37;
+  evaluate(tradeoff, 3);
+  EXPECT_NE(tradeoff.advice.find("Take \"quick\": 5.0 % cheaper than \"fine\""), std::string::npos)
+      << tradeoff.advice;
+}
+
+TEST(Evaluation, EveryQuantityIsHeldAgainstItsOwnScatter) {
+  // Mass scatters by a tenth, spread (over the mass) by a thousandth: 3 % of the mass mean nothing where 3 %
+  // of the mass in the spread do.
+  Tradeoff tradeoff =
+      with_quantities({point("base", 10, {100, 10}, 10, 2), point("heavy", 4, {103, 10}, 10, 2),
+                       point("uneven", 2, {101, 13}, 10, 2)});
+  for (auto& each : tradeoff.points) each.values[1].scatter = 0.1;
+  evaluate(tradeoff, 0);
+  EXPECT_LT(tradeoff.points[2].error, tradeoff.floor);
+  EXPECT_EQ(tradeoff.points[2].beyond, std::vector<std::string>{"spread"});
+  EXPECT_FALSE(is_acceptable(tradeoff.points[2]));
+  EXPECT_TRUE(is_acceptable(tradeoff.points[1]));
+  EXPECT_TRUE(tradeoff.points[1].recommended);
+  // Who accepts 5 % gets the cheapest.
+  tradeoff.tolerance = 0.05;
+  evaluate(tradeoff, 0);
+  EXPECT_TRUE(tradeoff.points[2].beyond.empty());
+  EXPECT_TRUE(tradeoff.points[2].recommended);
 }
 
 TEST(Evaluation, TheReferenceItselfIsTakenWhereNothingElseComesNear) {

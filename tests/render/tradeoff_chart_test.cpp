@@ -53,7 +53,9 @@ TEST_F(TradeoffCharts, LabelsStayApartFromOneAnotherAndFromMarks) {
   const auto picture = compose_tradeoff(crowded());
   keep(picture.image, "tradeoff.png");
   EXPECT_TRUE(has_white_border(picture.image, 8));
-  ASSERT_EQ(picture.labels.size(), 13U);
+  // base, skin 0.1 and 0.3 mm lie on top of each other, and so do the four settings about 10 core s.
+  ASSERT_GE(picture.labels.size(), 7U);
+  ASSERT_LT(picture.labels.size(), 13U);
   for (std::size_t a = 0; a < picture.labels.size(); ++a) {
     EXPECT_TRUE(picture.plot.rect.contains(picture.labels[a])) << a;
     for (std::size_t b = 0; b < a; ++b)
@@ -72,6 +74,22 @@ TEST_F(TradeoffCharts, PointsStandAtTheirCostAndError) {
   // The chosen one's star is vermilion, those on the front are blue.
   EXPECT_TRUE(close_to(pixel_at(picture.image, picture.places[12]), {213, 94, 0}, 4));
   EXPECT_TRUE(close_to(pixel_at(picture.image, picture.places[11]), {0, 114, 178}, 4));
+}
+
+TEST_F(TradeoffCharts, PointsOnTopOfEachOtherShareALabel) {
+  Tradeoff tradeoff = crowded();
+  tradeoff.points = {point("base", 16, 0), point("alike", 16.01, 0), point("d 2.82 mm", 4.1, 0.21)};
+  const auto picture = compose_tradeoff(tradeoff);
+  ASSERT_EQ(picture.labels.size(), 2U);
+  EXPECT_NEAR(picture.labels[0].height(), 2 * picture.labels[1].height(), 1e-9);
+}
+
+TEST_F(TradeoffCharts, WhatIsBeyondTheScatterOfAQuantityIsHollow) {
+  Tradeoff tradeoff = crowded();
+  tradeoff.points[1].beyond = {"filled_mass"};
+  const auto picture = compose_tradeoff(tradeoff);
+  EXPECT_TRUE(close_to(pixel_at(picture.image, picture.places[1]), {255, 255, 255}, 2));
+  EXPECT_FALSE(close_to(pixel_at(picture.image, picture.places[3]), {255, 255, 255}, 2));
 }
 
 TEST_F(TradeoffCharts, TheFloorIsShadedAndNothingAboveIt) {
@@ -125,6 +143,20 @@ TEST(Labels, GoBesideTheirPointsWhereThereIsRoom) {
   EXPECT_FALSE(labels[0].contains(QPointF(200, 150)));
   // At the right edge there is no room on the right.
   EXPECT_LT(place_labels({{{395, 150}, {80, 20}, 10}}, area)[0].right(), 400);
+}
+
+TEST(Labels, KeepOffTheLeadersOfOthers) {
+  // A column of points so close that labels must stand apart from them.
+  std::vector<LabelledPoint> points;
+  for (int k = 0; k < 6; ++k) points.push_back({{300, 150.0 + 8 * k}, {120, 24}, 10});
+  const auto labels = place_labels(points, QRectF(0, 0, 600, 400));
+  for (std::size_t a = 0; a < points.size(); ++a) {
+    const QLineF leader = leader_of(labels[a], points[a]);
+    EXPECT_GE(QLineF(points[a].at, leader.p1()).length(), 10 - 1e-9) << a;
+    for (std::size_t b = 0; b < points.size(); ++b)
+      for (int n = 0; n <= 50 && a != b; ++n)
+        EXPECT_FALSE(labels[b].contains(leader.pointAt(n / 50.0))) << a << ' ' << b;
+  }
 }
 
 TEST(Labels, KeepOffWhatIsTaken) {
