@@ -68,6 +68,29 @@ void print_table(const plan::Plan& plan) {
   std::printf("\n");
 }
 
+void print_pilot(const plan::Pilot& pilot, double tooling_seconds) {
+  std::printf("wall time: from a pilot run of %zu spheres, d = %.4g mm, %.4g mm of powder, %.1f s:",
+              pilot.spheres, 1e3 * pilot.grain_diameter, 1e3 * pilot.fill_height, pilot.wall_seconds);
+  for (int k = 0; k < plan::kPhaseKinds; ++k) {
+    const auto& cost = pilot.cost[static_cast<std::size_t>(k)];
+    if (cost.sphere_steps > 0)
+      std::printf(" %s %.1f ns a sphere and step%s;", plan::in_words(static_cast<plan::PhaseKind>(k)),
+                  1e9 * cost.seconds_per_sphere_step(), cost.whole ? "" : " (begun)");
+    else
+      std::printf(" %s was not seen, and is taken to cost what the dearest does;",
+                  plan::in_words(static_cast<plan::PhaseKind>(k)));
+  }
+  std::printf(" reading the tools took %.1f s and comes on top\n", tooling_seconds);
+  if (pilot.size.points.size() > 1) {
+    std::printf("size: on this machine a sphere and step costs");
+    for (const auto& point : pilot.size.points)
+      std::printf("%s %.2f times as much with %.0f spheres", &point == &pilot.size.points.front() ? "" : ",",
+                  pilot.size.factor(point.spheres, static_cast<double>(pilot.spheres)), point.spheres);
+    std::printf(" as in the pilot run\n");
+  }
+  if (!pilot.stopped.empty()) std::printf("note: the pilot run ended early: %s\n", pilot.stopped.c_str());
+}
+
 void print_sources(const plan::Plan& plan) {
   for (const auto& choice : plan.choices) {
     if (!choice.numbers) continue;
@@ -76,23 +99,7 @@ void print_sources(const plan::Plan& plan) {
       std::printf("%s%s", k == 0 ? "" : "; ", choice.numbers->reasons[k].c_str());
     std::printf("\n");
   }
-  if (plan.pilot) {
-    std::printf("wall time: from a pilot run of %zu spheres, d = %.4g mm, %.4g mm of powder, %.1f s:",
-                plan.pilot->spheres, 1e3 * plan.pilot->grain_diameter, 1e3 * plan.pilot->fill_height,
-                plan.pilot->wall_seconds);
-    for (int k = 0; k < plan::kPhaseKinds; ++k) {
-      const auto& cost = plan.pilot->cost[static_cast<std::size_t>(k)];
-      if (cost.sphere_steps > 0)
-        std::printf(" %s %.1f ns a sphere and step%s;", plan::in_words(static_cast<plan::PhaseKind>(k)),
-                    1e9 * cost.seconds_per_sphere_step(), cost.whole ? "" : " (begun)");
-      else
-        std::printf(" %s was not seen, and is taken to cost what the dearest does;",
-                    plan::in_words(static_cast<plan::PhaseKind>(k)));
-    }
-    std::printf(" reading the tools took %.1f s and comes on top\n", plan.tooling_seconds);
-    if (!plan.pilot->stopped.empty())
-      std::printf("note: the pilot run ended early: %s\n", plan.pilot->stopped.c_str());
-  }
+  if (plan.pilot) print_pilot(*plan.pilot, plan.tooling_seconds);
   for (const auto& choice : plan.choices)
     if (choice.error)
       std::printf("expected error, %s: of the %s; %s\n", choice.name.c_str(), choice.error->quantity.c_str(),
@@ -147,6 +154,10 @@ Json pilot_as_json(const plan::Pilot& pilot) {
       json["seconds_per_sphere_step"][plan::in_words(static_cast<plan::PhaseKind>(k))] =
           cost.seconds_per_sphere_step();
   }
+  json["size_cost"] = Json::array();
+  for (const auto& point : pilot.size.points)
+    json["size_cost"].push_back(
+        {{"spheres", point.spheres}, {"seconds_per_sphere_step", point.seconds_per_sphere_step}});
   return json;
 }
 

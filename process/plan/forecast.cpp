@@ -58,7 +58,8 @@ Forecast forecast(const Scene& scene, const Tooling& tooling, const Pilot& pilot
   Forecast forecast = plan::forecast(scene, tooling, pilot.rest);
   double sum = 0;
   for (auto& part : forecast.phases) {
-    part.wall_seconds = part.sphere_steps * pilot.seconds_per_sphere_step(part.phase.kind);
+    const double spheres = part.phase.share * static_cast<double>(forecast.spheres);
+    part.wall_seconds = part.sphere_steps * pilot.seconds_per_sphere_step(part.phase.kind, spheres);
     sum += part.wall_seconds;
   }
   if (sum > 0) forecast.wall_seconds = sum;

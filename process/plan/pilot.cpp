@@ -107,12 +107,13 @@ double largest_diameter(const Scene& scene, const Tooling& tooling) {
 
 }  // namespace
 
-double Pilot::seconds_per_sphere_step(PhaseKind kind) const {
-  if (of(kind).sphere_steps > 0) return of(kind).seconds_per_sphere_step();
+double Pilot::seconds_per_sphere_step(PhaseKind kind, double in_spheres) const {
+  const double factor = size.factor(in_spheres, static_cast<double>(spheres));
+  if (of(kind).sphere_steps > 0) return factor * of(kind).seconds_per_sphere_step();
   double dearest = 0;
   for (const PhaseCost& other : cost)
     if (other.sphere_steps > 0) dearest = std::max(dearest, other.seconds_per_sphere_step());
-  return dearest;
+  return factor * dearest;
 }
 
 Scene pilot_scene(const Scene& scene, const Tooling& tooling, double sphere_steps) {
@@ -186,6 +187,7 @@ Pilot run_pilot(const Scene& scene, const Tooling& tooling, int threads, double 
     pilot.stopped = error.what();
   }
   books.book(run, kind, run.schedule().finished(), pilot);
+  pilot.size = measure_size_cost(run.simulation());
   for (const PhaseCost& cost : pilot.cost) pilot.wall_seconds += cost.wall_seconds;
   const PhaseCost& fall = pilot.of(PhaseKind::fall);
   if (fall.whole) pilot.rest.after_fall = std::max(0.0, fall.seconds - fall_time(short_scene, tooling));

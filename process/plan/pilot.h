@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 
+#include "process/plan/size_cost.h"
 #include "process/plan/timeline.h"
 
 namespace diefill::process::plan {
@@ -27,10 +28,12 @@ struct Pilot {
   std::array<PhaseCost, kPhaseKinds> cost;  ///< by PhaseKind
   RestTimes rest;                           ///< as found, or as usual where it was not seen
   std::string stopped;                      ///< why it ended early; empty: it did not
+  SizeCost size;                            ///< measured on the powder as the run left it
 
   const PhaseCost& of(PhaseKind kind) const { return cost[static_cast<std::size_t>(kind)]; }
-  /// s a sphere and step in a phase of this kind; a kind that was not seen costs what the dearest other does.
-  double seconds_per_sphere_step(PhaseKind kind) const;
+  /// s a sphere and step in a phase of this kind with as many spheres; a kind that was not seen costs what
+  /// the dearest other does.
+  double seconds_per_sphere_step(PhaseKind kind, double in_spheres) const;
 };
 
 /// The scene with as much less and coarser powder as makes it cost at most `sphere_steps`, or as little as

@@ -120,10 +120,10 @@ TEST(PlanForecast, ThePilotHasLessPowderOnlyWhereCoarserGrainsDoNotDo) {
 
 TEST(PlanForecast, AKindThePilotDidNotSeeCostsWhatTheDearestDoes) {
   Pilot pilot;
-  EXPECT_EQ(pilot.seconds_per_sphere_step(PhaseKind::motion), 0);
+  EXPECT_EQ(pilot.seconds_per_sphere_step(PhaseKind::motion, 1e4), 0);
   pilot.cost[0] = {1, 1e8, 0.1, true};
   pilot.cost[2] = {3, 1e8, 0.1, true};
-  EXPECT_NEAR(pilot.seconds_per_sphere_step(PhaseKind::motion), 3e-8, 1e-20);
+  EXPECT_NEAR(pilot.seconds_per_sphere_step(PhaseKind::motion, 1e4), 3e-8, 1e-20);
 }
 
 TEST(PlanForecast, WithinATimeTheFinestGrainsAreTakenThatFit) {

@@ -1,0 +1,97 @@
+#include "process/plan/size_cost.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+namespace diefill::process::plan {
+
+namespace {
+
+constexpr double kMostSpheres = 5e5;
+/// Steps before timing, and timed: without tools a bed falls freely, and comes apart sooner or later.
+constexpr int kWarmUp = 3, kSteps = 40;
+/// Beds are stepped anew until this much has been timed, s.
+constexpr double kLongEnough = 0.25;
+
+std::size_t spheres_in(const engine::Simulation& bed) {
+  std::size_t spheres = 0;
+  for (std::size_t k = 0; k < bed.grains().size(); ++k) spheres += bed.shape_of(k).spheres();
+  return spheres;
+}
+
+/// The settings of a bed for copies of it that stand free.
+engine::SimulationSettings free_standing(const engine::Simulation& bed) {
+  engine::SimulationSettings settings = bed.settings();
+  settings.period = {};
+  settings.sleep.reset();
+  settings.air_draught.reset();
+  return settings;
+}
+
+/// `copies` x `copies` of a bed side by side along x and y, at a distance at which they do not touch.
+std::vector<engine::NewGrain> side_by_side(const engine::Simulation& bed, int copies) {
+  const engine::Grains& grains = bed.grains();
+  Eigen::AlignedBox3d box;
+  double reach = 0;
+  for (std::size_t k = 0; k < grains.size(); ++k) {
+    box.extend(grains.position[k]);
+    reach = std::max(reach, bed.shape_of(k).bounding_radius());
+  }
+  const Eigen::Vector3d apart = box.sizes() + Eigen::Vector3d::Constant(4 * reach);
+  std::vector<engine::NewGrain> all;
+  all.reserve(static_cast<std::size_t>(copies) * static_cast<std::size_t>(copies) * grains.size());
+  for (int j = 0; j < copies; ++j)
+    for (int i = 0; i < copies; ++i)
+      for (std::size_t k = 0; k < grains.size(); ++k)
+        all.push_back({.position = grains.position[k] + Eigen::Vector3d(i * apart.x(), j * apart.y(), 0),
+                       .velocity = grains.velocity[k],
+                       .orientation = grains.orientation[k],
+                       .angular_velocity = bed.angular_velocity(k),
+                       .kind = grains.kind_of(k)});
+  return all;
+}
+
+double seconds_of(engine::Simulation& simulation, int steps) {
+  const auto began = std::chrono::steady_clock::now();
+  for (int k = 0; k < steps; ++k) simulation.step();
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
+}
+
+}  // namespace
+
+double SizeCost::factor(double spheres, double from) const {
+  if (points.empty()) return 1;
+  const auto cost_of = [&](double number) {
+    const auto above = std::find_if(points.begin(), points.end(),
+                                    [&](const Point& point) { return point.spheres >= number; });
+    if (above == points.begin()) return above->seconds_per_sphere_step;
+    if (above == points.end()) return points.back().seconds_per_sphere_step;
+    const Point &low = above[-1], &high = *above;
+    const double share = std::log(number / low.spheres) / std::log(high.spheres / low.spheres);
+    return std::lerp(low.seconds_per_sphere_step, high.seconds_per_sphere_step, share);
+  };
+  return cost_of(spheres) / cost_of(from);
+}
+
+SizeCost measure_size_cost(const engine::Simulation& bed) {
+  SizeCost cost;
+  const auto once = static_cast<double>(spheres_in(bed));
+  const engine::SimulationSettings settings = free_standing(bed);
+  for (int copies = 1; once > 0 && copies * copies * once <= kMostSpheres; copies *= 2) {
+    const auto grains = side_by_side(bed, copies);
+    double seconds = 0, steps = 0;
+    while (seconds < kLongEnough) {
+      engine::Simulation simulation(settings, {});
+      simulation.add_grains(grains);
+      seconds_of(simulation, kWarmUp);
+      seconds += seconds_of(simulation, kSteps);
+      steps += kSteps;
+    }
+    const double spheres = copies * copies * once;
+    cost.points.push_back({spheres, seconds / (steps * spheres)});
+  }
+  return cost;
+}
+
+}  // namespace diefill::process::plan

@@ -1,0 +1,28 @@
+// What size costs: a sphere and step are dearer in a large bed, whose grains do not fit the processor's
+// caches, and in a very small one, of which threads have little to share. How much so differs from machine to
+// machine.
+#pragma once
+
+#include <vector>
+
+#include "engine/simulation.h"
+
+namespace diefill::process::plan {
+
+/// Times of the same bed once and several times side by side.
+struct SizeCost {
+  struct Point {
+    double spheres = 0, seconds_per_sphere_step = 0;
+  };
+  std::vector<Point> points;  ///< fewest spheres first
+
+  /// Cost of a sphere and step in a bed of `spheres` over that in one of `from`: linear in the logarithm of
+  /// the number between points, that of the nearest point beyond them; 1 where nothing was measured.
+  double factor(double spheres, double from) const;
+};
+
+/// Steps copies of the bed side by side, without tools, as few steps as leave contacts what they are, on as
+/// many threads as the bed's. Half a million spheres at most, a few seconds.
+SizeCost measure_size_cost(const engine::Simulation& bed);
+
+}  // namespace diefill::process::plan

@@ -1,0 +1,57 @@
+// What size costs: between measured points by hand, and measured on a small bed.
+#include "process/plan/size_cost.h"
+
+#include <gtest/gtest.h>
+
+#include "process/laboratory/race_bed.h"
+#include "process/plan/pilot.h"
+
+namespace diefill::process::plan {
+namespace {
+
+SizeCost measured() {
+  return {{{1e3, 30e-9}, {1e4, 20e-9}, {1e6, 40e-9}}};
+}
+
+TEST(SizeCost, IsLinearInTheLogarithmOfTheNumber) {
+  EXPECT_NEAR(measured().factor(1e5, 1e4), 1.5, 1e-12);
+  EXPECT_NEAR(measured().factor(1e4, 1e5), 1 / 1.5, 1e-12);
+  EXPECT_NEAR(measured().factor(1e6, 1e3), 40.0 / 30, 1e-12);
+}
+
+TEST(SizeCost, StaysThatOfTheNearestPointBeyondTheEnds) {
+  EXPECT_NEAR(measured().factor(1e8, 1e4), 2, 1e-12);
+  EXPECT_NEAR(measured().factor(1e6, 10), 40.0 / 30, 1e-12);
+  EXPECT_EQ((SizeCost{{{500, 2e-8}}}.factor(1e6, 500)), 1);
+  EXPECT_EQ(SizeCost{}.factor(1e6, 500), 1);
+}
+
+TEST(SizeCost, MultipliesThePilotsCosts) {
+  Pilot pilot;
+  pilot.spheres = 10'000;
+  pilot.cost[1] = {.wall_seconds = 3, .sphere_steps = 1e8, .seconds = 0.1, .whole = true};
+  pilot.size = measured();
+  EXPECT_NEAR(pilot.seconds_per_sphere_step(PhaseKind::motion, 1e6), 60e-9, 1e-18);
+  EXPECT_NEAR(pilot.seconds_per_sphere_step(PhaseKind::rest, 1e5), 45e-9, 1e-18);
+}
+
+TEST(SizeCost, IsMeasuredOnTheBedSideBySide) {
+  auto bed = laboratory::loose_race_bed(laboratory::RaceBed::clumps, 7 * 5 * 5 * 200);
+  bed.settings.threads = 2;
+  engine::Simulation simulation(bed.settings, bed.walls);
+  simulation.add_grains(bed.grains);
+  simulation.step();
+  const auto hash = simulation.hash();
+  const SizeCost cost = measure_size_cost(simulation);
+  EXPECT_EQ(simulation.hash(), hash);
+  const auto once = 7.0 * static_cast<double>(bed.grains.size());
+  ASSERT_EQ(cost.points.size(), 2U);  // sixteen would be more than half a million
+  for (std::size_t k = 0; k < 2; ++k) {
+    EXPECT_EQ(cost.points[k].spheres, once * (k == 0 ? 1 : 4));
+    EXPECT_GT(cost.points[k].seconds_per_sphere_step, 0);
+  }
+  EXPECT_TRUE(measure_size_cost(engine::Simulation(bed.settings, bed.walls)).points.empty());
+}
+
+}  // namespace
+}  // namespace diefill::process::plan
