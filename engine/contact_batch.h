@@ -28,8 +28,9 @@ struct ContactBatch {
   Vectors separation;     ///< m, centre of i seen from that of j
   Vectors velocity;       ///< m/s, of i's centre against j's, or against the wall where they touch
   Vectors spin_sum;       ///< rad/s, sum of both angular velocities; for walls that of i
-  Vectors relative_spin;  ///< rad/s, angular velocity of i less that of j; only set for laws that roll
-  Vectors place;          ///< m, centre of i seen from the reference point
+  Vectors relative_spin;  ///< rad/s, angular velocity of i less that of j; only set for laws that roll and
+                          ///< for pairs of composed grains
+  Vectors place;  ///< m, centre of i seen from the reference point
   Scalars memory[std::max<std::size_t>(1, kMemory)];
 
   Vectors force;         ///< N on i
@@ -89,6 +90,21 @@ struct ContactBatch {
         between + k, {&separation.x[k], &separation.y[k], &separation.z[k], &memory[kNumber][k]...});
   }
 };
+
+/// Turns the difference of velocities that two rigid grains have at the reference point into that of the
+/// centres of i and j: v_i - v_j = u_i - u_j + w_i x p_i - w_j x p_j with places p_i and p_j = p_i - s, s the
+/// separation, written with sum and difference of the spins.
+template <class Law>
+void bring_velocities_to_centres(ContactBatch<Law>& batch) {
+  const std::size_t lanes = whole_groups(batch.count);
+#pragma GCC ivdep
+  for (std::size_t lane = 0; lane < lanes; ++lane) {
+    const Vector3 half = 0.5 * batch.separation[lane];
+    batch.velocity.set(lane, batch.velocity[lane] +
+                                 cross(batch.relative_spin[lane], batch.place[lane] - half) +
+                                 cross(batch.spin_sum[lane], half));
+  }
+}
 
 /// The radii of a pair.
 struct PairReach {

@@ -121,16 +121,12 @@ void turn_sphere(const GrainLanes& lanes, Advanced& out, const Bodies& bodies, d
 
 /// The sphere of each grain whose offset is loaded.
 template <class Bodies>
-void place_sphere(const GrainLanes& lanes, const Advanced& grain, const Bodies& bodies, Vectors& position,
-                  Vectors& velocity) {
+void place_sphere(const GrainLanes& lanes, const Advanced& grain, const Bodies& bodies, Vectors& position) {
   const std::size_t groups = lanes.groups();
   const auto& body = bodies.kept();
 #pragma GCC ivdep
-  for (std::size_t lane = 0; lane < groups; ++lane) {
-    const Vector3 arm = grain.rotation(lane) * body.offset(lane);
-    position.set(lane, lanes.position[lane] + arm);
-    velocity.set(lane, grain.velocity[lane] + cross(grain.spin[lane], arm));
-  }
+  for (std::size_t lane = 0; lane < groups; ++lane)
+    position.set(lane, lanes.position[lane] + grain.rotation(lane) * body.offset(lane));
 }
 
 /// New velocities from the forces before and after the step.
@@ -298,7 +294,7 @@ void GrainIntegrator::advance_with(Bodies& bodies, Grains& grains, std::size_t b
   const std::size_t per_grain = spheres_;
   thread_local GrainLanes lanes;
   thread_local Advanced out;
-  thread_local Vectors position, velocity;
+  thread_local Vectors position;
   for (std::size_t first = begin; first < end; first += kGrains) {
     lanes.load(grains, first, end, rotates_, per_grain > 1);
     lanes.load_positions(grains);
@@ -312,20 +308,15 @@ void GrainIntegrator::advance_with(Bodies& bodies, Grains& grains, std::size_t b
     for (std::size_t lane = 0; lane < lanes.count; ++lane) {
       const std::size_t k = first + lane;
       grains.position[k] = eigen(lanes.position[lane]);
-      if (per_grain > 1) {
-        grains.orientation[k] = eigen(lanes.orientation[lane]);
-      } else {
-        spheres.motion[k] = {out.velocity[lane], rotates_ ? out.spin[lane] : Vector3{}};
-      }
+      if (per_grain > 1) grains.orientation[k] = eigen(lanes.orientation[lane]);
+      spheres.motion[k] = {out.velocity[lane], rotates_ ? out.spin[lane] : Vector3{}};
     }
     if (per_grain == 1) continue;
     for (std::size_t s = 0; s < per_grain; ++s) {
       bodies.load_offset(s, bodies_, grains, lanes);
-      with_instructions(instructions_, [&] { place_sphere(lanes, out, bodies, position, velocity); });
-      for (std::size_t lane = 0; lane < lanes.count; ++lane) {
+      with_instructions(instructions_, [&] { place_sphere(lanes, out, bodies, position); });
+      for (std::size_t lane = 0; lane < lanes.count; ++lane)
         spheres.placed[(first + lane) * per_grain + s] = position[lane];
-        spheres.motion[(first + lane) * per_grain + s] = {velocity[lane], out.spin[lane]};
-      }
     }
   }
 }

@@ -125,6 +125,7 @@ class GrainLoop final : public PairLoop {
   }
 
   void react_all(Batch& batch, double time_step) const {
+    if constexpr (kComposed) bring_velocities_to_centres(batch);
     react<kArm, kComposed, !Pairs::kAlike>(
         batch, [&](std::size_t lane) { return pairs_.of(kinds_of(batch, lane)); }, time_step);
   }
@@ -171,12 +172,14 @@ class GrainLoop final : public PairLoop {
         recall(memory, batch, lane);
       // Velocities are subtracted, spins added.
       constexpr double kSign[8] = {-1, -1, -1, 1, 1, 1, 1, 1};
-      const Record &own = spheres.motion(pair.own), &other = spheres.motion(pair.other);
+      const std::size_t own_slot = block.slot_of<kComposed>(pair.own),
+                        other_slot = block.slot_of<kComposed>(pair.other);
+      const Record &own = spheres.motion(own_slot), &other = spheres.motion(other_slot);
       for (std::size_t k = 0; k < 8; ++k)
         batch.moving[lane].value[k] = own.value[k] + kSign[k] * other.value[k];
       if constexpr (kComposed) batch.place.set(lane, spheres.position(pair.own) - plain(block.reference));
-      if constexpr (kTurns && Law::kRolls)
-        batch.relative_spin.set(lane, spheres.spin(pair.own) - spheres.spin(pair.other));
+      if constexpr (kComposed || (kTurns && Law::kRolls))
+        batch.relative_spin.set(lane, spheres.spin(own_slot) - spheres.spin(other_slot));
     }
     batch.spread_records(lanes);
   }

@@ -1,7 +1,8 @@
-// The spheres that a block's pairs are between, copied side by side: what a contact needs lies together, in
-// records that one vector load takes in.
+// The spheres that a block's pairs are between, and the motion of their grains, copied side by side: what a
+// contact needs lies together, in records that one vector load takes in.
 #pragma once
 
+#include <algorithm>
 #include <vector>
 
 #include "engine/look_ahead.h"
@@ -11,7 +12,8 @@
 
 namespace diefill::engine {
 
-/// Spheres by their number in the block last taken in.
+/// Spheres by their number in the block last taken in, grains by the number of their sum there
+/// (Block::slot_of): single spheres and their grains have the same.
 class LocalSpheres {
  public:
   /// A centre (m), with one number to spare.
@@ -20,58 +22,92 @@ class LocalSpheres {
   };
 
   const Centre& centre(LocalSphere k) const { return centres_[k]; }
-  /// Velocity (m/s) and spin (rad/s) in numbers 0 to 5; the rest is 0.
-  const Record& motion(LocalSphere k) const { return motion_[k]; }
   /// m, centre of sphere k.
   Vector3 position(LocalSphere k) const {
     const Centre& centre = centres_[k];
     return {centre.value[0], centre.value[1], centre.value[2]};
   }
-  /// m/s, velocity of its centre.
-  Vector3 velocity(LocalSphere k) const {
-    const Record& motion = motion_[k];
+  /// Of a grain: velocity (m/s) and spin (rad/s) in numbers 0 to 5; the rest is 0. The velocity is that of a
+  /// single sphere's centre. Of a composed grain it is what the rigid grain would have at the block's
+  /// reference point, so that it is the same for all of its spheres.
+  const Record& motion(std::size_t slot) const { return motion_[slot]; }
+  /// m/s, as in motion().
+  Vector3 velocity(std::size_t slot) const {
+    const Record& motion = motion_[slot];
     return {motion.value[0], motion.value[1], motion.value[2]};
   }
-  /// rad/s, angular velocity of its grain.
-  Vector3 spin(LocalSphere k) const {
-    const Record& motion = motion_[k];
+  /// rad/s, angular velocity of a grain.
+  Vector3 spin(std::size_t slot) const {
+    const Record& motion = motion_[slot];
     return {motion.value[3], motion.value[4], motion.value[5]};
   }
 
   /// Takes in the block's own spheres and their partners as they are now.
   void take(const Block& block, const SphereField& spheres) {
-    const std::size_t own = block.own_spheres(), all = own + block.partners.size();
-    if (centres_.size() < all) {
-      centres_.resize(all);
-      motion_.resize(all);
-    }
-    const std::size_t first = std::size_t{block.begin} * block.spheres_per_grain;
-    constexpr std::size_t kAhead = 16;
-    for (std::size_t k = 0; k < own; ++k) {
-      look_ahead<1>(spheres.motion, first + k + kAhead);
-      __builtin_prefetch(spheres.coordinates + 3 * std::min(first + k + kAhead, spheres.real() - 1));
-      put(k, spheres, first + k);
-    }
-    const std::size_t real = spheres.real();
-    for (std::size_t k = own; k < all; ++k) {
-      const std::size_t partner = block.partners[k - own];
-      if (partner < real)
-        put(k, spheres, partner);
-      else
-        put_image(k, spheres, partner);
-    }
+    take_centres(block, spheres);
+    if (spheres.spheres_per_grain == 1)
+      take_motion(block, spheres);
+    else
+      take_motion_about_reference(block, spheres);
   }
 
  private:
-  void put(std::size_t k, const SphereField& spheres, std::size_t sphere) {
-    static_assert(sizeof(SphereMotion) == 6 * sizeof(double));
-    __builtin_memcpy(centres_[k].value, spheres.coordinates + 3 * sphere, sizeof(Vector3));
-    __builtin_memcpy(motion_[k].value, &spheres.motion[sphere], sizeof(SphereMotion));
+  static constexpr std::size_t kAhead = 16;
+
+  void take_centres(const Block& block, const SphereField& spheres) {
+    const std::size_t own = block.own_spheres(), partners = block.partners.size();
+    if (centres_.size() < own + partners) centres_.resize(own + partners);
+    const std::size_t first = std::size_t{block.begin} * block.spheres_per_grain, real = spheres.real();
+    for (std::size_t k = 0; k < own; ++k) {
+      __builtin_prefetch(spheres.coordinates + 3 * std::min(first + k + kAhead, real - 1));
+      put_centre(k, spheres.coordinates + 3 * (first + k));
+    }
+    for (std::size_t k = 0; k < partners; ++k) {
+      const std::size_t sphere = block.partners[k];
+      if (sphere < real) {
+        put_centre(own + k, spheres.coordinates + 3 * sphere);
+      } else {
+        const Vector3 centre = spheres.position(sphere);
+        put_centre(own + k, &centre.x);
+      }
+    }
   }
-  void put_image(std::size_t k, const SphereField& spheres, std::size_t sphere) {
-    put(k, spheres, spheres.original(sphere));
-    const Vector3 centre = spheres.position(sphere);
-    __builtin_memcpy(centres_[k].value, &centre, sizeof centre);
+
+  /// Grains are their spheres.
+  void take_motion(const Block& block, const SphereField& spheres) {
+    const std::size_t own = block.own_spheres(), partners = block.partners.size();
+    if (motion_.size() < own + partners) motion_.resize(own + partners);
+    for (std::size_t k = 0; k < own; ++k) {
+      look_ahead<1>(spheres.motion, block.begin + k + kAhead);
+      put_motion(k, spheres.motion[block.begin + k]);
+    }
+    for (std::size_t k = 0; k < partners; ++k)
+      put_motion(own + k, spheres.motion[spheres.original(block.partners[k])]);
+  }
+
+  void take_motion_about_reference(const Block& block, const SphereField& spheres) {
+    const std::size_t own = block.grains();
+    if (motion_.size() < own + block.seen.size()) motion_.resize(own + block.seen.size());
+    const Vector3 reference = plain(block.reference);
+    const auto put_moved = [&](std::size_t slot, const GrainMotion& motion, const Vector3& centre) {
+      put_motion(slot, {motion.velocity + cross(motion.spin, reference - centre), motion.spin});
+    };
+    for (std::size_t k = 0; k < own; ++k) {
+      look_ahead<1>(spheres.motion, block.begin + k + kAhead);
+      put_moved(k, spheres.motion[block.begin + k], spheres.grain_centre(block.begin + k));
+    }
+    for (std::size_t k = 0; k < block.seen.size(); ++k) {
+      const std::size_t grain = block.foreign[k];
+      put_moved(own + k, spheres.motion[grain], spheres.grain_centre(grain) + spheres.shift(block.seen[k]));
+    }
+  }
+
+  void put_centre(std::size_t k, const double* centre) {
+    __builtin_memcpy(centres_[k].value, centre, sizeof(Vector3));
+  }
+  void put_motion(std::size_t slot, const GrainMotion& motion) {
+    static_assert(sizeof(GrainMotion) == 6 * sizeof(double));
+    __builtin_memcpy(motion_[slot].value, &motion, sizeof motion);
   }
 
   std::vector<Centre> centres_;

@@ -132,7 +132,7 @@ void Simulation::search(const ContactHistory& history, const ContactHistory& wal
   find_images();
   if (!kinds_.alike()) spheres_.kind = grains_.kind;
   if (kinds_.composed()) spheres_.placed.resize(spheres_.real());
-  spheres_.motion.resize(spheres_.real());
+  spheres_.motion.resize(spheres_.grains);
   place_spheres(reference_.position, reference_.orientation);
   list_.build(spheres_, bodies_, reference_, history, wall_history, workers_);
   tallies_.resize(list_.blocks().size());

@@ -62,13 +62,11 @@ void Simulation::advance_awake(std::size_t b) {
 
 /// Takes the block's sleepers along.
 void Simulation::carry(const Block& block) {
-  const std::size_t spheres = spheres_.spheres_per_grain;
   for (std::size_t k = block.begin; k < block.end; ++k) {
     if (!sleeping_->asleep(k)) continue;
     grains_.position[k] += carried_;
     if (kinds_.composed()) place_grain(k, grains_.position[k], grains_.orientation[k]);
-    for (std::size_t s = 0; s < spheres; ++s)
-      spheres_.motion[k * spheres + s] = {plain(grains_.velocity[k]), {}};
+    spheres_.motion[k] = {plain(grains_.velocity[k]), {}};
   }
 }
 
@@ -185,9 +183,7 @@ bool Simulation::fall_asleep() {
 void Simulation::settle_motion_of_sleepers() {
   const Vector3 velocity = plain(carrier().velocity);
   for (std::size_t k = 0; k < spheres_.grains; ++k)
-    if (sleeping_->asleep(k))
-      for (std::size_t s = 0; s < spheres_.spheres_per_grain; ++s)
-        spheres_.motion[k * spheres_.spheres_per_grain + s] = {velocity, {}};
+    if (sleeping_->asleep(k)) spheres_.motion[k] = {velocity, {}};
 }
 
 }  // namespace diefill::engine

@@ -197,10 +197,16 @@ class WallLoop final : public PairLoop {
     const Eigen::Vector3d contact = eigen(here) - contact_share(touch, body, scene) * separation;
     if constexpr (kKinds) batch.kinds[lane] = touch.kind;
     batch.separation.set(lane, plain(separation));
-    batch.velocity.set(lane, scene.spheres.velocity(pair.own) - plain(pose.velocity_at(contact)));
-    if constexpr (kComposed) batch.place.set(lane, here - plain(block.reference));
+    const std::size_t slot = block.slot_of<kComposed>(pair.own);
+    const Vector3 spin = scene.spheres.spin(slot);
+    Vector3 velocity = scene.spheres.velocity(slot);
+    if constexpr (kComposed) {
+      const Vector3 place = here - plain(block.reference);
+      velocity += cross(spin, place);
+      batch.place.set(lane, place);
+    }
+    batch.velocity.set(lane, velocity - plain(pose.velocity_at(contact)));
     if constexpr (Lever<kArm>::kTurns) {
-      const Vector3 spin = scene.spheres.spin(pair.own);
       batch.spin_sum.set(lane, spin);
       if constexpr (Law::kRolls) batch.relative_spin.set(lane, spin - plain(pose.angular_velocity));
     }

