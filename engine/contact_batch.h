@@ -30,7 +30,7 @@ struct ContactBatch {
   Vectors spin_sum;       ///< rad/s, sum of both angular velocities; for walls that of i
   Vectors relative_spin;  ///< rad/s, angular velocity of i less that of j; only set for laws that roll and
                           ///< for pairs of composed grains
-  Vectors place;  ///< m, centre of i seen from the reference point
+  Vectors place;          ///< m, centre of i seen from the reference point
   Scalars memory[std::max<std::size_t>(1, kMemory)];
 
   Vectors force;         ///< N on i

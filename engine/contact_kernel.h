@@ -64,10 +64,10 @@ class BatchTally {
     viscous_power_.add(batch.viscous_power, batch.count);
     friction_power_.add(batch.friction_power, batch.count);
     if constexpr (Law::kRolls) rolling_power_.add(batch.rolling_power, batch.count);
-    for (std::size_t lane = 0; lane < batch.count; ++lane) deepest_ = std::max(deepest_, batch.overlap[lane]);
+    deepest_.add(batch.overlap, batch.count);
     for (std::size_t lane = 0; lane < batch.count; ++lane) touching_ += batch.overlap[lane] > 0;
   }
-  double deepest() const { return deepest_; }
+  double deepest() const { return deepest_.most(); }
   double deepest_over_radius() const { return deepest_over_radius_; }
   /// Books the work of one step of `time_step` (s).
   void book(double time_step, BlockTally& tally) const {
@@ -79,7 +79,8 @@ class BatchTally {
 
  private:
   LaneSum viscous_power_, friction_power_, rolling_power_;
-  double deepest_ = 0, deepest_over_radius_ = 0;
+  LaneMost deepest_;
+  double deepest_over_radius_ = 0;
   std::uint64_t touching_ = 0;
 };
 

@@ -5,7 +5,7 @@
 
 #include "engine/lanes.h"
 #include "engine/look_ahead.h"
-#include "engine/rigid_motion.h"
+#include "engine/quaternion_lanes.h"
 
 namespace diefill::engine {
 
@@ -16,23 +16,11 @@ constexpr std::size_t kAhead = 32;   ///< grains between those worked on and tho
 using Scalars = Lanes<kGrains>;
 using Vectors = VectorLanes<kGrains>;
 
-/// One quaternion a lane.
-struct QuaternionLanes {
-  Scalars w, x, y, z;
-  PlainQuaternion operator[](std::size_t lane) const { return {w[lane], x[lane], y[lane], z[lane]}; }
-  void set(std::size_t lane, PlainQuaternion q) {
-    w[lane] = q.w;
-    x[lane] = q.x;
-    y[lane] = q.y;
-    z[lane] = q.z;
-  }
-};
-
 /// A few grains, one lane each; lanes beyond `count` repeat the last grain.
 struct GrainLanes {
   std::size_t begin = 0, count = 0;
   Vectors position, velocity, force, spin, torque;
-  QuaternionLanes orientation;
+  QuaternionLanes<kGrains> orientation;
 
   std::size_t groups() const { return whole_groups(count); }
   /// The grain of a lane.
@@ -66,12 +54,9 @@ struct GrainLanes {
   }
 };
 
-/// Where advanced grains and their spheres are, and how they move.
+/// How advanced grains move.
 struct Advanced {
   Vectors velocity, spin;  ///< predicted; spin in the laboratory frame
-  Vectors row_x, row_y, row_z;
-
-  Rotation rotation(std::size_t lane) const { return {row_x[lane], row_y[lane], row_z[lane]}; }
 };
 
 /// Positions and predicted velocities at the end of the step. Here and below, `bodies` says what each lane's
@@ -99,12 +84,8 @@ void turn(GrainLanes& lanes, Advanced& out, const Bodies& bodies, double time_st
     const Vector3 rate = spin_rate(body.inertia(lane), lanes.spin[lane], lanes.torque[lane]);
     const PlainQuaternion orientation =
         advance_orientation(lanes.orientation[lane], lanes.spin[lane], rate, time_step);
-    const Rotation rotation = rotation_of(orientation);
     lanes.orientation.set(lane, orientation);
-    out.spin.set(lane, rotation * (lanes.spin[lane] + time_step * rate));
-    out.row_x.set(lane, rotation.row_x);
-    out.row_y.set(lane, rotation.row_y);
-    out.row_z.set(lane, rotation.row_z);
+    out.spin.set(lane, rotation_of(orientation) * (lanes.spin[lane] + time_step * rate));
   }
 }
 
@@ -117,16 +98,6 @@ void turn_sphere(const GrainLanes& lanes, Advanced& out, const Bodies& bodies, d
   for (std::size_t lane = 0; lane < groups; ++lane)
     out.spin.set(lane, lanes.spin[lane] +
                            time_step * spin_rate(body.inertia(lane), lanes.spin[lane], lanes.torque[lane]));
-}
-
-/// The sphere of each grain whose offset is loaded.
-template <class Bodies>
-void place_sphere(const GrainLanes& lanes, const Advanced& grain, const Bodies& bodies, Vectors& position) {
-  const std::size_t groups = lanes.groups();
-  const auto& body = bodies.kept();
-#pragma GCC ivdep
-  for (std::size_t lane = 0; lane < groups; ++lane)
-    position.set(lane, lanes.position[lane] + grain.rotation(lane) * body.offset(lane));
 }
 
 /// New velocities from the forces before and after the step.
@@ -199,7 +170,7 @@ void kick_sphere_spin(GrainLanes& lanes, const Vectors& moment, const Scalars& r
 /// Grains of one kind: the same in all lanes.
 struct GrainIntegrator::AlikeBodies {
   double mass_, drag_;
-  Vector3 inertia_, weight_, turning_drag_, offset_ = {};
+  Vector3 inertia_, weight_, turning_drag_;
 
   explicit AlikeBodies(const Body& body)
       : mass_(body.mass),
@@ -208,9 +179,6 @@ struct GrainIntegrator::AlikeBodies {
         weight_(body.weight),
         turning_drag_(body.turning_drag) {}
   void load(const std::vector<Body>&, const Grains&, const GrainLanes&) {}
-  void load_offset(std::size_t sphere, const std::vector<Body>& bodies, const Grains&, const GrainLanes&) {
-    offset_ = bodies.front().offsets[sphere];
-  }
   /// A copy, so that loops can keep the numbers in registers.
   AlikeBodies kept() const { return *this; }
   double mass(std::size_t) const { return mass_; }
@@ -218,13 +186,12 @@ struct GrainIntegrator::AlikeBodies {
   Vector3 inertia(std::size_t) const { return inertia_; }
   Vector3 weight(std::size_t) const { return weight_; }
   Vector3 turning_drag(std::size_t) const { return turning_drag_; }
-  Vector3 offset(std::size_t) const { return offset_; }
 };
 
 /// Grains of several kinds: one body a lane.
 struct GrainIntegrator::BodyLanes {
   Scalars mass_, drag_;
-  Vectors inertia_, weight_, turning_drag_, offset_;
+  Vectors inertia_, weight_, turning_drag_;
 
   void load(const std::vector<Body>& bodies, const Grains& grains, const GrainLanes& lanes) {
     for (std::size_t lane = 0; lane < lanes.groups(); ++lane) {
@@ -236,19 +203,12 @@ struct GrainIntegrator::BodyLanes {
       turning_drag_.set(lane, body.turning_drag);
     }
   }
-  /// Sphere number `sphere` of each grain is the one that offset() tells of from now on.
-  void load_offset(std::size_t sphere, const std::vector<Body>& bodies, const Grains& grains,
-                   const GrainLanes& lanes) {
-    for (std::size_t lane = 0; lane < lanes.groups(); ++lane)
-      offset_.set(lane, bodies[grains.kind[lanes.grain(lane)]].offsets[sphere]);
-  }
   const BodyLanes& kept() const { return *this; }
   double mass(std::size_t lane) const { return mass_[lane]; }
   double drag(std::size_t lane) const { return drag_[lane]; }
   Vector3 inertia(std::size_t lane) const { return inertia_[lane]; }
   Vector3 weight(std::size_t lane) const { return weight_[lane]; }
   Vector3 turning_drag(std::size_t lane) const { return turning_drag_[lane]; }
-  Vector3 offset(std::size_t lane) const { return offset_[lane]; }
 };
 
 GrainIntegrator::GrainIntegrator(const KindTable& kinds, const Eigen::Vector3d& gravity, double air_viscosity,
@@ -265,17 +225,10 @@ GrainIntegrator::Body GrainIntegrator::body_of(const GrainShape& shape, const Ei
                                                double air_viscosity) {
   const double sphere_drag = 6 * std::numbers::pi * air_viscosity * shape.sphere_radius;
   Eigen::Vector3d squares = Eigen::Vector3d::Zero();  // m^2, sum over spheres of (b^2 - b_a^2)
-  std::vector<Vector3> offsets;
-  for (const auto& offset : shape.sphere_offsets) {
+  for (const auto& offset : shape.sphere_offsets)
     squares += Eigen::Vector3d::Constant(offset.squaredNorm()) - offset.cwiseAbs2();
-    offsets.push_back(plain(offset));
-  }
-  return {shape.mass,
-          sphere_drag * static_cast<double>(shape.spheres()),
-          plain(shape.inertia),
-          plain(Eigen::Vector3d(shape.mass * gravity)),
-          sphere_drag * plain(squares),
-          std::move(offsets)};
+  return {shape.mass, sphere_drag * static_cast<double>(shape.spheres()), plain(shape.inertia),
+          plain(Eigen::Vector3d(shape.mass * gravity)), sphere_drag * plain(squares)};
 }
 
 void GrainIntegrator::advance(Grains& grains, std::size_t begin, std::size_t end,
@@ -291,16 +244,15 @@ void GrainIntegrator::advance(Grains& grains, std::size_t begin, std::size_t end
 template <class Bodies>
 void GrainIntegrator::advance_with(Bodies& bodies, Grains& grains, std::size_t begin, std::size_t end,
                                    SphereField& spheres) const {
-  const std::size_t per_grain = spheres_;
+  const bool composed = spheres_ > 1;
   thread_local GrainLanes lanes;
   thread_local Advanced out;
-  thread_local Vectors position;
   for (std::size_t first = begin; first < end; first += kGrains) {
-    lanes.load(grains, first, end, rotates_, per_grain > 1);
+    lanes.load(grains, first, end, rotates_, composed);
     lanes.load_positions(grains);
     bodies.load(bodies_, grains, lanes);
     with_instructions(instructions_, [&] { drift(lanes, out, bodies, time_step_); });
-    if (rotates_ && per_grain > 1)
+    if (rotates_ && composed)
       with_instructions(instructions_, [&] { turn(lanes, out, bodies, time_step_); });
     else if (rotates_)
       with_instructions(instructions_, [&] { turn_sphere(lanes, out, bodies, time_step_); });
@@ -308,15 +260,8 @@ void GrainIntegrator::advance_with(Bodies& bodies, Grains& grains, std::size_t b
     for (std::size_t lane = 0; lane < lanes.count; ++lane) {
       const std::size_t k = first + lane;
       grains.position[k] = eigen(lanes.position[lane]);
-      if (per_grain > 1) grains.orientation[k] = eigen(lanes.orientation[lane]);
+      if (composed) grains.orientation[k] = eigen(lanes.orientation[lane]);
       spheres.motion[k] = {out.velocity[lane], rotates_ ? out.spin[lane] : Vector3{}};
-    }
-    if (per_grain == 1) continue;
-    for (std::size_t s = 0; s < per_grain; ++s) {
-      bodies.load_offset(s, bodies_, grains, lanes);
-      with_instructions(instructions_, [&] { place_sphere(lanes, out, bodies, position); });
-      for (std::size_t lane = 0; lane < lanes.count; ++lane)
-        spheres.placed[(first + lane) * per_grain + s] = position[lane];
     }
   }
 }

@@ -33,12 +33,11 @@ class GrainIntegrator {
  private:
   /// What the motion of one kind depends on.
   struct Body {
-    double mass;                   ///< kg
-    double drag;                   ///< kg/s, Stokes drag on all spheres over the speed
-    Vector3 inertia;               ///< kg m^2
-    Vector3 weight;                ///< N
-    Vector3 turning_drag;          ///< kg m^2/s, about the axes of the body frame
-    std::vector<Vector3> offsets;  ///< m, of the spheres, body frame
+    double mass;           ///< kg
+    double drag;           ///< kg/s, Stokes drag on all spheres over the speed
+    Vector3 inertia;       ///< kg m^2
+    Vector3 weight;        ///< N
+    Vector3 turning_drag;  ///< kg m^2/s, about the axes of the body frame
   };
   struct AlikeBodies;
   struct BodyLanes;

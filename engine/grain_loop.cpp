@@ -47,8 +47,8 @@ class GrainLoop final : public PairLoop {
         pack(block, pairs, scene.spheres, batch);
         react_all(batch, scene.time_step);
         hand_out(batch, pairs, block, sums, memory);
+        batches.add(batch);
       });
-      batches.add(batch);
       if constexpr (!Pairs::kAlike)
         batches.add_over_radius(batch, [&](std::size_t lane) { return smaller_radius(batch.kinds[lane]); });
     }

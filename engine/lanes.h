@@ -58,4 +58,27 @@ class LaneSum {
   double part_[kLaneGroup] = {};
 };
 
+/// The largest of many lanes, and not below 0.
+class LaneMost {
+ public:
+  /// Looks at the first `count` lanes.
+  template <std::size_t kCount>
+  void add(const Lanes<kCount>& lanes, std::size_t count) {
+    std::size_t k = 0;
+    for (; k + kLaneGroup <= count; k += kLaneGroup)
+      for (std::size_t lane = 0; lane < kLaneGroup; ++lane)
+        part_[lane] = lanes[k + lane] > part_[lane] ? lanes[k + lane] : part_[lane];
+    for (std::size_t lane = 0; k + lane < count; ++lane)
+      part_[lane] = lanes[k + lane] > part_[lane] ? lanes[k + lane] : part_[lane];
+  }
+  double most() const {
+    double most = 0;
+    for (const double part : part_) most = part > most ? part : most;
+    return most;
+  }
+
+ private:
+  double part_[kLaneGroup] = {};
+};
+
 }  // namespace diefill::engine

@@ -5,10 +5,11 @@
 #include <algorithm>
 #include <vector>
 
-#include "engine/look_ahead.h"
 #include "engine/pair_table.h"
+#include "engine/posed_grains.h"
 #include "engine/sphere_field.h"
 #include "engine/transpose.h"
+#include "engine/vector_instructions.h"
 
 namespace diefill::engine {
 
@@ -42,47 +43,37 @@ class LocalSpheres {
     return {motion.value[3], motion.value[4], motion.value[5]};
   }
 
-  /// Takes in the block's own spheres and their partners as they are now.
-  void take(const Block& block, const SphereField& spheres) {
-    take_centres(block, spheres);
-    if (spheres.spheres_per_grain == 1)
-      take_motion(block, spheres);
-    else
+  /// Takes in the block's own spheres and their partners as they are now. `instructions`: all give the same.
+  void take(const Block& block, const SphereField& spheres, InstructionSet instructions) {
+    const std::size_t all = block.own_spheres() + block.partners.size();
+    if (centres_.size() < all) centres_.resize(all);
+    if (spheres.spheres_per_grain == 1) {
+      take_single(block, spheres);
+    } else {
       take_motion_about_reference(block, spheres);
+      place_own(block, spheres, instructions);
+      place_partners(block, spheres, instructions);
+    }
   }
 
  private:
   static constexpr std::size_t kAhead = 16;
 
-  void take_centres(const Block& block, const SphereField& spheres) {
-    const std::size_t own = block.own_spheres(), partners = block.partners.size();
-    if (centres_.size() < own + partners) centres_.resize(own + partners);
-    const std::size_t first = std::size_t{block.begin} * block.spheres_per_grain, real = spheres.real();
-    for (std::size_t k = 0; k < own; ++k) {
-      __builtin_prefetch(spheres.coordinates + 3 * std::min(first + k + kAhead, real - 1));
-      put_centre(k, spheres.coordinates + 3 * (first + k));
-    }
-    for (std::size_t k = 0; k < partners; ++k) {
-      const std::size_t sphere = block.partners[k];
-      if (sphere < real) {
-        put_centre(own + k, spheres.coordinates + 3 * sphere);
-      } else {
-        const Vector3 centre = spheres.position(sphere);
-        put_centre(own + k, &centre.x);
-      }
-    }
-  }
-
   /// Grains are their spheres.
-  void take_motion(const Block& block, const SphereField& spheres) {
+  void take_single(const Block& block, const SphereField& spheres) {
     const std::size_t own = block.own_spheres(), partners = block.partners.size();
     if (motion_.size() < own + partners) motion_.resize(own + partners);
     for (std::size_t k = 0; k < own; ++k) {
-      look_ahead<1>(spheres.motion, block.begin + k + kAhead);
-      put_motion(k, spheres.motion[block.begin + k]);
+      const std::size_t sphere = block.begin + k;
+      spheres.fetch(std::min(sphere + kAhead, spheres.real() - 1));
+      put_centre(k, spheres.grain_centre(sphere));
+      put_motion(k, spheres.motion[sphere]);
     }
-    for (std::size_t k = 0; k < partners; ++k)
-      put_motion(own + k, spheres.motion[spheres.original(block.partners[k])]);
+    for (std::size_t k = 0; k < partners; ++k) {
+      const std::size_t partner = block.partners[k];
+      put_centre(own + k, spheres.position(partner));
+      put_motion(own + k, spheres.motion[spheres.original(partner)]);
+    }
   }
 
   void take_motion_about_reference(const Block& block, const SphereField& spheres) {
@@ -93,8 +84,9 @@ class LocalSpheres {
       put_motion(slot, {motion.velocity + cross(motion.spin, reference - centre), motion.spin});
     };
     for (std::size_t k = 0; k < own; ++k) {
-      look_ahead<1>(spheres.motion, block.begin + k + kAhead);
-      put_moved(k, spheres.motion[block.begin + k], spheres.grain_centre(block.begin + k));
+      const std::size_t grain = block.begin + k;
+      spheres.fetch(std::min(grain + kAhead, spheres.grains - 1));
+      put_moved(k, spheres.motion[grain], spheres.grain_centre(grain));
     }
     for (std::size_t k = 0; k < block.seen.size(); ++k) {
       const std::size_t grain = block.foreign[k];
@@ -102,16 +94,76 @@ class LocalSpheres {
     }
   }
 
-  void put_centre(std::size_t k, const double* centre) {
-    __builtin_memcpy(centres_[k].value, centre, sizeof(Vector3));
+  /// All spheres of the block's own grains.
+  void place_own(const Block& block, const SphereField& spheres, InstructionSet instructions) {
+    const std::size_t per_grain = spheres.spheres_per_grain;
+    for (std::size_t first = 0; first < block.grains(); first += PosedGrains::kGrains) {
+      const std::size_t count = std::min(PosedGrains::kGrains, block.grains() - first);
+      const auto grain = [&](std::size_t lane) { return block.begin + first + std::min(lane, count - 1); };
+      turn(count, spheres, grain, instructions);
+      for (std::size_t number = 0; number < per_grain; ++number) {
+        if (spheres.kind.empty()) {
+          const Vector3 offset = spheres.offset(0, number);
+          with_instructions(instructions, [&] { posed_.place_spheres(whole_groups(count), offset); });
+        } else {
+          for (std::size_t lane = 0; lane < whole_groups(count); ++lane)
+            offset_.set(lane, spheres.offset(grain(lane), number));
+          with_instructions(instructions, [&] { posed_.place_spheres(whole_groups(count), offset_); });
+        }
+        for (std::size_t lane = 0; lane < count; ++lane)
+          put_centre((first + lane) * per_grain + number, posed_.place[lane]);
+      }
+    }
+  }
+
+  /// Of the other grains only those spheres that pairs meet.
+  void place_partners(const Block& block, const SphereField& spheres, InstructionSet instructions) {
+    const std::size_t own = block.own_spheres(), per_grain = spheres.spheres_per_grain;
+    std::size_t k = 0;
+    for (std::size_t first = 0; first < block.foreign.size(); first += PosedGrains::kGrains) {
+      const std::size_t count = std::min(PosedGrains::kGrains, block.foreign.size() - first);
+      const auto place = [&](std::size_t lane) { return first + std::min(lane, count - 1); };
+      turn(
+          count, spheres, [&](std::size_t lane) { return block.foreign[place(lane)]; }, instructions);
+      for (std::size_t lane = 0; lane < count; ++lane) {
+        const std::size_t grain = block.foreign[place(lane)], seen = block.seen[place(lane)];
+        const Vector3 centre = posed_.centre[lane] + spheres.shift(seen);
+        const Rotation to_laboratory = posed_.rotation(lane);
+        for (; k < block.partners.size() && block.partners[k] / per_grain == seen; ++k)
+          put_centre(own + k, centre + to_laboratory * spheres.offset(grain, block.partners[k] % per_grain));
+      }
+    }
+  }
+
+  /// Poses of `count` grains, `grain(lane)` each.
+  template <class GrainOf>
+  void turn(std::size_t count, const SphereField& spheres, const GrainOf& grain,
+            InstructionSet instructions) {
+    for (std::size_t lane = 0; lane < whole_groups(count); ++lane) {
+      posed_.centre.set(lane, spheres.grain_centre(grain(lane)));
+      posed_.orientation.set(lane, spheres.orientation(grain(lane)));
+    }
+    with_instructions(instructions, [&] { posed_.turn(whole_groups(count)); });
+  }
+
+  void put_centre(std::size_t k, const Vector3& centre) {
+    put(centre, centres_[k].value);
   }
   void put_motion(std::size_t slot, const GrainMotion& motion) {
-    static_assert(sizeof(GrainMotion) == 6 * sizeof(double));
-    __builtin_memcpy(motion_[slot].value, &motion, sizeof motion);
+    put(motion.velocity, motion_[slot].value);
+    put(motion.spin, motion_[slot].value + 3);
+  }
+  /// Number by number: a vector that has just been computed cannot be read back as a whole at once.
+  static void put(const Vector3& vector, double* value) {
+    value[0] = vector.x;
+    value[1] = vector.y;
+    value[2] = vector.z;
   }
 
   std::vector<Centre> centres_;
   std::vector<Record> motion_;
+  PosedGrains posed_;
+  PosedGrains::Vectors offset_;
 };
 
 }  // namespace diefill::engine

@@ -44,6 +44,11 @@ Simulation::Simulation(const SimulationSettings& settings, std::vector<WallBodyS
   if (settings_.sleep) sleeping_.emplace(*settings_.sleep, kinds_, settings_.gravity, settings_.time_step);
   spheres_.spheres_per_grain = kinds_.spheres();
   spheres_.box = box_;
+  for (std::size_t k = 0; k < kinds_.size(); ++k) {
+    std::vector<Vector3>& offsets = spheres_.offsets.emplace_back();
+    for (const auto& offset : kinds_.shape(static_cast<KindNumber>(k)).sphere_offsets)
+      offsets.push_back(plain(offset));
+  }
   reference_.skin = skin_.first();
   sort_and_search();
 }
@@ -217,7 +222,7 @@ void Simulation::compute_contacts() {
 void Simulation::compute_block(std::size_t b) {
   Block& block = list_.blocks()[b];
   thread_local LocalSpheres local;
-  local.take(block, spheres_);
+  local.take(block, spheres_, settings_.instructions);
   const ContactScene scene = contact_scene(local);
   tallies_[b].start(bodies_.size());
   std::vector<ContactSum>& sums = sums_of_thread();

@@ -166,9 +166,6 @@ class Simulation {
   void allow_motion();
   double farthest_allowance() const;
   void find_images();
-  void place_spheres(const std::vector<Eigen::Vector3d>& position,
-                     const std::vector<Quaternion>& orientation);
-  void place_grain(std::size_t k, const Eigen::Vector3d& position, const Quaternion& orientation);
   void compute_contacts();
   void compute_block(std::size_t b);
   void finish_grains();

@@ -17,7 +17,7 @@ Energy Simulation::energy() const {
   LocalSpheres local;
   const ContactScene scene = contact_scene(local);
   for (const auto& block : list_.blocks()) {
-    local.take(block, spheres_);
+    local.take(block, spheres_, settings_.instructions);
     energy.contacts += grain_loop_->stored_energy(block, scene) + wall_loop_->stored_energy(block, scene);
   }
   return energy;

@@ -6,14 +6,13 @@ namespace diefill::engine {
 void Simulation::visit_contact_forces(const std::function<void(const ContactForce&)>& visit) const {
   LocalSpheres local;
   for (const Block& block : list_.blocks()) {
-    local.take(block, spheres_);
+    local.take(block, spheres_, settings_.instructions);
     const ContactScene scene = contact_scene(local);
     // Where the grain of a local sphere stands as the pair sees it: shifted where the pair meets an image.
     const auto centre_of = [&](LocalSphere sphere) -> Eigen::Vector3d {
       const std::uint32_t number = block.sphere(sphere);
       const std::size_t owner = spheres_.owner(number);
-      const Vector3 shift = spheres_.position(number) - spheres_.position(spheres_.original(number));
-      return grains_.position[owner] + eigen(shift);
+      return grains_.position[owner] + eigen(spheres_.shift(number / spheres_.spheres_per_grain));
     };
     grain_loop_->visit_forces(block, scene, [&](const PairForce& pair) {
       const Eigen::Vector3d contact = eigen(pair.contact);

@@ -85,7 +85,7 @@ void Simulation::search_in_order(std::vector<std::uint32_t> order) {
   spheres_.reorder_motion(order);
   remember_reference(awake);
   search(history, wall_history);
-  spheres_.stand_at(grains_.position);
+  spheres_.stand_at(grains_.position, grains_.orientation);
   if (sleeping_) compute_resting();
 }
 
@@ -131,9 +131,9 @@ void Simulation::search(const ContactHistory& history, const ContactHistory& wal
   spheres_.grains = reference_.position.size();
   find_images();
   if (!kinds_.alike()) spheres_.kind = grains_.kind;
-  if (kinds_.composed()) spheres_.placed.resize(spheres_.real());
   spheres_.motion.resize(spheres_.grains);
-  place_spheres(reference_.position, reference_.orientation);
+  spheres_.stand_at(reference_.position, reference_.orientation);
+  spheres_.hold_places();
   list_.build(spheres_, bodies_, reference_, history, wall_history, workers_);
   tallies_.resize(list_.blocks().size());
   if (sleeping_) {
@@ -147,6 +147,7 @@ void Simulation::search(const ContactHistory& history, const ContactHistory& wal
     lower = lower.cwiseMin(centre);
     upper = upper.cwiseMax(centre);
   }
+  spheres_.drop_places();
   const double sphere_reach = kinds_.largest_sphere() + farthest_allowance();
   for (std::size_t b = 0; b < bodies_.size(); ++b) {
     const double reach = sphere_reach + bodies_[b].sphere_radius();
@@ -173,22 +174,6 @@ void Simulation::find_images() {
   for (std::uint32_t k = 0; k < reference_.position.size(); ++k)
     box_.add_images(k, reference_.position[k], margin, spheres_.images);
   spheres_.images.shrink_to_fit();
-}
-
-void Simulation::place_spheres(const std::vector<Eigen::Vector3d>& position,
-                               const std::vector<Quaternion>& orientation) {
-  spheres_.stand_at(position);
-  if (!kinds_.composed()) return;
-  for (std::size_t k = 0; k < spheres_.grains; ++k) place_grain(k, position[k], orientation[k]);
-}
-
-/// The spheres of composed grain k.
-void Simulation::place_grain(std::size_t k, const Eigen::Vector3d& position, const Quaternion& orientation) {
-  const GrainShape& shape = shape_of(k);
-  const Eigen::Matrix3d to_lab = rotation_matrix(orientation);
-  for (std::size_t s = 0; s < shape.spheres(); ++s)
-    spheres_.placed[k * shape.spheres() + s] =
-        plain(Eigen::Vector3d(position + to_lab * shape.sphere_offsets[s]));
 }
 
 namespace {
@@ -265,7 +250,7 @@ void Simulation::restore(const Snapshot& snapshot) {
   recall(list_.blocks(), &Block::grain_pairs, snapshot.grain_memory);
   recall(list_.blocks(), &Block::wall_pairs, snapshot.wall_memory);
   if (sleeping_) compute_resting();
-  place_spheres(grains_.position, grains_.orientation);
+  spheres_.stand_at(grains_.position, grains_.orientation);
   move_bodies();
 }
 

@@ -65,7 +65,6 @@ void Simulation::carry(const Block& block) {
   for (std::size_t k = block.begin; k < block.end; ++k) {
     if (!sleeping_->asleep(k)) continue;
     grains_.position[k] += carried_;
-    if (kinds_.composed()) place_grain(k, grains_.position[k], grains_.orientation[k]);
     spheres_.motion[k] = {plain(grains_.velocity[k]), {}};
   }
 }

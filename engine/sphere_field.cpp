@@ -9,13 +9,21 @@ void SphereField::reorder_motion(const std::vector<std::uint32_t>& order) {
   motion.swap(reordered);
 }
 
-void SphereField::stand_at(const std::vector<Eigen::Vector3d>& position) {
-  static_assert(sizeof(Vector3) == 3 * sizeof(double) && sizeof(Eigen::Vector3d) == sizeof(Vector3));
-  centres = position.empty() ? nullptr : position.front().data();
-  if (spheres_per_grain > 1)
-    coordinates = placed.empty() ? nullptr : &placed.front().x;
-  else
-    coordinates = centres;
+void SphereField::stand_at(const std::vector<Eigen::Vector3d>& position,
+                           const std::vector<Quaternion>& orientation) {
+  position_ = position.data();
+  orientation_ = orientation.data();
+}
+
+void SphereField::hold_places() {
+  if (spheres_per_grain == 1) return;
+  placed_.resize(real());
+  for (std::size_t grain = 0; grain < grains; ++grain) {
+    const Vector3 centre = grain_centre(grain);
+    const Rotation to_laboratory = rotation_of(orientation(grain));
+    for (std::size_t number = 0; number < spheres_per_grain; ++number)
+      placed_[grain * spheres_per_grain + number] = centre + to_laboratory * offset(grain, number);
+  }
 }
 
 }  // namespace diefill::engine

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "engine/periodic_box.h"
+#include "engine/rigid_motion.h"
 #include "engine/vector3.h"
 
 namespace diefill::engine {
@@ -17,26 +18,28 @@ struct GrainMotion {
 };
 
 /// Spheres, grain after grain; those of images follow those of real grains in number, but are held nowhere:
-/// they are where their owner is, and shifted. Velocities are those predicted for the end of the step (OP-3);
-/// they are held once a grain, as a sphere's follows from its grain's.
+/// they are where their owner is, and shifted. Velocities are those predicted for the end of the step (OP-3).
+/// A composed grain's spheres are where its pose has them, and move as it does: neither is held, as a grain
+/// takes less memory than its spheres.
 struct SphereField {
   std::size_t spheres_per_grain = 1;
-  std::size_t grains = 0;       ///< real ones; images follow
-  std::vector<Vector3> placed;  ///< m, centres of composed grains' spheres; single spheres are their grains
+  std::size_t grains = 0;           ///< real ones; images follow
   std::vector<GrainMotion> motion;  ///< of real grains
   std::vector<GrainImage> images;
-  PeriodicBox box;                  ///< beyond whose borders images are seen
-  std::vector<std::uint16_t> kind;  ///< of grains; empty where all are alike
-  /// m, x, y and z of the first real sphere's centre, followed by those of the others.
-  const double* coordinates = nullptr;
-  const double* centres = nullptr;  ///< m, the same of real grains' centres of mass
+  PeriodicBox box;                            ///< beyond whose borders images are seen
+  std::vector<std::uint16_t> kind;            ///< of grains; empty where all are alike
+  std::vector<std::vector<Vector3>> offsets;  ///< m, of the spheres of each kind, body frame
 
-  /// Motion follows its grains: entry k becomes the former entry order[k].
-  /// Grains that have just been added have none yet.
+  /// Velocities and spins follow their grains: entry k becomes the former entry order[k]. Grains that have
+  /// just been added have none yet.
   void reorder_motion(const std::vector<std::uint32_t>& order);
-  /// Spheres are from now on where grains at `position` (m) are, or where `placed` has them if grains are
-  /// composed. Whoever moves either array to another place has to say so again.
-  void stand_at(const std::vector<Eigen::Vector3d>& position);
+  /// Grains are from now on at `position` (m) with `orientation` (none for single spheres). Whoever moves
+  /// either array to another place has to say so again.
+  void stand_at(const std::vector<Eigen::Vector3d>& position, const std::vector<Quaternion>& orientation);
+  /// Holds the places of composed grains' spheres as they are now, for many questions at one instant, and
+  /// lets go of them.
+  void hold_places();
+  void drop_places() { placed_.clear(); }
 
   /// Spheres of real grains.
   std::size_t real() const { return grains * spheres_per_grain; }
@@ -56,15 +59,36 @@ struct SphereField {
     return k < real() ? k : owner(k) * spheres_per_grain + k % spheres_per_grain;
   }
   /// m, centre of mass of real grain k.
-  Vector3 grain_centre(std::size_t k) const {
-    return {centres[3 * k], centres[3 * k + 1], centres[3 * k + 2]};
+  Vector3 grain_centre(std::size_t k) const { return plain(position_[k]); }
+  /// Body to laboratory, of composed real grain k.
+  PlainQuaternion orientation(std::size_t k) const { return plain(orientation_[k]); }
+  /// Asks for what is going to be read soon of real grain k.
+  void fetch(std::size_t k) const {
+    __builtin_prefetch(position_ + k);
+    __builtin_prefetch(motion.data() + k);
+    if (spheres_per_grain > 1) __builtin_prefetch(orientation_ + k);
+  }
+  /// m, of sphere `number` of real grain k in its frame.
+  const Vector3& offset(std::size_t k, std::size_t number) const {
+    return offsets[kind.empty() ? 0 : kind[k]][number];
   }
   /// m, centre of sphere k.
   Vector3 position(std::size_t k) const {
-    const double* at = coordinates + 3 * original(k);
-    const Vector3 centre = {at[0], at[1], at[2]};
+    const Vector3 centre = position_of_real(original(k));
     return k < real() ? centre : centre + shift(k / spheres_per_grain);
   }
+
+ private:
+  Vector3 position_of_real(std::size_t k) const {
+    if (spheres_per_grain == 1) return grain_centre(k);
+    if (!placed_.empty()) return placed_[k];
+    const std::size_t grain = k / spheres_per_grain;
+    return grain_centre(grain) + rotation_of(orientation(grain)) * offset(grain, k % spheres_per_grain);
+  }
+
+  const Eigen::Vector3d* position_ = nullptr;
+  const Quaternion* orientation_ = nullptr;
+  std::vector<Vector3> placed_;
 };
 
 }  // namespace diefill::engine

@@ -113,12 +113,12 @@ class WallLoop final : public PairLoop {
   /// triangle, its nearest point stands for the wall sphere.
   static Vector3 separation_from_part(const WallBody& wall, std::uint32_t part, const Eigen::Vector3d& place,
                                       const ContactScene& scene) {
-    if (!wall.flat() && !wall.meshed()) return plain(place - wall.centres()[part]);
+    if (!wall.flat() && !wall.meshed()) return plain(Eigen::Vector3d(place - wall.centres()[part]));
     if (wall.meshed()) return plain(separation_from_triangle(wall, part, place, scene.sphere_radius));
     const WallPlane& plane = wall.planes()[part];
     // A centre on the plane still has a side to be pushed to.
     const double height = std::max(plane.normal.dot(place - plane.point), 1e-9 * scene.sphere_radius);
-    return plain(height * plane.normal);
+    return plain(Eigen::Vector3d(height * plane.normal));
   }
 
   static Vector3 separation_in_body(const WallPair& pair, std::size_t body, const ContactScene& scene) {
