@@ -10,15 +10,20 @@ namespace diefill::engine {
 
 namespace {
 
-/// Spheres of a block: enough that few pairs cross its border, few enough that threads share the work evenly
-/// and that the block's spheres and sums stay in the second-level cache. Block borders depend on the number
-/// of grains only.
-constexpr std::size_t kSpheresPerBlock = 1024;
+/// Spheres of a block, and how many blocks there are where these allow it: few, so that few pairs cross a
+/// border, but enough for threads to share the work evenly, and each so small that its spheres and sums stay
+/// in the second-level cache.
+constexpr std::size_t kSmallestBlock = 1024, kLargestBlock = 2048, kBlocks = 32;
 /// The same for sleeping grains: one that wakes spoils the rest of its whole block.
 constexpr std::size_t kSpheresPerSleepingBlock = 128;
 /// Spheres down to this share of a level's largest radius are in its cells: eight fit where the largest
 /// would.
 constexpr double kSmallestOfLevel = 0.5;
+
+/// Block borders depend on the number of grains only.
+std::size_t spheres_per_block(std::size_t spheres) {
+  return std::clamp(spheres / kBlocks, kSmallestBlock, kLargestBlock);
+}
 
 }  // namespace
 
@@ -43,7 +48,8 @@ void NeighbourList::build(const SphereField& spheres, const std::vector<WallBody
   sort_into_cells(spheres, reference.skin);
   const auto per_grain = static_cast<std::uint32_t>(spheres.spheres_per_grain);
   count_ = 0;
-  cut_into_blocks(0, reference.awake_grains, kSpheresPerBlock / per_grain + 1);
+  cut_into_blocks(0, reference.awake_grains,
+                  spheres_per_block(reference.awake_grains * per_grain) / per_grain + 1);
   cut_into_blocks(reference.awake_grains, spheres.grains, kSpheresPerSleepingBlock / per_grain + 1);
   blocks_.resize(count_);
   for (auto& block : blocks_) block.spheres_per_grain = per_grain;

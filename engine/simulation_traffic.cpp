@@ -4,17 +4,16 @@
 namespace diefill::engine {
 
 double Simulation::bytes_moved_per_step() const {
-  const auto grains = static_cast<double>(grains_.size()), spheres = static_cast<double>(spheres_.size());
+  const auto grains = static_cast<double>(grains_.size());
   const bool composed = kinds_.composed();
   constexpr double kVector = sizeof(Vector3), kMotion = sizeof(GrainMotion);
   const double turning = kinds_.rotates() ? 2 * kVector : 0;  // spin and torque
   const double orientation = composed ? sizeof(Quaternion) : 0;
-  // Reads position, velocity, force and the reference, writes positions, motion and spheres.
-  const double advance =
-      grains * (5 * kVector + turning + 3 * orientation + kMotion) + (composed ? spheres * kVector : 0);
+  // Reads position, velocity, force and the reference, writes positions and motion.
+  const double advance = grains * (5 * kVector + turning + 3 * orientation + kMotion);
   // Reads and writes velocity and force; places of composed grains, for moments about their centres.
   const double finish = grains * (4 * kVector + 2 * turning + orientation + (composed ? kVector : 0));
-  double contacts = grains * (kMotion + (composed ? kVector : 0)) + spheres * kVector;
+  double contacts = grains * (kMotion + kVector + orientation);
   for (const auto& block : list_.blocks())
     contacts +=
         static_cast<double>(block.grain_pairs.size() * (sizeof(GrainPair) + 1) +
