@@ -178,16 +178,18 @@ Pilot run_pilot(const Scene& scene, const Tooling& tooling, int threads, double 
   FillRun run(short_scene, tooling, options);
   books.begin(run);
   pilot.spheres = run.simulation().grains().size() * run.simulation().settings().shape.spheres();
+  bool in_range = true;
   try {
     const Alarm alarm(kPatience * wall_limit, stop);
     run.run();
   } catch (const Interrupted&) {
     pilot.stopped = "its time was over";
   } catch (const engine::OutOfRange& error) {
+    in_range = false;
     pilot.stopped = error.what();
   }
   books.book(run, kind, run.schedule().finished(), pilot);
-  pilot.size = measure_size_cost(run.simulation());
+  if (in_range) pilot.size = measure_size_cost(run.simulation());
   for (const PhaseCost& cost : pilot.cost) pilot.wall_seconds += cost.wall_seconds;
   const PhaseCost& fall = pilot.of(PhaseKind::fall);
   if (fall.whole) pilot.rest.after_fall = std::max(0.0, fall.seconds - fall_time(short_scene, tooling));

@@ -43,12 +43,15 @@ std::vector<engine::NewGrain> side_by_side(const engine::Simulation& bed, int co
   all.reserve(static_cast<std::size_t>(copies) * static_cast<std::size_t>(copies) * grains.size());
   for (int j = 0; j < copies; ++j)
     for (int i = 0; i < copies; ++i)
-      for (std::size_t k = 0; k < grains.size(); ++k)
-        all.push_back({.position = grains.position[k] + Eigen::Vector3d(i * apart.x(), j * apart.y(), 0),
-                       .velocity = grains.velocity[k],
-                       .orientation = grains.orientation[k],
-                       .angular_velocity = bed.angular_velocity(k),
-                       .kind = grains.kind_of(k)});
+      for (std::size_t k = 0; k < grains.size(); ++k) {
+        engine::NewGrain& grain = all.emplace_back();
+        grain.position = grains.position[k] + Eigen::Vector3d(i * apart.x(), j * apart.y(), 0);
+        grain.velocity = grains.velocity[k];
+        if (!grains.orientation.empty())
+          grain.orientation = grains.orientation[k];  // single spheres have none
+        grain.angular_velocity = bed.angular_velocity(k);
+        grain.kind = grains.kind_of(k);
+      }
   return all;
 }
 

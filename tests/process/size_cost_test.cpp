@@ -35,8 +35,10 @@ TEST(SizeCost, MultipliesThePilotsCosts) {
   EXPECT_NEAR(pilot.seconds_per_sphere_step(PhaseKind::rest, 1e5), 45e-9, 1e-18);
 }
 
-TEST(SizeCost, IsMeasuredOnTheBedSideBySide) {
-  auto bed = laboratory::loose_race_bed(laboratory::RaceBed::clumps, 7 * 5 * 5 * 200);
+class SizeCostOf : public ::testing::TestWithParam<laboratory::RaceBed> {};
+
+TEST_P(SizeCostOf, ABedIsMeasuredSideBySide) {
+  auto bed = laboratory::loose_race_bed(GetParam(), 36000);
   bed.settings.threads = 2;
   engine::Simulation simulation(bed.settings, bed.walls);
   simulation.add_grains(bed.grains);
@@ -44,7 +46,7 @@ TEST(SizeCost, IsMeasuredOnTheBedSideBySide) {
   const auto hash = simulation.hash();
   const SizeCost cost = measure_size_cost(simulation);
   EXPECT_EQ(simulation.hash(), hash);
-  const auto once = 7.0 * static_cast<double>(bed.grains.size());
+  const double once = static_cast<double>(bed.settings.shape.spheres() * bed.grains.size());
   ASSERT_EQ(cost.points.size(), 2U);  // sixteen would be more than half a million
   for (std::size_t k = 0; k < 2; ++k) {
     EXPECT_EQ(cost.points[k].spheres, once * (k == 0 ? 1 : 4));
@@ -52,6 +54,12 @@ TEST(SizeCost, IsMeasuredOnTheBedSideBySide) {
   }
   EXPECT_TRUE(measure_size_cost(engine::Simulation(bed.settings, bed.walls)).points.empty());
 }
+
+INSTANTIATE_TEST_SUITE_P(Beds, SizeCostOf,
+                         ::testing::Values(laboratory::RaceBed::spheres, laboratory::RaceBed::clumps),
+                         [](const auto& kind) {
+                           return kind.param == laboratory::RaceBed::spheres ? "Spheres" : "Clumps";
+                         });
 
 }  // namespace
 }  // namespace diefill::process::plan
