@@ -26,7 +26,7 @@ struct GrainLanes {
   /// The grain of a lane.
   std::size_t grain(std::size_t lane) const { return begin + std::min(lane, count - 1); }
 
-  void load(const Grains& grains, std::size_t first, std::size_t end, bool rotates, bool composed) {
+  void load(const Grains& grains, std::size_t first, std::size_t end, bool rotates) {
     begin = first;
     count = std::min(kGrains, end - first);
     look_ahead<kGrains>(grains.velocity, first + kAhead);
@@ -43,7 +43,7 @@ struct GrainLanes {
       if (!rotates) continue;
       spin.set(lane, plain(grains.spin[k]));
       torque.set(lane, plain(grains.torque[k]));
-      if (composed) orientation.set(lane, plain(grains.orientation[k]));
+      orientation.set(lane, plain(grains.orientation[k]));
     }
   }
   /// Positions are needed on the way to the end of the step only.
@@ -89,17 +89,6 @@ void turn(GrainLanes& lanes, Advanced& out, const Bodies& bodies, double time_st
   }
 }
 
-/// The same for single spheres, which have no orientation worth following.
-template <class Bodies>
-void turn_sphere(const GrainLanes& lanes, Advanced& out, const Bodies& bodies, double time_step) {
-  const std::size_t groups = lanes.groups();
-  const auto& body = bodies.kept();
-#pragma GCC ivdep
-  for (std::size_t lane = 0; lane < groups; ++lane)
-    out.spin.set(lane, lanes.spin[lane] +
-                           time_step * spin_rate(body.inertia(lane), lanes.spin[lane], lanes.torque[lane]));
-}
-
 /// New velocities from the forces before and after the step.
 template <class Bodies>
 void kick(GrainLanes& lanes, const Vectors& force, const Bodies& bodies, double time_step) {
@@ -126,7 +115,7 @@ void total_force(const GrainLanes& lanes, Vectors& force, const Bodies& bodies, 
   }
 }
 
-/// Spins of composed grains from contact moments (laboratory frame) and air; `moment` becomes the torque in
+/// Spins from contact moments (laboratory frame) and air; `moment` becomes the torque in
 /// the body frame, `power` that of the air.
 template <class Bodies>
 void kick_spin(GrainLanes& lanes, Vectors& moment, const Bodies& bodies, double time_step, Scalars& power) {
@@ -144,24 +133,6 @@ void kick_spin(GrainLanes& lanes, Vectors& moment, const Bodies& bodies, double 
     const Vector3 torque = rotation.back(moment[lane]) + air;
     lanes.spin.set(lane, advance_spin(inertia, spin, lanes.torque[lane], torque, time_step));
     moment.set(lane, torque);
-  }
-}
-
-/// Spins of single spheres, slowed by rolling friction (Bierwisch 2009, Eq. 2.11), which stops a rotation but
-/// never reverses it within a step (OP-9); `power` is that of rolling friction.
-template <class Bodies>
-void kick_sphere_spin(GrainLanes& lanes, const Vectors& moment, const Scalars& rolling_load,
-                      const Bodies& bodies, double time_step, Scalars& power) {
-  const std::size_t groups = lanes.groups();
-  const auto& body = bodies.kept();
-#pragma GCC ivdep
-  for (std::size_t lane = 0; lane < groups; ++lane) {
-    const Vector3 inertia = body.inertia(lane);
-    const Vector3 spin = advance_spin(inertia, lanes.spin[lane], lanes.torque[lane], moment[lane], time_step);
-    const double speed = length(spin);
-    const double slower = std::max(0.0, speed - rolling_load[lane] * time_step / inertia.x);
-    power[lane] = 0.5 * inertia.x * (slower * slower - speed * speed) / time_step;
-    lanes.spin.set(lane, (speed > 0 ? slower / speed : 1.0) * spin);
   }
 }
 
@@ -212,13 +183,14 @@ struct GrainIntegrator::BodyLanes {
 };
 
 GrainIntegrator::GrainIntegrator(const KindTable& kinds, const Eigen::Vector3d& gravity, double air_viscosity,
-                                 double time_step, InstructionSet instructions)
-    : spheres_(kinds.spheres()),
-      rotates_(kinds.rotates()),
-      time_step_(time_step),
-      instructions_(instructions) {
+                                 bool rolls, double time_step, InstructionSet instructions)
+    : rotates_(kinds.rotates()), time_step_(time_step), instructions_(instructions) {
   for (std::size_t k = 0; k < kinds.size(); ++k)
     bodies_.push_back(body_of(kinds.shape(static_cast<KindNumber>(k)), gravity, air_viscosity));
+  if (kinds.composed()) return;
+  std::vector<SphereIntegrator::Body> spheres;
+  for (const Body& body : bodies_) spheres.push_back({body.mass, body.drag, body.inertia.x, body.weight});
+  single_.emplace(std::move(spheres), rotates_, rolls, time_step, instructions);
 }
 
 GrainIntegrator::Body GrainIntegrator::body_of(const GrainShape& shape, const Eigen::Vector3d& gravity,
@@ -233,6 +205,7 @@ GrainIntegrator::Body GrainIntegrator::body_of(const GrainShape& shape, const Ei
 
 void GrainIntegrator::advance(Grains& grains, std::size_t begin, std::size_t end,
                               SphereField& spheres) const {
+  if (single_) return single_->advance(grains, begin, end, spheres);
   if (bodies_.size() == 1) {
     AlikeBodies bodies(bodies_.front());
     return advance_with(bodies, grains, begin, end, spheres);
@@ -244,30 +217,27 @@ void GrainIntegrator::advance(Grains& grains, std::size_t begin, std::size_t end
 template <class Bodies>
 void GrainIntegrator::advance_with(Bodies& bodies, Grains& grains, std::size_t begin, std::size_t end,
                                    SphereField& spheres) const {
-  const bool composed = spheres_ > 1;
   thread_local GrainLanes lanes;
   thread_local Advanced out;
   for (std::size_t first = begin; first < end; first += kGrains) {
-    lanes.load(grains, first, end, rotates_, composed);
+    lanes.load(grains, first, end, rotates_);
     lanes.load_positions(grains);
     bodies.load(bodies_, grains, lanes);
     with_instructions(instructions_, [&] { drift(lanes, out, bodies, time_step_); });
-    if (rotates_ && composed)
-      with_instructions(instructions_, [&] { turn(lanes, out, bodies, time_step_); });
-    else if (rotates_)
-      with_instructions(instructions_, [&] { turn_sphere(lanes, out, bodies, time_step_); });
+    if (rotates_) with_instructions(instructions_, [&] { turn(lanes, out, bodies, time_step_); });
 
     for (std::size_t lane = 0; lane < lanes.count; ++lane) {
       const std::size_t k = first + lane;
       grains.position[k] = eigen(lanes.position[lane]);
-      if (composed) grains.orientation[k] = eigen(lanes.orientation[lane]);
-      spheres.motion[k] = {out.velocity[lane], rotates_ ? out.spin[lane] : Vector3{}};
+      if (rotates_) grains.orientation[k] = eigen(lanes.orientation[lane]);
+      spheres.set_motion(k, {out.velocity[lane], rotates_ ? out.spin[lane] : Vector3{}});
     }
   }
 }
 
-GrainIntegrator::Work GrainIntegrator::finish(Grains& grains, std::size_t begin, std::size_t end,
-                                              std::span<const ContactSum> contacts) const {
+StepWork GrainIntegrator::finish(Grains& grains, std::size_t begin, std::size_t end,
+                                 std::span<const ContactSum> contacts) const {
+  if (single_) return single_->finish(grains, begin, end, contacts);
   if (bodies_.size() == 1) {
     AlikeBodies bodies(bodies_.front());
     return finish_with(bodies, grains, begin, end, contacts);
@@ -277,35 +247,26 @@ GrainIntegrator::Work GrainIntegrator::finish(Grains& grains, std::size_t begin,
 }
 
 template <class Bodies>
-GrainIntegrator::Work GrainIntegrator::finish_with(Bodies& bodies, Grains& grains, std::size_t begin,
-                                                   std::size_t end,
-                                                   std::span<const ContactSum> contacts) const {
-  const bool composed = spheres_ > 1;
+StepWork GrainIntegrator::finish_with(Bodies& bodies, Grains& grains, std::size_t begin, std::size_t end,
+                                      std::span<const ContactSum> contacts) const {
   thread_local GrainLanes lanes;
   thread_local Vectors force, moment;
-  thread_local Scalars rolling_load, drag_power, rolling_power;
-  LaneSum drag_sum, rolling_sum;
+  thread_local Scalars drag_power;
+  LaneSum drag_sum;
   for (std::size_t first = begin; first < end; first += kGrains) {
-    lanes.load(grains, first, end, rotates_, composed);
+    lanes.load(grains, first, end, rotates_);
     bodies.load(bodies_, grains, lanes);
     for (std::size_t lane = 0; lane < lanes.groups(); ++lane) {
       const ContactSum& sum = contacts[lanes.grain(lane) - begin];
       force.set(lane, sum.force());
       moment.set(lane, sum.moment());
-      rolling_load[lane] = sum.rolling_load();
     }
     with_instructions(instructions_, [&] {
       total_force(lanes, force, bodies, time_step_, drag_power);
       kick(lanes, force, bodies, time_step_);
     });
-    if (composed && rotates_)
+    if (rotates_)
       with_instructions(instructions_, [&] { kick_spin(lanes, moment, bodies, time_step_, drag_power); });
-    else if (rotates_) {
-      with_instructions(instructions_, [&] {
-        kick_sphere_spin(lanes, moment, rolling_load, bodies, time_step_, rolling_power);
-      });
-      rolling_sum.add(rolling_power, lanes.count);
-    }
     drag_sum.add(drag_power, lanes.count);
     for (std::size_t lane = 0; lane < lanes.count; ++lane) {
       const std::size_t k = first + lane;
@@ -316,7 +277,7 @@ GrainIntegrator::Work GrainIntegrator::finish_with(Bodies& bodies, Grains& grain
       grains.torque[k] = eigen(moment[lane]);
     }
   }
-  return {drag_sum.total() * time_step_, rolling_sum.total() * time_step_};
+  return {drag_sum.total() * time_step_, 0};
 }
 
 }  // namespace diefill::engine

@@ -1,12 +1,15 @@
 // Carries grains through a time step, many at a time: positions and orientations to its end, velocities from
-// the forces found there (Bierwisch 2009, section 2.2).
+// the forces found there (Bierwisch 2009, section 2.2). Composed grains here, single spheres in
+// sphere_integrator.h.
 #pragma once
 
+#include <optional>
 #include <span>
 
 #include "engine/grain_kinds.h"
 #include "engine/grains.h"
 #include "engine/sphere_field.h"
+#include "engine/sphere_integrator.h"
 #include "engine/vector_instructions.h"
 
 namespace diefill::engine {
@@ -14,21 +17,19 @@ namespace diefill::engine {
 /// Works on runs of grains, so that threads can share them. SI units.
 class GrainIntegrator {
  public:
-  /// `air_viscosity` in Pa s, Stokes drag on every sphere (Bierwisch 2009, Eq. 2.9).
-  GrainIntegrator(const KindTable& kinds, const Eigen::Vector3d& gravity, double air_viscosity,
+  /// `air_viscosity` in Pa s, Stokes drag on every sphere (Bierwisch 2009, Eq. 2.9). `rolls`: whether
+  /// contacts' rolling loads count, which they can for single spheres only.
+  GrainIntegrator(const KindTable& kinds, const Eigen::Vector3d& gravity, double air_viscosity, bool rolls,
                   double time_step, InstructionSet instructions);
 
   /// Takes grains [begin, end) to the end of the step and places their spheres, with the velocities that the
   /// present forces would lead to: forces depend on velocities (OP-3).
   void advance(Grains& grains, std::size_t begin, std::size_t end, SphereField& spheres) const;
 
-  /// Work (J) done in a step.
-  struct Work {
-    double drag = 0, rolling = 0;
-  };
   /// Ends the step of grains [begin, end), given the contacts' forces (N) on each and their moments (N m,
   /// laboratory frame) about its centre.
-  Work finish(Grains& grains, std::size_t begin, std::size_t end, std::span<const ContactSum> contacts) const;
+  StepWork finish(Grains& grains, std::size_t begin, std::size_t end,
+                  std::span<const ContactSum> contacts) const;
 
  private:
   /// What the motion of one kind depends on.
@@ -47,11 +48,11 @@ class GrainIntegrator {
   void advance_with(Bodies& bodies, Grains& grains, std::size_t begin, std::size_t end,
                     SphereField& spheres) const;
   template <class Bodies>
-  Work finish_with(Bodies& bodies, Grains& grains, std::size_t begin, std::size_t end,
-                   std::span<const ContactSum> contacts) const;
+  StepWork finish_with(Bodies& bodies, Grains& grains, std::size_t begin, std::size_t end,
+                       std::span<const ContactSum> contacts) const;
 
-  std::vector<Body> bodies_;  ///< one a kind
-  std::size_t spheres_;       ///< of a grain
+  std::vector<Body> bodies_;                ///< one a kind
+  std::optional<SphereIntegrator> single_;  ///< where grains are single spheres
   bool rotates_;
   double time_step_;
   InstructionSet instructions_;

@@ -67,12 +67,12 @@ class LocalSpheres {
       const std::size_t sphere = block.begin + k;
       spheres.fetch(std::min(sphere + kAhead, spheres.real() - 1));
       put_centre(k, spheres.grain_centre(sphere));
-      put_motion(k, spheres.motion[sphere]);
+      put_motion(k, spheres.motion(sphere));
     }
     for (std::size_t k = 0; k < partners; ++k) {
       const std::size_t partner = block.partners[k];
       put_centre(own + k, spheres.position(partner));
-      put_motion(own + k, spheres.motion[spheres.original(partner)]);
+      put_motion(own + k, spheres.motion(spheres.original(partner)));
     }
   }
 
@@ -86,11 +86,11 @@ class LocalSpheres {
     for (std::size_t k = 0; k < own; ++k) {
       const std::size_t grain = block.begin + k;
       spheres.fetch(std::min(grain + kAhead, spheres.grains - 1));
-      put_moved(k, spheres.motion[grain], spheres.grain_centre(grain));
+      put_moved(k, spheres.motion(grain), spheres.grain_centre(grain));
     }
     for (std::size_t k = 0; k < block.seen.size(); ++k) {
       const std::size_t grain = block.foreign[k];
-      put_moved(own + k, spheres.motion[grain], spheres.grain_centre(grain) + spheres.shift(block.seen[k]));
+      put_moved(own + k, spheres.motion(grain), spheres.grain_centre(grain) + spheres.shift(block.seen[k]));
     }
   }
 

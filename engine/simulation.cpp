@@ -32,8 +32,8 @@ Simulation::Simulation(const SimulationSettings& settings, std::vector<WallBodyS
       wall_loop_(wall_loop_for(settings_, kinds_, walls)),
       list_(neighbour_settings(kinds_, *grain_loop_, *wall_loop_), first_sphere_of_bodies(walls)),
       skin_(skin_for(settings_, kinds_, grain_loop_->range())),
-      integrator_(kinds_, settings_.gravity, settings_.air_viscosity, settings_.time_step,
-                  settings_.instructions) {
+      integrator_(kinds_, settings_.gravity, settings_.air_viscosity,
+                  grain_loop_->rolls() || wall_loop_->rolls(), settings_.time_step, settings_.instructions) {
   for (auto& wall : walls) {
     const double reach = kinds_.largest_sphere() + wall.sphere_radius + 2 * skin_.largest_allowance();
     bodies_.emplace_back(std::move(wall), reach);

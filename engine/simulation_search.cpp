@@ -131,7 +131,8 @@ void Simulation::search(const ContactHistory& history, const ContactHistory& wal
   spheres_.grains = reference_.position.size();
   find_images();
   if (!kinds_.alike()) spheres_.kind = grains_.kind;
-  spheres_.motion.resize(spheres_.grains);
+  spheres_.velocity.resize(spheres_.grains);
+  spheres_.spin.resize(spheres_.grains);
   spheres_.stand_at(reference_.position, reference_.orientation);
   spheres_.hold_places();
   list_.build(spheres_, bodies_, reference_, history, wall_history, workers_);

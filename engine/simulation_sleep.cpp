@@ -65,7 +65,7 @@ void Simulation::carry(const Block& block) {
   for (std::size_t k = block.begin; k < block.end; ++k) {
     if (!sleeping_->asleep(k)) continue;
     grains_.position[k] += carried_;
-    spheres_.motion[k] = {plain(grains_.velocity[k]), {}};
+    spheres_.set_motion(k, {plain(grains_.velocity[k]), {}});
   }
 }
 
@@ -182,7 +182,7 @@ bool Simulation::fall_asleep() {
 void Simulation::settle_motion_of_sleepers() {
   const Vector3 velocity = plain(carrier().velocity);
   for (std::size_t k = 0; k < spheres_.grains; ++k)
-    if (sleeping_->asleep(k)) spheres_.motion[k] = {velocity, {}};
+    if (sleeping_->asleep(k)) spheres_.set_motion(k, {velocity, {}});
 }
 
 }  // namespace diefill::engine

@@ -3,10 +3,12 @@
 namespace diefill::engine {
 
 void SphereField::reorder_motion(const std::vector<std::uint32_t>& order) {
-  std::vector<GrainMotion> reordered(order.size());
-  for (std::size_t k = 0; k < order.size(); ++k)
-    if (order[k] < grains) reordered[k] = motion[order[k]];
-  motion.swap(reordered);
+  for (std::vector<Vector3>* vectors : {&velocity, &spin}) {
+    std::vector<Vector3> reordered(order.size());
+    for (std::size_t k = 0; k < order.size(); ++k)
+      if (order[k] < grains) reordered[k] = (*vectors)[order[k]];
+    vectors->swap(reordered);
+  }
 }
 
 void SphereField::stand_at(const std::vector<Eigen::Vector3d>& position,

@@ -24,7 +24,8 @@ struct GrainMotion {
 struct SphereField {
   std::size_t spheres_per_grain = 1;
   std::size_t grains = 0;           ///< real ones; images follow
-  std::vector<GrainMotion> motion;  ///< of real grains
+  std::vector<Vector3> velocity;    ///< m/s, of real grains' centres of mass
+  std::vector<Vector3> spin;        ///< rad/s, of real grains, laboratory frame
   std::vector<GrainImage> images;
   PeriodicBox box;                            ///< beyond whose borders images are seen
   std::vector<std::uint16_t> kind;            ///< of grains; empty where all are alike
@@ -58,6 +59,12 @@ struct SphereField {
   std::size_t original(std::size_t k) const {
     return k < real() ? k : owner(k) * spheres_per_grain + k % spheres_per_grain;
   }
+  /// Of real grain k.
+  GrainMotion motion(std::size_t k) const { return {velocity[k], spin[k]}; }
+  void set_motion(std::size_t k, const GrainMotion& motion) {
+    velocity[k] = motion.velocity;
+    spin[k] = motion.spin;
+  }
   /// m, centre of mass of real grain k.
   Vector3 grain_centre(std::size_t k) const { return plain(position_[k]); }
   /// Body to laboratory, of composed real grain k.
@@ -65,7 +72,8 @@ struct SphereField {
   /// Asks for what is going to be read soon of real grain k.
   void fetch(std::size_t k) const {
     __builtin_prefetch(position_ + k);
-    __builtin_prefetch(motion.data() + k);
+    __builtin_prefetch(velocity.data() + k);
+    __builtin_prefetch(spin.data() + k);
     if (spheres_per_grain > 1) __builtin_prefetch(orientation_ + k);
   }
   /// m, of sphere `number` of real grain k in its frame.

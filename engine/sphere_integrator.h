@@ -1,0 +1,69 @@
+// Carries single spheres through a time step. Their vectors lie one behind the other in plain arrays, and a
+// sphere's three numbers are treated alike, so arrays are worked through as they lie: no number has to find
+// a lane.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "engine/grain_kinds.h"
+#include "engine/grains.h"
+#include "engine/sphere_field.h"
+#include "engine/vector_instructions.h"
+
+namespace diefill::engine {
+
+/// Work (J) done on grains in a step besides that of contacts and weight.
+struct StepWork {
+  double drag = 0, rolling = 0;
+};
+
+/// Velocity Verlet for centres and spins (Bierwisch 2009, section 2.2); a sphere has no orientation worth
+/// following. SI units.
+class SphereIntegrator {
+ public:
+  /// What the motion of one kind depends on.
+  struct Body {
+    double mass;     ///< kg
+    double drag;     ///< kg/s, Stokes drag over the speed
+    double inertia;  ///< kg m^2
+    Vector3 weight;  ///< N
+  };
+  /// `rolls`: whether contacts' rolling loads count.
+  SphereIntegrator(std::vector<Body> bodies, bool rotates, bool rolls, double time_step,
+                   InstructionSet instructions);
+
+  /// As GrainIntegrator::advance() and finish().
+  void advance(Grains& grains, std::size_t begin, std::size_t end, SphereField& spheres) const;
+  StepWork finish(Grains& grains, std::size_t begin, std::size_t end,
+                  std::span<const ContactSum> contacts) const;
+
+ private:
+  static constexpr std::size_t kSpheres = 8;             ///< worked on at a time
+  static constexpr std::size_t kNumbers = 3 * kSpheres;  ///< of their vectors: whole vector registers
+  static constexpr std::size_t kChunk = 64;              ///< spheres whose contacts' sums are taken apart at once
+
+  /// What a few spheres' numbers are multiplied by, one entry a number.
+  struct Factors {
+    alignas(64) double velocity_per_force[kNumbers];  ///< s/kg, gained in a step
+    alignas(64) double spin_per_torque[kNumbers];     ///< s/(kg m^2), gained in a step
+    alignas(64) double drag[kNumbers];                ///< kg/s
+    alignas(64) double weight[kNumbers];              ///< N
+  };
+  struct ContactForces;
+
+  void set(Factors& factors, std::size_t sphere, const Body& body) const;
+  template <class Visit>
+  void for_groups(const Grains& grains, std::size_t begin, std::size_t end, const Visit& visit) const;
+  void kick(Grains& grains, std::size_t begin, std::size_t end, ContactForces& contacts) const;
+  void kick_spin(Grains& grains, std::size_t begin, std::size_t end, const ContactForces& contacts) const;
+  double slow_rolling(Grains& grains, std::span<const ContactSum> contacts, std::size_t begin) const;
+
+  std::vector<Body> bodies_;  ///< one a kind
+  Factors alike_;             ///< where there is one kind
+  bool rotates_, rolls_;
+  double time_step_;
+  InstructionSet instructions_;
+};
+
+}  // namespace diefill::engine
