@@ -14,6 +14,9 @@ namespace diefill::engine {
 /// a run can be repeated bit for bit.
 class AdaptiveSkin {
  public:
+  /// Half the smallest skin fits that often into what a swift grain may go.
+  static constexpr std::uint8_t kMostDoublings = 7;
+
   /// `fixed`: m, or 0 to adapt; `sphere_radius` in m. `room`: m, how far a swift grain may go at most.
   AdaptiveSkin(double fixed, double sphere_radius, double room = 1e300)
       : fixed_(fixed), radius_(sphere_radius), room_(room) {}
@@ -48,7 +51,8 @@ class AdaptiveSkin {
     if (fixed_ > 0) return 0;
     const double expected = kSpare * step_length * kBalance * radius_ / skin;
     std::uint8_t count = 0;
-    for (double allowance = 0.5 * skin; allowance < expected && 2 * allowance <= largest_allowance();
+    for (double allowance = 0.5 * skin;
+         count < kMostDoublings && allowance < expected && 2 * allowance <= largest_allowance();
          allowance *= 2)
       ++count;
     return count;

@@ -6,12 +6,10 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <utility>
 
 #include "engine/contact_parameters.h"
 #include "engine/lanes.h"
 #include "engine/laws/reaction.h"
-#include "engine/transpose.h"
 
 namespace diefill::engine {
 
@@ -39,36 +37,8 @@ struct ContactBatch {
   Scalars load, overlap;
   Scalars viscous_power, friction_power, rolling_power;  ///< W
 
-  /// The same as records, one pair each: separation and then memory, if it fits in; velocity and spin sum;
-  /// the reactions on i and on j as they are added to ContactSum.
-  static constexpr bool kMemoryInRecord = kMemory <= 5;
-  Record between[kLanes], moving[kLanes], on_own[kLanes], on_other[kLanes];
-
   /// Which pair of kinds a lane is; only set where grains are not all alike.
   std::uint32_t kinds[kLanes + kLaneGroup];
-
-  /// Fills the lanes that the records hold. `lanes`: whole groups.
-  void spread_records(std::size_t lanes) {
-    for (std::size_t k = 0; k < lanes; k += 8) {
-      if constexpr (kMemoryInRecord && kMemory > 0)
-        spread_with_memory(k, std::make_index_sequence<kMemory>{});
-      else
-        records_to_lanes<3>(between + k, {&separation.x[k], &separation.y[k], &separation.z[k]});
-      records_to_lanes<6>(moving + k, {&velocity.x[k], &velocity.y[k], &velocity.z[k], &spin_sum.x[k],
-                                       &spin_sum.y[k], &spin_sum.z[k]});
-    }
-  }
-  /// Collects force, `turning` moment and load into records of the reaction on i or j.
-  void collect_records(std::size_t lanes, Vectors& turning, Record* records) {
-    for (std::size_t k = 0; k < lanes; k += 8)
-      lanes_to_records<7>(
-          {&force.x[k], &force.y[k], &force.z[k], &turning.x[k], &turning.y[k], &turning.z[k], &load[k]},
-          records + k);
-  }
-  void collect_forces(std::size_t lanes) {
-    for (std::size_t k = 0; k < lanes; k += 8)
-      lanes_to_records<3>({&force.x[k], &force.y[k], &force.z[k]}, on_own + k);
-  }
 
   /// Fills the last group with copies of the last pair, so that whole groups hold numbers that make sense.
   void fill_last_group() {
@@ -81,13 +51,6 @@ struct ContactBatch {
       for (std::size_t k = 0; k < kMemory; ++k) memory[k][lane] = memory[k][count - 1];
       kinds[lane] = kinds[count - 1];
     }
-  }
-
- private:
-  template <std::size_t... kNumber>
-  void spread_with_memory(std::size_t k, std::index_sequence<kNumber...>) {
-    records_to_lanes<3 + kMemory>(
-        between + k, {&separation.x[k], &separation.y[k], &separation.z[k], &memory[kNumber][k]...});
   }
 };
 

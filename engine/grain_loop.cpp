@@ -1,4 +1,5 @@
 #include "engine/contact_kernel.h"
+#include "engine/grain_batch.h"
 #include "engine/pair_laws.h"
 
 namespace diefill::engine {
@@ -13,11 +14,6 @@ void BlockTally::start(std::size_t bodies) {
 
 namespace {
 
-/// A touching pair's number in its table, and where the table has what it remembered before this step.
-struct TouchingPair {
-  std::uint32_t pair, memory;
-};
-
 /// Pairs between grains. `Pairs`: which law acts between which. `kComposed`: several spheres a grain, moments
 /// about the block's reference point.
 template <class Pairs, LeverArm kArm, bool kComposed>
@@ -27,32 +23,29 @@ class GrainLoop final : public PairLoop {
 
   void add_forces(Block& block, const ContactScene& scene, std::vector<ContactSum>& sums,
                   BlockTally& tally) const override {
-    thread_local std::vector<TouchingPair> touching;
-    // Contacts begin and end: what pairs remember is written anew in every step, closely packed, into memory
-    // that was another block's before.
+    // Contacts begin and end: what pairs remember is written anew in every step, closely packed.
     thread_local std::vector<double> remembered;
     GrainPairTable& table = block.grain_pairs;
-    touching.resize(table.size());
-    std::size_t count = 0;
-    with_instructions(scene.instructions,
-                      [&] { count = find_touching(block, scene.spheres, touching.data()); });
-    make_memory(remembered, count, table.width);
+    table.make_room_to_remember(remembered);
     Batch& batch = batch_of_thread<Batch>();
     BatchTally<Law> batches;
-    for (std::size_t done = 0; done < count; done += batch.count) {
-      batch.count = std::min(count - done, Batch::kLanes);
-      const TouchingPair* pairs = touching.data() + done;
-      double* memory = remembered.data() + (done + 1) * table.width;
+    std::size_t touching = 0;
+    for (Progress progress; progress.pair < table.size();) {
+      with_instructions(scene.instructions, [&] { find_touching(block, scene.spheres, progress, batch); });
+      if (batch.count == 0) break;
+      double* memory = remembered.data() + (touching + 1) * table.width;
       with_instructions(scene.instructions, [&] {
-        pack(block, pairs, scene.spheres, batch);
+        pack(block, scene.spheres, batch);
         react_all(batch, scene.time_step);
-        hand_out(batch, pairs, block, sums, memory);
+        hand_out(batch, block, sums);
+        batch.write_memory(memory);
         batches.add(batch);
       });
       if constexpr (!Pairs::kAlike)
         batches.add_over_radius(batch, [&](std::size_t lane) { return smaller_radius(batch.kinds[lane]); });
+      touching += batch.count;
     }
-    table.memory.swap(remembered);
+    table.keep(remembered, touching);
     batches.book(scene.time_step, tally);
     tally.overlap.grains = std::max(tally.overlap.grains, batches.deepest());
     const double over_radius =
@@ -62,25 +55,30 @@ class GrainLoop final : public PairLoop {
 
   void visit_forces(const Block& block, const ContactScene& scene,
                     const PairForceVisitor& visit) const override {
-    std::vector<TouchingPair> touching;
-    block.grain_pairs.visit_touching([&](std::size_t p, const double*) {
-      touching.push_back({static_cast<std::uint32_t>(p), static_cast<std::uint32_t>(touching.size() + 1)});
-    });
     Batch& batch = batch_of_thread<Batch>();
-    for (std::size_t done = 0; done < touching.size(); done += batch.count) {
-      batch.count = std::min(touching.size() - done, Batch::kLanes);
-      const TouchingPair* pairs = touching.data() + done;
-      pack(block, pairs, scene.spheres, batch);
+    const GrainPairTable& table = block.grain_pairs;
+    const typename Batch::Source source(scene.spheres, table);
+    std::uint32_t place = GrainPairTable::kNothing;
+    batch.count = 0;
+    const auto visit_batch = [&] {
+      if (batch.count == 0) return;
+      pack(block, scene.spheres, batch);
       react_all(batch, 0);
       for (std::size_t lane = 0; lane < batch.count; ++lane) {
-        const GrainPair pair = block.grain_pairs.pair[pairs[lane].pair];
+        const GrainPair pair = batch.pair[lane];
         const Vector3 separation = batch.separation[lane];
         const double radius = pairs_.of(kinds_of(batch, lane)).reach.radius;
         const double share = (radius - 0.5 * batch.overlap[lane]) / length(separation);
         visit(
             {pair.own, pair.other, batch.force[lane], scene.spheres.position(pair.own) - share * separation});
       }
-    }
+      batch.count = 0;
+    };
+    table.visit_touching([&](std::size_t p, const double*) {
+      note(batch.count, block, source, table.pair[p], ++place, batch);
+      if (++batch.count == Batch::kLanes) visit_batch();
+    });
+    visit_batch();
   }
 
   double stored_energy(const Block& block, const ContactScene& scene) const override {
@@ -105,7 +103,13 @@ class GrainLoop final : public PairLoop {
 
  private:
   using Law = typename Pairs::Law;
-  using Batch = ContactBatch<Law>;
+  using Batch = GrainBatch<Law>;
+
+  /// How far a block's near pairs have been looked at.
+  struct Progress {
+    std::size_t pair = 0;
+    std::uint32_t touched = 0;  ///< how many of them touched in the last step
+  };
 
   static constexpr bool kTurns = Lever<kArm>::kTurns;
   /// Loads count where single spheres roll.
@@ -130,80 +134,65 @@ class GrainLoop final : public PairLoop {
         batch, [&](std::size_t lane) { return pairs_.of(kinds_of(batch, lane)); }, time_step);
   }
 
-  /// Distances are tested first and touching pairs collected, so that the costly part runs without guessing.
-  /// Returns how many were written to `touching`.
-  std::size_t find_touching(Block& block, const LocalSpheres& spheres, TouchingPair* touching) const {
-    GrainPairTable& table = block.grain_pairs;
-    std::size_t count = 0;
-    std::uint32_t before = 0;  // pairs so far that touched in the last step
+  /// Notes a pair as number `lane` of the batch. Returns the square of its distance.
+  double note(std::size_t lane, const Block& block, const typename Batch::Source& source, GrainPair pair,
+              std::uint32_t place, Batch& batch) const {
+    if constexpr (!Pairs::kAlike) batch.kinds[lane] = pairs_.kinds(block, pair);
+    return batch.note(lane, pair, source, place);
+  }
+
+  /// Goes on through the near pairs until the batch is full of touching ones.
+  void find_touching(Block& block, const LocalSpheres& spheres, Progress& progress, Batch& batch) const {
+    const GrainPairTable& table = block.grain_pairs;
+    table.fetch_memory(progress.touched + Batch::kLanes, Batch::kLanes);
+    const typename Batch::Source source(spheres, table);
+    const GrainPair* pair = table.pair.data();
+    std::uint8_t* touching = block.grain_pairs.touching.data();
     const double alike_reach = Pairs::kAlike ? pairs_.reach_squared(0) : 0;
-    for (std::size_t p = 0; p < table.size(); ++p) {
-      // What touching pairs remember is not looked at before all distances are known: time to fetch it.
-      __builtin_prefetch(table.memory_at(before), 0, 2);
-      const GrainPair pair = table.pair[p];
-      const Vector3 between = spheres.position(pair.own) - spheres.position(pair.other);
-      const double reach_squared =
-          Pairs::kAlike ? alike_reach : pairs_.reach_squared(pairs_.kinds(block, pair));
-      const bool touches = dot(between, between) < reach_squared;
-      // Whether a near pair touches cannot be guessed: no branch depends on it.
-      const std::uint32_t touched = table.touching[p];
-      before += touched;
-      touching[count] = {static_cast<std::uint32_t>(p), before * touched};
+    std::size_t p = progress.pair, count = 0;
+    std::uint32_t touched = progress.touched;
+    for (const std::size_t all = table.size(); p < all && count < Batch::kLanes; ++p) {
+      const std::uint32_t did_touch = touching[p];
+      touched += did_touch;
+      const double squared = note(count, block, source, pair[p], touched * did_touch, batch);
+      // Whether a near pair touches cannot be guessed: no branch depends on it, the next overwrites it.
+      const bool touches = squared < (Pairs::kAlike ? alike_reach : pairs_.reach_squared(batch.kinds[count]));
       count += touches;
-      table.touching[p] = touches;
+      touching[p] = touches;
     }
-    return count;
+    progress = {p, touched};
+    batch.count = count;
   }
 
   /// Brings the batch's pairs into its lanes, whole groups of them: the last pair fills up.
-  void pack(const Block& block, const TouchingPair* pairs, const LocalSpheres& spheres, Batch& batch) const {
-    const std::size_t lanes = whole_groups(batch.count);
-    for (std::size_t lane = 0; lane < lanes; ++lane) {
-      const TouchingPair touching = pairs[std::min(lane, batch.count - 1)];
-      const GrainPair pair = block.grain_pairs.pair[touching.pair];
-      const double* memory = block.grain_pairs.memory_at(touching.memory);
-      if constexpr (!Pairs::kAlike) batch.kinds[lane] = pairs_.kinds(block, pair);
-      const auto &here = spheres.centre(pair.own), &there = spheres.centre(pair.other);
-      Record& between = batch.between[lane];
-      for (std::size_t k = 0; k < 4; ++k) between.value[k] = here.value[k] - there.value[k];
-      if constexpr (Batch::kMemoryInRecord)
-        for (std::size_t k = 0; k < Batch::kMemory; ++k) between.value[3 + k] = memory[k];
-      else
-        recall(memory, batch, lane);
-      // Velocities are subtracted, spins added.
-      constexpr double kSign[8] = {-1, -1, -1, 1, 1, 1, 1, 1};
-      const std::size_t own_slot = block.slot_of<kComposed>(pair.own),
-                        other_slot = block.slot_of<kComposed>(pair.other);
-      const Record &own = spheres.motion(own_slot), &other = spheres.motion(other_slot);
-      for (std::size_t k = 0; k < 8; ++k)
-        batch.moving[lane].value[k] = own.value[k] + kSign[k] * other.value[k];
-      if constexpr (kComposed) batch.place.set(lane, spheres.position(pair.own) - plain(block.reference));
-      if constexpr (kComposed || (kTurns && Law::kRolls))
-        batch.relative_spin.set(lane, spheres.spin(own_slot) - spheres.spin(other_slot));
-    }
-    batch.spread_records(lanes);
+  void pack(const Block& block, const LocalSpheres& spheres, Batch& batch) const {
+    batch.fill_last_group();
+    batch.spread_between(block.grain_pairs);
+    batch.template spread_motion<kComposed>(block, spheres);
+    if constexpr (kComposed || (kTurns && Law::kRolls))
+      for (std::size_t lane = 0; lane < whole_groups(batch.count); ++lane) {
+        const GrainPair pair = batch.pair[lane];
+        if constexpr (kComposed) batch.place.set(lane, spheres.position(pair.own) - plain(block.reference));
+        batch.relative_spin.set(lane, spheres.spin(block.slot_of<kComposed>(pair.own)) -
+                                          spheres.spin(block.slot_of<kComposed>(pair.other)));
+      }
   }
 
-  /// Adds the batch's forces to `sums` and writes what its pairs remember to `memory`.
-  void hand_out(Batch& batch, const TouchingPair* pairs, const Block& block, std::vector<ContactSum>& sums,
-                double* memory) const {
-    const std::size_t lanes = whole_groups(batch.count);
-    if constexpr (kTurns)
-      batch.collect_records(lanes, batch.moment, batch.on_own);
-    else
-      batch.collect_forces(lanes);
-    if constexpr (kOtherDiffers) batch.collect_records(lanes, batch.other_moment, batch.on_other);
+  /// Adds the batch's forces to `sums`.
+  void hand_out(const Batch& batch, const Block& block, std::vector<ContactSum>& sums) const {
     const double rolling = kRolls ? pairs_.rolling_friction() : 0;
     const Eight own_sign = {1, 1, 1, 1, 1, 1, rolling, 0};
     const double turn = kComposed && !kOtherDiffers ? -1 : 1;
     const Eight other_sign = {-1, -1, -1, turn, turn, turn, rolling, 0};
-    for (std::size_t lane = 0; lane < batch.count; ++lane) {
-      const GrainPair pair = block.grain_pairs.pair[pairs[lane].pair];
-      add_times(sums[block.slot_of<kComposed>(pair.own)].data(), batch.on_own[lane], own_sign);
-      add_times(sums[block.slot_of<kComposed>(pair.other)].data(),
-                kOtherDiffers ? batch.on_other[lane] : batch.on_own[lane], other_sign);
-      remember(batch, lane, memory + lane * Batch::kMemory);
-    }
+    batch.template for_reactions<kTurns>(batch.moment, [&](std::size_t lane, const Eight& reaction) {
+      add_times(sums[block.slot_of<kComposed>(batch.pair[lane].own)].data(), reaction, own_sign);
+      if constexpr (!kOtherDiffers)
+        add_times(sums[block.slot_of<kComposed>(batch.pair[lane].other)].data(), reaction, other_sign);
+    });
+    if constexpr (kOtherDiffers)
+      batch.template for_reactions<kTurns>(batch.other_moment, [&](std::size_t lane, const Eight& reaction) {
+        add_times(sums[block.slot_of<kComposed>(batch.pair[lane].other)].data(), reaction, other_sign);
+      });
   }
 
   Pairs pairs_;

@@ -22,15 +22,15 @@ class LocalSpheres {
     double value[4];
   };
 
-  const Centre& centre(LocalSphere k) const { return centres_[k]; }
+  const Centre* centres() const { return centres_.data(); }
   /// m, centre of sphere k.
   Vector3 position(LocalSphere k) const {
     const Centre& centre = centres_[k];
     return {centre.value[0], centre.value[1], centre.value[2]};
   }
-  /// Of a grain: velocity (m/s) and spin (rad/s) in numbers 0 to 5; the rest is 0. The velocity is that of a
-  /// single sphere's centre. Of a composed grain it is what the rigid grain would have at the block's
-  /// reference point, so that it is the same for all of its spheres.
+  /// Of a grain: velocity (m/s) in numbers 0 to 2, spin (rad/s) in numbers 4 to 6; the others are 0. The
+  /// velocity is that of a single sphere's centre. Of a composed grain it is what the rigid grain would have
+  /// at the block's reference point, so that it is the same for all of its spheres.
   const Record& motion(std::size_t slot) const { return motion_[slot]; }
   /// m/s, as in motion().
   Vector3 velocity(std::size_t slot) const {
@@ -40,7 +40,7 @@ class LocalSpheres {
   /// rad/s, angular velocity of a grain.
   Vector3 spin(std::size_t slot) const {
     const Record& motion = motion_[slot];
-    return {motion.value[3], motion.value[4], motion.value[5]};
+    return {motion.value[kSpin], motion.value[kSpin + 1], motion.value[kSpin + 2]};
   }
 
   /// Takes in the block's own spheres and their partners as they are now. `instructions`: all give the same.
@@ -57,7 +57,7 @@ class LocalSpheres {
   }
 
  private:
-  static constexpr std::size_t kAhead = 16;
+  static constexpr std::size_t kAhead = 16, kSpin = 4;
 
   /// Grains are their spheres.
   void take_single(const Block& block, const SphereField& spheres) {
@@ -151,7 +151,7 @@ class LocalSpheres {
   }
   void put_motion(std::size_t slot, const GrainMotion& motion) {
     put(motion.velocity, motion_[slot].value);
-    put(motion.spin, motion_[slot].value + 3);
+    put(motion.spin, motion_[slot].value + kSpin);
   }
   /// Number by number: a vector that has just been computed cannot be read back as a whole at once.
   static void put(const Vector3& vector, double* value) {

@@ -42,7 +42,9 @@ struct ListReference {
   std::uint64_t awake_grains = 0;  ///< those from here on slept: they get blocks of their own
 
   /// m, how far grain k may move against the drift before the list must be renewed.
-  double allowance(std::size_t k) const { return 0.5 * skin * static_cast<double>(1U << doublings[k]); }
+  double allowance(std::size_t k) const { return allowance_of(doublings[k]); }
+  /// m, the same of grains for which half the skin is doubled so often.
+  double allowance_of(std::size_t often) const { return 0.5 * skin * static_cast<double>(1U << often); }
 };
 
 /// Near pairs in blocks.

@@ -97,11 +97,13 @@ struct PairTable {
 struct GrainPairTable {
   /// Place of what a contact remembers that has just begun.
   static constexpr std::uint32_t kNothing = 0;
+  /// Numbers behind the last one that may be read, so that loads of four need not mind the end.
+  static constexpr std::size_t kSpare = 3;
 
   std::size_t width = 0;  ///< numbers that a touching pair remembers
   std::vector<GrainPair> pair;
   std::vector<std::uint8_t> touching;  ///< 1 while the pair is within the law's reach
-  std::vector<double> memory;          ///< SI units, as the law lays them out; there may be more than is used
+  std::vector<double> memory;          ///< SI units, as the law lays them out, and kSpare numbers
 
   std::size_t size() const { return pair.size(); }
   /// Empties the table and makes room for `count` pairs that remember `numbers` each.
@@ -119,9 +121,32 @@ struct GrainPairTable {
     for (std::size_t k = 0; k < width; ++k) memory.push_back(sign ? sign[k] * remembered[k] : remembered[k]);
   }
   /// Ends adding.
-  void finish() { memory.shrink_to_fit(); }
+  void finish() {
+    memory.insert(memory.end(), kSpare, 0.0);
+    memory.shrink_to_fit();
+  }
+  /// Room for what pairs remember after a step, however many touch: kNothing's numbers are set.
+  void make_room_to_remember(std::vector<double>& remembered) const {
+    const std::size_t needed = (size() + 1) * width + kSpare;
+    if (remembered.size() < needed) remembered.resize(needed);
+    std::fill_n(remembered.begin(), width, 0.0);
+  }
+  /// Takes over what `count` touching pairs remember, one after the other behind kNothing's.
+  void keep(const std::vector<double>& remembered, std::size_t count) {
+    const std::size_t needed = (count + 1) * width + kSpare;
+    // Contacts come and go: some room for more, but not much that is idle.
+    if (memory.capacity() < needed || memory.capacity() > needed + needed / 4)
+      make_room(memory, needed + needed / 16);
+    memory.assign(remembered.begin(), remembered.begin() + static_cast<std::ptrdiff_t>(needed));
+  }
   /// Memory number `place`: counted from 1 among those of touching pairs, or kNothing.
   const double* memory_at(std::uint32_t place) const { return memory.data() + place * width; }
+  /// Asks for `count` memories from `place` on, which are going to be read soon, as far as there are so many.
+  void fetch_memory(std::size_t place, std::size_t count) const {
+    constexpr std::size_t kCacheLine = 64 / sizeof(double);
+    const std::size_t end = std::min((place + count) * width, memory.size());
+    for (std::size_t at = place * width; at < end; at += kCacheLine) __builtin_prefetch(&memory[at]);
+  }
   /// Calls visit(p, memory) for every touching pair p in their order.
   template <class Visit>
   void visit_touching(const Visit& visit) const {
@@ -132,17 +157,9 @@ struct GrainPairTable {
   /// As PairTable::recall(), for pairs in their order, in a table in which none touched.
   void recall(std::size_t p, const double* remembered) {
     touching[p] = 1;
-    memory.insert(memory.end(), remembered, remembered + width);
+    memory.insert(memory.end() - kSpare, remembered, remembered + width);
   }
 };
-
-/// Makes `memory` hold what `count` touching pairs are going to remember, `width` numbers each, and 0 before:
-/// other numbers are of no use. Memory that fits is taken as it is.
-inline void make_memory(std::vector<double>& memory, std::size_t count, std::size_t width) {
-  const std::size_t needed = (count + 1) * width;
-  if (memory.size() < needed || memory.size() > needed + needed / 4) memory = std::vector<double>(needed);
-  std::fill_n(memory.begin(), width, 0.0);
-}
 
 /// A run of grains that one thread works on at a time: its pairs, and the forces they cause. Sums 0 to
 /// grains() - 1 belong to the block's own grains, the rest to `foreign` ones.

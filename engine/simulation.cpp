@@ -1,6 +1,7 @@
 #include "engine/simulation.h"
 
 #include <algorithm>
+#include <array>
 #include <limits>
 #include <numeric>
 #include <stdexcept>
@@ -155,23 +156,30 @@ void Simulation::advance_grains() {
 
 /// Whether a sphere of the block may have moved farther against the powder as a whole than its grain may.
 bool Simulation::has_moved_too_far(const Block& block) const {
-  const bool composed = kinds_.composed();
   const Vector3 drifted = plain(Eigen::Vector3d(reference_.drift * (time_ - reference_.time)));
+  const auto way = [&](std::size_t k) {
+    constexpr std::size_t kAhead = 32;
+    look_ahead<1>(reference_.position, k + kAhead);
+    return plain(grains_.position[k]) - plain(reference_.position[k]) - drifted;
+  };
+  bool too_far = false;
+  if (!kinds_.composed()) {
+    std::array<double, AdaptiveSkin::kMostDoublings + 1> squared_allowance;  // m^2
+    for (std::size_t doublings = 0; doublings < squared_allowance.size(); ++doublings)
+      squared_allowance[doublings] = std::pow(reference_.allowance_of(doublings), 2);
+    for (std::size_t k = block.begin; k < block.end; ++k) {
+      const Vector3 moved = way(k);
+      too_far |= dot(moved, moved) > squared_allowance[reference_.doublings[k]];
+    }
+    return too_far;
+  }
   // A sphere at distance r turns by at most 2 r |q - q_0|.
   const double per_turn = 2 * list_.settings().farthest_sphere;
-  constexpr std::size_t kAhead = 32;
-  double excess = -1;  // m, beyond what is allowed
   for (std::size_t k = block.begin; k < block.end; ++k) {
-    look_ahead<1>(reference_.position, k + kAhead);
-    const Vector3 way = plain(grains_.position[k]) - plain(reference_.position[k]) - drifted;
-    double moved = std::sqrt(dot(way, way));
-    if (composed) {
-      const PlainQuaternion turn = plain(grains_.orientation[k]) - plain(reference_.orientation[k]);
-      moved += per_turn * std::sqrt(dot(turn, turn));
-    }
-    excess = std::max(excess, moved - reference_.allowance(k));
+    const PlainQuaternion turn = plain(grains_.orientation[k]) - plain(reference_.orientation[k]);
+    too_far |= length(way(k)) + per_turn * std::sqrt(dot(turn, turn)) > reference_.allowance(k);
   }
-  return excess > 0;
+  return too_far;
 }
 
 /// Contact forces on the grains of block b, moments about their centres: from the block's own pairs, then

@@ -122,7 +122,7 @@ void Simulation::allow_motion() {
   for (std::size_t b = 0; b < bodies_.size(); ++b) {
     const double speed = (body_motion_[b].velocity - reference_.drift).norm() +
                          bodies_[b].extent() * body_motion_[b].angular_velocity.norm();
-    reference_.body_allowance[b] = 0.5 * reference_.skin * static_cast<double>(1U << doublings(speed));
+    reference_.body_allowance[b] = reference_.allowance_of(doublings(speed));
   }
 }
 

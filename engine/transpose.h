@@ -16,12 +16,17 @@ struct alignas(64) Record {
 /// GCC's and Clang's vector type: plain instructions where the processor has nothing better.
 using Eight = double __attribute__((vector_size(64)));
 
+using Four = double __attribute__((vector_size(32)));
+
+/// The record's numbers.
+inline void take(Eight& numbers, const Record& record) {
+  __builtin_memcpy(&numbers, record.value, sizeof numbers);
+}
 /// sum + way * given, number by number.
-inline void add_times(double* sum, const Record& given, const Eight& way) {
-  Eight total, added;
+inline void add_times(double* sum, const Eight& given, const Eight& way) {
+  Eight total;
   __builtin_memcpy(&total, sum, sizeof total);
-  __builtin_memcpy(&added, given.value, sizeof added);
-  total += way * added;
+  total += way * given;
   __builtin_memcpy(sum, &total, sizeof total);
 }
 
@@ -51,22 +56,15 @@ inline void transpose(Eight (&row)[8]) {
 
 }  // namespace transposition
 
-/// Number k of eight records goes to `lanes[k][0..7]`, for k below `kCount`.
-template <std::size_t kCount>
-inline void records_to_lanes(const Record* records, double* const (&lanes)[kCount]) {
+/// Eight records, one pair or grain each, in registers.
+struct Records {
   Eight row[8];
-  for (std::size_t k = 0; k < 8; ++k) __builtin_memcpy(&row[k], records[k].value, sizeof row[k]);
-  transposition::transpose(row);
-  for (std::size_t k = 0; k < kCount; ++k) __builtin_memcpy(lanes[k], &row[k], sizeof row[k]);
-}
 
-/// The way back; numbers from `kCount` on are 0.
-template <std::size_t kCount>
-inline void lanes_to_records(const double* const (&lanes)[kCount], Record* records) {
-  Eight row[8] = {};
-  for (std::size_t k = 0; k < kCount; ++k) __builtin_memcpy(&row[k], lanes[k], sizeof row[k]);
-  transposition::transpose(row);
-  for (std::size_t k = 0; k < 8; ++k) __builtin_memcpy(records[k].value, &row[k], sizeof row[k]);
-}
+  /// Number k of all records goes to row k, and back.
+  void transpose() { transposition::transpose(row); }
+  /// Row k, transposed, to eight lanes and from them.
+  void store(std::size_t k, double* lanes) const { __builtin_memcpy(lanes, &row[k], sizeof row[k]); }
+  void load(std::size_t k, const double* lanes) { __builtin_memcpy(&row[k], lanes, sizeof row[k]); }
+};
 
 }  // namespace diefill::engine

@@ -1,0 +1,156 @@
+// Touching pairs of grains on their way into a batch's lanes and out of them: pairs are read and written as
+// records, eight of which turn into lanes in registers.
+#pragma once
+
+#include <type_traits>
+
+#include "engine/contact_batch.h"
+#include "engine/local_spheres.h"
+#include "engine/pair_table.h"
+#include "engine/transpose.h"
+
+namespace diefill::engine {
+
+/// A batch of pairs between grains.
+template <class Law>
+struct GrainBatch : ContactBatch<Law> {
+  using Base = ContactBatch<Law>;
+  using Base::kLanes, Base::kMemory, Base::count;
+
+  /// Whether a record has room for what a pair remembers: in its upper half.
+  static constexpr bool kMemoryInRecord = kMemory <= 4;
+  static constexpr std::size_t kUpper = 4;
+
+  GrainPair pair[kLanes];
+  Record between[kLanes];  ///< separation (m) and, if there is room, memory
+  std::uint32_t place_of_memory[kMemoryInRecord ? 1 : kLanes];  ///< otherwise
+
+  /// Where pairs are noted from. Pointers of its own: compilers then know that noting does not move them.
+  struct Source {
+    const LocalSpheres::Centre* centre;
+    const double* memory;  ///< of pairs that touched, one after the other behind kNothing's
+
+    Source(const LocalSpheres& spheres, const GrainPairTable& table)
+        : centre(spheres.centres()), memory(table.memory.data()) {}
+  };
+
+  /// Notes a pair as number `lane`; whether it stays there is up to the caller. `remembered`: place of what
+  /// it remembers. Returns the square (m^2) of the distance.
+  double note(std::size_t lane, const GrainPair& noted, const Source& source, std::uint32_t remembered) {
+    Four separated, other;
+    __builtin_memcpy(&separated, source.centre[noted.own].value, sizeof separated);
+    __builtin_memcpy(&other, source.centre[noted.other].value, sizeof other);
+    separated -= other;
+    __builtin_memcpy(between[lane].value, &separated, sizeof separated);
+    if constexpr (!kMemoryInRecord)
+      place_of_memory[lane] = remembered;
+    else if constexpr (kMemory > 0) {
+      Four numbers;
+      __builtin_memcpy(&numbers, source.memory + std::size_t{remembered} * kMemory, sizeof numbers);
+      __builtin_memcpy(between[lane].value + kUpper, &numbers, sizeof numbers);
+    }
+    pair[lane] = noted;
+    return separated[0] * separated[0] + separated[1] * separated[1] + separated[2] * separated[2];
+  }
+
+  /// Repeats the last pair until a whole group is full.
+  void fill_last_group() {
+    for (std::size_t lane = count; lane < whole_groups(count); ++lane) {
+      pair[lane] = pair[count - 1];
+      between[lane] = between[count - 1];
+      this->kinds[lane] = this->kinds[count - 1];
+      if constexpr (!kMemoryInRecord) place_of_memory[lane] = place_of_memory[count - 1];
+    }
+  }
+
+  /// Fills the lanes of separations and memory.
+  void spread_between(const GrainPairTable& table) {
+    for (std::size_t k = 0; k < whole_groups(count); k += kLaneGroup) {
+      Records records;
+      for (std::size_t lane = 0; lane < kLaneGroup; ++lane) take(records.row[lane], between[k + lane]);
+      records.transpose();
+      records.store(0, &this->separation.x[k]);
+      records.store(1, &this->separation.y[k]);
+      records.store(2, &this->separation.z[k]);
+      if constexpr (kMemoryInRecord)
+        for (std::size_t n = 0; n < kMemory; ++n) records.store(kUpper + n, &this->memory[n][k]);
+    }
+    if constexpr (!kMemoryInRecord)
+      for (std::size_t lane = 0; lane < whole_groups(count); ++lane) {
+        const double* remembered = table.memory_at(place_of_memory[lane]);
+        for (std::size_t n = 0; n < kMemory; ++n) this->memory[n][lane] = remembered[n];
+      }
+  }
+
+  /// Fills the lanes of motions: velocities are subtracted, spins added.
+  template <bool kComposed>
+  void spread_motion(const Block& block, const LocalSpheres& spheres) {
+    constexpr Eight kSign = {-1, -1, -1, -1, 1, 1, 1, 1};
+    for (std::size_t k = 0; k < whole_groups(count); k += kLaneGroup) {
+      Records records;
+      for (std::size_t lane = 0; lane < kLaneGroup; ++lane) {
+        Eight own, other;
+        take(own, spheres.motion(block.slot_of<kComposed>(pair[k + lane].own)));
+        take(other, spheres.motion(block.slot_of<kComposed>(pair[k + lane].other)));
+        records.row[lane] = own + kSign * other;
+      }
+      records.transpose();
+      records.store(0, &this->velocity.x[k]);
+      records.store(1, &this->velocity.y[k]);
+      records.store(2, &this->velocity.z[k]);
+      records.store(kUpper, &this->spin_sum.x[k]);
+      records.store(kUpper + 1, &this->spin_sum.y[k]);
+      records.store(kUpper + 2, &this->spin_sum.z[k]);
+    }
+  }
+
+  /// Writes what the pairs remember to `remembered`, one pair after the other. Up to three numbers behind the
+  /// last are overwritten as well.
+  void write_memory(double* remembered) const {
+    if constexpr (!kMemoryInRecord) {
+      for (std::size_t lane = 0; lane < count; ++lane)
+        for (std::size_t n = 0; n < kMemory; ++n) remembered[lane * kMemory + n] = this->memory[n][lane];
+    } else if constexpr (kMemory > 0) {
+      in_groups([&](std::size_t k, auto pairs) {
+        Records records{};
+        for (std::size_t n = 0; n < kMemory; ++n) records.load(n, this->memory[n].value + k);
+        records.transpose();
+        for (std::size_t lane = 0; lane < pairs; ++lane)
+          __builtin_memcpy(remembered + (k + lane) * kMemory, &records.row[lane], sizeof(Four));
+      });
+    }
+  }
+
+  /// Calls use(lane, reaction) for every pair: force, moment `turning` and load as in ContactSum. `kTurns`: whether
+  /// there are moments.
+  template <bool kTurns, class Use>
+  void for_reactions(const typename Base::Vectors& turning, const Use& use) const {
+    in_groups([&](std::size_t k, auto pairs) {
+      Records records{};
+      records.load(0, this->force.x.value + k);
+      records.load(1, this->force.y.value + k);
+      records.load(2, this->force.z.value + k);
+      if constexpr (kTurns) {
+        records.load(3, turning.x.value + k);
+        records.load(4, turning.y.value + k);
+        records.load(5, turning.z.value + k);
+        records.load(6, this->load.value + k);
+      }
+      records.transpose();
+      for (std::size_t lane = 0; lane < pairs; ++lane) use(k + lane, records.row[lane]);
+    });
+  }
+
+ private:
+
+  /// Calls use(first, how many) for groups of pairs; the compiler knows how many but for the last group.
+  template <class Use>
+  void in_groups(const Use& use) const {
+    std::size_t k = 0;
+    for (; k + kLaneGroup <= count; k += kLaneGroup)
+      use(k, std::integral_constant<std::size_t, kLaneGroup>{});
+    if (k < count) use(k, count - k);
+  }
+};
+
+}  // namespace diefill::engine
