@@ -10,6 +10,7 @@
 #include "engine/contact_parameters.h"
 #include "engine/lanes.h"
 #include "engine/laws/reaction.h"
+#include "engine/reciprocal_root.h"
 
 namespace diefill::engine {
 
@@ -34,7 +35,8 @@ struct ContactBatch {
   Vectors force;         ///< N on i
   Vectors moment;        ///< N m on i
   Vectors other_moment;  ///< N m on j; only set where it is not the obvious one
-  Scalars load, overlap;
+  Scalars load, overlap, root_overlap;
+  Vectors normal;
   Scalars viscous_power, friction_power, rolling_power;  ///< W
 
   /// Which pair of kinds a lane is; only set where grains are not all alike.
@@ -112,10 +114,28 @@ void react(ContactBatch<Law>& batch, const OfLane& of_lane, double time_step) {
   for (std::size_t lane = 0; lane < lanes; ++lane) {
     const auto& [law, reach] = of_lane(lane);
     const Vector3 separation = batch.separation[lane];
-    const double distance = length(separation);
+    const double squared = dot(separation, separation), inverse = reciprocal_root(squared);
+    batch.overlap[lane] = reach.contact - squared * inverse;
+    batch.normal.set(lane, inverse * separation);
+  }
+#pragma GCC ivdep
+  for (std::size_t lane = 0; lane < lanes; ++lane)
+    batch.root_overlap[lane] = batch.overlap[lane] * reciprocal_root(batch.overlap[lane]);
+#pragma GCC ivdep
+  for (std::size_t lane = 0; lane < lanes; ++lane) {
+    const auto& [law, reach] = of_lane(lane);
+    double memory[ContactBatch<Law>::kMemory + 1];
+    for (std::size_t k = 0; k < ContactBatch<Law>::kMemory; ++k) memory[k] = batch.memory[k][lane];
+    if constexpr (requires { law.turn(memory, Vector3{}); }) law.turn(memory, batch.normal[lane]);
+    for (std::size_t k = 0; k < ContactBatch<Law>::kMemory; ++k) batch.memory[k][lane] = memory[k];
+  }
+#pragma GCC ivdep
+  for (std::size_t lane = 0; lane < lanes; ++lane) {
+    const auto& [law, reach] = of_lane(lane);
     laws::ContactState contact;
-    contact.overlap = reach.contact - distance;
-    contact.normal = (1 / distance) * separation;
+    contact.overlap = batch.overlap[lane];
+    contact.root_overlap = batch.root_overlap[lane];
+    contact.normal = batch.normal[lane];
     contact.velocity = batch.velocity[lane];
     contact.time_step = contact.rolling_step = time_step;
     const double arm = Arms::arm(reach.radius, contact.overlap);
@@ -134,7 +154,6 @@ void react(ContactBatch<Law>& batch, const OfLane& of_lane, double time_step) {
     for (std::size_t k = 0; k < ContactBatch<Law>::kMemory; ++k) batch.memory[k][lane] = memory[k];
 
     batch.force.set(lane, reaction.force);
-    batch.overlap[lane] = contact.overlap;
     batch.load[lane] = reaction.load;
     batch.viscous_power[lane] = reaction.viscous_power;
     batch.friction_power[lane] = reaction.friction_power;

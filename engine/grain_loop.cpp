@@ -135,8 +135,8 @@ class GrainLoop final : public PairLoop {
   }
 
   /// Notes a pair as number `lane` of the batch. Returns the square of its distance.
-  double note(std::size_t lane, const Block& block, const typename Batch::Source& source, GrainPair pair,
-              std::uint32_t place, Batch& batch) const {
+  double note(std::size_t lane, const Block& block, const typename Batch::Source& source,
+              const GrainPair& pair,              std::uint32_t place, Batch& batch) const {
     if constexpr (!Pairs::kAlike) batch.kinds[lane] = pairs_.kinds(block, pair);
     return batch.note(lane, pair, source, place);
   }

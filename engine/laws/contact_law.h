@@ -39,9 +39,10 @@ struct ContactLaw {
         friction(parameters.tangential, parameters.friction, effective_radius),
         rolling_friction(parameters.rolling_friction) {}
 
+  void turn(double* memory, Vector3 normal) const { friction.turn(memory, normal); }
   /// Force between touching spheres; advances the pair's `memory`.
   Reaction react(const ContactState& contact, double* memory) const {
-    const double root_overlap = std::sqrt(contact.overlap);
+    const double root_overlap = contact.root_overlap;
     const double separation_speed = dot(contact.velocity, contact.normal);
     const NormalForce parts = normal(contact.overlap, root_overlap, separation_speed);
     const Vector3 sliding = contact.velocity - separation_speed * contact.normal;

@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "engine/reciprocal_root.h"
 #include "engine/vector3.h"
 
 namespace diefill::engine::laws {
@@ -12,6 +13,7 @@ struct NoFriction {
   static constexpr int kMemory = 0;
   NoFriction() = default;
   NoFriction(double, double, double) {}
+  void turn(double*, Vector3) const {}
   Vector3 force(double*, Vector3, Vector3, double, double, double) const { return {}; }
 };
 
@@ -31,22 +33,27 @@ struct TangentialSpring {
   TangentialSpring(double tangential, double friction_coefficient, double effective_radius)
       : coefficient(tangential / std::sqrt(effective_radius)), friction(friction_coefficient) {}
 
+  void turn(double* memory, Vector3 normal) const {
+    Vector3 spring{memory[0], memory[1], memory[2]};
+    const double squared = dot(spring, spring);
+    spring -= dot(spring, normal) * normal;
+    const double turned = squared * reciprocal_root(squared * dot(spring, spring));
+    memory[0] = turned * spring.x;
+    memory[1] = turned * spring.y;
+    memory[2] = turned * spring.z;
+  }
   /// Advances the spring (`memory`, 3 numbers, m) over `time_step` (s) and returns the force on i in N.
   /// `normal` points from j to i, `sliding` is the tangential velocity of i's surface against j's (m/s),
   /// `normal_load` is |f_e + f_v| in N.
-  Vector3 force(double* memory, Vector3 normal, Vector3 sliding, double root_overlap, double normal_load,
+  Vector3 force(double* memory, Vector3, Vector3 sliding, double root_overlap, double normal_load,
                 double time_step) const {
     Vector3 spring{memory[0], memory[1], memory[2]};
-    const double length_before = dot(spring, spring);
-    spring -= dot(spring, normal) * normal;
-    const double length_projected = dot(spring, spring);
-    const double turned = length_projected > 0 ? std::sqrt(length_before / length_projected) : 1.0;
-    spring = turned * spring + time_step * sliding;
+    spring += time_step * sliding;
 
     const double stiffness = coefficient * root_overlap;
-    const double elastic = stiffness * length(spring);
-    const double limit = friction * normal_load;
-    const double share = elastic > limit ? limit / elastic : 1.0;
+    const double elastic_squared = stiffness * stiffness * dot(spring, spring);
+    const double limit_over_elastic = friction * normal_load * reciprocal_root(elastic_squared);
+    const double share = limit_over_elastic < 1 ? limit_over_elastic : 1.0;
     const Vector3 force = (-stiffness * share) * spring;
     if constexpr (kCutBack) spring = share * spring;
     memory[0] = spring.x;
