@@ -11,6 +11,12 @@
 
 namespace diefill::engine {
 
+/// A touching pair, and where the table has what it remembered before this step.
+struct TouchingPair {
+  GrainPair pair;
+  std::uint32_t memory;
+};
+
 /// A batch of pairs between grains.
 template <class Law>
 struct GrainBatch : ContactBatch<Law> {
@@ -21,53 +27,30 @@ struct GrainBatch : ContactBatch<Law> {
   static constexpr bool kMemoryInRecord = kMemory <= 4;
   static constexpr std::size_t kUpper = 4;
 
-  GrainPair pair[kLanes];
-  Record between[kLanes];  ///< separation (m) and, if there is room, memory
-  std::uint32_t place_of_memory[kMemoryInRecord ? 1 : kLanes];  ///< otherwise
-
-  /// Where pairs are noted from. Pointers of its own: compilers then know that noting does not move them.
-  struct Source {
-    const LocalSpheres::Centre* centre;
-    const double* memory;  ///< of pairs that touched, one after the other behind kNothing's
-
-    Source(const LocalSpheres& spheres, const GrainPairTable& table)
-        : centre(spheres.centres()), memory(table.memory.data()) {}
-  };
-
-  /// Notes a pair as number `lane`; whether it stays there is up to the caller. `remembered`: place of what
-  /// it remembers. Returns the square (m^2) of the distance.
-  double note(std::size_t lane, const GrainPair& noted, const Source& source, std::uint32_t remembered) {
-    Four separated, other;
-    __builtin_memcpy(&separated, source.centre[noted.own].value, sizeof separated);
-    __builtin_memcpy(&other, source.centre[noted.other].value, sizeof other);
-    separated -= other;
-    __builtin_memcpy(between[lane].value, &separated, sizeof separated);
-    if constexpr (!kMemoryInRecord)
-      place_of_memory[lane] = remembered;
-    else if constexpr (kMemory > 0) {
-      Four numbers;
-      __builtin_memcpy(&numbers, source.memory + std::size_t{remembered} * kMemory, sizeof numbers);
-      __builtin_memcpy(between[lane].value + kUpper, &numbers, sizeof numbers);
-    }
-    pair[lane] = noted;
-    return separated[0] * separated[0] + separated[1] * separated[1] + separated[2] * separated[2];
-  }
+  TouchingPair pair[kLanes];
 
   /// Repeats the last pair until a whole group is full.
   void fill_last_group() {
     for (std::size_t lane = count; lane < whole_groups(count); ++lane) {
       pair[lane] = pair[count - 1];
-      between[lane] = between[count - 1];
       this->kinds[lane] = this->kinds[count - 1];
-      if constexpr (!kMemoryInRecord) place_of_memory[lane] = place_of_memory[count - 1];
     }
   }
 
-  /// Fills the lanes of separations and memory.
-  void spread_between(const GrainPairTable& table) {
+  /// Fills the lanes of separations and of what the pairs remember in `table`.
+  void spread_between(const LocalSpheres& spheres, const GrainPairTable& table) {
     for (std::size_t k = 0; k < whole_groups(count); k += kLaneGroup) {
       Records records;
-      for (std::size_t lane = 0; lane < kLaneGroup; ++lane) take(records.row[lane], between[k + lane]);
+      for (std::size_t lane = 0; lane < kLaneGroup; ++lane) {
+        const TouchingPair& touching = pair[k + lane];
+        Four own, other, numbers{};
+        __builtin_memcpy(&own, spheres.centre(touching.pair.own).value, sizeof own);
+        __builtin_memcpy(&other, spheres.centre(touching.pair.other).value, sizeof other);
+        if constexpr (kMemoryInRecord && kMemory > 0)
+          __builtin_memcpy(&numbers, table.memory_at(touching.memory), sizeof numbers);
+        own -= other;
+        records.row[lane] = __builtin_shufflevector(own, numbers, 0, 1, 2, 3, 4, 5, 6, 7);
+      }
       records.transpose();
       records.store(0, &this->separation.x[k]);
       records.store(1, &this->separation.y[k]);
@@ -77,7 +60,7 @@ struct GrainBatch : ContactBatch<Law> {
     }
     if constexpr (!kMemoryInRecord)
       for (std::size_t lane = 0; lane < whole_groups(count); ++lane) {
-        const double* remembered = table.memory_at(place_of_memory[lane]);
+        const double* remembered = table.memory_at(pair[lane].memory);
         for (std::size_t n = 0; n < kMemory; ++n) this->memory[n][lane] = remembered[n];
       }
   }
@@ -90,8 +73,8 @@ struct GrainBatch : ContactBatch<Law> {
       Records records;
       for (std::size_t lane = 0; lane < kLaneGroup; ++lane) {
         Eight own, other;
-        take(own, spheres.motion(block.slot_of<kComposed>(pair[k + lane].own)));
-        take(other, spheres.motion(block.slot_of<kComposed>(pair[k + lane].other)));
+        take(own, spheres.motion(block.slot_of<kComposed>(pair[k + lane].pair.own)));
+        take(other, spheres.motion(block.slot_of<kComposed>(pair[k + lane].pair.other)));
         records.row[lane] = own + kSign * other;
       }
       records.transpose();

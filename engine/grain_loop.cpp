@@ -1,4 +1,7 @@
+#include <bit>
+
 #include "engine/contact_kernel.h"
+#include "engine/eight_distances.h"
 #include "engine/grain_batch.h"
 #include "engine/pair_laws.h"
 
@@ -25,15 +28,19 @@ class GrainLoop final : public PairLoop {
                   BlockTally& tally) const override {
     // Contacts begin and end: what pairs remember is written anew in every step, closely packed.
     thread_local std::vector<double> remembered;
+    thread_local std::vector<TouchingPair> touching;
     GrainPairTable& table = block.grain_pairs;
     table.make_room_to_remember(remembered);
+    touching.resize(table.size());
+    std::size_t count = 0;
+    with_instructions(scene.instructions,
+                      [&] { count = find_touching(block, scene.spheres, touching.data()); });
     Batch& batch = batch_of_thread<Batch>();
     BatchTally<Law> batches;
-    std::size_t touching = 0;
-    for (Progress progress; progress.pair < table.size();) {
-      with_instructions(scene.instructions, [&] { find_touching(block, scene.spheres, progress, batch); });
-      if (batch.count == 0) break;
-      double* memory = remembered.data() + (touching + 1) * table.width;
+    for (std::size_t done = 0; done < count; done += batch.count) {
+      batch.count = std::min(count - done, Batch::kLanes);
+      std::copy_n(touching.data() + done, batch.count, batch.pair);
+      double* memory = remembered.data() + (done + 1) * table.width;
       with_instructions(scene.instructions, [&] {
         pack(block, scene.spheres, batch);
         react_all(batch, scene.time_step);
@@ -43,9 +50,8 @@ class GrainLoop final : public PairLoop {
       });
       if constexpr (!Pairs::kAlike)
         batches.add_over_radius(batch, [&](std::size_t lane) { return smaller_radius(batch.kinds[lane]); });
-      touching += batch.count;
     }
-    table.keep(remembered, touching);
+    table.keep(remembered, count);
     batches.book(scene.time_step, tally);
     tally.overlap.grains = std::max(tally.overlap.grains, batches.deepest());
     const double over_radius =
@@ -57,7 +63,6 @@ class GrainLoop final : public PairLoop {
                     const PairForceVisitor& visit) const override {
     Batch& batch = batch_of_thread<Batch>();
     const GrainPairTable& table = block.grain_pairs;
-    const typename Batch::Source source(scene.spheres, table);
     std::uint32_t place = GrainPairTable::kNothing;
     batch.count = 0;
     const auto visit_batch = [&] {
@@ -65,7 +70,7 @@ class GrainLoop final : public PairLoop {
       pack(block, scene.spheres, batch);
       react_all(batch, 0);
       for (std::size_t lane = 0; lane < batch.count; ++lane) {
-        const GrainPair pair = batch.pair[lane];
+        const GrainPair pair = batch.pair[lane].pair;
         const Vector3 separation = batch.separation[lane];
         const double radius = pairs_.of(kinds_of(batch, lane)).reach.radius;
         const double share = (radius - 0.5 * batch.overlap[lane]) / length(separation);
@@ -75,7 +80,7 @@ class GrainLoop final : public PairLoop {
       batch.count = 0;
     };
     table.visit_touching([&](std::size_t p, const double*) {
-      note(batch.count, block, source, table.pair[p], ++place, batch);
+      batch.pair[batch.count] = {table.pair[p], ++place};
       if (++batch.count == Batch::kLanes) visit_batch();
     });
     visit_batch();
@@ -105,12 +110,7 @@ class GrainLoop final : public PairLoop {
   using Law = typename Pairs::Law;
   using Batch = GrainBatch<Law>;
 
-  /// How far a block's near pairs have been looked at.
-  struct Progress {
-    std::size_t pair = 0;
-    std::uint32_t touched = 0;  ///< how many of them touched in the last step
-  };
-
+  static constexpr std::size_t kTested = 64;  ///< pairs at a time
   static constexpr bool kTurns = Lever<kArm>::kTurns;
   /// Loads count where single spheres roll.
   static constexpr bool kRolls = !kComposed && kTurns;
@@ -134,44 +134,89 @@ class GrainLoop final : public PairLoop {
         batch, [&](std::size_t lane) { return pairs_.of(kinds_of(batch, lane)); }, time_step);
   }
 
-  /// Notes a pair as number `lane` of the batch. Returns the square of its distance.
-  double note(std::size_t lane, const Block& block, const typename Batch::Source& source,
-              const GrainPair& pair,              std::uint32_t place, Batch& batch) const {
-    if constexpr (!Pairs::kAlike) batch.kinds[lane] = pairs_.kinds(block, pair);
-    return batch.note(lane, pair, source, place);
+  /// Distances are tested first and touching pairs collected, so that the costly part runs without guessing.
+  /// Returns how many were written to `touching`.
+  std::size_t find_touching(Block& block, const LocalSpheres& spheres, TouchingPair* touching) const {
+    GrainPairTable& table = block.grain_pairs;
+    const GrainPair* pair = table.pair.data();
+    std::uint8_t* touches = table.touching.data();
+    std::size_t count = 0;
+    std::uint32_t before = 0;  // pairs so far that touched in the last step
+    for (std::size_t first = 0; first < table.size(); first += kTested) {
+      std::uint64_t last = 0, now = 0;
+      for (std::size_t k = 0; k < kTested && first + k < table.size(); k += kLaneGroup) {
+        const std::size_t some = std::min(kLaneGroup, table.size() - first - k);
+        const EightTouches eight = some == kLaneGroup
+                                       ? test_eight(block, spheres, pair + first + k, touches + first + k)
+                                       : test_few(block, spheres, pair + first + k, touches + first + k, some);
+        last |= eight.last << k;
+        now |= eight.now << k;
+      }
+      // Whether a near pair touches cannot be guessed: no branch depends on a single one.
+      const std::size_t listed = count;
+      for (std::uint64_t left = now; left != 0; left &= left - 1) {
+        const std::uint64_t up_to = left ^ (left - 1);
+        touching[count++] = {pair[first + static_cast<unsigned>(std::countr_zero(left))],
+                             before + static_cast<std::uint32_t>(std::popcount(last & up_to))};
+      }
+      for (std::uint64_t begun = now & ~last; begun != 0; begun &= begun - 1)
+        touching[listed + static_cast<unsigned>(std::popcount(now & (begun ^ (begun - 1)))) - 1].memory =
+            GrainPairTable::kNothing;
+      before += static_cast<std::uint32_t>(std::popcount(last));
+    }
+    return count;
   }
 
-  /// Goes on through the near pairs until the batch is full of touching ones.
-  void find_touching(Block& block, const LocalSpheres& spheres, Progress& progress, Batch& batch) const {
-    const GrainPairTable& table = block.grain_pairs;
-    table.fetch_memory(progress.touched + Batch::kLanes, Batch::kLanes);
-    const typename Batch::Source source(spheres, table);
-    const GrainPair* pair = table.pair.data();
-    std::uint8_t* touching = block.grain_pairs.touching.data();
-    const double alike_reach = Pairs::kAlike ? pairs_.reach_squared(0) : 0;
-    std::size_t p = progress.pair, count = 0;
-    std::uint32_t touched = progress.touched;
-    for (const std::size_t all = table.size(); p < all && count < Batch::kLanes; ++p) {
-      const std::uint32_t did_touch = touching[p];
-      touched += did_touch;
-      const double squared = note(count, block, source, pair[p], touched * did_touch, batch);
-      // Whether a near pair touches cannot be guessed: no branch depends on it, the next overwrites it.
-      const bool touches = squared < (Pairs::kAlike ? alike_reach : pairs_.reach_squared(batch.kinds[count]));
-      count += touches;
-      touching[p] = touches;
-    }
-    progress = {p, touched};
-    batch.count = count;
+  /// Which of eight near pairs touched in the last step and which do now, one bit each.
+  struct EightTouches {
+    std::uint64_t last, now;
+  };
+  /// Notes in `touches` which of eight near pairs touch.
+  EightTouches test_eight(const Block& block, const LocalSpheres& spheres, const GrainPair* near,
+                          std::uint8_t* touches) const {
+    Eight squares, reach_squared;
+    squares_of_eight(
+        [&](int k, Four& between) {
+          Four other;
+          __builtin_memcpy(&between, spheres.centre(near[k].own).value, sizeof between);
+          __builtin_memcpy(&other, spheres.centre(near[k].other).value, sizeof other);
+          between -= other;
+        },
+        squares);
+    if constexpr (Pairs::kAlike)
+      reach_squared = Eight{} + pairs_.reach_squared(0);
+    else
+      for (int k = 0; k < 8; ++k) reach_squared[k] = pairs_.reach_squared(pairs_.kinds(block, near[k]));
+    std::uint64_t last;
+    const std::uint64_t now = bytes_where_less(squares, reach_squared);
+    __builtin_memcpy(&last, touches, sizeof last);
+    __builtin_memcpy(touches, &now, sizeof now);
+    return {bits_from_bytes(last), bits_from_bytes(now)};
+  }
+  /// The same of fewer, at the end of a table.
+  EightTouches test_few(const Block& block, const LocalSpheres& spheres, const GrainPair* near,
+                        std::uint8_t* touches, std::size_t some) const {
+    GrainPair eight[kLaneGroup];
+    std::uint8_t touch[kLaneGroup] = {};
+    for (std::size_t k = 0; k < kLaneGroup; ++k) eight[k] = near[std::min(k, some - 1)];
+    std::copy_n(touches, some, touch);
+    EightTouches tested = test_eight(block, spheres, eight, touch);
+    std::copy_n(touch, some, touches);
+    tested.now &= (std::uint64_t{1} << some) - 1;
+    return tested;
   }
 
   /// Brings the batch's pairs into its lanes, whole groups of them: the last pair fills up.
   void pack(const Block& block, const LocalSpheres& spheres, Batch& batch) const {
     batch.fill_last_group();
-    batch.spread_between(block.grain_pairs);
+    if constexpr (!Pairs::kAlike)
+      for (std::size_t lane = 0; lane < whole_groups(batch.count); ++lane)
+        batch.kinds[lane] = pairs_.kinds(block, batch.pair[lane].pair);
+    batch.spread_between(spheres, block.grain_pairs);
     batch.template spread_motion<kComposed>(block, spheres);
     if constexpr (kComposed || (kTurns && Law::kRolls))
       for (std::size_t lane = 0; lane < whole_groups(batch.count); ++lane) {
-        const GrainPair pair = batch.pair[lane];
+        const GrainPair pair = batch.pair[lane].pair;
         if constexpr (kComposed) batch.place.set(lane, spheres.position(pair.own) - plain(block.reference));
         batch.relative_spin.set(lane, spheres.spin(block.slot_of<kComposed>(pair.own)) -
                                           spheres.spin(block.slot_of<kComposed>(pair.other)));
@@ -185,13 +230,13 @@ class GrainLoop final : public PairLoop {
     const double turn = kComposed && !kOtherDiffers ? -1 : 1;
     const Eight other_sign = {-1, -1, -1, turn, turn, turn, rolling, 0};
     batch.template for_reactions<kTurns>(batch.moment, [&](std::size_t lane, const Eight& reaction) {
-      add_times(sums[block.slot_of<kComposed>(batch.pair[lane].own)].data(), reaction, own_sign);
+      add_times(sums[block.slot_of<kComposed>(batch.pair[lane].pair.own)].data(), reaction, own_sign);
       if constexpr (!kOtherDiffers)
-        add_times(sums[block.slot_of<kComposed>(batch.pair[lane].other)].data(), reaction, other_sign);
+        add_times(sums[block.slot_of<kComposed>(batch.pair[lane].pair.other)].data(), reaction, other_sign);
     });
     if constexpr (kOtherDiffers)
       batch.template for_reactions<kTurns>(batch.other_moment, [&](std::size_t lane, const Eight& reaction) {
-        add_times(sums[block.slot_of<kComposed>(batch.pair[lane].other)].data(), reaction, other_sign);
+        add_times(sums[block.slot_of<kComposed>(batch.pair[lane].pair.other)].data(), reaction, other_sign);
       });
   }
 

@@ -22,7 +22,7 @@ class LocalSpheres {
     double value[4];
   };
 
-  const Centre* centres() const { return centres_.data(); }
+  const Centre& centre(LocalSphere k) const { return centres_[k]; }
   /// m, centre of sphere k.
   Vector3 position(LocalSphere k) const {
     const Centre& centre = centres_[k];
