@@ -23,19 +23,26 @@ class ContactSums {
   /// Bytes that the sums take.
   std::size_t bytes() const { return value_.size() * sizeof(double); }
 
-  /// Keeps the first size() of `sums`.
-  void keep(const std::vector<ContactSum>& sums) {
+  /// Keeps the first size() of `sums`, which become 0.
+  void keep(std::vector<ContactSum>& sums) {
     with_numbers([&]<std::size_t kNumbers>(std::integral_constant<std::size_t, kNumbers>) {
-      for (std::size_t k = 0; k < size_; ++k)
-        __builtin_memcpy(&value_[k * kNumbers], sums[k].data(), kNumbers * sizeof(double));
+      double* kept = value_.data();
+      for (std::size_t k = 0; k < size_; ++k) {
+        __builtin_memcpy(kept + k * kNumbers, sums[k].data(), kNumbers * sizeof(double));
+        sums[k] = {};
+      }
     });
   }
   /// Sets `sums` to the first `count` that are kept.
   void copy_to(std::vector<ContactSum>& sums, std::size_t count) const {
-    sums.assign(count, {});
+    sums.resize(count);
     with_numbers([&]<std::size_t kNumbers>(std::integral_constant<std::size_t, kNumbers>) {
-      for (std::size_t k = 0; k < count; ++k)
-        __builtin_memcpy(sums[k].data(), &value_[k * kNumbers], kNumbers * sizeof(double));
+      const double* kept = value_.data();
+      for (std::size_t k = 0; k < count; ++k) {
+        double* sum = sums[k].data();
+        __builtin_memcpy(sum, kept + k * kNumbers, kNumbers * sizeof(double));
+        for (std::size_t n = kNumbers; n < 8; ++n) sum[n] = 0;
+      }
     });
   }
   /// Asks for sum k, which is going to be read soon.

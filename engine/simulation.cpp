@@ -16,8 +16,14 @@ namespace diefill::engine {
 
 namespace {
 
-/// Sums that a thread works on: those of a block's pairs, later those of its grains.
-std::vector<ContactSum>& sums_of_thread() {
+/// Sums of a block's pairs that a thread works on: all 0 between blocks.
+std::vector<ContactSum>& pair_sums_of_thread() {
+  thread_local std::vector<ContactSum> sums;
+  return sums;
+}
+
+/// Sums of a block's grains that a thread works on.
+std::vector<ContactSum>& grain_sums_of_thread() {
   thread_local std::vector<ContactSum> sums;
   return sums;
 }
@@ -191,7 +197,7 @@ void Simulation::gather(std::size_t b, std::vector<ContactSum>& contacts) const 
   const auto places = [&](std::size_t block) -> const std::vector<Eigen::Vector3d>& {
     return rests(block) ? reference_.position : grains_.position;
   };
-  own.sums.copy_to(contacts, own.grains());
+  with_instructions(settings_.instructions, [&] { own.sums.copy_to(contacts, own.grains()); });
   if (composed)
     for (std::size_t k = own.begin; k < own.end; ++k) {
       const Vector3 arm = plain(places(b)[k]) - plain(own.reference);
@@ -233,11 +239,11 @@ void Simulation::compute_block(std::size_t b) {
   local.take(block, spheres_, settings_.instructions);
   const ContactScene scene = contact_scene(local);
   tallies_[b].start(bodies_.size());
-  std::vector<ContactSum>& sums = sums_of_thread();
-  sums.assign(block.sums.size(), {});
+  std::vector<ContactSum>& sums = pair_sums_of_thread();
+  if (sums.size() < block.sums.size()) sums.resize(block.sums.size());
   grain_loop_->add_forces(block, scene, sums, tallies_[b]);
   wall_loop_->add_forces(block, scene, sums, tallies_[b]);
-  block.sums.keep(sums);
+  with_instructions(settings_.instructions, [&] { block.sums.keep(sums); });
 }
 
 void Simulation::finish_grains() {
@@ -247,7 +253,7 @@ void Simulation::finish_grains() {
       if (carries()) tallies_[b].held_force = force_on_resting(b);
       return;
     }
-    std::vector<ContactSum>& contacts = sums_of_thread();
+    std::vector<ContactSum>& contacts = grain_sums_of_thread();
     gather(b, contacts);
     if (sleeping_) return finish_awake(b, contacts);
     if (settings_.air_draught) draw_air(b, contacts);
