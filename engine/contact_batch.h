@@ -32,15 +32,25 @@ struct ContactBatch {
   Vectors place;          ///< m, centre of i seen from the reference point
   Scalars memory[std::max<std::size_t>(1, kMemory)];
 
+  Vectors normal;        ///< from j to i
+  Scalars root_overlap;  ///< m^(1/2), for laws in stages
   Vectors force;         ///< N on i
   Vectors moment;        ///< N m on i
   Vectors other_moment;  ///< N m on j; only set where it is not the obvious one
-  Scalars load, overlap, root_overlap;
-  Vectors normal;
+  Scalars load, overlap;
   Scalars viscous_power, friction_power, rolling_power;  ///< W
 
   /// Which pair of kinds a lane is; only set where grains are not all alike.
   std::uint32_t kinds[kLanes + kLaneGroup];
+
+  /// Calls change(memory) with what the pair of a lane remembers.
+  template <class Change>
+  void change_memory(std::size_t lane, const Change& change) {
+    double numbers[kMemory + 1];
+    for (std::size_t k = 0; k < kMemory; ++k) numbers[k] = memory[k][lane];
+    change(numbers);
+    for (std::size_t k = 0; k < kMemory; ++k) memory[k][lane] = numbers[k];
+  }
 
   /// Fills the last group with copies of the last pair, so that whole groups hold numbers that make sense.
   void fill_last_group() {
@@ -104,11 +114,9 @@ struct Lever {
   static constexpr bool kOtherDiffers = kArm == LeverArm::surface || kArm == LeverArm::center;
 };
 
-/// Forces of all pairs in the batch; `of_lane(lane)` is the PairLaw of each. `kComposed`: moments are about
-/// the reference point, otherwise about the centres of i and j. `kUnequal`: radii of i and j may differ.
-template <LeverArm kArm, bool kComposed, bool kUnequal = false, class Law, class OfLane>
-void react(ContactBatch<Law>& batch, const OfLane& of_lane, double time_step) {
-  using Arms = Lever<kArm>;
+/// Where the pairs meet: overlaps and normals.
+template <class Law, class OfLane>
+void meet(ContactBatch<Law>& batch, const OfLane& of_lane) {
   const std::size_t lanes = whole_groups(batch.count);
 #pragma GCC ivdep
   for (std::size_t lane = 0; lane < lanes; ++lane) {
@@ -118,23 +126,35 @@ void react(ContactBatch<Law>& batch, const OfLane& of_lane, double time_step) {
     batch.overlap[lane] = reach.contact - squared * inverse;
     batch.normal.set(lane, inverse * separation);
   }
+}
+
+/// What laws in stages need before they react.
+template <class Law, class OfLane>
+void turn_memory(ContactBatch<Law>& batch, const OfLane& of_lane) {
+  const std::size_t lanes = whole_groups(batch.count);
 #pragma GCC ivdep
   for (std::size_t lane = 0; lane < lanes; ++lane)
     batch.root_overlap[lane] = batch.overlap[lane] * reciprocal_root(batch.overlap[lane]);
 #pragma GCC ivdep
   for (std::size_t lane = 0; lane < lanes; ++lane) {
     const auto& [law, reach] = of_lane(lane);
-    double memory[ContactBatch<Law>::kMemory + 1];
-    for (std::size_t k = 0; k < ContactBatch<Law>::kMemory; ++k) memory[k] = batch.memory[k][lane];
-    if constexpr (requires { law.turn(memory, Vector3{}); }) law.turn(memory, batch.normal[lane]);
-    for (std::size_t k = 0; k < ContactBatch<Law>::kMemory; ++k) batch.memory[k][lane] = memory[k];
+    batch.change_memory(lane, [&](double* memory) { law.turn(memory, batch.normal[lane]); });
   }
+}
+
+/// Forces of all pairs in the batch; `of_lane(lane)` is the PairLaw of each. `kComposed`: moments are about
+/// the reference point, otherwise about the centres of i and j. `kUnequal`: radii of i and j may differ.
+template <LeverArm kArm, bool kComposed, bool kUnequal = false, class Law, class OfLane>
+void react(ContactBatch<Law>& batch, const OfLane& of_lane, double time_step) {
+  using Arms = Lever<kArm>;
+  meet(batch, of_lane);
+  if constexpr (Law::kInStages) turn_memory(batch, of_lane);
+  const std::size_t lanes = whole_groups(batch.count);
 #pragma GCC ivdep
   for (std::size_t lane = 0; lane < lanes; ++lane) {
     const auto& [law, reach] = of_lane(lane);
     laws::ContactState contact;
     contact.overlap = batch.overlap[lane];
-    contact.root_overlap = batch.root_overlap[lane];
     contact.normal = batch.normal[lane];
     contact.velocity = batch.velocity[lane];
     contact.time_step = contact.rolling_step = time_step;
@@ -148,10 +168,13 @@ void react(ContactBatch<Law>& batch, const OfLane& of_lane, double time_step) {
       contact.velocity -= arm * cross(batch.spin_sum[lane], contact.normal);
     if constexpr (Law::kRolls) contact.spin = batch.relative_spin[lane];
 
-    double memory[ContactBatch<Law>::kMemory + 1];
-    for (std::size_t k = 0; k < ContactBatch<Law>::kMemory; ++k) memory[k] = batch.memory[k][lane];
-    const laws::Reaction reaction = law.react(contact, memory);
-    for (std::size_t k = 0; k < ContactBatch<Law>::kMemory; ++k) batch.memory[k][lane] = memory[k];
+    laws::Reaction reaction;
+    batch.change_memory(lane, [&](double* memory) {
+      if constexpr (Law::kInStages)
+        reaction = law.react_turned(contact, batch.root_overlap[lane], memory);
+      else
+        reaction = law.react(contact, memory);
+    });
 
     batch.force.set(lane, reaction.force);
     batch.load[lane] = reaction.load;

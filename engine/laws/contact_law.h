@@ -10,6 +10,7 @@
 #include "engine/laws/hertz.h"
 #include "engine/laws/reaction.h"
 #include "engine/laws/tangential_spring.h"
+#include "engine/reciprocal_root.h"
 
 namespace diefill::engine::laws {
 
@@ -26,6 +27,9 @@ template <class Cohesion, class Friction>
 struct ContactLaw {
   static constexpr int kMemory = Friction::kMemory;  ///< numbers that a touching pair remembers
   static constexpr bool kRolls = false;              ///< whether relative spins matter
+  /// Whether loops over many pairs may call turn() and react_turned() one after the other instead of react():
+  /// what waits for a root in one pair leaves the processor room for others.
+  static constexpr bool kInStages = true;
   Hertz elastic;
   Cohesion cohesion;
   HertzianDamping damping;
@@ -39,17 +43,22 @@ struct ContactLaw {
         friction(parameters.tangential, parameters.friction, effective_radius),
         rolling_friction(parameters.rolling_friction) {}
 
-  void turn(double* memory, Vector3 normal) const { friction.turn(memory, normal); }
   /// Force between touching spheres; advances the pair's `memory`.
   Reaction react(const ContactState& contact, double* memory) const {
-    const double root_overlap = contact.root_overlap;
+    turn(memory, contact.normal);
+    return react_turned(contact, contact.overlap * reciprocal_root(contact.overlap), memory);
+  }
+  /// Turns the pair's memory along with its `normal`.
+  void turn(double* memory, Vector3 normal) const { friction.turn(memory, normal); }
+  /// The same as react(), once the memory has been turned; sqrt(h) is given.
+  Reaction react_turned(const ContactState& contact, double root_overlap, double* memory) const {
     const double separation_speed = dot(contact.velocity, contact.normal);
     const NormalForce parts = normal(contact.overlap, root_overlap, separation_speed);
     const Vector3 sliding = contact.velocity - separation_speed * contact.normal;
     Reaction reaction;
     reaction.load = parts.load();
     const Vector3 tangential =
-        friction.force(memory, contact.normal, sliding, root_overlap, reaction.load, contact.time_step);
+        friction.stretch(memory, sliding, root_overlap, reaction.load, contact.time_step);
     reaction.force = parts.total() * contact.normal + tangential;
     reaction.viscous_power = parts.viscous * separation_speed;
     reaction.friction_power = dot(tangential, sliding);

@@ -13,6 +13,7 @@ class GeneralContactLaw {
  public:
   static constexpr int kMemory = GeneralLaw::kMemory;
   static constexpr bool kRolls = true;
+  static constexpr bool kInStages = false;  ///< as ContactLaw::kInStages
   /// N m over N; rolling resistance is a part of the law here.
   static constexpr double rolling_friction = 0;
 

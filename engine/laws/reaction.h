@@ -8,7 +8,6 @@ namespace diefill::engine::laws {
 /// Relative motion of a pair, laboratory frame.
 struct ContactState {
   double overlap = 0;               ///< m, positive in contact, minus the gap otherwise
-  double root_overlap = 0;
   Vector3 normal = {};              ///< unit vector from j to i
   Vector3 velocity = {};            ///< m/s, of i against j where they touch
   Vector3 spin = {};                ///< rad/s, omega_i - omega_j

@@ -14,7 +14,7 @@ struct NoFriction {
   NoFriction() = default;
   NoFriction(double, double, double) {}
   void turn(double*, Vector3) const {}
-  Vector3 force(double*, Vector3, Vector3, double, double, double) const { return {}; }
+  Vector3 stretch(double*, Vector3, double, double, double) const { return {}; }
 };
 
 /// f_t = -min[kappa_t sqrt(h / R_eff) |xi|, mu |f_e + f_v|] xi / |xi| (Bierwisch 2009, Eq. 2.7). The Coulomb
@@ -33,33 +33,44 @@ struct TangentialSpring {
   TangentialSpring(double tangential, double friction_coefficient, double effective_radius)
       : coefficient(tangential / std::sqrt(effective_radius)), friction(friction_coefficient) {}
 
+  /// Advances the spring (`memory`, 3 numbers, m) over `time_step` (s) and returns the force on i in N.
+  /// `normal` points from j to i, `sliding` is the tangential velocity of i's surface against j's (m/s),
+  /// `normal_load` is |f_e + f_v| in N.
+  Vector3 force(double* memory, Vector3 normal, Vector3 sliding, double root_overlap, double normal_load,
+                double time_step) const {
+    turn(memory, normal);
+    return stretch(memory, sliding, root_overlap, normal_load, time_step);
+  }
+
+  /// Turns the spring into the plane across `normal`, keeping its length.
   void turn(double* memory, Vector3 normal) const {
     Vector3 spring{memory[0], memory[1], memory[2]};
     const double squared = dot(spring, spring);
     spring -= dot(spring, normal) * normal;
-    const double turned = squared * reciprocal_root(squared * dot(spring, spring));
-    memory[0] = turned * spring.x;
-    memory[1] = turned * spring.y;
-    memory[2] = turned * spring.z;
+    // The length before over that after; where the spring is 0, it stays so.
+    spring = squared * reciprocal_root(squared * dot(spring, spring)) * spring;
+    put(spring, memory);
   }
-  /// Advances the spring (`memory`, 3 numbers, m) over `time_step` (s) and returns the force on i in N.
-  /// `normal` points from j to i, `sliding` is the tangential velocity of i's surface against j's (m/s),
-  /// `normal_load` is |f_e + f_v| in N.
-  Vector3 force(double* memory, Vector3, Vector3 sliding, double root_overlap, double normal_load,
-                double time_step) const {
-    Vector3 spring{memory[0], memory[1], memory[2]};
-    spring += time_step * sliding;
 
+  /// The rest of force(), once the spring has been turned.
+  Vector3 stretch(double* memory, Vector3 sliding, double root_overlap, double normal_load,
+                  double time_step) const {
+    Vector3 spring = Vector3{memory[0], memory[1], memory[2]} + time_step * sliding;
     const double stiffness = coefficient * root_overlap;
-    const double elastic_squared = stiffness * stiffness * dot(spring, spring);
-    const double limit_over_elastic = friction * normal_load * reciprocal_root(elastic_squared);
+    const double limit_over_elastic =
+        friction * normal_load * reciprocal_root(stiffness * stiffness * dot(spring, spring));
     const double share = limit_over_elastic < 1 ? limit_over_elastic : 1.0;
     const Vector3 force = (-stiffness * share) * spring;
     if constexpr (kCutBack) spring = share * spring;
+    put(spring, memory);
+    return force;
+  }
+
+ private:
+  static void put(Vector3 spring, double* memory) {
     memory[0] = spring.x;
     memory[1] = spring.y;
     memory[2] = spring.z;
-    return force;
   }
 };
 
