@@ -21,7 +21,10 @@ TEST(ContactSums, KeepTheNumbersThatCountAndNoOthers) {
   for (const std::size_t numbers : {ContactSum::kForce, ContactSum::kMoment, ContactSum::kRolling}) {
     ContactSums kept;
     kept.start(given.size(), numbers);
-    kept.keep(given);
+    std::vector<ContactSum> taken = given;
+    kept.keep(taken);
+    for (const ContactSum& sum : taken)
+      for (std::size_t n = 0; n < 8; ++n) EXPECT_EQ(sum.data()[n], 0);
     EXPECT_EQ(kept.bytes(), 2 * numbers * sizeof(double));
     std::vector<ContactSum> copies;
     kept.copy_to(copies, 2);
@@ -42,11 +45,31 @@ TEST(GrainPairTable, RemembersTouchingPairsInTheirOrderOnly) {
   table.add({0, 2}, nullptr, nullptr);
   table.add({1, 2}, other, opposite);
   table.finish();
-  EXPECT_EQ(table.memory.size(), 3U * 3U);
+  EXPECT_EQ(table.memory.size(), 3U * 3U + GrainPairTable::kSpare);
   std::vector<std::pair<std::size_t, double>> seen;
   table.visit_touching([&](std::size_t p, const double* memory) { seen.emplace_back(p, memory[2]); });
   EXPECT_EQ(seen, (std::vector<std::pair<std::size_t, double>>{{0, 3.0}, {2, -6.0}}));
   EXPECT_EQ(table.memory_at(GrainPairTable::kNothing)[0], 0);
+}
+
+TEST(GrainPairTable, KeepsWhatPairsRememberAfterAStep) {
+  const double one[] = {1, 2, 3};
+  GrainPairTable table;
+  table.start(3, 3);
+  table.add({0, 1}, one, nullptr);
+  table.add({0, 2}, nullptr, nullptr);
+  table.add({1, 2}, nullptr, nullptr);
+  table.finish();
+  std::vector<double> remembered(1, 99.0);
+  table.make_room_to_remember(remembered);
+  ASSERT_GE(remembered.size(), (3 + 1) * 3 + GrainPairTable::kSpare);
+  for (std::size_t k = 0; k < 6; ++k) remembered[3 + k] = 7.0 + static_cast<double>(k);
+  table.touching = {0, 1, 1};
+  table.keep(remembered, 2);
+  EXPECT_EQ(table.memory_at(GrainPairTable::kNothing)[0], 0);
+  EXPECT_EQ(table.memory_at(1)[0], 7.0);
+  EXPECT_EQ(table.memory_at(2)[2], 12.0);
+  EXPECT_EQ(table.memory.size(), 3U * 3U + GrainPairTable::kSpare);
 }
 
 }  // namespace

@@ -10,17 +10,23 @@ namespace {
 
 TEST(Transpose, LanesHoldOneNumberOfEachRecordAndComeBack) {
   for (const auto set : {InstructionSet::baseline, best_instruction_set()}) {
-    Record records[8], back[8];
+    Record given[8], back[8];
     double lanes[8][8] = {};
     for (int r = 0; r < 8; ++r)
-      for (int k = 0; k < 8; ++k) records[r].value[k] = 10 * r + k;
+      for (int k = 0; k < 8; ++k) given[r].value[k] = 10 * r + k;
     with_instructions(set, [&] {
-      records_to_lanes<6>(records, {lanes[0], lanes[1], lanes[2], lanes[3], lanes[4], lanes[5]});
-      lanes_to_records<6>({lanes[0], lanes[1], lanes[2], lanes[3], lanes[4], lanes[5]}, back);
+      Records records;
+      for (int r = 0; r < 8; ++r) take(records.row[r], given[r]);
+      records.transpose();
+      for (int k = 0; k < 8; ++k) records.store(static_cast<std::size_t>(k), lanes[k]);
+      Records returned{};
+      for (int k = 0; k < 6; ++k) returned.load(static_cast<std::size_t>(k), lanes[k]);
+      returned.transpose();
+      for (int r = 0; r < 8; ++r) returned.store(static_cast<std::size_t>(r), back[r].value);
     });
     for (int r = 0; r < 8; ++r)
       for (int k = 0; k < 8; ++k) {
-        EXPECT_EQ(lanes[k][r], k < 6 ? 10 * r + k : 0);
+        EXPECT_EQ(lanes[k][r], 10 * r + k);
         EXPECT_EQ(back[r].value[k], k < 6 ? 10 * r + k : 0);
       }
   }
@@ -28,7 +34,7 @@ TEST(Transpose, LanesHoldOneNumberOfEachRecordAndComeBack) {
 
 TEST(Transpose, AddsEachNumberWithItsOwnFactor) {
   double sum[8] = {1, 1, 1, 1, 1, 1, 1, 1};
-  add_times(sum, {{1, 2, 3, 4, 5, 6, 7, 8}}, Eight{1, -1, 1, -1, 0, 2, 0.5, -0.5});
+  add_times(sum, Eight{1, 2, 3, 4, 5, 6, 7, 8}, Eight{1, -1, 1, -1, 0, 2, 0.5, -0.5});
   const double expected[8] = {2, -1, 4, -3, 1, 13, 4.5, -3};
   for (int k = 0; k < 8; ++k) EXPECT_EQ(sum[k], expected[k]);
 }
