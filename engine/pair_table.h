@@ -136,7 +136,7 @@ struct GrainPairTable {
     const std::size_t needed = (count + 1) * width + kSpare;
     // Contacts come and go: some room for more, but not much that is idle.
     if (memory.capacity() < needed || memory.capacity() > needed + needed / 4)
-      make_room(memory, needed + needed / 16);
+      make_room(memory, needed + needed / 64);
     memory.assign(remembered.begin(), remembered.begin() + static_cast<std::ptrdiff_t>(needed));
   }
   /// Memory number `place`: counted from 1 among those of touching pairs, or kNothing.
