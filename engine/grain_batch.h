@@ -37,28 +37,17 @@ struct GrainBatch : ContactBatch<Law> {
     }
   }
 
-  /// Fills the lanes of separations and of what the pairs remember in `table`.
+  /// Fills the lanes of separations and of what the pairs remember in `table`. `kWide`, here and below: by
+  /// way of records.
+  template <bool kWide>
   void spread_between(const LocalSpheres& spheres, const GrainPairTable& table) {
-    for (std::size_t k = 0; k < whole_groups(count); k += kLaneGroup) {
-      Records records;
-      for (std::size_t lane = 0; lane < kLaneGroup; ++lane) {
-        const TouchingPair& touching = pair[k + lane];
-        Four own, other, numbers{};
-        __builtin_memcpy(&own, spheres.centre(touching.pair.own).value, sizeof own);
-        __builtin_memcpy(&other, spheres.centre(touching.pair.other).value, sizeof other);
-        if constexpr (kMemoryInRecord && kMemory > 0)
-          __builtin_memcpy(&numbers, table.memory_at(touching.memory), sizeof numbers);
-        own -= other;
-        records.row[lane] = __builtin_shufflevector(own, numbers, 0, 1, 2, 3, 4, 5, 6, 7);
-      }
-      records.transpose();
-      records.store(0, &this->separation.x[k]);
-      records.store(1, &this->separation.y[k]);
-      records.store(2, &this->separation.z[k]);
-      if constexpr (kMemoryInRecord)
-        for (std::size_t n = 0; n < kMemory; ++n) records.store(kUpper + n, &this->memory[n][k]);
-    }
-    if constexpr (!kMemoryInRecord)
+    if constexpr (kWide)
+      for (std::size_t k = 0; k < whole_groups(count); k += kLaneGroup) spread_eight(k, spheres, table);
+    else
+      for (std::size_t lane = 0; lane < whole_groups(count); ++lane)
+        this->separation.set(lane,
+                             spheres.position(pair[lane].pair.own) - spheres.position(pair[lane].pair.other));
+    if constexpr (!kWide || !kMemoryInRecord)
       for (std::size_t lane = 0; lane < whole_groups(count); ++lane) {
         const double* remembered = table.memory_at(pair[lane].memory);
         for (std::size_t n = 0; n < kMemory; ++n) this->memory[n][lane] = remembered[n];
@@ -66,31 +55,26 @@ struct GrainBatch : ContactBatch<Law> {
   }
 
   /// Fills the lanes of motions: velocities are subtracted, spins added.
-  template <bool kComposed>
+  template <bool kWide, bool kComposed>
   void spread_motion(const Block& block, const LocalSpheres& spheres) {
-    constexpr Eight kSign = {-1, -1, -1, -1, 1, 1, 1, 1};
-    for (std::size_t k = 0; k < whole_groups(count); k += kLaneGroup) {
-      Records records;
-      for (std::size_t lane = 0; lane < kLaneGroup; ++lane) {
-        Eight own, other;
-        take(own, spheres.motion(block.slot_of<kComposed>(pair[k + lane].pair.own)));
-        take(other, spheres.motion(block.slot_of<kComposed>(pair[k + lane].pair.other)));
-        records.row[lane] = own + kSign * other;
+    if constexpr (kWide) {
+      for (std::size_t k = 0; k < whole_groups(count); k += kLaneGroup)
+        spread_motion_of_eight<kComposed>(k, block, spheres);
+    } else {
+      for (std::size_t lane = 0; lane < whole_groups(count); ++lane) {
+        const std::size_t own = block.slot_of<kComposed>(pair[lane].pair.own),
+                          other = block.slot_of<kComposed>(pair[lane].pair.other);
+        this->velocity.set(lane, spheres.velocity(own) - spheres.velocity(other));
+        this->spin_sum.set(lane, spheres.spin(own) + spheres.spin(other));
       }
-      records.transpose();
-      records.store(0, &this->velocity.x[k]);
-      records.store(1, &this->velocity.y[k]);
-      records.store(2, &this->velocity.z[k]);
-      records.store(kUpper, &this->spin_sum.x[k]);
-      records.store(kUpper + 1, &this->spin_sum.y[k]);
-      records.store(kUpper + 2, &this->spin_sum.z[k]);
     }
   }
 
   /// Writes what the pairs remember to `remembered`, one pair after the other. Up to three numbers behind the
   /// last are overwritten as well.
+  template <bool kWide>
   void write_memory(double* remembered) const {
-    if constexpr (!kMemoryInRecord) {
+    if constexpr (!kWide || !kMemoryInRecord) {
       for (std::size_t lane = 0; lane < count; ++lane)
         for (std::size_t n = 0; n < kMemory; ++n) remembered[lane * kMemory + n] = this->memory[n][lane];
     } else if constexpr (kMemory > 0) {
@@ -104,27 +88,69 @@ struct GrainBatch : ContactBatch<Law> {
     }
   }
 
-  /// Calls use(lane, reaction) for every pair: force, moment `turning` and load as in ContactSum. `kTurns`: whether
-  /// there are moments.
-  template <bool kTurns, class Use>
-  void for_reactions(const typename Base::Vectors& turning, const Use& use) const {
+  /// Calls add_to(pair, reaction) for every pair: force, moment `turning` and load as in ContactSum.
+  /// `kTurns`: whether there are moments.
+  template <bool kTurns, class AddTo>
+  void for_reactions(const typename Base::Vectors& turning, const AddTo& add_to) const {
     in_groups([&](std::size_t k, auto pairs) {
       Records records{};
-      records.load(0, this->force.x.value + k);
-      records.load(1, this->force.y.value + k);
-      records.load(2, this->force.z.value + k);
-      if constexpr (kTurns) {
-        records.load(3, turning.x.value + k);
-        records.load(4, turning.y.value + k);
-        records.load(5, turning.z.value + k);
-        records.load(6, this->load.value + k);
-      }
+      load_reactions<kTurns>(k, turning, records);
       records.transpose();
-      for (std::size_t lane = 0; lane < pairs; ++lane) use(k + lane, records.row[lane]);
+      for (std::size_t lane = 0; lane < pairs; ++lane) add_to(pair[k + lane].pair, records.row[lane]);
     });
   }
 
  private:
+  void spread_eight(std::size_t k, const LocalSpheres& spheres, const GrainPairTable& table) {
+    Records records;
+    for (std::size_t lane = 0; lane < kLaneGroup; ++lane) {
+      const TouchingPair& touching = pair[k + lane];
+      Four own, other, numbers{};
+      __builtin_memcpy(&own, spheres.centre(touching.pair.own).value, sizeof own);
+      __builtin_memcpy(&other, spheres.centre(touching.pair.other).value, sizeof other);
+      if constexpr (kMemoryInRecord && kMemory > 0)
+        __builtin_memcpy(&numbers, table.memory_at(touching.memory), sizeof numbers);
+      own -= other;
+      records.row[lane] = __builtin_shufflevector(own, numbers, 0, 1, 2, 3, 4, 5, 6, 7);
+    }
+    records.transpose();
+    records.store(0, &this->separation.x[k]);
+    records.store(1, &this->separation.y[k]);
+    records.store(2, &this->separation.z[k]);
+    if constexpr (kMemoryInRecord)
+      for (std::size_t n = 0; n < kMemory; ++n) records.store(kUpper + n, &this->memory[n][k]);
+  }
+
+  template <bool kComposed>
+  void spread_motion_of_eight(std::size_t k, const Block& block, const LocalSpheres& spheres) {
+    constexpr Eight kSign = {-1, -1, -1, -1, 1, 1, 1, 1};
+    Records records;
+    for (std::size_t lane = 0; lane < kLaneGroup; ++lane) {
+      Eight own, other;
+      take(own, spheres.motion(block.slot_of<kComposed>(pair[k + lane].pair.own)));
+      take(other, spheres.motion(block.slot_of<kComposed>(pair[k + lane].pair.other)));
+      records.row[lane] = own + kSign * other;
+    }
+    records.transpose();
+    records.store(0, &this->velocity.x[k]);
+    records.store(1, &this->velocity.y[k]);
+    records.store(2, &this->velocity.z[k]);
+    records.store(kUpper, &this->spin_sum.x[k]);
+    records.store(kUpper + 1, &this->spin_sum.y[k]);
+    records.store(kUpper + 2, &this->spin_sum.z[k]);
+  }
+
+  template <bool kTurns>
+  void load_reactions(std::size_t k, const typename Base::Vectors& turning, Records& records) const {
+    records.load(0, this->force.x.value + k);
+    records.load(1, this->force.y.value + k);
+    records.load(2, this->force.z.value + k);
+    if constexpr (!kTurns) return;
+    records.load(3, turning.x.value + k);
+    records.load(4, turning.y.value + k);
+    records.load(5, turning.z.value + k);
+    records.load(6, this->load.value + k);
+  }
 
   /// Calls use(first, how many) for groups of pairs; the compiler knows how many but for the last group.
   template <class Use>

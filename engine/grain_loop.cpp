@@ -4,6 +4,7 @@
 #include "engine/eight_distances.h"
 #include "engine/grain_batch.h"
 #include "engine/pair_laws.h"
+#include "engine/vector_width.h"
 
 namespace diefill::engine {
 
@@ -16,6 +17,25 @@ void BlockTally::start(std::size_t bodies) {
 }
 
 namespace {
+
+/// Which of up to 64 near pairs touched in the last step and which do now, one bit each.
+struct Touches {
+  std::uint64_t last, now;
+};
+
+/// Lists those that touch now. `before`: pairs of the table before these that touched in the last step.
+inline void list_touching(const GrainPair* near, Touches touches, std::uint32_t before,
+                          TouchingPair* touching) {
+  const auto up_to_lowest = [](std::uint64_t bits) { return bits ^ (bits - 1); };
+  // Whether a near pair touches cannot be guessed: no branch depends on a single one.
+  TouchingPair* next = touching;
+  for (std::uint64_t left = touches.now; left != 0; left &= left - 1)
+    *next++ = {near[std::countr_zero(left)],
+               before + static_cast<std::uint32_t>(std::popcount(touches.last & up_to_lowest(left)))};
+  // Whether one has just begun can: it is rare.
+  for (std::uint64_t begun = touches.now & ~touches.last; begun != 0; begun &= begun - 1)
+    touching[std::popcount(touches.now & up_to_lowest(begun)) - 1].memory = GrainPairTable::kNothing;
+}
 
 /// Pairs between grains. `Pairs`: which law acts between which. `kComposed`: several spheres a grain, moments
 /// about the block's reference point.
@@ -33,19 +53,21 @@ class GrainLoop final : public PairLoop {
     table.make_room_to_remember(remembered);
     touching.resize(table.size());
     std::size_t count = 0;
-    with_instructions(scene.instructions,
-                      [&] { count = find_touching(block, scene.spheres, touching.data()); });
+    with_width(scene.instructions, [&](auto wide) {
+      count = find_touching<decltype(wide)::value>(block, scene.spheres, touching.data());
+    });
     Batch& batch = batch_of_thread<Batch>();
     BatchTally<Law> batches;
     for (std::size_t done = 0; done < count; done += batch.count) {
       batch.count = std::min(count - done, Batch::kLanes);
       std::copy_n(touching.data() + done, batch.count, batch.pair);
       double* memory = remembered.data() + (done + 1) * table.width;
-      with_instructions(scene.instructions, [&] {
-        pack(block, scene.spheres, batch);
+      with_width(scene.instructions, [&](auto wide) {
+        constexpr bool kWide = decltype(wide)::value;
+        pack<kWide>(block, scene.spheres, batch);
         react_all(batch, scene.time_step);
-        hand_out(batch, block, sums);
-        batch.write_memory(memory);
+        hand_out<kWide>(batch, block, sums);
+        batch.template write_memory<kWide>(memory);
         batches.add(batch);
       });
       if constexpr (!Pairs::kAlike)
@@ -67,7 +89,7 @@ class GrainLoop final : public PairLoop {
     batch.count = 0;
     const auto visit_batch = [&] {
       if (batch.count == 0) return;
-      pack(block, scene.spheres, batch);
+      pack<false>(block, scene.spheres, batch);
       react_all(batch, 0);
       for (std::size_t lane = 0; lane < batch.count; ++lane) {
         const GrainPair pair = batch.pair[lane].pair;
@@ -136,6 +158,7 @@ class GrainLoop final : public PairLoop {
 
   /// Distances are tested first and touching pairs collected, so that the costly part runs without guessing.
   /// Returns how many were written to `touching`.
+  template <bool kWide>
   std::size_t find_touching(Block& block, const LocalSpheres& spheres, TouchingPair* touching) const {
     GrainPairTable& table = block.grain_pairs;
     const GrainPair* pair = table.pair.data();
@@ -146,34 +169,23 @@ class GrainLoop final : public PairLoop {
       std::uint64_t last = 0, now = 0;
       for (std::size_t k = 0; k < kTested && first + k < table.size(); k += kLaneGroup) {
         const std::size_t some = std::min(kLaneGroup, table.size() - first - k);
-        const EightTouches eight = some == kLaneGroup
-                                       ? test_eight(block, spheres, pair + first + k, touches + first + k)
-                                       : test_few(block, spheres, pair + first + k, touches + first + k, some);
+        const Touches eight =
+            !kWide ? test_one_by_one(block, spheres, pair + first + k, touches + first + k, some)
+            : some == kLaneGroup ? test_eight(block, spheres, pair + first + k, touches + first + k)
+                                 : test_few(block, spheres, pair + first + k, touches + first + k, some);
         last |= eight.last << k;
         now |= eight.now << k;
       }
-      // Whether a near pair touches cannot be guessed: no branch depends on a single one.
-      const std::size_t listed = count;
-      for (std::uint64_t left = now; left != 0; left &= left - 1) {
-        const std::uint64_t up_to = left ^ (left - 1);
-        touching[count++] = {pair[first + static_cast<unsigned>(std::countr_zero(left))],
-                             before + static_cast<std::uint32_t>(std::popcount(last & up_to))};
-      }
-      for (std::uint64_t begun = now & ~last; begun != 0; begun &= begun - 1)
-        touching[listed + static_cast<unsigned>(std::popcount(now & (begun ^ (begun - 1)))) - 1].memory =
-            GrainPairTable::kNothing;
+      list_touching(pair + first, {last, now}, before, touching + count);
+      count += static_cast<std::size_t>(std::popcount(now));
       before += static_cast<std::uint32_t>(std::popcount(last));
     }
     return count;
   }
 
-  /// Which of eight near pairs touched in the last step and which do now, one bit each.
-  struct EightTouches {
-    std::uint64_t last, now;
-  };
   /// Notes in `touches` which of eight near pairs touch.
-  EightTouches test_eight(const Block& block, const LocalSpheres& spheres, const GrainPair* near,
-                          std::uint8_t* touches) const {
+  Touches test_eight(const Block& block, const LocalSpheres& spheres, const GrainPair* near,
+                     std::uint8_t* touches) const {
     Eight squares, reach_squared;
     squares_of_eight(
         [&](int k, Four& between) {
@@ -194,26 +206,44 @@ class GrainLoop final : public PairLoop {
     return {bits_from_bytes(last), bits_from_bytes(now)};
   }
   /// The same of fewer, at the end of a table.
-  EightTouches test_few(const Block& block, const LocalSpheres& spheres, const GrainPair* near,
-                        std::uint8_t* touches, std::size_t some) const {
+  Touches test_few(const Block& block, const LocalSpheres& spheres, const GrainPair* near,
+                   std::uint8_t* touches, std::size_t some) const {
     GrainPair eight[kLaneGroup];
     std::uint8_t touch[kLaneGroup] = {};
     for (std::size_t k = 0; k < kLaneGroup; ++k) eight[k] = near[std::min(k, some - 1)];
     std::copy_n(touches, some, touch);
-    EightTouches tested = test_eight(block, spheres, eight, touch);
+    Touches tested = test_eight(block, spheres, eight, touch);
     std::copy_n(touch, some, touches);
     tested.now &= (std::uint64_t{1} << some) - 1;
     return tested;
   }
 
+  /// The same as both, without vectors of eight.
+  Touches test_one_by_one(const Block& block, const LocalSpheres& spheres, const GrainPair* near,
+                          std::uint8_t* touches, std::size_t some) const {
+    const double alike_reach = Pairs::kAlike ? pairs_.reach_squared(0) : 0;
+    Touches tested{0, 0};
+    for (std::size_t k = 0; k < some; ++k) {
+      const Vector3 between = spheres.position(near[k].own) - spheres.position(near[k].other);
+      const double reach_squared =
+          Pairs::kAlike ? alike_reach : pairs_.reach_squared(pairs_.kinds(block, near[k]));
+      const bool now = dot(between, between) < reach_squared;
+      tested.last |= std::uint64_t{touches[k]} << k;
+      tested.now |= std::uint64_t{now} << k;
+      touches[k] = now;
+    }
+    return tested;
+  }
+
   /// Brings the batch's pairs into its lanes, whole groups of them: the last pair fills up.
+  template <bool kWide>
   void pack(const Block& block, const LocalSpheres& spheres, Batch& batch) const {
     batch.fill_last_group();
     if constexpr (!Pairs::kAlike)
       for (std::size_t lane = 0; lane < whole_groups(batch.count); ++lane)
         batch.kinds[lane] = pairs_.kinds(block, batch.pair[lane].pair);
-    batch.spread_between(spheres, block.grain_pairs);
-    batch.template spread_motion<kComposed>(block, spheres);
+    batch.template spread_between<kWide>(spheres, block.grain_pairs);
+    batch.template spread_motion<kWide, kComposed>(block, spheres);
     if constexpr (kComposed || (kTurns && Law::kRolls))
       for (std::size_t lane = 0; lane < whole_groups(batch.count); ++lane) {
         const GrainPair pair = batch.pair[lane].pair;
@@ -224,19 +254,41 @@ class GrainLoop final : public PairLoop {
   }
 
   /// Adds the batch's forces to `sums`.
+  template <bool kWide>
   void hand_out(const Batch& batch, const Block& block, std::vector<ContactSum>& sums) const {
     const double rolling = kRolls ? pairs_.rolling_friction() : 0;
-    const Eight own_sign = {1, 1, 1, 1, 1, 1, rolling, 0};
     const double turn = kComposed && !kOtherDiffers ? -1 : 1;
-    const Eight other_sign = {-1, -1, -1, turn, turn, turn, rolling, 0};
-    batch.template for_reactions<kTurns>(batch.moment, [&](std::size_t lane, const Eight& reaction) {
-      add_times(sums[block.slot_of<kComposed>(batch.pair[lane].pair.own)].data(), reaction, own_sign);
-      if constexpr (!kOtherDiffers)
-        add_times(sums[block.slot_of<kComposed>(batch.pair[lane].pair.other)].data(), reaction, other_sign);
+    if constexpr (kWide)
+      hand_out_records(batch, block, Eight{1, 1, 1, 1, 1, 1, rolling, 0},
+                       Eight{-1, -1, -1, turn, turn, turn, rolling, 0}, sums);
+    else
+      for (std::size_t lane = 0; lane < batch.count; ++lane) {
+        const GrainPair pair = batch.pair[lane].pair;
+        const Vector3 force = batch.force[lane];
+        const auto add = [&](LocalSphere sphere, Vector3 push, Vector3 moment) {
+          ContactSum& sum = sums[block.slot_of<kComposed>(sphere)];
+          sum.add_force(push);
+          if constexpr (kTurns) sum.add_moment(moment);
+          if constexpr (kRolls) sum.add_rolling_load(rolling * batch.load[lane]);
+        };
+        add(pair.own, force, batch.moment[lane]);
+        add(pair.other, -force, kOtherDiffers ? batch.other_moment[lane] : turn * batch.moment[lane]);
+      }
+  }
+
+  /// The same by way of records; signs: what the numbers of a reaction are multiplied by.
+  void hand_out_records(const Batch& batch, const Block& block, const Eight& own_sign,
+                        const Eight& other_sign, std::vector<ContactSum>& sums) const {
+    const auto add = [&](LocalSphere sphere, const Eight& reaction, const Eight& sign) {
+      add_times(sums[block.slot_of<kComposed>(sphere)].data(), reaction, sign);
+    };
+    batch.template for_reactions<kTurns>(batch.moment, [&](GrainPair pair, const Eight& reaction) {
+      add(pair.own, reaction, own_sign);
+      if constexpr (!kOtherDiffers) add(pair.other, reaction, other_sign);
     });
     if constexpr (kOtherDiffers)
-      batch.template for_reactions<kTurns>(batch.other_moment, [&](std::size_t lane, const Eight& reaction) {
-        add_times(sums[block.slot_of<kComposed>(batch.pair[lane].pair.other)].data(), reaction, other_sign);
+      batch.template for_reactions<kTurns>(batch.other_moment, [&](GrainPair pair, const Eight& reaction) {
+        add(pair.other, reaction, other_sign);
       });
   }
 

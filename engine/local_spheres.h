@@ -146,9 +146,7 @@ class LocalSpheres {
     with_instructions(instructions, [&] { posed_.turn(whole_groups(count)); });
   }
 
-  void put_centre(std::size_t k, const Vector3& centre) {
-    put(centre, centres_[k].value);
-  }
+  void put_centre(std::size_t k, const Vector3& centre) { put(centre, centres_[k].value); }
   void put_motion(std::size_t slot, const GrainMotion& motion) {
     put(motion.velocity, motion_[slot].value);
     put(motion.spin, motion_[slot].value + kSpin);

@@ -23,9 +23,9 @@ struct GrainMotion {
 /// takes less memory than its spheres.
 struct SphereField {
   std::size_t spheres_per_grain = 1;
-  std::size_t grains = 0;           ///< real ones; images follow
-  std::vector<Vector3> velocity;    ///< m/s, of real grains' centres of mass
-  std::vector<Vector3> spin;        ///< rad/s, of real grains, laboratory frame
+  std::size_t grains = 0;         ///< real ones; images follow
+  std::vector<Vector3> velocity;  ///< m/s, of real grains' centres of mass
+  std::vector<Vector3> spin;      ///< rad/s, of real grains, laboratory frame
   std::vector<GrainImage> images;
   PeriodicBox box;                            ///< beyond whose borders images are seen
   std::vector<std::uint16_t> kind;            ///< of grains; empty where all are alike

@@ -23,8 +23,8 @@ double* numbers(std::vector<Vector3>& vectors) {
 /// The sums of a chunk of spheres, taken apart, and what the air does to them.
 struct SphereIntegrator::ContactForces {
   // Longer than a chunk by what the last sphere's copy reaches beyond it.
-  alignas(64) double force[3 * kChunk + 1];   ///< N
-  alignas(64) double moment[3 * kChunk + 1];  ///< N m
+  alignas(64) double force[3 * kChunk + 1];      ///< N
+  alignas(64) double moment[3 * kChunk + 1];     ///< N m
   alignas(64) double drag_power[kNumbers] = {};  ///< W, summed up over all chunks, number by number
 
   /// Four numbers at a time, of which the next sphere overwrites the last.

@@ -41,7 +41,7 @@ class SphereIntegrator {
  private:
   static constexpr std::size_t kSpheres = 8;             ///< worked on at a time
   static constexpr std::size_t kNumbers = 3 * kSpheres;  ///< of their vectors: whole vector registers
-  static constexpr std::size_t kChunk = 64;              ///< spheres whose contacts' sums are taken apart at once
+  static constexpr std::size_t kChunk = 64;  ///< spheres whose contacts' sums are taken apart at once
 
   /// What a few spheres' numbers are multiplied by, one entry a number.
   struct Factors {

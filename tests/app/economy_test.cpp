@@ -67,7 +67,7 @@ void expect_same_filling(const std::string& lines, int seeds = 4) {
 }
 
 TEST(Economy, SleepFillsThePocketAsWell) {
-  expect_same_filling("sleep = true");
+  expect_same_filling("sleep = true", 12);
   const auto asleep = Economical("sleep = true").filled();
   EXPECT_EQ(number(plain(), "sphere_steps_left_out"), 0);
   EXPECT_GT(number(asleep, "sphere_steps_left_out"), 0.02 * number(asleep, "sphere_steps"));

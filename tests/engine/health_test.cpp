@@ -213,7 +213,8 @@ TEST(Health, TwoGrainsInOnePlaceEndInOneLine) {
   simulation.add_grains({twin, twin, runner});
   const std::string message = end_of(simulation, 200);
   EXPECT_NE(message.find("overlap by 2.00 of their radius"), std::string::npos) << message;
-  EXPECT_NE(message.find("between grain 0 at (0.00, 0.00, 0.00) mm and grain 1"), std::string::npos) << message;
+  EXPECT_NE(message.find("between grain 0 at (0.00, 0.00, 0.00) mm and grain 1"), std::string::npos)
+      << message;
 }
 
 }  // namespace
