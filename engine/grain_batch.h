@@ -88,15 +88,21 @@ struct GrainBatch : ContactBatch<Law> {
     }
   }
 
-  /// Calls add_to(pair, reaction) for every pair: force, moment `turning` and load as in ContactSum.
-  /// `kTurns`: whether there are moments.
-  template <bool kTurns, class AddTo>
-  void for_reactions(const typename Base::Vectors& turning, const AddTo& add_to) const {
+  /// Calls add(pair, reaction on i, reaction on j) for every pair: force, moment and load as in ContactSum.
+  /// The force on j is that on i, and so is its moment unless `kOtherDiffers`. `kTurns`: whether there are
+  /// moments.
+  template <bool kTurns, bool kOtherDiffers, class Add>
+  void for_reactions(const Add& add) const {
     in_groups([&](std::size_t k, auto pairs) {
-      Records records{};
-      load_reactions<kTurns>(k, turning, records);
-      records.transpose();
-      for (std::size_t lane = 0; lane < pairs; ++lane) add_to(pair[k + lane].pair, records.row[lane]);
+      Records own{}, other{};
+      load_reactions<kTurns>(k, this->moment, own);
+      own.transpose();
+      if constexpr (kOtherDiffers) {
+        load_reactions<kTurns>(k, this->other_moment, other);
+        other.transpose();
+      }
+      for (std::size_t lane = 0; lane < pairs; ++lane)
+        add(pair[k + lane].pair, own.row[lane], kOtherDiffers ? other.row[lane] : own.row[lane]);
     });
   }
 

@@ -279,17 +279,11 @@ class GrainLoop final : public PairLoop {
   /// The same by way of records; signs: what the numbers of a reaction are multiplied by.
   void hand_out_records(const Batch& batch, const Block& block, const Eight& own_sign,
                         const Eight& other_sign, std::vector<ContactSum>& sums) const {
-    const auto add = [&](LocalSphere sphere, const Eight& reaction, const Eight& sign) {
-      add_times(sums[block.slot_of<kComposed>(sphere)].data(), reaction, sign);
-    };
-    batch.template for_reactions<kTurns>(batch.moment, [&](GrainPair pair, const Eight& reaction) {
-      add(pair.own, reaction, own_sign);
-      if constexpr (!kOtherDiffers) add(pair.other, reaction, other_sign);
-    });
-    if constexpr (kOtherDiffers)
-      batch.template for_reactions<kTurns>(batch.other_moment, [&](GrainPair pair, const Eight& reaction) {
-        add(pair.other, reaction, other_sign);
-      });
+    batch.template for_reactions<kTurns, kOtherDiffers>(
+        [&](GrainPair pair, const Eight& own, const Eight& other) {
+          add_times(sums[block.slot_of<kComposed>(pair.own)].data(), own, own_sign);
+          add_times(sums[block.slot_of<kComposed>(pair.other)].data(), other, other_sign);
+        });
   }
 
   Pairs pairs_;
