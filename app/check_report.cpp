@@ -95,11 +95,13 @@ void add_mesh_marks(const process::Tool& tool, std::vector<render::FindingMark>&
   }
 }
 
-void print_cavity(const char* name, const geometry::Cavity& cavity) {
+void print_cavity(const char* name, const geometry::Cavity& cavity, double fill_plane) {
   const Eigen::Vector3d place = 1e3 * cavity.narrowest_place;
-  std::printf("%s: volume %.4g cm3, depth %.2f mm, narrowest width %.3f mm near (%.2f, %.2f, %.2f) mm", name,
-              1e6 * cavity.volume, 1e3 * cavity.box.size()[2], 1e3 * cavity.narrowest_width, place[0],
-              place[1], place[2]);
+  std::printf(
+      "%s: volume %.4g cm3, depth %.2f mm below z = %.2f mm, narrowest width %.3f mm near (%.2f, %.2f, "
+      "%.2f) mm",
+      name, 1e6 * cavity.volume, 1e3 * cavity.box.size()[2], 1e3 * fill_plane, 1e3 * cavity.narrowest_width,
+      place[0], place[1], place[2]);
   if (cavity.is_ring)
     std::printf(", ring of %.2f to %.2f mm diameter", 2e3 * cavity.inner_radius, 2e3 * cavity.outer_radius);
   std::printf("\n");
@@ -162,11 +164,11 @@ void print_pairs(const process::Diagnosis& diagnosis) {
 
 void print_cavities(const process::Tooling& tooling) {
   if (!tooling.cavity.found) {
-    std::printf("cavity: none below the fill plane\n");
+    std::printf("cavity: none below the fill plane, z = %.2f mm\n", 1e3 * tooling.fill_plane);
     return;
   }
-  print_cavity("cavity", tooling.cavity);
-  for (const auto& other : tooling.other_cavities) print_cavity("smaller cavity", other);
+  print_cavity("cavity", tooling.cavity, tooling.fill_plane);
+  for (const auto& other : tooling.other_cavities) print_cavity("smaller cavity", other, tooling.fill_plane);
   if (!tooling.other_cavities.empty())
     std::printf(
         "figures and maps are of the largest of the %zu cavities; report.json says what the others hold\n",
@@ -174,7 +176,10 @@ void print_cavities(const process::Tooling& tooling) {
 }
 
 Json tools_as_json(const process::Tooling& tooling, const process::Diagnosis& diagnosis) {
-  Json json = {{"tools", Json::array()}, {"pairs", Json::array()}, {"cavity", nullptr}};
+  Json json = {{"tools", Json::array()},
+               {"pairs", Json::array()},
+               {"fill_plane_m", tooling.fill_plane},
+               {"cavity", nullptr}};
   for (std::size_t k = 0; k < tooling.tools.size(); ++k) {
     Json tool = tool_as_json(tooling.tools[k]);
     if (k < diagnosis.symmetry.size()) tool["symmetry"] = symmetry_as_json(diagnosis.symmetry[k]);

@@ -25,7 +25,7 @@ bool touches(const Box& box, const Corners& corners) {
 
 /// The gap seen from some triangles; `narrowest` is infinite where none was found.
 Gap seen_from(std::span<const Corners> triangles, const TriangleTree& tree, const Box& near, double reach,
-              double spacing, const std::function<bool(const Eigen::Vector3d&)>& elsewhere) {
+              double spacing, const Elsewhere& elsewhere) {
   Gap gap;
   gap.narrowest = std::numeric_limits<double>::infinity();
   Eigen::Vector3d foot = tree.corners(0)[0];  // of the sample before, near that of the next
@@ -40,7 +40,7 @@ Gap seen_from(std::span<const Corners> triangles, const TriangleTree& tree, cons
     const double height = across.dot(sample.normal);
     if (height > 0 && height < kFacing * across.norm()) return;  // past an edge of the other
     const Eigen::Vector3d place = sample.point + across / 2;
-    if (elsewhere && elsewhere(place)) return;
+    if (elsewhere && elsewhere(sample.point, place)) return;
     const double width = std::max(0.0, height);
     gap.narrowest = std::min(gap.narrowest, width);
     if (gap.found && width <= gap.widest) return;
@@ -56,7 +56,7 @@ Gap seen_from(std::span<const Corners> triangles, const TriangleTree& tree, cons
 }  // namespace
 
 Gap measure_gap(const SolidQuery& one, const SolidQuery& other, double reach, double spacing,
-                const std::function<bool(const Eigen::Vector3d&)>& elsewhere) {
+                const Elsewhere& elsewhere) {
   const TriangleTree& tree = other.tree();
   Box near = tree.box();
   near.lower.array() -= reach;

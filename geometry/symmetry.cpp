@@ -15,8 +15,9 @@ namespace {
 
 constexpr std::size_t kMostProbes = 2000;
 constexpr int kLargestOrder = 60;
-constexpr double kSameDirection = 1e-6;
-constexpr double kShown = 5e-6;  // m, what two decimals of a millimetre show
+constexpr double kSameDirection = 1e-3;  // rad
+constexpr double kBetterFit = 0.1;       // of a deviation: then another order is meant
+constexpr double kShown = 5e-6;          // m, what two decimals of a millimetre show
 
 /// Middle and spread of a surface, by area.
 struct Spread {
@@ -65,44 +66,58 @@ class Images {
 
   const Spread& spread() const { return spread_; }
 
-  bool same(const Eigen::Matrix3d& map) const {
-    const double most = tolerance_ * tolerance_;
-    return std::all_of(probes_.begin(), probes_.end(), [&](const Eigen::Vector3d& probe) {
-      return tree_.nearest(spread_.centre + map * probe).distance_squared <= most;
-    });
-  }
-
   bool mirrored(const Eigen::Vector3d& normal) const {
-    return same(Eigen::Matrix3d::Identity() - 2 * normal * normal.transpose());
+    return deviation(Eigen::Matrix3d::Identity() - 2 * normal * normal.transpose(), tolerance_) <= tolerance_;
   }
 
-  bool turned(const Eigen::Vector3d& axis, double angle) const {
-    return same(Eigen::AngleAxisd(angle, axis).toRotationMatrix());
-  }
-
-  /// 0: at every angle; 1: not at all.
+  /// 0: at every angle; 1: not at all. The circles of CAD files are polygons: where several orders fit, it is
+  /// the largest that none fits much better.
   int order(const Eigen::Vector3d& axis) const {
-    if (turned(axis, 1)) return 0;  // one radian is no part of a turn
-    for (int n = kLargestOrder; n > 1; --n)
-      if (turned(axis, 2 * std::numbers::pi / n)) return n;
-    return 1;
+    const auto when_turned = [&](double angle, double most) {
+      return deviation(Eigen::AngleAxisd(angle, axis).toRotationMatrix(), most);
+    };
+    if (when_turned(1, tolerance_) <= tolerance_) return 0;  // one radian is no part of a turn
+    int best = 1;
+    double most = tolerance_;
+    for (int n = kLargestOrder; n > 1; --n) {
+      const double off = when_turned(2 * std::numbers::pi / n, most);
+      if (off > most) continue;
+      best = n;
+      // Less is rounding.
+      if (off <= kBetterFit * kBetterFit * tolerance_) break;
+      most = kBetterFit * off;
+    }
+    return best;
   }
 
  private:
+  /// m, largest distance of a mapped probe from the surface, or of the first that is farther than `most`.
+  double deviation(const Eigen::Matrix3d& map, double most) const {
+    double largest = 0;
+    for (const Eigen::Vector3d& probe : probes_) {
+      largest = std::max(largest, tree_.nearest(spread_.centre + map * probe).distance_squared);
+      if (largest > most * most) break;
+    }
+    return std::sqrt(largest);
+  }
+
   const TriangleTree& tree_;
   double tolerance_;
   Spread spread_;
   std::vector<Eigen::Vector3d> probes_;
 };
 
+bool along(const Eigen::Vector3d& one, const Eigen::Vector3d& other) {
+  return one.cross(other).norm() < kSameDirection;
+}
+
 std::vector<Eigen::Vector3d> candidates(const Eigen::Matrix3d& principal) {
   std::vector<Eigen::Vector3d> directions = {Eigen::Vector3d::UnitX(), Eigen::Vector3d::UnitY(),
                                              Eigen::Vector3d::UnitZ()};
   for (int k = 0; k < 3; ++k) {
     const Eigen::Vector3d axis = principal.col(k);
-    const bool known = std::any_of(directions.begin(), directions.end(), [&](const Eigen::Vector3d& other) {
-      return axis.cross(other).norm() < kSameDirection;
-    });
+    const bool known = std::any_of(directions.begin(), directions.end(),
+                                   [&](const Eigen::Vector3d& other) { return along(axis, other); });
     if (!known) directions.push_back(axis);
   }
   return directions;
@@ -110,7 +125,7 @@ std::vector<Eigen::Vector3d> candidates(const Eigen::Matrix3d& principal) {
 
 std::string direction_in_words(const Eigen::Vector3d& direction) {
   for (int axis = 0; axis < 3; ++axis)
-    if (std::abs(direction[axis]) > 1 - kSameDirection) return std::string(1, "xyz"[axis]);
+    if (along(direction, Eigen::Vector3d::Unit(axis))) return std::string(1, "xyz"[axis]);
   char text[60];
   std::snprintf(text, sizeof text, "(%.3f, %.3f, %.3f)", direction[0], direction[1], direction[2]);
   return text;

@@ -24,8 +24,8 @@ struct Symmetry {
 };
 
 /// Looks along x, y, z and the principal axes of the surface. A mirror image counts as the same when no point
-/// of the surface is farther than `tolerance` (m) from it; rotations up to 60-fold are told apart.
-/// Deterministic.
+/// of the surface is farther than `tolerance` (m) from it; rotations up to 60-fold are told apart. Directions
+/// within a thousandth of a radian count as one. Deterministic.
 Symmetry find_symmetry(const SolidQuery& solid, double tolerance);
 
 }  // namespace diefill::geometry

@@ -73,7 +73,7 @@ results::CavityState cavity_now(const Scene& scene, const Tooling& tooling, cons
          (pose.rotation - planned.rotation).norm() * tooling.tools[k].mesh.bounding_box().size().norm()});
   }
   results::CavityState cavity =
-      cavity_state(off > kAsForeseen ? cavity_between(scene, tooling, poses) : tooling.cavity);
+      cavity_state(off > kAsForeseen ? cavity_between(tooling, poses) : tooling.cavity);
   const Eigen::Vector3d direction = first_motion(scene);
   if (direction.norm() > 0) cavity.azimuth_zero = -direction;
   return cavity;

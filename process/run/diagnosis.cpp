@@ -5,6 +5,7 @@
 #include <iterator>
 
 #include "geometry/all_cores.h"
+#include "geometry/point_grid.h"
 #include "process/run/tool_fit.h"
 
 namespace diefill::process {
@@ -30,28 +31,58 @@ std::string millimetres(double length) {
   return text;
 }
 
-bool lies_in(const geometry::Cavity& cavity, const Scene& scene, const Eigen::Vector3d& place) {
+/// The parts of a tool's surface that powder can touch: they are covered with wall spheres.
+class PowderSide {
+ public:
+  explicit PowderSide(const Tool& tool)
+      : reach_(kReachOverSphere * tool.spheres.radius), spheres_(std::max(reach_, kNothing)) {
+    spheres_.reserve(tool.spheres.centres.size());
+    for (const auto& centre : tool.spheres.centres) spheres_.insert(centre);
+  }
+  bool has(const Eigen::Vector3d& point) const { return spheres_.any_within(point, reach_); }
+
+ private:
+  static constexpr double kReachOverSphere = 4;  // they lie one radius deep and stand up to three apart
+  double reach_;
+  geometry::PointGrid spheres_;
+};
+
+/// What the tools of a scene are asked about when pairs of them are looked at.
+struct Surroundings {
+  const Scene& scene;
+  const Tooling& tooling;
+  std::vector<PowderSide> powder_side;  ///< of each tool
+  double sphere_radius;                 ///< m, of the powder's smallest sphere
+};
+
+bool lies_in(const geometry::Cavity& cavity, const Tooling& tooling, const Eigen::Vector3d& place) {
   return cavity.found && cavity.box.contains(place) && place.z() > cavity.box.lower.z() + kNothing &&
-         place.z() < scene.measure.fill_plane - kNothing;
+         place.z() < tooling.fill_plane - kNothing;
 }
 
-/// Inside a cavity, or where a third tool fills the space between two.
-bool elsewhere(const Scene& scene, const Tooling& tooling, const Tool& one, const Tool& other,
-               const Eigen::Vector3d& place) {
-  for (const Tool& third : tooling.tools)
-    if (&third != &one && &third != &other && third.solid().inside(place)) return true;
-  const auto within = [&](const geometry::Cavity& cavity) { return lies_in(cavity, scene, place); };
+/// Inside a cavity or the poured powder, or where a third tool fills the space between two.
+bool elsewhere(const Surroundings& around, std::size_t one, std::size_t other, const Eigen::Vector3d& place) {
+  const Tooling& tooling = around.tooling;
+  if (geometry::Box{around.scene.pour.lower, around.scene.pour.upper}.contains(place)) return true;
+  for (std::size_t third = 0; third < tooling.tools.size(); ++third)
+    if (third != one && third != other && tooling.tools[third].solid().inside(place)) return true;
+  const auto within = [&](const geometry::Cavity& cavity) { return lies_in(cavity, tooling, place); };
   return within(tooling.cavity) || std::ranges::any_of(tooling.other_cavities, within);
 }
 
-geometry::Gap gap_between(const Scene& scene, const Tooling& tooling, const Tool& one, const Tool& other) {
-  const double reach = std::max(kLeastReach, kReachOverDiameter * scene.powder.grain_diameter);
-  const auto passed_over = [&](const Eigen::Vector3d& place) {
-    return elsewhere(scene, tooling, one, other, place);
-  };
-  geometry::Gap gap = geometry::measure_gap(one.solid(), other.solid(), reach, kSampleSpacing, passed_over);
-  const geometry::Gap back =
-      geometry::measure_gap(other.solid(), one.solid(), reach, kSampleSpacing, passed_over);
+/// The gap seen from one of the tools, as far as powder can come.
+geometry::Gap gap_seen_from(const Surroundings& around, std::size_t one, std::size_t other) {
+  const double reach = std::max(kLeastReach, kReachOverDiameter * around.scene.powder.grain_diameter);
+  return geometry::measure_gap(
+      around.tooling.tools[one].solid(), around.tooling.tools[other].solid(), reach, kSampleSpacing,
+      [&](const Eigen::Vector3d& point, const Eigen::Vector3d& halfway) {
+        return !around.powder_side[one].has(point) || elsewhere(around, one, other, halfway);
+      });
+}
+
+geometry::Gap gap_between(const Surroundings& around, std::size_t one, std::size_t other) {
+  geometry::Gap gap = gap_seen_from(around, one, other);
+  const geometry::Gap back = gap_seen_from(around, other, one);
   if (!gap.found) return back;
   if (!back.found) return gap;
   const double narrowest = std::min(gap.narrowest, back.narrowest);
@@ -79,18 +110,18 @@ std::string in_words(const PairDiagnosis& pair, const Scene& scene, double spher
   return text + ": closed to the powder";
 }
 
-PairDiagnosis pair_of(const Scene& scene, const Tooling& tooling, const Tool& one, const Tool& other,
-                      double sphere_radius) {
+PairDiagnosis pair_of(const Surroundings& around, std::size_t one, std::size_t other) {
+  const Tool &first = around.tooling.tools[one], &second = around.tooling.tools[other];
   PairDiagnosis pair;
-  pair.one = one.spec.name;
-  pair.other = other.spec.name;
-  const Overlap overlap = deepest_overlap(one, other);
+  pair.one = first.spec.name;
+  pair.other = second.spec.name;
+  const Overlap overlap = deepest_overlap(first, second);
   pair.overlap = overlap.depth;
   pair.overlap_place = overlap.place;
-  pair.gap = gap_between(scene, tooling, one, other);
-  pair.powder_enters = pair.gap.found && pair.gap.widest > 2 * sphere_radius;
-  pair.real_powder_enters = pair.gap.found && pair.gap.widest > 2 * scene.powder.sphere_radius;
-  pair.in_words = in_words(pair, scene, sphere_radius);
+  pair.gap = gap_between(around, one, other);
+  pair.powder_enters = pair.gap.found && pair.gap.widest > 2 * around.sphere_radius;
+  pair.real_powder_enters = pair.gap.found && pair.gap.widest > 2 * around.scene.powder.sphere_radius;
+  pair.in_words = in_words(pair, around.scene, around.sphere_radius);
   return pair;
 }
 
@@ -100,6 +131,7 @@ Diagnosis diagnose(const Scene& scene, const Tooling& tooling, double sphere_rad
   Diagnosis diagnosis;
   for (const Tool& tool : tooling.tools) tool.solid();  // there before several threads ask for it
   const std::size_t tools = tooling.tools.size();
+  const Surroundings around{scene, tooling, {tooling.tools.begin(), tooling.tools.end()}, sphere_radius};
   diagnosis.symmetry.resize(tools);
   std::vector<PairDiagnosis> pairs(tools * (tools - 1) / 2);  // by tool, then by those before it
   geometry::on_all_cores(tools, [&](std::size_t k) {
@@ -107,7 +139,7 @@ Diagnosis diagnose(const Scene& scene, const Tooling& tooling, double sphere_rad
     const double radius = tool.spec.sphere_radius.value_or(scene.walls.sphere_radius);
     diagnosis.symmetry[k] = geometry::find_symmetry(tool.solid(), kSymmetryOverRadius * radius);
     for (std::size_t other = 0; other < k; ++other)
-      pairs[k * (k - 1) / 2 + other] = pair_of(scene, tooling, tooling.tools[other], tool, sphere_radius);
+      pairs[k * (k - 1) / 2 + other] = pair_of(around, other, k);
   });
   std::ranges::copy_if(pairs, std::back_inserter(diagnosis.pairs),
                        [](const PairDiagnosis& pair) { return !pair.in_words.empty(); });

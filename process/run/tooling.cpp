@@ -242,8 +242,7 @@ ToolPose compose(const ToolMotion& motion, const ToolPose& before) {
   return pose;
 }
 
-std::vector<geometry::Cavity> cavities_between(const Scene& scene, const Tooling& tooling,
-                                               const std::vector<ToolPose>& poses) {
+std::vector<geometry::Cavity> cavities_between(const Tooling& tooling, const std::vector<ToolPose>& poses) {
   const ToolPose& die = poses[tooling.die];
   std::vector<geometry::Mesh> moved;
   std::vector<const geometry::Mesh*> solids;
@@ -259,12 +258,11 @@ std::vector<geometry::Cavity> cavities_between(const Scene& scene, const Tooling
     moved.push_back(geometry::transformed(tooling.tools[k].mesh, rotation, translation));
     solids.push_back(&moved.back());
   }
-  return geometry::find_cavities(solids, scene.measure.fill_plane);
+  return geometry::find_cavities(solids, tooling.fill_plane);
 }
 
-geometry::Cavity cavity_between(const Scene& scene, const Tooling& tooling,
-                                const std::vector<ToolPose>& poses) {
-  const auto cavities = cavities_between(scene, tooling, poses);
+geometry::Cavity cavity_between(const Tooling& tooling, const std::vector<ToolPose>& poses) {
+  const auto cavities = cavities_between(tooling, poses);
   return cavities.empty() ? geometry::Cavity{} : cavities.front();
 }
 
@@ -294,8 +292,10 @@ Tooling read_tooling(const Scene& scene, const TellProgress& tell) {
   refuse_misplaced(scene, tooling);
   for (const auto& tool : tooling.tools) tooling.all.include(tool.mesh.bounding_box());
   tooling.die = die_of(scene);
+  tooling.fill_plane =
+      scene.measure.fill_plane.value_or(tooling.tools[tooling.die].mesh.bounding_box().upper.z());
   prepare_steps(scene, tooling, false);
-  auto cavities = cavities_between(scene, tooling, poses_at_end(scene, tooling));
+  auto cavities = cavities_between(tooling, poses_at_end(scene, tooling));
   if (!cavities.empty()) {
     tooling.cavity = cavities.front();
     tooling.other_cavities.assign(cavities.begin() + 1, cavities.end());

@@ -48,6 +48,7 @@ struct Tool {
 struct Tooling {
   std::vector<Tool> tools;
   std::size_t die = 0;      ///< index of the part whose frame results are in
+  double fill_plane = 0;    ///< m, height that cavities lie below
   geometry::Cavity cavity;  ///< the largest, in the die's frame, as the scene's steps leave the tools
   std::vector<geometry::Cavity> other_cavities;  ///< by falling volume
   geometry::Box standing;     ///< m, box round the tools that stay at their place and the room they need
@@ -91,11 +92,9 @@ ToolPose compose(const ToolMotion& motion, const ToolPose& before);
 
 /// The cavities below the fill plane between the tools in the given poses, in the frame of the die, as if
 /// that stood where the scene puts it; the largest first.
-std::vector<geometry::Cavity> cavities_between(const Scene& scene, const Tooling& tooling,
-                                               const std::vector<ToolPose>& poses);
+std::vector<geometry::Cavity> cavities_between(const Tooling& tooling, const std::vector<ToolPose>& poses);
 /// The largest of them, or one that says that there is none.
-geometry::Cavity cavity_between(const Scene& scene, const Tooling& tooling,
-                                const std::vector<ToolPose>& poses);
+geometry::Cavity cavity_between(const Tooling& tooling, const std::vector<ToolPose>& poses);
 
 /// s, guess for the time powder needs to come to rest; for planning and progress only.
 inline constexpr double kSettlingGuess = 0.25;

@@ -44,7 +44,7 @@ void refuse_same_name(TableReader& table, const std::vector<Spec>& earlier, cons
 
 MeasureSpec read_measure(TableReader table) {
   MeasureSpec measure;
-  measure.fill_plane = table.quantity("fill_plane", kHeight).value_or(measure.fill_plane);
+  measure.fill_plane = table.quantity("fill_plane", kHeight);
   measure.averaging_width =
       table.quantity("averaging_width", kAveragingWidth).value_or(measure.averaging_width);
   measure.azimuth_bins =

@@ -180,7 +180,7 @@ struct HeapSpec {
 
 /// What to measure when the powder is at rest.
 struct MeasureSpec {
-  double fill_plane = 0;       ///< m, height of the die's top
+  std::optional<double> fill_plane;  ///< m, height that the cavity lies below; none: the top of the die
   double averaging_width = 0;  ///< m, sigma of Eq. 2.27; 0: the larger of 0.5 mm and d/2
   int azimuth_bins = 36;
   double snapshot_interval = 0;       ///< s of simulated time between instants kept in the results; 0: none

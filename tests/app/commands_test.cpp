@@ -115,10 +115,29 @@ TEST(Check, DescribesEveryToolAndWritesNothing) {
     EXPECT_GT(gap, 0);
     EXPECT_LT(gap, 0.079);
   }
-  EXPECT_NE(outcome.out.find("cavity: volume 0.064 cm3, depth 4.00 mm, narrowest width 4.000 mm"),
-            std::string::npos)
+  EXPECT_NE(
+      outcome.out.find("cavity: volume 0.064 cm3, depth 4.00 mm below z = 0.00 mm, narrowest width 4.000 mm"),
+      std::string::npos)
       << outcome.out;
   EXPECT_NE(outcome.out.find("138 grains of d = 1 mm"), std::string::npos) << outcome.out;
+}
+
+TEST(Check, TakesTheTopOfTheDieForTheFillPlane) {
+  const SmallDie die;
+  die.exchange("file = \"die.stl\"\n", "file = \"die.stl\"\nposition = [\"0 mm\", \"0 mm\", \"12 mm\"]\n");
+  die.exchange("position = [\"3 mm\", \"0 mm\", \"0 mm\"]", "position = [\"3 mm\", \"0 mm\", \"12 mm\"]");
+  die.exchange("\"-2.5 mm\", \"0 mm\"]", "\"-2.5 mm\", \"12 mm\"]");
+  die.exchange("\"2.5 mm\", \"9 mm\"]", "\"2.5 mm\", \"21 mm\"]");
+  const Outcome top = run_program({"check", die.scene().string()});
+  EXPECT_EQ(top.exit_code, 0) << top.err;
+  EXPECT_NE(top.out.find("cavity: volume 0.064 cm3, depth 4.00 mm below z = 12.00 mm"), std::string::npos)
+      << top.out;
+  // A scene that states another height has its way.
+  die.exchange("[measure]\n", "[measure]\nfill_plane = \"11 mm\"\n");
+  const Outcome stated = run_program({"check", die.scene().string()});
+  EXPECT_EQ(stated.exit_code, 0) << stated.err;
+  EXPECT_NE(stated.out.find("cavity: volume 0.048 cm3, depth 3.00 mm below z = 11.00 mm"), std::string::npos)
+      << stated.out;
 }
 
 TEST(Map, DrawsOtherSectionsAndAveragingFromResultsAlone) {

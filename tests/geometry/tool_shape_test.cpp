@@ -39,6 +39,15 @@ TEST(FindSymmetry, TellsAPolygonFromACircle) {
   EXPECT_NE(round.in_words().find("round about z"), std::string::npos) << round.in_words();
 }
 
+TEST(FindSymmetry, CountsThePolygonThatStandsForACircle) {
+  // Within 0.05 mm it is round at some angles and not at others.
+  const Symmetry symmetry = find_symmetry(SolidQuery(sample::tube(18e-3, 22e-3, 40e-3, 48)), 3e-5);
+  EXPECT_EQ(
+      symmetry.in_words(),
+      "mirror planes across x, y and z; 2-fold about x; 2-fold about y; 48-fold about z, through (0.00, "
+      "0.00, 20.00) mm");
+}
+
 TEST(FindSymmetry, SeesHolesThatPierceAGear) {
   for (const char* file : {"gear/core_rods.stl", "gear/punch.stl"}) {  // 20 teeth, but four holes
     const Symmetry symmetry = find_symmetry(SolidQuery(sample::tool(file)), 3e-5);
@@ -76,7 +85,7 @@ TEST(MeasureGap, OverlapsCountAsNoneAndCavitiesArePassedOver) {
   const Gap gap = measure_gap(SolidQuery(rubbing), SolidQuery(bore), 1e-3, 5e-4, {});
   ASSERT_TRUE(gap.found);
   EXPECT_EQ(gap.widest, 0);
-  const auto everywhere = [](const Eigen::Vector3d&) { return true; };
+  const auto everywhere = [](const Eigen::Vector3d&, const Eigen::Vector3d&) { return true; };
   EXPECT_FALSE(measure_gap(SolidQuery(rubbing), SolidQuery(bore), 1e-3, 5e-4, everywhere).found);
   const Mesh far = sample::box({0.1, 0, 0}, {0.2, 0.1, 0.1});
   EXPECT_FALSE(measure_gap(SolidQuery(far), SolidQuery(bore), 1e-3, 5e-4, {}).found);

@@ -179,7 +179,7 @@ TEST_F(FullScene, KeepsNumericsAndMeasure) {
   EXPECT_FALSE(numerics.energy_ledger);
   EXPECT_DOUBLE_EQ(numerics.max_time, 2);
   EXPECT_DOUBLE_EQ(numerics.checkpoint_interval, 120);
-  EXPECT_DOUBLE_EQ(scene_.measure.fill_plane, -1e-3);
+  EXPECT_DOUBLE_EQ(scene_.measure.fill_plane.value(), -1e-3);
   EXPECT_DOUBLE_EQ(scene_.measure.averaging_width, 7e-4);
   EXPECT_EQ(scene_.measure.azimuth_bins, 72);
   EXPECT_DOUBLE_EQ(scene_.measure.snapshot_interval, 0.02);
