@@ -42,7 +42,7 @@ class PowderSide {
   bool has(const Eigen::Vector3d& point) const { return spheres_.any_within(point, reach_); }
 
  private:
-  static constexpr double kReachOverSphere = 4;  // they lie one radius deep and stand up to three apart
+  static constexpr double kReachOverSphere = 2.2;  // they lie one radius deep, and stand close
   double reach_;
   geometry::PointGrid spheres_;
 };

@@ -44,6 +44,19 @@ TEST(CheckTools, SaysHowToolsFitAndHowTheyAreSymmetric) {
   expect_says(lifted.out, "die and shoe: gap of 0.4 mm to 0.4 mm");
 }
 
+TEST(CheckTools, SpaceWherePowderNeverComesIsNoGap) {
+  const SmallDie die;
+  // The die stands on a table, on feet 1.3 mm high: grains of 1 mm would fit under it.
+  die.write("table.stl", cad::binary_stl(cad::prism(cad::rectangle(-15, 6, -3.5, 3.5), -8, -6.3)));
+  die.exchange(
+      "[pour]",
+      "[[tool]]\nname = \"table\"\nrole = \"plate\"\nfile = \"table.stl\"\nlength_unit = \"mm\"\n\n[pour]");
+  const Outcome checked = die.check();
+  ASSERT_EQ(checked.exit_code, 0) << checked.err;
+  expect_says(checked.out, "die and shoe: touch without a gap");
+  EXPECT_EQ(checked.out.find("table: gap"), std::string::npos) << checked.out;
+}
+
 TEST(CheckTools, PartsOfOneFileArePickedByName) {
   const SmallDie die;
   const std::string both =
