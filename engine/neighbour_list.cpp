@@ -152,19 +152,16 @@ void NeighbourList::find_grain_pairs(Block& block, const SphereField& spheres, c
     for (const SizeLevel& level : levels_) {
       const double touching = radius + level.largest + settings_.law_range;
       const double farthest = touching + 2 * reference.allowance(grain);
-      level.cells.visit_within(here, farthest, [&](std::uint32_t j, Vector3 there) {
-        const Vector3 between = there - here;
-        const double square = dot(between, between);
-        if (square >= farthest * farthest) return;
+      level.cells.visit_nearer(here, farthest, [&](const SphereCells::Near& near) {
         // Every pair once: by the swifter grain, which looks farther, else by the first; an image stands for
         // its owner.
-        const std::uint32_t other = real_sphere(j) / per_grain;
+        const auto [j, other] = near.member;
         const std::uint8_t other_swift = reference.doublings[other];
         if (other_swift > swift || (other_swift == swift && other <= grain) || other == grain) return;
         const double touching_now =
             kAlike ? touching : radius + settings_.sphere_radii[spheres.kind[other]] + settings_.law_range;
         const double reach = touching_now + reference.allowance(grain) + reference.allowance(other);
-        if (square >= reach * reach) return;
+        if (near.square >= reach * reach) return;
         found.push_back({i, j});
         if (j < first || j >= end) block.partners.push_back(j);
       });

@@ -45,12 +45,12 @@ void SphereCells::build(const SphereField& spheres, std::vector<std::uint32_t> m
   }
   std::partial_sum(first_.begin(), first_.end(), first_.begin());
 
-  index_.resize(members_.size());
+  member_.resize(members_.size());
   position_.resize(members_.size());
   std::vector<std::uint32_t> next(first_.begin(), first_.end() - 1);
   for (std::size_t k = 0; k < members_.size(); ++k) {
     const std::uint32_t place = next[cell_[k]]++;
-    index_[place] = members_[k];
+    member_[place] = {members_[k], static_cast<std::uint32_t>(spheres.owner(members_[k]))};
     position_[place] = spheres.position(members_[k]);
   }
 }
