@@ -10,6 +10,8 @@ namespace diefill::process::plan {
 
 namespace {
 
+constexpr double kBinds = 0.99;  // share of a limit from which on it is what a step keeps to
+
 template <class... Numbers>
 std::string line(const char* format, Numbers... numbers) {
   char text[400];
@@ -41,7 +43,7 @@ void say_width(const Needs& needs, std::vector<std::string>& said) {
              d, 1e3 * needs.calibrated_diameter, 1e3 * cavity.narrowest_width, 1e3 * needs.width_as_felt));
 }
 
-void say_step(const Needs& needs, std::vector<std::string>& said) {
+void say_step(const Needs& needs, const Scene& scene, std::vector<std::string>& said) {
   const double share = needs.time_step / needs.critical_step;
   said.push_back(
       line("time step: %.3g s, %.2f of the critical %.3g s at collisions of %.2g m/s; undamped grains "
@@ -52,6 +54,13 @@ void say_step(const Needs& needs, std::vector<std::string>& said) {
         "time step: longer than the %.3g s up to which grains stay stable that moving tools wedge, and the "
         "run may stop where they do: leave out the step that the scene gives, or make it shorter",
         needs.wedged_step));
+  else if (needs.time_step > kBinds * needs.wedged_step)
+    said.push_back(
+        std::string("time step: as short as grains need that moving tools wedge") +
+        (scene.walls.kind == WallKind::mesh
+             ? ""
+             : "; these meet many wall spheres at once: larger ones (walls.sphere_radius) or the CAD "
+               "mesh itself (walls.kind = \"mesh\") allow longer steps"));
 }
 
 void say_stiffness(const Needs& needs, const Scene& scene, std::vector<std::string>& said) {
@@ -123,7 +132,7 @@ void say_symmetry(const Needs& needs, std::vector<std::string>& said) {
 std::vector<std::string> in_words(const Needs& needs, const Scene& scene, const Tooling& tooling) {
   std::vector<std::string> said;
   say_width(needs, said);
-  say_step(needs, said);
+  say_step(needs, scene, said);
   say_stiffness(needs, scene, said);
   say_walls(scene, tooling, said);
   say_powder(needs, scene, said);

@@ -99,6 +99,19 @@ double pinch_step(const engine::SimulationSettings& settings, double depth, doub
   return engine::pinch_time_step(settings.shape, settings.wall_contact, wall_radius, wall_spacing, overlap);
 }
 
+/// s: the same between walls such as the tool's.
+double pinch_step_at(const Scene& scene, const ToolSpec& tool, const engine::SimulationSettings& settings,
+                     double depth) {
+  if (tool.walls.value_or(scene.walls.kind) == WallKind::mesh) {
+    // In a corner a grain meets three faces: three times the stiffness and the damping ask for no less than a
+    // third of the step.
+    constexpr double kFaces = 3, kFlat = std::numeric_limits<double>::infinity();
+    return pinch_step(settings, depth, kFlat, kFlat) / kFaces;
+  }
+  const double radius = tool.sphere_radius.value_or(scene.walls.sphere_radius);
+  return pinch_step(settings, depth, radius, tool.spacing.value_or(scene.walls.spacing) * radius);
+}
+
 /// Settings of a powder of one kind for each kind of `settings`.
 std::vector<engine::SimulationSettings> kinds_alone(const engine::SimulationSettings& settings) {
   if (!settings.mix) return {settings};
@@ -124,11 +137,8 @@ double shortest_pinch_step(const Scene& scene, const engine::SimulationSettings&
   if (std::none_of(scene.steps.begin(), scene.steps.end(), moves)) return shortest;
   const auto kinds = kinds_alone(settings);
   const double depth = deepest_wedging(scene);
-  for (const ToolSpec& tool : scene.tools) {
-    const double radius = tool.sphere_radius.value_or(scene.walls.sphere_radius);
-    const double spacing = tool.spacing.value_or(scene.walls.spacing) * radius;
-    for (const auto& kind : kinds) shortest = std::min(shortest, pinch_step(kind, depth, radius, spacing));
-  }
+  for (const ToolSpec& tool : scene.tools)
+    for (const auto& kind : kinds) shortest = std::min(shortest, pinch_step_at(scene, tool, kind, depth));
   return shortest;
 }
 

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <limits>
 #include <stdexcept>
 
 #include "engine/out_of_range.h"
@@ -73,6 +74,10 @@ TEST(TimeStep, PinchMeetsOneWallSphereASideOnCoarseWallsAndManyOnFineOnes) {
   const double fine = pinch_time_step(shape, undamped(), 1e-4, 1e-4, overlap);
   const double finer = pinch_time_step(shape, undamped(), 1e-4, 5e-5, overlap);
   EXPECT_NEAR(finer / fine, 0.5, 1e-9);
+  // Flat walls are met once a side, too.
+  constexpr double kFlat = std::numeric_limits<double>::infinity();
+  EXPECT_NEAR(pinch_time_step(shape, undamped(), kFlat, kFlat, overlap),
+              2 * std::sqrt(1e-6 / (2 * 1e7 * std::sqrt(1e-3 * overlap))), 1e-12);
 }
 
 /// Energy of a bed of colliding grains after a while, over that at the start, undamped.

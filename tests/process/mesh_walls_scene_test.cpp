@@ -1,6 +1,7 @@
 // Scenes whose tools are their meshes: what the reader keeps and refuses, and walls that repeat.
 #include <gtest/gtest.h>
 
+#include "process/run/material.h"
 #include "process/run/periodic_tool.h"
 #include "tests/process/scene_files.h"
 #include "tests/process/wrong_scene.h"
@@ -43,6 +44,17 @@ TEST(MeshWallsOfScenes, RefuseOpeningsBetweenCentresOfSpheres) {
     for (const char* part : {"numerics.opening", "tool \"die\"", "leave one of the two out"})
       EXPECT_NE(message.find(part), std::string::npos) << message;
   }
+}
+
+TEST(MeshWallsOfScenes, NeedNoShorterStepForCoarseGrains) {
+  const auto step_with = [](const std::string& walls) {
+    const SceneFolder folder;
+    std::string text = support::exchanged(faultless_scene(), "spacing = 1.6", walls);
+    text = support::exchanged(text, "Distaloy AE", "ASC100.29 A2");
+    return engine_settings(read_scene(folder.write(text)), 1.0).time_step;
+  };
+  // A sphere of 0.94 mm is pressed into dozens of wall spheres of 0.15 mm, but into few faces.
+  EXPECT_GT(step_with("kind = \"mesh\""), 3 * step_with("spacing = 1.6"));
 }
 
 geometry::Mesh prism() {

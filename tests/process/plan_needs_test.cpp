@@ -41,7 +41,7 @@ TEST(PlanNeeds, WidthPressureAndLaws) {
   EXPECT_TRUE(says(said, "one half could stand for the whole"));
 }
 
-TEST(PlanNeeds, AStepTooLongForWedgedGrainsIsRemarkedUpon) {
+TEST(PlanNeeds, TheStepOfWedgedGrainsIsRemarkedUpon) {
   support::SceneTables tables;
   tables.steps = R"([[step]]
 kind = "move"
@@ -51,18 +51,21 @@ distance = "10 mm"
 velocity = "0.1 m/s"
 )";
   PlannedScene planned(tables);
-  const auto remark = [&] {
+  const auto remarks = [&] {
     const Needs needs = needs_of(planned.scene, planned.tooling);
-    return says(in_words(needs, planned.scene, planned.tooling), "that moving tools wedge");
+    const auto said = in_words(needs, planned.scene, planned.tooling);
+    return std::pair(says(said, "as short as grains need that moving tools wedge"),
+                     says(said, "up to which grains stay stable that moving tools wedge"));
   };
-  EXPECT_FALSE(remark());
+  // Its own step is that of wedged grains.
+  EXPECT_EQ(remarks(), std::pair(true, false));
   const double chosen = needs_of(planned.scene, planned.tooling).time_step;
   planned.scene.numerics.time_step = 0.9 * chosen;
-  EXPECT_FALSE(remark());
+  EXPECT_EQ(remarks(), std::pair(false, false));
   planned.scene.numerics.time_step = 2 * chosen;
-  EXPECT_TRUE(remark());
+  EXPECT_EQ(remarks(), std::pair(false, true));
   planned.scene.steps.clear();  // nothing moves
-  EXPECT_FALSE(remark());
+  EXPECT_EQ(remarks(), std::pair(false, false));
 }
 
 TEST(PlanNeeds, APistonPressesOnItsArea) {
