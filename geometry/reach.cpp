@@ -177,7 +177,7 @@ Reach::Reach(const ReachRequest& request) : laboratory_(laboratory_grid(request)
     const VoxelGrid grid = grid_round(*request.solids[i].mesh, solids.pose(i, 0), laboratory_);
     surroundings_.push_back({grid, std::vector<std::uint8_t>(grid.size(), 0), {}, {}});
   }
-  ReachFlood flood(laboratory_, request.climb);
+  ReachFlood flood(laboratory_, request.climb, request.scatters);
   flood.pour(powder_in(laboratory_, request.powder), solids.blocked(0));
   first_ = flood.reached_voxels();
   auto ever = first_;

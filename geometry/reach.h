@@ -29,8 +29,9 @@ struct ReachRequest {
   Box powder;        ///< m, where the poured powder starts (laboratory frame); it may reach above the tools
   double climb = 0;  ///< m, how far powder may rise above where it stands (a heap pushed by the shoe); such a
                      ///< heap runs out sideways over 4/3 of its height
-  double voxel = 5e-4;  ///< m, edge of a voxel; openings narrower than this are taken as closed
-  Box domain;           ///< m, powder leaving this box is gone
+  bool scatters = false;  ///< tools throw powder about: what has risen goes sideways without limit
+  double voxel = 5e-4;    ///< m, edge of a voxel; openings narrower than this are taken as closed
+  Box domain;             ///< m, powder leaving this box is gone
 };
 
 /// Answers which surface points powder can touch, per solid, in the solid's own frame.

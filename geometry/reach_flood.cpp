@@ -54,9 +54,10 @@ class LayerFlood {
 
 }  // namespace
 
-ReachFlood::ReachFlood(const VoxelGrid& grid, double climb)
+ReachFlood::ReachFlood(const VoxelGrid& grid, double climb, bool scatters)
     : grid_(grid),
       climb_(static_cast<std::int32_t>(std::ceil(kVoxel * climb / grid.edge))),
+      loss_(scatters ? 0 : kLossOfHeap),
       ceiling_(grid.counts.z() - 1),
       heads_(grid.size(), kNone),
       waiting_(static_cast<std::size_t>(highest_head(grid.counts.z())) + 1) {}
@@ -141,7 +142,7 @@ void ReachFlood::for_ways_on(const Eigen::Vector3i& voxel, Visit visit) const {
   if (voxel.z() > ceiling_) return;
   if (voxel.z() < ceiling_) visit(voxel + Eigen::Vector3i::UnitZ(), here);
   const bool risen = here < highest_head(voxel.z());
-  const std::int32_t sideways = risen ? here - kLoss : here;
+  const std::int32_t sideways = risen ? here - loss_ : here;
   for (int axis = 0; axis < 2; ++axis) {
     Eigen::Vector3i next = voxel;
     next[axis] = voxel[axis] - 1;

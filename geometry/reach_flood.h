@@ -12,10 +12,10 @@ namespace diefill::geometry {
 /// Voxels that powder has got to. Each keeps the height up to which powder there may rise: `climb` above the
 /// lowest place on the highest way to it. Where powder rises above that way it loses 3/4 of a voxel in height
 /// for every voxel it goes sideways, as a heap with an angle of repose of 37 degrees does (Bierwisch 2009,
-/// section 4.1.4).
+/// section 4.1.4); where powder `scatters` it loses none.
 class ReachFlood {
  public:
-  ReachFlood(const VoxelGrid& grid, double climb);
+  ReachFlood(const VoxelGrid& grid, double climb, bool scatters);
 
   /// Powder appears in the free voxels of `box` and spreads. It stays below the top of what holds it: the
   /// highest layer in which walls keep it from running sideways to the border of the grid. Powder above that
@@ -39,7 +39,7 @@ class ReachFlood {
 
  private:
   // Heights in quarters of a voxel, so that losing 3/4 is exact.
-  static constexpr std::int32_t kNone = -1, kVoxel = 4, kLoss = 3;
+  static constexpr std::int32_t kNone = -1, kVoxel = 4, kLossOfHeap = 3;
 
   std::int32_t& head(const Eigen::Vector3i& voxel) {
     return heads_[grid_.index(voxel.x(), voxel.y(), voxel.z())];
@@ -54,7 +54,8 @@ class ReachFlood {
 
   VoxelGrid grid_;
   std::int32_t climb_;
-  int ceiling_;  // layer above which powder only falls
+  std::int32_t loss_;  // of what has risen, for every voxel sideways
+  int ceiling_;        // layer above which powder only falls
   std::vector<std::int32_t> heads_;
   std::vector<std::vector<Eigen::Vector3i>> waiting_;  // by head
 };

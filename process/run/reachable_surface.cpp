@@ -15,17 +15,55 @@ namespace {
 
 using Poses = std::vector<ToolPose>;
 
+constexpr int kInstants = 2000;  ///< of a step that are looked at
+constexpr double kThrown = 0.1;  ///< over d: powder thrown up no higher stays where it is
+
+/// The largest of `of(corner)` over the corners of the box.
+template <class Of>
+double largest_of_corners(const geometry::Box& box, const Of& of) {
+  double largest = 0;
+  for (int corner = 0; corner < 8; ++corner)
+    largest = std::max(largest, of(Eigen::Vector3d((corner & 1) != 0 ? box.upper[0] : box.lower[0],
+                                                   (corner & 2) != 0 ? box.upper[1] : box.lower[1],
+                                                   (corner & 4) != 0 ? box.upper[2] : box.lower[2])));
+  return largest;
+}
+
 /// m, how far any corner of the box is apart in two poses.
 double distance_between(const geometry::Box& box, const ToolPose& one, const ToolPose& other) {
-  double farthest = 0;
-  for (int corner = 0; corner < 8; ++corner) {
-    const Eigen::Vector3d point((corner & 1) != 0 ? box.upper[0] : box.lower[0],
-                                (corner & 2) != 0 ? box.upper[1] : box.lower[1],
-                                (corner & 4) != 0 ? box.upper[2] : box.lower[2]);
-    farthest = std::max(
-        farthest, ((one.rotation - other.rotation) * point + one.translation - other.translation).norm());
+  return largest_of_corners(box, [&](const Eigen::Vector3d& corner) {
+    return ((one.rotation - other.rotation) * corner + one.translation - other.translation).norm();
+  });
+}
+
+/// m/s, fastest that a corner of the box becomes in a step of `length` (s).
+double top_speed(const Step& step, double length, const geometry::Box& box) {
+  double fastest = 0;
+  for (int n = 0; n <= kInstants; ++n) {
+    const ToolPose pose = compose(step.motion(length * n / kInstants), {});
+    fastest = std::max(fastest, largest_of_corners(box, [&](const Eigen::Vector3d& corner) {
+                         return (pose.velocity + pose.angular_velocity.cross(pose.rotation * corner)).norm();
+                       }));
   }
-  return farthest;
+  return fastest;
+}
+
+/// m, how high powder flies from tools that are shaken or turned, other than shoes, which keep theirs: with
+/// twice their speed, as grains do that meet them head-on.
+double throw_height(const Scene& scene, const Tooling& tooling) {
+  const Stages stages(scene);
+  const auto states = foreseen(stages, kSettlingGuess);
+  double speed = 0;
+  for (std::size_t s = 0; s < stages.size(); ++s) {
+    const Step& step = *stages.steps[s];
+    if (!step.stays() || step.control() != nullptr) continue;
+    for (const std::string& name : step.tools()) {
+      const Tool& tool = tooling.tools[tooling.index_of(name)];
+      if (tool.spec.role == ToolRole::shoe) continue;
+      speed = std::max(speed, top_speed(step, states[s].ended - states[s].started, tool.mesh.bounding_box()));
+    }
+  }
+  return 2 * speed * speed / scene.gravity.norm();
 }
 
 double largest_distance(const Tooling& tooling, const Poses& one, const Poses& other) {
@@ -37,7 +75,6 @@ double largest_distance(const Tooling& tooling, const Poses& one, const Poses& o
 
 /// Of a step that moves tools about their place, the two instants when they are farthest apart.
 std::array<double, 2> extremes(const Step& step, const StepState& state, const geometry::Box& box) {
-  constexpr int kInstants = 2000;
   const double length = state.ended - state.started;
   const auto farthest_from = [&](const ToolPose& pose) {
     double best = 0, farthest = -1;
@@ -61,7 +98,6 @@ std::array<double, 2> extremes(const Step& step, const StepState& state, const g
 std::vector<Poses> sampled_poses(const Scene& scene, const Tooling& tooling, double distance) {
   const Stages stages(scene);
   const auto states = foreseen(stages, kSettlingGuess);
-  constexpr int kInstants = 2000;
   auto times = instants(stages, states, kInstants);
   std::set<double> wanted;
   for (std::size_t s = 0; s < stages.size(); ++s) {
@@ -94,7 +130,9 @@ ReachableSurface::ReachableSurface(const Scene& scene, const Tooling& tooling, d
   constexpr double kMostVoxels = 2e7;
   request.voxel = std::max(0.25 * grain_diameter, std::cbrt(extent.prod() / kMostVoxels));
   request.voxel = std::clamp(request.voxel, 1e-5, 5e-4);
-  request.climb = 2 * grain_diameter;
+  const double thrown = throw_height(scene, tooling);
+  request.scatters = thrown > kThrown * grain_diameter;
+  request.climb = 2 * grain_diameter + (request.scatters ? thrown : 0);
   request.powder = {scene.pour.lower, scene.pour.upper};
   request.domain.lower = tooling.standing.lower;
   request.domain.upper = tooling.standing.upper;

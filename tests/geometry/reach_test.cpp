@@ -136,7 +136,7 @@ TEST(Reach, DoesNotRiseLikeWater) {
   EXPECT_FALSE(at(reach, 1, {10, 0, 9}, -Vector3d::UnitX()));
 }
 
-TEST(Reach, HeapRunsOutOverFourThirdsOfItsHeight) {
+TEST(Reach, HeapRunsOutOverFourThirdsOfItsHeightUnlessItIsScattered) {
   // A trough full to its rim at z = 0 in a table, under two walls that are lifted off.
   const Mesh left = box_mm({-30, -2, -5}, {-5, 2, 0}), right = box_mm({5, -2, -5}, {30, 2, 0});
   const Mesh bottom = box_mm({-5, -2, -7}, {5, 2, -5});
@@ -153,6 +153,11 @@ TEST(Reach, HeapRunsOutOverFourThirdsOfItsHeight) {
   EXPECT_FALSE(at(reach, 1, {5 + 9, 0, 0}, kUp));
   EXPECT_TRUE(at(reach, 0, {-5 - 7, 0, 0}, kUp));
   EXPECT_FALSE(at(reach, 0, {-5 - 9, 0, 0}, kUp));
+  // Where tools throw it about it comes anywhere.
+  request.scatters = true;
+  const Reach scattered(request);
+  EXPECT_TRUE(at(scattered, 1, {29, 0, 0}, kUp));
+  EXPECT_TRUE(at(scattered, 0, {-29, 0, 0}, kUp));
 }
 
 TEST(Reach, ShoeCarriesPowderAlongAndLeavesItInThePit) {
