@@ -8,7 +8,7 @@ namespace diefill::app {
 
 namespace {
 
-constexpr std::size_t kLongestName = 30;
+constexpr std::size_t kWidestColumn = 48;  ///< of names; longer ones push the numbers on
 
 std::string right(const std::string& text, std::size_t width) {
   return text.size() >= width ? text : std::string(width - text.size(), ' ') + text;
@@ -52,9 +52,9 @@ std::string block(const results::ComparedMeasure& measure, const std::vector<std
   std::string text = measure.name + (measure.unit == "1" ? "" : ", " + measure.unit) + '\n';
   for (std::size_t k = 0; k < variants.size(); ++k) {
     const auto& value = measure.values[k];
-    text += "  " + left(variants[k].substr(0, kLongestName), width) +
-            right(number(value.mean, decimals), 12) + right(number(value.scatter, decimals), 11) +
-            right(std::to_string(value.seeds), 7) + "  " + difference(value, decimals) + '\n';
+    text += "  " + left(variants[k], width) + right(number(value.mean, decimals), 12) +
+            right(number(value.scatter, decimals), 11) + right(std::to_string(value.seeds), 7) + "  " +
+            difference(value, decimals) + '\n';
   }
   return text;
 }
@@ -74,7 +74,7 @@ std::string runs_without_result(const results::Comparison& comparison) {
 std::string comparison_table(const results::Comparison& comparison) {
   std::size_t width = 8;
   for (const auto& variant : comparison.variants)
-    width = std::max(width, std::min(kLongestName, variant.size()));
+    width = std::max(width, std::min(kWidestColumn, variant.size()));
   std::string text = comparison.title + "\n  " + left("", width) + right("mean", 12) + right("scatter", 11) +
                      right("seeds", 7) + "  difference from \"" + comparison.variants.front() + "\"\n";
   for (const auto& measure : comparison.measures) text += block(measure, comparison.variants, width);
