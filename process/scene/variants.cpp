@@ -52,6 +52,18 @@ std::size_t entry_called(const std::string& word, const std::vector<std::string>
 void merge(toml::table& into, toml::table& changes, const std::filesystem::path& file,
            const std::string& path);
 
+/// Whether the changes make an entry another kind of thing, whose keys are not those it has.
+bool of_another_kind(const toml::table& entry, const toml::table& changes) {
+  const auto kind = changes["kind"].value<std::string>();
+  return kind && kind != entry["kind"].value<std::string>();
+}
+
+/// Takes out all that an entry says but its name, by which others call it.
+void keep_name_only(toml::table& entry) {
+  for (auto it = entry.begin(); it != entry.end();)
+    it = it->first == "name" ? std::next(it) : entry.erase(it);
+}
+
 /// Changes the entries of a list one by one: every key of `changes` calls one of them.
 void merge_entries(toml::array& list, toml::table& changes, const std::filesystem::path& file,
                    const std::string& path, const std::string& list_name) {
@@ -65,6 +77,7 @@ void merge_entries(toml::array& list, toml::table& changes, const std::filesyste
     toml::table* change = node.as_table();
     if (entry == nullptr || change == nullptr)
       reader.reject(word, "keys to change are needed, such as " + list_name + '.' + word + ".name = \"...\"");
+    if (of_another_kind(*entry, *change)) keep_name_only(*entry);
     merge(*entry, *change, file, path + '.' + word);
   }
 }

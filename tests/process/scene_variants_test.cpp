@@ -83,6 +83,49 @@ azimuth_bins = 12
   EXPECT_EQ(variants[0].scene.measure.azimuth_bins, 12);
 }
 
+TEST(Variants, AStepOfAnotherKindForgetsAllButItsName) {
+  const auto variants = variants_of(R"(
+[[variant]]
+name = "named passage"
+step.1.name = "filling"
+
+[[variant]]
+name = "waits instead"
+step.1 = { kind = "wait", duration = "0.1 s" }
+
+[[variant]]
+name = "waits under its name"
+step.1 = { kind = "wait", duration = "0.1 s", name = "pause" }
+
+[[variant]]
+name = "of the same kind"
+step.1 = { kind = "passage", velocity = "0.05 m/s" }
+)");
+  ASSERT_EQ(variants.size(), 4U);
+  EXPECT_EQ(variants[0].scene.steps[0]->plan.name, "filling");
+  EXPECT_EQ(strategy_in_words(variants[1].scene), "a wait of 0.1 s");
+  EXPECT_EQ(variants[2].scene.steps[0]->plan.name, "pause");
+  EXPECT_EQ(strategy_in_words(variants[3].scene), "1 passage at 0.05 m/s");
+}
+
+TEST(Variants, AStepOfAnotherKindKeepsItsName) {
+  const SceneFolder folder;
+  const std::string scene = faultless_scene() + R"(
+[[step]]
+kind = "wait"
+name = "rest"
+duration = "0.1 s"
+
+[[variant]]
+name = "settles"
+step.rest.kind = "settle"
+)";
+  const auto variants = read_variants(folder.write(scene));
+  ASSERT_EQ(variants.size(), 1U);
+  EXPECT_EQ(variants[0].scene.steps.back()->plan.name, "rest");
+  EXPECT_TRUE(variants[0].scene.steps.back()->open_ended());
+}
+
 TEST(Variants, ASceneWithoutAnyIsComparedAsItIs) {
   const auto variants = variants_of("");
   ASSERT_EQ(variants.size(), 1U);
