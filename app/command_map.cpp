@@ -11,6 +11,7 @@
 #include "app/output.h"
 #include "app/picture_kinds.h"
 #include "app/source_names.h"
+#include "process/measure/choose_cavity.h"
 #include "process/measure/time_average.h"
 #include "process/results/result_file.h"
 #include "process/scene/units.h"
@@ -24,7 +25,7 @@ struct MapArguments {
   std::string out, averaging_width, normal, from, to, colour_by = "solid-fraction", tools = "cut",
                                                       camera = "front";
   std::vector<double> range;
-  int width = 1600;
+  int width = 1600, cavity = 1;
   bool pdf = false, ambient_occlusion = false, time_average = false;
 };
 
@@ -148,11 +149,22 @@ void require_averages(const MapArguments& arguments) {
                                 ", which shows one instant; possible are" + allowed);
 }
 
+/// The result in a directory, as of the cavity that was asked for.
+results::FillResult result_in(const std::string& directory, int cavity) {
+  results::FillResult result = results::read_results(directory);
+  try {
+    process::choose_cavity(result, cavity);
+  } catch (const std::invalid_argument& error) {
+    throw process::SceneError("--cavity: " + std::string(error.what()) + " (" + directory + ")");
+  }
+  return result;
+}
+
 PictureRequest request_of(const MapArguments& arguments) {
   PictureRequest request;
   const auto names = source_names({arguments.directories.begin(), arguments.directories.end()});
   for (std::size_t k = 0; k < names.size(); ++k) {
-    results::FillResult result = results::read_results(arguments.directories[k]);
+    results::FillResult result = result_in(arguments.directories[k], arguments.cavity);
     std::string when = with_number("t = %.3f s", result.powder.time);
     request.sources.push_back({names[k], std::move(result), std::move(when)});
   }
@@ -263,6 +275,12 @@ void add_map(CLI::App& program, Action& chosen) {
   command->add_option("--picture", arguments->pictures,
                       "kinds of picture, see below (default: the four that a run makes)");
   command->add_option("--out", arguments->out, "directory for the pictures (default: the first DIR)");
+  command
+      ->add_option(
+          "--cavity", arguments->cavity,
+          "which cavity of a die with several, by its number in the report; give --out with it to keep "
+          "the pictures of the largest")
+      ->capture_default_str();
   command->add_option("--averaging-width", arguments->averaging_width,
                       "Gaussian width sigma of the averaging, such as '1 mm' (default: the larger of 0.5 mm "
                       "and half the largest grain size)");
@@ -283,6 +301,7 @@ void add_map(CLI::App& program, Action& chosen) {
       "Examples:\n"
       "  diefill map out/narrow_ring --averaging-width '1 mm'\n"
       "  diefill map out/narrow_ring --picture section --normal z --origin '0 mm' '0 mm' '-10 mm'\n"
+      "  diefill map out/twin_die --cavity 2 --out out/twin_die/cavity_2\n"
       "  diefill map out/one out/two --picture difference --picture height-profile --pdf --out out/compared\n"
       "  diefill map out/narrow_ring --picture displacement --from '0.2 s' --to '0.4 s'\n"
       "  diefill map out/slit --picture velocity-section --time-average --from '0.5 s' --to '0.6 s'\n"

@@ -209,6 +209,7 @@ struct FillResult {
   ContactStress contact_stress;
   std::vector<ToolState> tools;
   CavityState cavity;
+  std::vector<CavityState> other_cavities;  ///< smaller ones; figures and maps are of `cavity`
   SolidFractionSummary summary;
   std::vector<Field2D> maps;  ///< cylindrical (azimuth, height) maps; empty for cavities that are no rings
   std::vector<SectionField> sections;

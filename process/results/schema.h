@@ -106,19 +106,26 @@ void describe_tools(Archive& archive, Tools& tools) {
 
 template <class Archive, class Cavity>
 void describe_cavity(Archive& archive, Cavity& cavity) {
-  archive.group("cavity", "where the powder is collected", [&] {
-    archive.field("is_ring", cavity.is_ring, "1", "1 for a cavity with a vertical axis and a core");
-    archive.field("axis_origin", cavity.axis_origin, "m", "point of the ring's axis at the fill plane");
-    archive.field("inner_radius", cavity.inner_radius, "m", "smallest inner radius of the ring");
-    archive.field("outer_radius", cavity.outer_radius, "m", "largest outer radius of the ring");
-    archive.field("lower_corner", cavity.lower_corner, "m", "lower corner of the box around the cavity");
-    archive.field("upper_corner", cavity.upper_corner, "m",
-                  "upper corner of that box; its z is the fill plane");
-    archive.field("volume", cavity.volume, "m^3", "volume below the fill plane, 0 if unknown");
-    archive.field("narrowest_width", cavity.narrowest_width, "m", "smallest horizontal width, 0 if unknown");
-    archive.field("azimuth_zero", cavity.azimuth_zero, "1",
-                  "direction of azimuth 0; azimuth counts counter-clockwise");
-  });
+  archive.field("is_ring", cavity.is_ring, "1", "1 for a cavity with a vertical axis and a core");
+  archive.field("axis_origin", cavity.axis_origin, "m", "point of the ring's axis at the fill plane");
+  archive.field("inner_radius", cavity.inner_radius, "m", "smallest inner radius of the ring");
+  archive.field("outer_radius", cavity.outer_radius, "m", "largest outer radius of the ring");
+  archive.field("lower_corner", cavity.lower_corner, "m", "lower corner of the box around the cavity");
+  archive.field("upper_corner", cavity.upper_corner, "m",
+                "upper corner of that box; its z is the fill plane");
+  archive.field("volume", cavity.volume, "m^3", "volume below the fill plane, 0 if unknown");
+  archive.field("narrowest_width", cavity.narrowest_width, "m", "smallest horizontal width, 0 if unknown");
+  archive.field("azimuth_zero", cavity.azimuth_zero, "1",
+                "direction of azimuth 0; azimuth counts counter-clockwise");
+}
+
+template <class Archive, class Result>
+void describe_cavities(Archive& archive, Result& result) {
+  archive.group("cavity", "where the powder is collected", [&] { describe_cavity(archive, result.cavity); });
+  const auto name_of = [](const CavityState&) { return std::string("cavity"); };
+  archive.optional_list("other_cavities", "smaller cavities of a die with several, numbered from 2",
+                        result.other_cavities, name_of,
+                        [&](auto& cavity) { describe_cavity(archive, cavity); });
 }
 
 template <class Archive, class Field>
@@ -250,7 +257,7 @@ void describe(Archive& archive, Result& result) {
   describe_solid_fraction(archive, result);
   describe_contact_stress(archive, result.contact_stress);
   describe_tools(archive, result.tools);
-  describe_cavity(archive, result.cavity);
+  describe_cavities(archive, result);
   const auto quantity_of = [](const Field2D& field) { return field.quantity; };
   archive.list("maps", "cylindrical maps of rings", result.maps, quantity_of,
                [&](auto& map) { describe_field(archive, map); });

@@ -12,7 +12,8 @@ void add_other_cavities(results::FillResult& result, const std::vector<geometry:
   results::GrainSolidFraction fraction = result.solid_fraction;
   std::string warning;
   for (std::size_t n = 0; n < others.size(); ++n) {
-    const results::CavityState cavity = cavity_state(others[n]);
+    results::CavityState cavity = cavity_state(others[n]);
+    cavity.azimuth_zero = result.cavity.azimuth_zero;
     for (std::size_t k = 0; k < result.powder.position.size(); ++k)
       fraction.in_cavity[k] = lies_in_cavity(cavity, result.powder.position[k]) ? 1 : 0;
     const auto summary = summarise(result.powder, fraction, cavity);
@@ -28,10 +29,13 @@ void add_other_cavities(results::FillResult& result, const std::vector<geometry:
                   "; cavity %s at (%.1f, %.1f) mm, %.4g cm3, holds %.4g g, mean solid fraction %.3f",
                   number.c_str(), place.x(), place.y(), 1e6 * cavity.volume, 1e3 * mass, summary.mean);
     warning += text;
+    result.other_cavities.push_back(std::move(cavity));
   }
   if (others.empty()) return;
   result.warnings.push_back("the tools have " + std::to_string(others.size() + 1) +
-                            " cavities: figures and maps are of the largest" + warning);
+                            " cavities: figures and maps are of the largest (diefill map --cavity draws the "
+                            "others)" +
+                            warning);
 }
 
 }  // namespace diefill::process

@@ -8,8 +8,8 @@
 
 namespace diefill::process {
 
-/// Adds filled mass, volume and solid fraction of each of `others` (in the die's frame) to the figures of
-/// `result`, whose own cavity is number 1, and a warning that there are several. `result` holds the powder
+/// Adds `others` (in the die's frame) to `result`, whose own cavity is number 1, with filled mass, volume and
+/// solid fraction of each among the figures, and a warning that there are several. `result` holds the powder
 /// and its solid fraction. Nothing for no others.
 void add_other_cavities(results::FillResult& result, const std::vector<geometry::Cavity>& others);
 

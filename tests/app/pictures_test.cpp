@@ -169,6 +169,28 @@ TEST_F(EveryPicture, OfSeveralRunsIsCalledByWhatTellsThemApart) {
   EXPECT_EQ(names({fast, fast}), (Names{"map_seed-1.png", "map_seed-1_2.png"}));
 }
 
+TEST_F(EveryPicture, IsOfTheCavityAskedFor) {
+  auto twin = small_ring();
+  twin.other_cavities = {twin.cavity};
+  twin.other_cavities[0].outer_radius = 6e-3;
+  results::write_results(one(), twin);
+  const auto drawn = [&](const std::vector<std::string>& more) {
+    std::vector<std::string> arguments = {"--picture", "map"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    const Outcome outcome = map(arguments);
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    return support::contents(out() / "map.png");
+  };
+  const std::string largest = drawn({});
+  EXPECT_EQ(drawn({"--cavity", "1"}), largest);
+  EXPECT_NE(drawn({"--cavity", "2"}), largest);
+  const Outcome outcome = map({"--picture", "map", "--cavity", "3"});
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_EQ(outcome.complaints(), 1U);
+  EXPECT_NE(outcome.err.find("--cavity: found 3; the tools have cavities 1 to 2"), std::string::npos)
+      << outcome.err;
+}
+
 TEST_F(EveryPicture, OfThePressureSaysWhatOlderResultsLack) {
   auto older = small_ring();
   older.contact_stress = {};

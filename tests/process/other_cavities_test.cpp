@@ -3,7 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <stdexcept>
 
+#include "process/measure/choose_cavity.h"
+#include "process/measure/measure.h"
 #include "process/run/tooling.h"
 
 namespace diefill::process {
@@ -48,6 +51,35 @@ TEST(OtherCavities, TellWhatTheyHold) {
   // Figures of the cavity that maps are of stay as they are.
   EXPECT_EQ(std::count(result.solid_fraction.in_cavity.begin(), result.solid_fraction.in_cavity.end(), 1),
             12);
+}
+
+TEST(OtherCavities, CanBeChosenForMapsAndSummary) {
+  results::FillResult result = filled_boxes();
+  result.title = "Twin die";
+  result.cavity.lower_corner = {0, 0, -0.01};
+  result.cavity.upper_corner = {0.01, 0.01, 0};
+  for (std::size_t k = 12; k < 18; ++k) result.solid_fraction.solid_fraction[k] = 0.25;
+  for (std::size_t k = 12; k < 18; ++k) result.solid_fraction.cell_volume[k] = 4e-9;
+  add_other_cavities(result, {box_cavity(0.02)});
+  const double figure = result.figures.at("cavity_2_solid_fraction");
+
+  choose_cavity(result, 1);
+  EXPECT_EQ(result.title, "Twin die");
+  EXPECT_EQ(result.solid_fraction.in_cavity[0], 1);
+  choose_cavity(result, 2);
+  EXPECT_EQ(result.title, "Twin die, cavity 2");
+  EXPECT_EQ(result.cavity.lower_corner.x(), 0.02);
+  EXPECT_EQ(result.solid_fraction.in_cavity[0], 0);
+  EXPECT_EQ(result.solid_fraction.in_cavity[12], 1);
+  EXPECT_EQ(result.summary.mean, figure);
+  EXPECT_NEAR(filled_mass(result.powder, result.solid_fraction), 6 * 2e-6, 1e-18);
+}
+
+TEST(OtherCavities, ThatTheDieDoesNotHaveCannotBeChosen) {
+  results::FillResult result = filled_boxes();
+  EXPECT_THROW(choose_cavity(result, 2), std::invalid_argument);
+  EXPECT_THROW(choose_cavity(result, 0), std::invalid_argument);
+  EXPECT_EQ(result.solid_fraction.in_cavity[0], 1);
 }
 
 TEST(OtherCavities, CountInWhatMotionsAndPlansTakeForTheCavity) {

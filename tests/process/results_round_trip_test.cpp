@@ -120,6 +120,22 @@ TEST(ResultFile, GivesBackKindsOfGrains) {
   EXPECT_THROW(write_results(scratch.path(), result), ResultError);
 }
 
+TEST(ResultFile, GivesBackSeveralCavitiesInTheirOrder) {
+  const support::TemporaryFolder scratch;
+  FillResult result = sample_result();
+  ASSERT_TRUE(result.other_cavities.empty());
+  for (int n = 0; n < 12; ++n) {
+    result.other_cavities.push_back(result.cavity);
+    result.other_cavities.back().volume = 1e-6 / (n + 1);
+  }
+  write_results(scratch.path(), result);
+  const FillResult back = read_results(scratch.path());
+  ASSERT_EQ(back.other_cavities.size(), 12U);
+  for (std::size_t n = 0; n < 12; ++n)
+    EXPECT_EQ(back.other_cavities[n].volume, result.other_cavities[n].volume);
+  EXPECT_TRUE(bytes_of(back) == bytes_of(result));
+}
+
 TEST(ResultFile, NeedsNoInstants) {
   const support::TemporaryFolder scratch;
   FillResult result = sample_result();
