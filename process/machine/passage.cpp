@@ -29,6 +29,19 @@ Extent along(const Eigen::Vector3d& direction, const Eigen::Vector3d& lower, con
   return {middle - reach, middle + reach};
 }
 
+/// The first crossing's direction: a shoe that left the plate or cut into it would be a mistake.
+Eigen::Vector3d level_direction(TableReader& table) {
+  table.require("direction", "\"-x\"");
+  const Eigen::Vector3d direction = *table.direction("direction");
+  constexpr double kLevel = 1e-6;
+  if (std::abs(direction.z()) > kLevel)
+    table.reject(
+        "direction",
+        "a passage is level: \"-x\", \"+x\", \"-y\", \"+y\" or two numbers and 0, such as [-1, 1, 0], is "
+        "needed; kind = \"move\" goes anywhere");
+  return direction;
+}
+
 }  // namespace
 
 Passage::Passage(PassageSpec spec) : spec_(std::move(spec)) {
@@ -84,17 +97,13 @@ std::string Passage::in_words() const {
 }
 
 std::shared_ptr<Step> read_passage(TableReader& table, const std::vector<ToolSpec>& tools) {
-  static const Choices<Eigen::Vector3d> directions = {{"-x", -Eigen::Vector3d::UnitX()},
-                                                      {"+x", Eigen::Vector3d::UnitX()},
-                                                      {"-y", -Eigen::Vector3d::UnitY()},
-                                                      {"+y", Eigen::Vector3d::UnitY()}};
   PassageSpec spec;
   spec.where = table.where("travel");
   spec.tool = read_moving_tool(table, tools, {ToolRole::shoe, ToolRole::plate});
   spec.velocity = table.required_quantity("velocity", kVelocity);
   spec.acceleration = table.quantity("acceleration", kAcceleration).value_or(spec.acceleration);
   spec.passages = static_cast<int>(table.integer("passages", 1, kMostPassages).value_or(spec.passages));
-  spec.direction = table.required_choice("direction", directions);
+  spec.direction = level_direction(table);
   spec.clearance = table.quantity("clearance", kClearance).value_or(spec.clearance);
   spec.pause = table.quantity("pause", kPause).value_or(spec.pause);
   spec.travel = table.quantity("travel", kTravel);

@@ -123,6 +123,19 @@ TEST(Passage, RunsInEveryDirectionByTheSameRule) {
   }
 }
 
+TEST(Passage, RunsAcrossTheAxesToo) {
+  PassageSpec spec = narrow_ring();
+  spec.direction = Eigen::Vector3d(1, 1, 0).normalized();
+  MachineContext context = narrow_ring_boxes();
+  context.tool_lower = {-0.04 - 0.019, -0.04 - 0.019, 0};
+  context.tool_upper = {-0.04 + 0.019, -0.04 + 0.019, 0.046};
+  Passage passage(spec);
+  passage.prepare(context);
+  // From corner to corner of both boxes, and the clearance.
+  const double travel = std::sqrt(2) * (0.04 + 0.019 + 0.012462) + 0.002;
+  EXPECT_TRUE(passage.motion(*passage.duration()).translation.isApprox(travel * spec.direction, 1e-12));
+}
+
 TEST(Passage, ReachesItsVelocityBeforeTheCavity) {
   Passage passage(narrow_ring());
   passage.prepare(narrow_ring_boxes());

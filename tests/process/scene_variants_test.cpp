@@ -99,13 +99,15 @@ step.1 = { kind = "wait", duration = "0.1 s", name = "pause" }
 
 [[variant]]
 name = "of the same kind"
-step.1 = { kind = "passage", velocity = "0.05 m/s" }
+step.1 = { kind = "passage", velocity = "0.05 m/s", direction = [-1, 1, 0] }
 )");
   ASSERT_EQ(variants.size(), 4U);
   EXPECT_EQ(variants[0].scene.steps[0]->plan.name, "filling");
   EXPECT_EQ(strategy_in_words(variants[1].scene), "a wait of 0.1 s");
   EXPECT_EQ(variants[2].scene.steps[0]->plan.name, "pause");
   EXPECT_EQ(strategy_in_words(variants[3].scene), "1 passage at 0.05 m/s");
+  const auto& passage = dynamic_cast<const Passage&>(*variants[3].scene.steps[0]);
+  EXPECT_TRUE(passage.spec().direction.isApprox(Eigen::Vector3d(-1, 1, 0).normalized()));
 }
 
 TEST(Variants, AStepOfAnotherKindKeepsItsName) {
