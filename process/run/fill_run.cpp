@@ -22,6 +22,7 @@
 #include "process/run/suction.h"
 #include "process/run/wall_bodies.h"
 #include "process/scene/setting.h"
+#include "process/scene/units.h"
 
 namespace diefill::process {
 
@@ -35,9 +36,8 @@ constexpr std::uint64_t kScheduleEvery = 20, kSpillEvery = 100, kFeedEvery = 100
 constexpr double kFarAway = 1e3;  // m
 constexpr double kLongFall =
     0.5;  // m below the tools, where spilled grains are computed no longer in any case
-/// Of all grains poured, but a few always: if more are sheared off, the run says nothing about the real
-/// powder.
-constexpr double kMostSheared = 0.005, kFewSheared = 3;
+/// Grains that may be sheared off however few there are.
+constexpr double kFewSheared = 3;
 
 double seconds_since(Clock::time_point then) {
   return std::chrono::duration<double>(Clock::now() - then).count();
@@ -240,10 +240,13 @@ void FillRun::shear_off_pinched_grains() {
   const auto poured = static_cast<double>(simulation_->grains().size() + left_.grains() + sheared_.grains());
   for (const std::uint64_t id : ids) sheared_.add(simulation_->grains().kind_of(place_of(id)));
   simulation_->remove_grains(ids);
-  if (static_cast<double>(sheared_.grains()) > std::max(kFewSheared, kMostSheared * poured))
-    throw engine::OutOfRange(shear_warning() + " by t = " + std::to_string(simulation_->time()) +
-                             " s: too many to ignore; take smaller model grains, or chamfer the "
-                             "edges that move past each other");
+  const double most = scene_.numerics.most_sheared;
+  if (static_cast<double>(sheared_.grains()) > std::max(kFewSheared, most * poured))
+    throw engine::OutOfRange(
+        shear_warning() + " by t = " + std::to_string(simulation_->time()) + " s, more than " +
+        number_in_words(100 * most) +
+        " % of all (numerics.most_sheared): take smaller model grains, chamfer the edges "
+        "that move past each other, or allow more");
 }
 
 std::string FillRun::shear_warning() const {

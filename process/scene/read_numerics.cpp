@@ -6,6 +6,7 @@ namespace {
 
 constexpr NumberRule kTimeStepFraction = {0, 1, true, "0.1"};
 constexpr QuantityRule kTimeStep = {Dimension::time, "2 us", "0 us", "1 ms", true};
+constexpr NumberRule kMostSheared = {0, 0.1, false, "0.01"};
 constexpr QuantityRule kPeriod = {Dimension::length, "2.16 mm", "0 mm", "1 m", true};
 constexpr QuantityRule kSkin = {Dimension::length, "0.1 mm", "0 mm", "10 mm", true};
 constexpr QuantityRule kMaxTime = {Dimension::time, "5 s", "0 s", "10000 s", true};
@@ -18,6 +19,15 @@ void read_time_step(TableReader& table, NumericsSpec& numerics) {
     table.reject("time_step",
                  "time_step_fraction is given as well; only one of the two is allowed, leave one out");
   }
+}
+
+void read_pinched_grains(TableReader& table, NumericsSpec& numerics) {
+  static const Choices<PinchedGrains> choices = {{"shear off", PinchedGrains::shear_off},
+                                                 {"stop", PinchedGrains::stop}};
+  numerics.pinched_grains = table.choice("pinched_grains", choices).value_or(numerics.pinched_grains);
+  numerics.most_sheared = table.number("most_sheared", kMostSheared).value_or(numerics.most_sheared);
+  if (numerics.pinched_grains == PinchedGrains::stop && table.has("most_sheared"))
+    table.reject("most_sheared", "pinched_grains = \"stop\" shears none off; leave one of the two out");
 }
 
 void read_periods(TableReader& numerics_table, NumericsSpec& numerics, const PowderSpec& powder) {
@@ -37,15 +47,13 @@ NumericsSpec read_numerics(TableReader table, const PowderSpec& powder) {
                                                     {"free", TangentialSpring::free}};
   static const Choices<OpeningMeasure> openings = {{"surfaces", OpeningMeasure::surfaces},
                                                    {"centres", OpeningMeasure::centres}};
-  static const Choices<PinchedGrains> pinched = {{"shear off", PinchedGrains::shear_off},
-                                                 {"stop", PinchedGrains::stop}};
   NumericsSpec numerics;
   read_time_step(table, numerics);
   numerics.lever_arm = table.choice("lever_arm", lever_arms).value_or(numerics.lever_arm);
   numerics.tangential_spring =
       table.choice("tangential_spring", springs).value_or(numerics.tangential_spring);
   numerics.opening = table.choice("opening", openings).value_or(numerics.opening);
-  numerics.pinched_grains = table.choice("pinched_grains", pinched).value_or(numerics.pinched_grains);
+  read_pinched_grains(table, numerics);
   numerics.energy_ledger = table.flag("energy_ledger").value_or(numerics.energy_ledger);
   numerics.skin = table.quantity("skin", kSkin).value_or(numerics.skin);
   numerics.max_time = table.quantity("max_time", kMaxTime).value_or(numerics.max_time);

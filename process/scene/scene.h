@@ -129,10 +129,10 @@ enum class TangentialSpring { cut_back, free };
 /// surface.
 enum class OpeningMeasure { surfaces, centres };
 
-/// How to compute.
 /// What becomes of grains that tools wedge (engine/pinched_grains.h).
 enum class PinchedGrains { shear_off, stop };
 
+/// How to compute.
 struct NumericsSpec {
   double time_step_fraction = 0;    ///< of the critical step; 0: the default of engine/time_step
   std::optional<double> time_step;  ///< s, given outright
@@ -141,6 +141,7 @@ struct NumericsSpec {
   OpeningMeasure opening = OpeningMeasure::surfaces;
   std::array<std::optional<double>, 2> period;  ///< m, periodic length along x and y, centred on the origin
   PinchedGrains pinched_grains = PinchedGrains::shear_off;
+  double most_sheared = 0.005;  ///< share of all grains poured that may be sheared off before the run stops
   bool energy_ledger = true;
   double skin = 0;                  ///< m, of the neighbour lists; 0: follows the motion of the powder
   double max_time = 0;              ///< s of simulated time allowed in all; 0: no limit
@@ -181,7 +182,7 @@ struct HeapSpec {
 /// What to measure when the powder is at rest.
 struct MeasureSpec {
   std::optional<double> fill_plane;  ///< m, height that the cavity lies below; none: the top of the die
-  double averaging_width = 0;  ///< m, sigma of Eq. 2.27; 0: the larger of 0.5 mm and d/2
+  double averaging_width = 0;        ///< m, sigma of Eq. 2.27; 0: the larger of 0.5 mm and d/2
   int azimuth_bins = 36;
   double snapshot_interval = 0;       ///< s of simulated time between instants kept in the results; 0: none
   std::vector<SectionSpec> sections;  ///< empty: the plane through the cavity's axis along the shoe's motion
