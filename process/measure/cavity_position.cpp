@@ -32,6 +32,14 @@ bool lies_in_cavity(const results::CavityState& cavity, const Eigen::Vector3d& p
   return radius >= cavity.inner_radius && radius <= cavity.outer_radius;
 }
 
+std::vector<std::uint8_t> grains_in_cavity(const results::CavityState& cavity,
+                                           const results::PowderState& powder) {
+  std::vector<std::uint8_t> inside;
+  inside.reserve(powder.position.size());
+  for (const Eigen::Vector3d& centre : powder.position) inside.push_back(lies_in_cavity(cavity, centre));
+  return inside;
+}
+
 RingPosition ring_position(const results::CavityState& cavity, const Eigen::Vector3d& point) {
   const RingAxes axes = axes_of(cavity);
   const Eigen::Vector3d from_axis = point - cavity.axis_origin;

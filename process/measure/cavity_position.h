@@ -9,6 +9,10 @@ namespace diefill::process {
 /// empty box holds nothing.
 bool lies_in_cavity(const results::CavityState& cavity, const Eigen::Vector3d& point);
 
+/// For every grain 1 if its centre lies in the cavity, otherwise 0: GrainSolidFraction::in_cavity.
+std::vector<std::uint8_t> grains_in_cavity(const results::CavityState& cavity,
+                                           const results::PowderState& powder);
+
 /// Cylindrical coordinates in a ring.
 struct RingPosition {
   double azimuth = 0;  ///< deg in [0, 360), counter-clockwise seen from above, from CavityState::azimuth_zero

@@ -16,8 +16,7 @@ void choose_cavity(results::FillResult& result, int number) {
     throw std::invalid_argument("found " + std::to_string(number) + "; the tools have " +
                                 (last == 1 ? "one cavity" : "cavities 1 to " + std::to_string(last)));
   std::swap(result.cavity, result.other_cavities[static_cast<std::size_t>(number) - 2]);
-  for (std::size_t k = 0; k < result.powder.position.size(); ++k)
-    result.solid_fraction.in_cavity[k] = lies_in_cavity(result.cavity, result.powder.position[k]) ? 1 : 0;
+  result.solid_fraction.in_cavity = grains_in_cavity(result.cavity, result.powder);
   result.summary = summarise(result.powder, result.solid_fraction, result.cavity);
   for (std::string* words : {&result.title, &result.strategy})
     if (!words->empty()) *words += ", cavity " + std::to_string(number);

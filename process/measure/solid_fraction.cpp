@@ -43,8 +43,8 @@ results::GrainSolidFraction measure_solid_fraction(const results::PowderState& p
     const bool empty = !(cells.volume[k] > 0);
     fraction.solid_fraction.push_back(empty ? 0 : powder.solid_volume_of(k) / cells.volume[k]);
     fraction.open.push_back(empty || cells.open[k] != 0);
-    fraction.in_cavity.push_back(lies_in_cavity(cavity, powder.position[k]));
   }
+  fraction.in_cavity = grains_in_cavity(cavity, powder);
   fraction.cell_volume = std::move(cells.volume);
   return fraction;
 }

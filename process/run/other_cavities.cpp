@@ -14,8 +14,7 @@ void add_other_cavities(results::FillResult& result, const std::vector<geometry:
   for (std::size_t n = 0; n < others.size(); ++n) {
     results::CavityState cavity = cavity_state(others[n]);
     cavity.azimuth_zero = result.cavity.azimuth_zero;
-    for (std::size_t k = 0; k < result.powder.position.size(); ++k)
-      fraction.in_cavity[k] = lies_in_cavity(cavity, result.powder.position[k]) ? 1 : 0;
+    fraction.in_cavity = grains_in_cavity(cavity, result.powder);
     const auto summary = summarise(result.powder, fraction, cavity);
     const double mass = filled_mass(result.powder, fraction);
     const std::string number = std::to_string(n + 2), name = "cavity_" + number;
