@@ -3,12 +3,16 @@
 #include <algorithm>
 #include <map>
 
-#include "engine/grain_contacts.h"
-#include "engine/mesh_contacts.h"
+#include "engine/block_contacts.h"
+#include "engine/chain_stability.h"
 
 namespace diefill::engine {
 
 namespace {
+
+/// Over the limit: how deep the contacts are that join tools through a chain beyond it, and those of a chain
+/// that is pressed less deeply but at many places.
+constexpr double kDeep = 0.5, kShallow = 0.25;
 
 /// A contact deep enough to be part of a chain: between two grains, or of a grain with a tool.
 struct DeepContact {
@@ -17,40 +21,30 @@ struct DeepContact {
   double overlap;  ///< over the smaller radius
 };
 
-/// m, of sphere `i` of `radius` (m) with a wall sphere, plane or triangle of `body`.
-double wall_overlap(const Simulation& simulation, std::size_t body, std::uint32_t i, double radius,
-                    std::uint32_t wall_part) {
-  const WallBody& wall = simulation.bodies()[body];
-  const BodyMotion& pose = simulation.body_motion(body);
-  const Eigen::Vector3d place =
-      pose.rotation.transpose() * (eigen(simulation.spheres().position(i)) - pose.translation);
-  if (wall.meshed()) return radius - separation_from_triangle(wall, wall_part, place, radius).norm();
-  if (!wall.flat()) return radius + wall.sphere_radius() - (place - wall.centres()[wall_part]).norm();
-  const WallPlane& plane = wall.planes()[wall_part];
-  return radius - plane.normal.dot(place - plane.point);
+/// Of one block: appended.
+void find_deep_contacts(const Simulation& simulation, const Block& block, double threshold,
+                        std::vector<DeepContact>& deep) {
+  const SphereField& spheres = simulation.spheres();
+  const auto radius_of = [&](std::size_t grain) { return simulation.shape_of(grain).sphere_radius; };
+  visit_sphere_touches(simulation, block, [&](const SphereTouch& touch) {
+    const std::size_t grain = spheres.owner(touch.sphere), other = spheres.owner(touch.other);
+    const double overlap = touch.overlap / std::min(radius_of(grain), radius_of(other));
+    if (overlap > threshold) deep.push_back({grain, other, false, overlap});
+  });
+  visit_tool_touches(simulation, block, [&](const ToolTouch& touch) {
+    const std::size_t grain = spheres.owner(touch.sphere);
+    const double overlap = touch.overlap / radius_of(grain);
+    if (overlap > threshold) deep.push_back({grain, touch.body, true, overlap});
+  });
 }
 
-/// All contacts deeper than `threshold` (over the smaller radius), those among grains first, each in the
-/// order of the blocks.
+/// All contacts deeper than `threshold` (over the smaller radius), in the order of the blocks.
 std::vector<DeepContact> deep_contacts(const Simulation& simulation, double threshold) {
   std::vector<DeepContact> deep;
-  visit_grain_contacts(simulation, [&](std::size_t grain, std::size_t other, double overlap) {
-    const double radius =
-        std::min(simulation.shape_of(grain).sphere_radius, simulation.shape_of(other).sphere_radius);
-    if (overlap > threshold * radius) deep.push_back({grain, other, false, overlap / radius});
-  });
-  const SphereField& spheres = simulation.spheres();
-  for (const Block& block : simulation.neighbours().blocks())
-    for (std::size_t body = 0; body + 1 < block.wall_first.size(); ++body)
-      for (std::uint32_t p = block.wall_first[body]; p < block.wall_first[body + 1]; ++p) {
-        if (!block.wall_pairs.touching[p]) continue;
-        const WallPair& pair = block.wall_pairs.pair[p];
-        const std::uint32_t i = block.sphere(pair.own);
-        const std::size_t grain = spheres.owner(i);
-        const double radius = simulation.shape_of(grain).sphere_radius;
-        const double overlap = wall_overlap(simulation, body, i, radius, pair.wall);
-        if (overlap > threshold * radius) deep.push_back({grain, body, true, overlap / radius});
-      }
+  const auto& blocks = simulation.neighbours().blocks();
+  for (std::size_t b = 0; b < blocks.size(); ++b)
+    if (simulation.overlaps_in_block(b).any_over_radius() > threshold)
+      find_deep_contacts(simulation, blocks[b], threshold, deep);
   return deep;
 }
 
@@ -102,11 +96,15 @@ bool joins_moving_tools(const Chain& chain, const Simulation& simulation) {
   });
 }
 
-}  // namespace
+/// The grain for which `amount` is largest, and how much that is.
+std::pair<std::size_t, double> largest(const std::map<std::size_t, double>& amount) {
+  const auto less = [](const auto& one, const auto& other) { return one.second < other.second; };
+  return *std::max_element(amount.begin(), amount.end(), less);
+}
 
-std::vector<PinchedGrain> pinched_grains(const Simulation& simulation, double limit) {
-  if (simulation.overlaps().any_over_radius() <= limit) return {};
-  const auto contacts = deep_contacts(simulation, 0.5 * limit);
+/// Chains of contacts deeper than `threshold`, by their first grain.
+std::map<std::size_t, Chain> chains_of(const Simulation& simulation, double threshold) {
+  const auto contacts = deep_contacts(simulation, threshold);
   const Chains chains(contacts);
   std::map<std::size_t, Chain> found;
   for (const auto& contact : contacts) {
@@ -117,18 +115,60 @@ std::vector<PinchedGrain> pinched_grains(const Simulation& simulation, double li
     else
       note(chain, contact.other, contact.overlap);
   }
-  std::vector<PinchedGrain> pinched;
-  const Grains& grains = simulation.grains();
-  for (const auto& [root, chain] : found) {
-    if (!joins_moving_tools(chain, simulation)) continue;
-    const auto less = [](const auto& one, const auto& other) { return one.second < other.second; };
-    if (std::max_element(chain.deepest.begin(), chain.deepest.end(), less)->second <= limit) continue;
-    const std::size_t k = std::max_element(chain.load.begin(), chain.load.end(), less)->first;
-    pinched.push_back({grains.id[k], grains.position[k], chain.deepest.at(k)});
+  return found;
+}
+
+/// Grains to be given up, each once.
+class GivenUp {
+ public:
+  explicit GivenUp(const Simulation& simulation) : simulation_(simulation) {}
+
+  void add(std::size_t grain, double deepest) {
+    const Grains& grains = simulation_.grains();
+    pinched_.try_emplace(grains.id[grain], PinchedGrain{grains.id[grain], grains.position[grain], deepest});
   }
-  std::sort(pinched.begin(), pinched.end(),
-            [](const PinchedGrain& one, const PinchedGrain& other) { return one.id < other.id; });
-  return pinched;
+  bool holds(std::size_t grain) const { return pinched_.count(simulation_.grains().id[grain]) > 0; }
+  std::vector<PinchedGrain> by_id() const {
+    std::vector<PinchedGrain> all;
+    for (const auto& [id, grain] : pinched_) all.push_back(grain);
+    return all;
+  }
+
+ private:
+  const Simulation& simulation_;
+  std::map<std::uint64_t, PinchedGrain> pinched_;
+};
+
+/// Of every chain beyond `limit` the most deeply pressed grain: the laws mean nothing for it any more.
+void give_up_deepest(const Simulation& simulation, double limit, GivenUp& given_up) {
+  for (const auto& [root, chain] : chains_of(simulation, kDeep * limit)) {
+    if (!joins_moving_tools(chain, simulation) || largest(chain.deepest).second <= limit) continue;
+    const std::size_t grain = largest(chain.load).first;
+    given_up.add(grain, chain.deepest.at(grain));
+  }
+}
+
+/// Of every chain that the time step does not carry the grain that would swing up first, unless one of the
+/// chain has been given up already.
+void give_up_unstable(const Simulation& simulation, double limit, GivenUp& given_up) {
+  for (const auto& [root, chain] : chains_of(simulation, kShallow * limit)) {
+    if (!joins_moving_tools(chain, simulation)) continue;
+    std::vector<std::size_t> grains;
+    for (const auto& [grain, load] : chain.load) grains.push_back(grain);
+    if (std::any_of(grains.begin(), grains.end(), [&](std::size_t k) { return given_up.holds(k); })) continue;
+    const StabilityUse use = stability_used(simulation, grains);
+    if (use.used >= 1) given_up.add(use.grain, chain.deepest.at(use.grain));
+  }
+}
+
+}  // namespace
+
+std::vector<PinchedGrain> pinched_grains(const Simulation& simulation, double limit) {
+  if (simulation.overlaps().any_over_radius() <= kShallow * limit) return {};
+  GivenUp given_up(simulation);
+  give_up_deepest(simulation, limit, given_up);
+  give_up_unstable(simulation, limit, given_up);
+  return given_up.by_id();
 }
 
 }  // namespace diefill::engine

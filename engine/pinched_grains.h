@@ -18,12 +18,16 @@ struct PinchedGrain {
   double overlap;            ///< over the radius, its deepest
 };
 
-/// Grains to be given up so that nothing is pinched beyond `limit` any more, by rising id. Overlaps are taken
-/// over the radius of the smaller sphere of grains.
-/// Pinched is what lies on a chain of contacts deeper than half the limit that joins two tools of different
-/// velocity; of every chain that is anywhere beyond the limit the most deeply pressed grain is named. A deep
-/// overlap alone, as from a fast impact on one wall, is not pinching.
-/// Costs nothing worth mentioning while no overlap of the last step is beyond the limit.
+/// Grains to be given up so that nothing is pinched beyond bearing any more, by rising id. Overlaps are taken
+/// over the radius of the smaller sphere of grains. Pinched is what lies on a chain of contacts that joins
+/// two tools of different velocity; a deep overlap alone, as from a fast impact on one wall, is not pinching.
+/// Two kinds of chains are beyond bearing:
+/// - of contacts deeper than half the `limit`, one deeper than the limit, past which the force laws mean
+///   nothing: the most deeply pressed grain is named;
+/// - of contacts deeper than a quarter of the limit, so many that the time step does not carry them
+///   (stability_used()): the grain that would swing up is named.
+/// Costs nothing worth mentioning while no overlap of the last step is beyond a quarter of the limit, and
+/// little then.
 std::vector<PinchedGrain> pinched_grains(const Simulation& simulation, double limit);
 
 }  // namespace diefill::engine

@@ -119,6 +119,8 @@ class Simulation {
   /// The same, among grains and with walls.
   const DeepestOverlap& overlaps() const { return overlap_now_; }
   const DeepestOverlap& overlaps_of_run() const { return overlap_ever_; }
+  /// Those of the last step in block b of neighbours().
+  const DeepestOverlap& overlaps_in_block(std::size_t b) const { return tallies_[b].overlap; }
   /// Angular velocity (rad/s) of grain k in the laboratory frame.
   Eigen::Vector3d angular_velocity(std::size_t k) const;
   /// Spheres as the last contact computation saw them, grain after grain, images last.

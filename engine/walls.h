@@ -65,6 +65,13 @@ class WallBody {
   const std::string& name() const { return spec_.name; }
   /// m, of the wall spheres; 0 for planes and triangles.
   double sphere_radius() const { return flat() || meshed() ? 0 : spec_.sphere_radius; }
+  /// m, of the wall in the R_eff of its contacts; infinite for planes and flat triangles.
+  double contact_radius() const {
+    if (meshed()) return spec_.contact_radius;
+    return flat() ? std::numeric_limits<double>::infinity() : spec_.sphere_radius;
+  }
+  const std::optional<ContactParameters>& contact() const { return spec_.contact; }
+  const std::string& material() const { return spec_.material; }
   bool flat() const { return !spec_.planes.empty(); }
   bool meshed() const { return !spec_.triangles.empty(); }
   const std::vector<WallPlane>& planes() const { return spec_.planes; }

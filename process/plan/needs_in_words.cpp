@@ -51,8 +51,9 @@ void say_step(const Needs& needs, const Scene& scene, std::vector<std::string>& 
            needs.time_step, share, needs.critical_step, needs.impact_speed, 0.49 / share));
   if (needs.time_step > needs.wedged_step * (1 + 1e-9))
     said.push_back(line(
-        "time step: longer than the %.3g s up to which grains stay stable that moving tools wedge, and the "
-        "run may stop where they do: leave out the step that the scene gives, or make it shorter",
+        "time step: longer than the %.3g s up to which grains stay stable that moving tools wedge: they are "
+        "sheared off sooner, and where they are many the run stops; leave out the step that the scene gives, "
+        "or make it shorter",
         needs.wedged_step));
   else if (needs.time_step > kBinds * needs.wedged_step)
     said.push_back(

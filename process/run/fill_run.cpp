@@ -245,8 +245,8 @@ void FillRun::shear_off_pinched_grains() {
     throw engine::OutOfRange(
         shear_warning() + " by t = " + std::to_string(simulation_->time()) + " s, more than " +
         number_in_words(100 * most) +
-        " % of all (numerics.most_sheared): take smaller model grains, chamfer the edges "
-        "that move past each other, or allow more");
+        " % of all (numerics.most_sheared): take smaller model grains or a shorter time step, chamfer the "
+        "edges that move past each other, or allow more");
 }
 
 std::string FillRun::shear_warning() const {

@@ -9,7 +9,8 @@ namespace diefill::process {
 
 /// Overlap over the sphere radius beyond which a grain between moving tools is sheared off
 /// (NumericsSpec::pinched_grains): past all that free powder reaches, and short of engine::HealthLimits. Time
-/// steps are chosen to be stable up to there.
+/// steps are chosen so that few are to be sheared off sooner, as the step does not carry them
+/// (engine::pinched_grains()).
 inline constexpr double kShearingOverlap = 0.45;
 
 /// Engine settings of a scene without walls and threads: grain shape at the wanted size, contact parameters

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "engine/chain_stability.h"
 #include "engine_test_support.h"
 
 namespace diefill::engine {
@@ -27,8 +28,9 @@ WallBodySpec jaw(const std::string& name, double top, double side, double speed)
 
 /// `grains` single spheres on top of each other between two jaws that press each contact in by
 /// `over_radius`, the upper jaw moving at `speed` (m/s).
-Simulation column_between_jaws(int grains, double over_radius, double lower_speed, double upper_speed) {
-  auto settings = weightless(Model::a, {}, 1e-9);
+Simulation column_between_jaws(int grains, double over_radius, double lower_speed, double upper_speed,
+                               double time_step = 1e-9) {
+  auto settings = weightless(Model::a, {}, time_step);
   const double radius = settings.shape.sphere_radius, pitch = (2 - over_radius) * radius;
   const double first = (1 - over_radius) * radius;
   Simulation simulation(settings, {jaw("die", 0, 1, lower_speed),
@@ -61,6 +63,19 @@ TEST(PinchedGrains, NamesOneGrainOfAChainBetweenTwoTools) {
 
 TEST(PinchedGrains, LeavesWhatIsPressedLessDeeply) {
   EXPECT_TRUE(named(column_between_jaws(1, 0.4, 0, 0.2)).empty());
+}
+
+TEST(PinchedGrains, NamesWhatTheTimeStepDoesNotCarryAlthoughItIsPressedLessDeeply) {
+  const auto stability = [](double time_step) {
+    return stability_used(column_between_jaws(2, 0.4, 0, 0.2, time_step), {0, 1}).used;
+  };
+  constexpr double kCarried = 1e-6, kTooLong = 2.5e-6;  // s
+  ASSERT_LT(stability(kCarried), 1);
+  EXPECT_TRUE(named(column_between_jaws(2, 0.4, 0, 0.2, kCarried)).empty());
+  ASSERT_GT(stability(kTooLong), 1);
+  EXPECT_EQ(named(column_between_jaws(2, 0.4, 0, 0.2, kTooLong)).size(), 1U);
+  // Between tools that stand it is the critical step that speaks.
+  EXPECT_TRUE(named(column_between_jaws(2, 0.4, 0, 0, kTooLong)).empty());
 }
 
 TEST(PinchedGrains, LeavesGrainsBetweenToolsThatStandOrMoveTogether) {
