@@ -30,6 +30,11 @@ toml::table plan_of(const toml::table& step) {
   return plan;
 }
 
+/// Steps at the end of which nothing counts yet may be as many as they like.
+void drop_last_without_plan(toml::array& steps) {
+  while (!steps.empty() && steps.back().as_table()->empty()) steps.pop_back();
+}
+
 /// The scene's text without what has no part in the run so far.
 std::string acting_text(const Scene& scene, const ScheduleState& schedule, double now) {
   toml::table document = parse_scene_text(scene.text, scene.file);
@@ -40,6 +45,7 @@ std::string acting_text(const Scene& scene, const ScheduleState& schedule, doubl
     // The first stage is the settling before the scene's own steps.
     if (!has_acted(*scene.steps[k], schedule.steps[k + 1], now)) step = plan_of(step);
   }
+  if (toml::array* steps = document["step"].as_array()) drop_last_without_plan(*steps);
   return scene_text_of(document);
 }
 
@@ -80,6 +86,13 @@ void leave_beginning(const fs::path& directory, const Checkpoint& checkpoint) {
   char name[32];
   std::snprintf(name, sizeof name, "%016llx.bin", static_cast<unsigned long long>(checkpoint.beginning_hash));
   if (!fs::exists(directory / name)) write_checkpoint(directory / name, checkpoint);
+}
+
+std::optional<ScheduleState> with_steps(ScheduleState schedule, std::size_t count) {
+  for (std::size_t k = count; k < schedule.steps.size(); ++k)
+    if (!schedule.steps[k].waits()) return std::nullopt;
+  schedule.steps.resize(count);
+  return schedule;
 }
 
 std::optional<Checkpoint> latest_beginning(const fs::path& directory,

@@ -24,6 +24,10 @@ struct RunFrame {
 std::uint64_t beginning_hash(const Scene& scene, const Tooling& tooling, const RunFrame& frame,
                              const ScheduleState& schedule, double now);
 
+/// The schedule of a run of other steps as one of `count` stages has it; nothing where a stage that it has
+/// not got has begun.
+std::optional<ScheduleState> with_steps(ScheduleState schedule, std::size_t count);
+
 /// Leaves the checkpoint in `directory` for others, unless one of the same beginning lies there. Throws
 /// results::ResultError when the disk is full.
 void leave_beginning(const std::filesystem::path& directory, const Checkpoint& checkpoint);

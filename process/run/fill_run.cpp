@@ -123,8 +123,8 @@ std::optional<Checkpoint> FillRun::own_checkpoint() const {
 std::optional<Checkpoint> FillRun::shared_beginning() const {
   if (options_.beginnings.empty()) return std::nullopt;
   return latest_beginning(options_.beginnings, [this](const Checkpoint& other) {
-    return other.schedule.steps.size() == schedule_.stages().size() &&
-           other.beginning_hash == beginning_hash(other.schedule, other.simulation.time);
+    const auto schedule = with_steps(other.schedule, schedule_.stages().size());
+    return schedule && other.beginning_hash == beginning_hash(*schedule, other.simulation.time);
   });
 }
 

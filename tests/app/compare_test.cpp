@@ -190,6 +190,27 @@ step.2.frequency = "150 Hz"
 [[variant]]
 name = "slow shoe"
 step.1.velocity = "0.05 m/s"
+[[variant]]
+name = "shaken twice"
+[[variant.step]]
+kind = "passage"
+tool = "shoe"
+direction = "-x"
+velocity = "0.1 m/s"
+[[variant.step]]
+kind = "vibration"
+tool = "die"
+axis = "y"
+amplitude = "0.3 mm"
+frequency = "100 Hz"
+duration = "60 ms"
+[[variant.step]]
+kind = "vibration"
+tool = "die"
+axis = "y"
+amplitude = "0.3 mm"
+frequency = "100 Hz"
+duration = "20 ms"
 )";
   die.exchange("[numerics]", shaken + "\n[numerics]");
   die.write("scene.toml", contents(die.scene()) + variants);
@@ -198,7 +219,7 @@ step.1.velocity = "0.05 m/s"
   EXPECT_FALSE(std::filesystem::exists(die.out() / "beginnings"));
 
   std::vector<double> taken_over;  // s
-  for (const std::string folder : {"fast", "faster", "slow_shoe"}) {
+  for (const std::string folder : {"fast", "faster", "slow_shoe", "shaken_twice"}) {
     const auto there = die.out() / folder / "seed-1", alone = die.folder() / folder;
     const Outcome run = run_program({"run", (there / "scene.toml").string(), "--out", alone.string()});
     ASSERT_EQ(run.exit_code, 0) << run.err;
@@ -211,6 +232,7 @@ step.1.velocity = "0.05 m/s"
   EXPECT_EQ(taken_over[0], 0);
   EXPECT_GT(taken_over[2], 0) << "the settling in the shoe is common to all";
   EXPECT_GT(taken_over[1], taken_over[2]) << "the passage is common to two";
+  EXPECT_GT(taken_over[3], taken_over[1]) << "what a scene of more steps does is common but for the last";
 }
 
 TEST(ExportedJobs, StandAloneAndGatherToTheSameComparison) {

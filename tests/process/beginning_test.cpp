@@ -68,6 +68,24 @@ TEST_F(Beginning, IsCommonToScenesThatDifferInWhatIsYetToCome) {
   EXPECT_EQ(hash_with("32 Hz", "20 Hz"), hash());
 }
 
+TEST_F(Beginning, IsCommonToScenesOfMoreAndFewerStepsToCome) {
+  const std::uint64_t of_two = hash();
+  const std::string text = two_steps();
+  const std::size_t second = text.find("[[step]]\nkind = \"vibration\""),
+                    end = text.find("duration = \"1 s\"\n", second);
+  ASSERT_NE(end, std::string::npos);
+  const std::string one_step = std::string(text).erase(second, end + 17 - second);
+  const auto fewer = with_steps(schedule_, 3);
+  ASSERT_TRUE(fewer.has_value());
+  schedule_ = *fewer;
+  EXPECT_EQ(hash_of(one_step), of_two);
+  // Back again: what is to come waits.
+  const auto more = with_steps(schedule_, 4);
+  ASSERT_TRUE(more.has_value());
+  EXPECT_TRUE(more->steps[3].waits());
+  EXPECT_FALSE(with_steps(schedule_, 2).has_value());
+}
+
 TEST_F(Beginning, IsAnotherWhereScenesDifferInWhatHasActed) {
   for (const auto& [old, other] : {std::pair{"0.2 m/s", "0.1 m/s"},
                                    {"seed = 1", "seed = 2"},
