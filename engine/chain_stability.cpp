@@ -28,8 +28,7 @@ class ChainTerms {
  public:
   ChainTerms(const Simulation& simulation, const std::vector<std::size_t>& grains) : simulation_(simulation) {
     for (std::size_t k = 0; k < grains.size(); ++k) place_[grains[k]] = k;
-    const auto& blocks = simulation.neighbours().blocks();
-    for (const Block& block : blocks)
+    for (const Block& block : simulation.neighbours().blocks())
       if (concerns(block)) take_in(block);
   }
 
@@ -37,11 +36,10 @@ class ChainTerms {
 
  private:
   bool concerns(const Block& block) const {
-    return std::any_of(place_.begin(), place_.end(), [&](const auto& entry) {
-      const std::size_t grain = entry.first;
-      return (block.begin <= grain && grain < block.end) ||
-             std::find(block.foreign.begin(), block.foreign.end(), grain) != block.foreign.end();
-    });
+    const auto own = place_.lower_bound(block.begin);
+    if (own != place_.end() && own->first < block.end) return true;
+    return std::any_of(block.foreign.begin(), block.foreign.end(),
+                       [&](std::uint32_t grain) { return place_.contains(grain); });
   }
 
   void take_in(const Block& block) {

@@ -14,6 +14,10 @@ namespace {
 /// that is pressed less deeply but at many places.
 constexpr double kDeep = 0.5, kShallow = 0.25;
 
+/// Grains of the largest chain that counts as a jam. More of them are a bed under load: time steps that do
+/// not carry it are not to be mended by taking it out grain by grain.
+constexpr std::size_t kLargestJam = 64;
+
 /// A contact deep enough to be part of a chain: between two grains, or of a grain with a tool.
 struct DeepContact {
   std::size_t grain, other;  ///< `other`: a grain, or a body
@@ -59,8 +63,8 @@ class Chains {
     for (const auto& contact : contacts)
       if (!contact.with_body) parent_[chain_of(contact.grain)] = chain_of(contact.other);
   }
-  std::size_t chain_of(std::size_t grain) const {
-    while (parent_.at(grain) != grain) grain = parent_.at(grain);
+  std::size_t chain_of(std::size_t grain) {
+    while (parent_.at(grain) != grain) grain = parent_.at(grain) = parent_.at(parent_.at(grain));
     return grain;
   }
 
@@ -105,7 +109,7 @@ std::pair<std::size_t, double> largest(const std::map<std::size_t, double>& amou
 /// Chains of contacts deeper than `threshold`, by their first grain.
 std::map<std::size_t, Chain> chains_of(const Simulation& simulation, double threshold) {
   const auto contacts = deep_contacts(simulation, threshold);
-  const Chains chains(contacts);
+  Chains chains(contacts);
   std::map<std::size_t, Chain> found;
   for (const auto& contact : contacts) {
     Chain& chain = found[chains.chain_of(contact.grain)];
@@ -152,7 +156,7 @@ void give_up_deepest(const Simulation& simulation, double limit, GivenUp& given_
 /// chain has been given up already.
 void give_up_unstable(const Simulation& simulation, double limit, GivenUp& given_up) {
   for (const auto& [root, chain] : chains_of(simulation, kShallow * limit)) {
-    if (!joins_moving_tools(chain, simulation)) continue;
+    if (chain.load.size() > kLargestJam || !joins_moving_tools(chain, simulation)) continue;
     std::vector<std::size_t> grains;
     for (const auto& [grain, load] : chain.load) grains.push_back(grain);
     if (std::any_of(grains.begin(), grains.end(), [&](std::size_t k) { return given_up.holds(k); })) continue;
@@ -164,10 +168,10 @@ void give_up_unstable(const Simulation& simulation, double limit, GivenUp& given
 }  // namespace
 
 std::vector<PinchedGrain> pinched_grains(const Simulation& simulation, double limit) {
-  if (simulation.overlaps().any_over_radius() <= kShallow * limit) return {};
+  const double deepest = simulation.overlaps().any_over_radius();
   GivenUp given_up(simulation);
-  give_up_deepest(simulation, limit, given_up);
-  give_up_unstable(simulation, limit, given_up);
+  if (deepest > limit) give_up_deepest(simulation, limit, given_up);
+  if (deepest > kShallow * limit) give_up_unstable(simulation, limit, given_up);
   return given_up.by_id();
 }
 

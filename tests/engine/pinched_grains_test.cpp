@@ -78,6 +78,12 @@ TEST(PinchedGrains, NamesWhatTheTimeStepDoesNotCarryAlthoughItIsPressedLessDeepl
   EXPECT_TRUE(named(column_between_jaws(2, 0.4, 0, 0, kTooLong)).empty());
 }
 
+TEST(PinchedGrains, LeavesABedUnderLoadToOtherChecksOfTheTimeStep) {
+  constexpr double kTooLong = 2.5e-6;  // s
+  EXPECT_EQ(named(column_between_jaws(60, 0.4, 0, 0.2, kTooLong)).size(), 1U);
+  EXPECT_TRUE(named(column_between_jaws(70, 0.4, 0, 0.2, kTooLong)).empty());
+}
+
 TEST(PinchedGrains, LeavesGrainsBetweenToolsThatStandOrMoveTogether) {
   EXPECT_TRUE(named(column_between_jaws(2, 0.6, 0, 0)).empty());
   EXPECT_TRUE(named(column_between_jaws(2, 0.6, 0.2, 0.2)).empty());
