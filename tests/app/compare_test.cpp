@@ -173,7 +173,6 @@ TEST(Compare, GoesOnAfterCtrlCAndAfterAKillAndEndsAlike) {
 TEST(Compare, ComputesACommonBeginningOnceAndEndsAsIfEachHadRunAlone) {
   const SmallDie die;
   const std::string shaken = R"(
-[[step]]
 kind = "vibration"
 tool = "die"
 axis = "y"
@@ -197,22 +196,8 @@ kind = "passage"
 tool = "shoe"
 direction = "-x"
 velocity = "0.1 m/s"
-[[variant.step]]
-kind = "vibration"
-tool = "die"
-axis = "y"
-amplitude = "0.3 mm"
-frequency = "100 Hz"
-duration = "60 ms"
-[[variant.step]]
-kind = "vibration"
-tool = "die"
-axis = "y"
-amplitude = "0.3 mm"
-frequency = "100 Hz"
-duration = "20 ms"
-)";
-  die.exchange("[numerics]", shaken + "\n[numerics]");
+)" + ("[[variant.step]]" + shaken + "[[variant.step]]" + shaken);
+  die.exchange("[numerics]", "[[step]]" + shaken + "\n[numerics]");
   die.write("scene.toml", contents(die.scene()) + variants);
   const Outcome compared = run_program({"compare", die.scene().string(), "--out", die.out().string()});
   ASSERT_EQ(compared.exit_code, 0) << compared.err;
