@@ -12,7 +12,8 @@ namespace diefill::engine {
 
 namespace {
 
-/// Translation and rotation of one grain, each times the root of its inertia.
+/// Translation and rotation of one grain, each times the root of its inertia; of unit forces and their
+/// moments, over it (1/sqrt(kg)).
 using Weighted = Eigen::Matrix<double, 6, 1>;
 
 /// A contact as a term of the matrix of all grains: strength (q q^T) for the vector q that has `pull` at the
@@ -20,7 +21,7 @@ using Weighted = Eigen::Matrix<double, 6, 1>;
 struct Term {
   std::size_t grain, other;  ///< places in the chain; kNoGrain: stands fast
   Weighted pull, other_pull;
-  double strength;
+  double strength;  ///< kg, k dt^2 / 4 + c dt
 };
 
 /// The terms of a chain's contacts.

@@ -13,7 +13,8 @@ NormalSpring spring_of(const laws::GeneralContactLaw& law, double overlap) {
   return {law.stiffness(overlap), law.damping(overlap)};
 }
 
-/// Bierwisch's law: dF/dh = E~ sqrt(R_eff h), c = gamma_n sqrt(R_eff h) (Bierwisch 2009, Eqs. 2.2 and 2.6).
+/// Bierwisch's law: dF/dh = E~ sqrt(R_eff h) in N/m, c = gamma_n sqrt(R_eff h) in kg/s (Bierwisch 2009,
+/// Eqs. 2.3 and 2.6). Radii and overlap in m. Cohesion, which makes contacts softer, is left out.
 NormalSpring spring_of(const ContactParameters& contact, double radius, double other_radius, double overlap) {
   const double root = std::sqrt(effective_radius(radius, other_radius) * overlap);
   return {contact.reduced_modulus * root, contact.damping * root};

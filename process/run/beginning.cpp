@@ -30,7 +30,7 @@ toml::table plan_of(const toml::table& step) {
   return plan;
 }
 
-/// Steps at the end of which nothing counts yet may be as many as they like.
+/// Scenes may have more or fewer steps at the end, as long as nothing of them counts yet.
 void drop_last_without_plan(toml::array& steps) {
   while (!steps.empty() && steps.back().as_table()->empty()) steps.pop_back();
 }
