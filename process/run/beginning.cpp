@@ -40,6 +40,7 @@ std::string acting_text(const Scene& scene, const ScheduleState& schedule, doubl
   toml::table document = parse_scene_text(scene.text, scene.file);
   document.erase("title");
   document.erase("variant");
+  document.erase("snapshot");
   for (std::size_t k = 0; k < scene.steps.size(); ++k) {
     toml::table& step = *document["step"][k].as_table();
     // The first stage is the settling before the scene's own steps.

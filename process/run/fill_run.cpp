@@ -122,10 +122,14 @@ std::optional<Checkpoint> FillRun::own_checkpoint() const {
 
 std::optional<Checkpoint> FillRun::shared_beginning() const {
   if (options_.beginnings.empty()) return std::nullopt;
-  return latest_beginning(options_.beginnings, [this](const Checkpoint& other) {
+  auto beginning = latest_beginning(options_.beginnings, [this](const Checkpoint& other) {
+    const double now = other.simulation.time;
     const auto schedule = with_steps(other.schedule, schedule_.stages().size());
-    return schedule && other.beginning_hash == beginning_hash(*schedule, other.simulation.time);
+    return schedule && other.beginning_hash == beginning_hash(*schedule, now) &&
+           snapshots_.all_to_come(schedule_.stages(), schedule->steps, now);
   });
+  if (beginning) beginning->snapshots = snapshots_.state();
+  return beginning;
 }
 
 void FillRun::go_on_from(const Checkpoint& checkpoint) {

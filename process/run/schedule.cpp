@@ -106,21 +106,8 @@ bool Schedule::stops(std::size_t k, const engine::Simulation& simulation) {
 bool Schedule::holds(const Condition& condition, ConditionState& watch,
                      const engine::Simulation& simulation) const {
   const double now = simulation.time();
-  const StepState& settling = state_.steps.front();
-  if (!settling.is_over()) return false;
-  double since = settling.ended;
-  if (!condition.after.empty()) {
-    const StepState& other = state_.steps[stages_.index_of(condition.after)];
-    if (!other.is_over()) return false;
-    since = std::max(since, other.ended);
-  }
-  if (!condition.with.empty()) {
-    const StepState& other = state_.steps[stages_.index_of(condition.with)];
-    if (other.waits()) return false;
-    since = std::max(since, other.started);
-  }
-  if (condition.at) since = std::max(since, settling.ended + *condition.at);
-  if (now < since + condition.delay) return false;
+  const auto since = counts_from(condition, stages_, state_.steps);
+  if (!since || now < *since) return false;
   if (watch.armed < 0) watch.armed = now;
   return measured(condition, watch, simulation);
 }

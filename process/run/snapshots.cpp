@@ -1,5 +1,6 @@
 #include "process/run/snapshots.h"
 
+#include <algorithm>
 #include <cstdio>
 
 namespace diefill::process {
@@ -30,6 +31,13 @@ std::vector<std::string> Snapshots::due(const Schedule& schedule, const engine::
     names.push_back(spec.every ? numbered(spec.name, state.taken) : spec.name);
   }
   return names;
+}
+
+bool Snapshots::all_to_come(const Stages& stages, const std::vector<StepState>& steps, double now) const {
+  return std::none_of(specs_.begin(), specs_.end(), [&](const SnapshotSpec& spec) {
+    const auto since = counts_from(spec.when.value_or(Condition{}), stages, steps);
+    return since && *since < now;
+  });
 }
 
 }  // namespace diefill::process

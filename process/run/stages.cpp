@@ -42,29 +42,10 @@ ToolMotion motion_at(const Step& step, const StepState& state, double time) {
   return motion;
 }
 
-/// s at which `condition` is foreseen to hold; negative if that is not known yet.
-double foreseen_time(const Condition& condition, const Stages& stages, const std::vector<StepState>& states,
-                     double earliest) {
-  double time = earliest;
-  if (!condition.after.empty()) {
-    const double ended = states[stages.index_of(condition.after)].ended;
-    if (ended < 0) return kUnknown;
-    time = std::max(time, ended);
-  }
-  if (!condition.with.empty()) {
-    const double started = states[stages.index_of(condition.with)].started;
-    if (started < 0) return kUnknown;
-    time = std::max(time, started);
-  }
-  if (condition.at) time = std::max(time, states.front().ended + *condition.at);
-  return time + condition.delay;
-}
-
 double foreseen_start(std::size_t k, const Stages& stages, const std::vector<StepState>& states) {
   if (k == 0) return 0;
   const auto& start = stages.steps[k]->plan.start;
-  if (start)
-    return states.front().ended < 0 ? kUnknown : foreseen_time(*start, stages, states, states.front().ended);
+  if (start) return counts_from(*start, stages, states).value_or(kUnknown);
   if (!(stages.settle_added && k + 1 == stages.size())) return states[k - 1].ended;
   double last = 0;
   for (std::size_t other = 0; other < k; ++other) {
@@ -80,8 +61,9 @@ void foresee_end(std::size_t k, const Stages& stages, std::vector<StepState>& st
   const auto duration = step.duration();
   double stop = state.started + settling_time;
   if (step.plan.until && step.open_ended()) {
-    stop = foreseen_time(*step.plan.until, stages, states, state.started);
-    if (stop < 0) return;
+    const auto counts = counts_from(*step.plan.until, stages, states);
+    if (!counts) return;
+    stop = std::max(*counts, state.started);
     if (step.plan.until->measures()) stop += settling_time;
   }
   if (!step.open_ended() && duration) {
@@ -123,6 +105,25 @@ bool Stages::moves(const std::string& tool) const {
 bool Stages::stays(const std::string& tool) const {
   return std::all_of(steps.begin(), steps.end(),
                      [&](const auto& step) { return step->stays() || !moves_tool(*step, tool); });
+}
+
+std::optional<double> counts_from(const Condition& condition, const Stages& stages,
+                                  const std::vector<StepState>& states) {
+  const StepState& settling = states.front();
+  if (!settling.is_over()) return std::nullopt;
+  double since = settling.ended;
+  if (!condition.after.empty()) {
+    const StepState& other = states[stages.index_of(condition.after)];
+    if (!other.is_over()) return std::nullopt;
+    since = std::max(since, other.ended);
+  }
+  if (!condition.with.empty()) {
+    const StepState& other = states[stages.index_of(condition.with)];
+    if (other.waits()) return std::nullopt;
+    since = std::max(since, other.started);
+  }
+  if (condition.at) since = std::max(since, settling.ended + *condition.at);
+  return since + condition.delay;
 }
 
 double step_length(const Step& step, double stop_asked) {

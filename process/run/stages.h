@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -47,6 +48,11 @@ struct Stages {
   bool stays(const std::string& tool) const;
   bool moves(const std::string& tool) const;
 };
+
+/// s from which on a condition counts: what it comes after or with, its time and its delay are then
+/// fulfilled. Nothing as long as that is not known, and before the poured powder has come to rest.
+std::optional<double> counts_from(const Condition& condition, const Stages& stages,
+                                  const std::vector<StepState>& states);
 
 /// s after which the step is over that was told to stop at `stop_asked`, or not (negative); both since its
 /// start. Infinite while it is left open.

@@ -196,7 +196,13 @@ kind = "passage"
 tool = "shoe"
 direction = "-x"
 velocity = "0.1 m/s"
-)" + ("[[variant.step]]" + shaken + "[[variant.step]]" + shaken);
+)" + ("[[variant.step]]" + shaken + "[[variant.step]]" + shaken) +
+                               R"(
+[[variant]]
+name = "watched"
+[[variant.snapshot]]
+name = "poured"
+)";
   die.exchange("[numerics]", "[[step]]" + shaken + "\n[numerics]");
   die.write("scene.toml", contents(die.scene()) + variants);
   const Outcome compared = run_program({"compare", die.scene().string(), "--out", die.out().string()});
@@ -204,7 +210,7 @@ velocity = "0.1 m/s"
   EXPECT_FALSE(std::filesystem::exists(die.out() / "beginnings"));
 
   std::vector<double> taken_over;  // s
-  for (const std::string folder : {"fast", "faster", "slow_shoe", "shaken_twice"}) {
+  for (const std::string folder : {"fast", "faster", "slow_shoe", "shaken_twice", "watched"}) {
     const auto there = die.out() / folder / "seed-1", alone = die.folder() / folder;
     const Outcome run = run_program({"run", (there / "scene.toml").string(), "--out", alone.string()});
     ASSERT_EQ(run.exit_code, 0) << run.err;
@@ -218,6 +224,9 @@ velocity = "0.1 m/s"
   EXPECT_GT(taken_over[2], 0) << "the settling in the shoe is common to all";
   EXPECT_GT(taken_over[1], taken_over[2]) << "the passage is common to two";
   EXPECT_GT(taken_over[3], taken_over[1]) << "what a scene of more steps does is common but for the last";
+  EXPECT_EQ(taken_over[4], taken_over[2]) << "what is to be recorded must still be to come";
+  EXPECT_EQ(report_in(die.out() / "watched/seed-1/snapshots/poured").at("state_hash"),
+            report_in(die.folder() / "watched/snapshots/poured").at("state_hash"));
 }
 
 TEST(ExportedJobs, StandAloneAndGatherToTheSameComparison) {

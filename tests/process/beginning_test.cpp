@@ -68,6 +68,10 @@ TEST_F(Beginning, IsCommonToScenesThatDifferInWhatIsYetToCome) {
   EXPECT_EQ(hash_with("32 Hz", "20 Hz"), hash());
 }
 
+TEST_F(Beginning, IsCommonToScenesOfOtherSnapshots) {
+  EXPECT_EQ(hash_of(two_steps() + "\n[[snapshot]]\nname = \"half\"\nwhen = { at = \"0.2 s\" }\n"), hash());
+}
+
 TEST_F(Beginning, IsCommonToScenesOfMoreAndFewerStepsToCome) {
   const std::uint64_t of_two = hash();
   const std::string text = two_steps();

@@ -230,5 +230,31 @@ TEST(Snapshots, AreTakenOnceOrAgainAndAgainAndSurviveARestart) {
   EXPECT_NEAR(taken["all along 0004"] - taken["all along 0001"], 0.15, kTolerance);
 }
 
+TEST(Snapshots, AreAllToComeUntilTheFirstCounts) {
+  Machine machine({named(wait(0.1), "first"), wait(0.1)});
+  Scene scene;
+  scene.snapshots.resize(2);
+  scene.snapshots[0].when = after("first", 0.03);
+  scene.snapshots[1].when = after("first");
+  scene.snapshots[1].when->at_rest = true;
+  const Snapshots both(scene);
+  const auto all_to_come = [&](const Snapshots& snapshots) {
+    return snapshots.all_to_come(machine.schedule().stages(), machine.schedule().state().steps,
+                                 machine.simulation().time());
+  };
+  EXPECT_TRUE(all_to_come(both)) << "before the powder rests";
+  while (!machine.step(0).is_over()) {
+    machine.run(kUpdate);
+    EXPECT_TRUE(all_to_come(both)) << machine.simulation().time();
+  }
+  machine.run(kUpdate);
+  EXPECT_FALSE(all_to_come(both)) << "one waits for rest since the first step is over";
+  scene.snapshots.pop_back();
+  const Snapshots delayed(scene);
+  EXPECT_TRUE(all_to_come(delayed));
+  machine.run(0.03);
+  EXPECT_FALSE(all_to_come(delayed));
+}
+
 }  // namespace
 }  // namespace diefill::process
