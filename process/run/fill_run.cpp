@@ -128,6 +128,7 @@ std::optional<Checkpoint> FillRun::shared_beginning() const {
     return schedule && other.beginning_hash == beginning_hash(*schedule, now) &&
            snapshots_.all_to_come(schedule_.stages(), schedule->steps, now);
   });
+  // Those of the other scene are its own affair, and none of ours has been due.
   if (beginning) beginning->snapshots = snapshots_.state();
   return beginning;
 }
