@@ -5,13 +5,13 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <sstream>
 
 #include "process/run/material.h"
 #include "process/run/read_tooling.h"
 #include "process/scene/powder_presets.h"
 #include "process/scene/scene_text.h"
 #include "process/scene/sections.h"
+#include "process/scene/shown_value.h"
 
 namespace diefill::process::plan {
 
@@ -118,11 +118,7 @@ void replace(toml::table& document, const std::string& table, const std::string&
              std::vector<std::string>& said) {
   if (!document.contains(table)) document.insert(table, toml::table{});
   toml::table& into = *document[table].as_table();
-  const auto show = [&] {
-    std::stringstream text;
-    text << into[key];
-    return text.str();
-  };
+  const auto show = [&] { return shown_value(*into.get(key)); };
   const std::string before = into.contains(key) ? show() : "";
   into.insert_or_assign(key, value);
   if (before != show())
