@@ -30,7 +30,8 @@ Scene scene_of(const BedSpec& spec, const engine::GrainShape& shape) {
   scene.pour.upper = {0.5 * spec.width, 0.5 * spec.depth, spec.fill_height};
   scene.pour.fill_height = spec.fill_height;
   scene.pour.solid_fraction = spec.expected_fraction;
-  if (spec.lattice_fraction > 0)
+  scene.pour.lattice_constant = spec.lattice_constant;
+  if (spec.lattice_constant == 0 && spec.lattice_fraction > 0)
     scene.pour.lattice_constant =
         std::max(1.2, std::cbrt(shape.solid_volume / spec.lattice_fraction) / spec.powder.grain_diameter);
   return scene;

@@ -19,6 +19,7 @@ struct BedSpec {
   double fill_height = 0;           ///< m, of the settled bed, roughly
   double expected_fraction = 0.35;  ///< sets the number of grains
   double lattice_fraction = 0.1;    ///< solid fraction of the lattice that the grains fall from
+  double lattice_constant = 0;      ///< of that lattice, over d; 0: from lattice_fraction
   double wall_sphere_radius = 0;    ///< m, of the ground
   double ground_spacing = 1.6;      ///< over that radius
   bool mesh_ground = false;         ///< ground of triangles; measured as if of spheres
