@@ -7,9 +7,11 @@
 #include "app/drawing.h"
 #include "app/exit_code.h"
 #include "app/output.h"
+#include "app/scene_choice.h"
 #include "process/compare/collect.h"
 #include "process/compare/job_folder.h"
 #include "process/compare/run_jobs.h"
+#include "process/plan/variant_setting.h"
 
 namespace diefill::app {
 
@@ -22,7 +24,7 @@ void ask_to_stop(int) {
 }
 
 struct CompareArguments {
-  std::string scene, out, export_to, collect_from;
+  std::string scene, setting, out, export_to, collect_from;
   int jobs = 1, seeds = 1;
   bool quiet = false;
 };
@@ -61,7 +63,18 @@ int gather(const std::filesystem::path& directory) {
 std::vector<process::Variant> checked_variants(const CompareArguments& arguments) {
   if (arguments.scene.empty())
     throw process::SceneError("SCENE: a scene file is needed, or --collect with a directory of runs");
-  return process::read_variants(arguments.scene);
+  auto variants = process::read_variants(arguments.scene);
+  if (arguments.setting.empty()) return variants;
+  variants = process::plan::with_setting(std::move(variants), process::setting_named(arguments.setting));
+  std::vector<std::string> said;
+  for (const auto& variant : variants) {
+    const auto chosen = process::chosen_in(variant.scene.text);
+    if (chosen == said) continue;
+    std::fprintf(stderr, "from \"%s\" on, ", variant.name.c_str());
+    say_what_was_chosen(variant.scene);
+    said = chosen;
+  }
+  return variants;
 }
 
 /// Writes the jobs into `directory`.
@@ -121,16 +134,20 @@ void add_compare(CLI::App& program, Action& chosen) {
       ->check(CLI::Range(1, 1000));
   command->add_option("--jobs", arguments->jobs, "runs at a time, which share the cores (default: 1)")
       ->check(CLI::Range(1, 1024));
+  add_setting(*command, arguments->setting);
   command->add_option("--out", arguments->out, "directory for results (default: out/<folder>_<scene>)");
   command->add_flag("--quiet", arguments->quiet, "no progress");
   auto* exporting = command->add_option("--export-jobs", arguments->export_to,
                                         "do not run: write scenes, command lines and job scripts there");
   command
       ->add_option("--collect", arguments->collect_from, "do not run: gather the results of such a directory")
-      ->excludes(exporting);
+      ->excludes(exporting)
+      ->excludes("--setting");
   command->footer(
       "Examples:\n"
       "  diefill compare sample_tools/narrow_ring/strategies.toml --jobs 2 --seeds 3\n"
+      "  diefill compare strategies.toml --setting quick                  a first look, grains alike for "
+      "all\n"
       "  diefill compare strategies.toml --seeds 5 --export-jobs jobs     then sbatch slurm.sh there\n"
       "  diefill compare --collect jobs\n"
       "The same command goes on where it was stopped; finished runs are kept. Variants that differ only in\n"

@@ -14,13 +14,17 @@ void add_setting(CLI::App& command, std::string& setting) {
                      "fill height in place of the scene's own numbers");
 }
 
+void say_what_was_chosen(const process::Scene& scene) {
+  const auto chosen = process::chosen_in(scene.text);
+  for (std::size_t k = 0; k < chosen.size(); ++k)
+    std::fprintf(stderr, k == 0 ? "%s:\n" : "  %s\n", chosen[k].c_str());
+}
+
 process::Scene wanted_scene(const std::string& file, const std::string& setting) {
   std::optional<process::Setting> wanted;
   if (!setting.empty()) wanted = process::setting_named(setting);
   auto scene = process::plan::settled_scene(process::read_scene(file), wanted);
-  const auto chosen = process::chosen_in(scene.text);
-  for (std::size_t k = 0; k < chosen.size(); ++k)
-    std::fprintf(stderr, k == 0 ? "%s:\n" : "  %s\n", chosen[k].c_str());
+  say_what_was_chosen(scene);
   return scene;
 }
 

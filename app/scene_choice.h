@@ -12,8 +12,11 @@ namespace diefill::app {
 /// Adds --setting to a command.
 void add_setting(CLI::App& command, std::string& setting);
 
+/// Says on standard error what a setting chose and replaced in the scene, if one did.
+void say_what_was_chosen(const process::Scene& scene);
+
 /// Reads the scene. A setting of this name (empty: the scene's own, if it has one) is turned into numbers,
-/// and what it chose and replaced is said on standard error. Throws process::SceneError.
+/// and what it chose is said. Throws process::SceneError.
 process::Scene wanted_scene(const std::string& file, const std::string& setting);
 
 /// The scene's tools, ready to be filled; how far that is is shown where wanted. Throws process::SceneError

@@ -9,6 +9,7 @@
 #include "process/scene/nearest_key.h"
 #include "process/scene/scene_text.h"
 #include "process/scene/sections.h"
+#include "process/scene/setting.h"
 #include "process/scene/units.h"
 
 namespace diefill::process {
@@ -224,7 +225,7 @@ std::string scene_text_with(const Scene& scene, std::uint64_t seed, const std::v
   document.insert_or_assign("seed", static_cast<std::int64_t>(seed));
   toml::array& tools = *document["tool"].as_array();
   for (std::size_t k = 0; k < files.size(); ++k) tools[k].as_table()->insert_or_assign("file", files[k]);
-  return scene_text_of(document);
+  return as_comment(chosen_in(scene.text)) + scene_text_of(document);
 }
 
 }  // namespace diefill::process

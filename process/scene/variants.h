@@ -47,7 +47,8 @@ std::optional<std::string> value_at(const std::string& text, const std::filesyst
 std::string folder_of_name(const std::string& name);
 
 /// The scene file's text of `scene` (one of read_variants) with this seed and, tool by tool, these files in
-/// place of its own. File names are written as given.
+/// place of its own. File names are written as given; what a setting chose stays said at its top
+/// (process/scene/setting.h).
 std::string scene_text_with(const Scene& scene, std::uint64_t seed, const std::vector<std::string>& files);
 
 }  // namespace diefill::process

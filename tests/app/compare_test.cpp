@@ -229,6 +229,44 @@ name = "poured"
             report_in(die.folder() / "watched/snapshots/poured").at("state_hash"));
 }
 
+/// The line of a job's scene that gives `key`.
+std::string line_with(const std::string& key, const std::filesystem::path& scene) {
+  const std::string text = contents(scene);
+  const std::size_t start = text.find('\n' + key);
+  return start == std::string::npos ? "" : text.substr(start + 1, text.find('\n', start + 1) - start - 1);
+}
+
+TEST(Compare, GivesAllVariantsTheFinestGrainsThatASettingChoosesForAny) {
+  const SmallDie die;
+  const auto export_to = [&](const std::string& folder) {
+    const Outcome outcome = run_program({"compare", die.scene().string(), "--setting", "working",
+                                         "--export-jobs", (die.folder() / folder).string()});
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    return outcome;
+  };
+  add_variants(die);
+  const Outcome first = export_to("wide");
+  EXPECT_NE(first.err.find("from \"quick\" on, setting working:"), std::string::npos) << first.err;
+  EXPECT_EQ(first.err.find("from \"stays\""), std::string::npos) << "said once where it is the same";
+  const auto chosen = line_with("grain_diameter", die.folder() / "wide/quick/seed-1/scene.toml");
+  EXPECT_EQ(chosen, "grain_diameter = '1.2 mm'") << "four times the calibrated size";
+
+  die.write("scene.toml", contents(die.scene()) + R"(
+[[variant]]
+name = "narrow box"
+pour.to = ["5.5 mm", "1.5 mm", "9 mm"]
+)");
+  export_to("narrow");
+  for (const std::string folder : {"quick", "stays", "narrow_box"}) {
+    const auto scene = die.folder() / "narrow" / folder / "seed-1/scene.toml";
+    EXPECT_EQ(line_with("grain_diameter", scene), "grain_diameter = '1 mm'") << folder;  // a quarter of 4 mm
+    EXPECT_EQ(contents(scene).rfind("# Numbers chosen by: setting working\n", 0), 0U) << contents(scene);
+  }
+  const Outcome unknown = run_program({"compare", die.scene().string(), "--setting", "worknig"});
+  EXPECT_EQ(unknown.exit_code, 2);
+  EXPECT_NE(unknown.err.find("did you mean \"working\"?"), std::string::npos) << unknown.err;
+}
+
 TEST(ExportedJobs, StandAloneAndGatherToTheSameComparison) {
   const SmallDie die;
   add_variants(die);
