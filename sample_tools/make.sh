@@ -29,6 +29,7 @@ for ring in narrow_ring circular_cavity stepped_ring wide_ring; do
   make_part $ring/$ring.scad $ring/core_rod.stl -D 'part="core_rod"'
   make_part $ring/$ring.scad $ring/shoe.stl -D 'part="shoe"'
 done
+make_part stepped_ring/stepped_ring.scad stepped_ring/punch_long.stl -D 'part="punch_long"'
 make_part narrow_ring/narrow_ring.scad narrow_ring/shoe_low.stl -D 'part="shoe"' -D shoe_height=24
 
 for part in die punch shoe; do

@@ -1,6 +1,6 @@
 // Stepped ring: a narrow lower ring and a wide upper ring round one core (Bierwisch 2009, section 6.2; sizes assumed).
 include <../tooling.scad>
-part = "die"; // die, core_rod, punch, shoe
+part = "die"; // die, core_rod, punch, punch_long, shoe
 inner_radius = 8;
 lower_width = 3.15;
 upper_width = 8;
@@ -19,6 +19,8 @@ if (part == "die")
                      upper_radius, upper_depth);
 if (part == "core_rod") core_rod(inner_radius, block);
 if (part == "punch") ring_punch(inner_radius, lower_radius, depth, block);
+// With its top at the rim it still closes the lower part, whose powder would run out beneath a shorter one.
+if (part == "punch_long") ring_punch(inner_radius, lower_radius, depth, block + depth);
 if (part == "shoe") shoe(shoe_x, shoe_y, shoe_height);
 
 // Block with a bore that is wider down to `upper_depth`. Facet by facet, because OpenSCAD's Boolean operations write
