@@ -6,6 +6,7 @@
 #include <thread>
 
 #include "app/commands.h"
+#include "app/comparison_plan_report.h"
 #include "app/exit_code.h"
 #include "app/freed_memory.h"
 #include "app/plan_report.h"
@@ -19,7 +20,7 @@ struct PlanArguments {
   std::string scene;
   std::optional<double> minutes, error;
   int threads = 0;
-  bool json = false, no_benchmark = false;
+  bool json = false, no_benchmark = false, variants = false;
 };
 
 void say_within_time(const process::plan::Plan& plan, double minutes,
@@ -45,12 +46,32 @@ void say_within_error(const process::plan::Plan& plan, double error, const std::
               choice.error->quantity.c_str());
 }
 
+void print_json(const nlohmann::ordered_json& json) {
+  std::printf("%s\n", json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace).c_str());
+}
+
+int plan_variants(const PlanArguments& arguments, process::plan::PlanOptions options) {
+  const std::string title = process::read_scene(arguments.scene).title;
+  const auto comparison = [&] {
+    process::Progress progress(true);
+    options.tell = progress.listener();
+    give_back_freed_memory();
+    return process::plan::forecast_comparison(process::read_variants(arguments.scene), options);
+  }();
+  if (arguments.json)
+    print_json(comparison_plan_as_json(title, comparison));
+  else
+    print_comparison_plan(title, comparison, options.threads);
+  return kDone;
+}
+
 int plan(const PlanArguments& arguments) {
   process::plan::PlanOptions options;
   options.threads = arguments.threads > 0
                         ? arguments.threads
                         : static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
   options.pilot = !arguments.no_benchmark;
+  if (arguments.variants) return plan_variants(arguments, options);
   const auto plan = [&] {
     process::Progress progress(true);
     options.tell = progress.listener();
@@ -65,6 +86,8 @@ int plan(const PlanArguments& arguments) {
     print_plan(plan);
     if (arguments.minutes) say_within_time(plan, *arguments.minutes, in_time);
     if (arguments.error) say_within_error(plan, *arguments.error, in_error);
+    if (process::has_variants(plan.scene))
+      std::printf("this is the scene as it stands; diefill plan --variants foretells its [[variant]]s\n");
     return kDone;
   }
   auto json = plan_as_json(plan);
@@ -73,7 +96,7 @@ int plan(const PlanArguments& arguments) {
     json["within_error"] = nullptr;
     if (in_error) json["within_error"] = plan.choices[*in_error].name;
   }
-  std::printf("%s\n", json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace).c_str());
+  print_json(json);
   return kDone;
 }
 
@@ -84,15 +107,23 @@ void add_plan(CLI::App& program, Action& chosen) {
       program.add_subcommand("plan", "Say what a scene needs, and what it would take: size, memory, time");
   auto arguments = std::make_shared<PlanArguments>();
   command->add_option("SCENE", arguments->scene, "scene file (TOML)")->required();
-  command->add_option("--minutes", arguments->minutes, "pick the finest grains that fit this wall-clock time")
-      ->check(CLI::Range(0.01, 1e6));
-  command
-      ->add_option("--error", arguments->error,
-                   "pick the cheapest setting whose measured error is at most this share, such as 0.05")
-      ->check(CLI::Range(1e-6, 1.0));
+  auto* minutes = command
+                      ->add_option("--minutes", arguments->minutes,
+                                   "pick the finest grains that fit this wall-clock time")
+                      ->check(CLI::Range(0.01, 1e6));
+  auto* error =
+      command
+          ->add_option("--error", arguments->error,
+                       "pick the cheapest setting whose measured error is at most this share, such as 0.05")
+          ->check(CLI::Range(1e-6, 1.0));
   command->add_option("--threads", arguments->threads, "threads of the run to come (default: all cores)")
       ->check(CLI::Range(1, 1024));
   command->add_flag("--no-benchmark", arguments->no_benchmark, "no pilot run; wall times are then not known");
+  command
+      ->add_flag("--variants", arguments->variants,
+                 "what diefill compare will take: every [[variant]] of the scene and all together")
+      ->excludes(minutes)
+      ->excludes(error);
   command->add_flag("--json", arguments->json, "print JSON, SI units");
   command->footer(
       "Reads the tools, runs the scene itself with less and coarser powder for some ten seconds, and prints "
@@ -102,7 +133,8 @@ void add_plan(CLI::App& program, Action& chosen) {
       "(diefill run --setting).\n"
       "Examples:\n  diefill plan sample_tools/narrow_ring/fill.toml\n"
       "  diefill plan my_die.toml --minutes 60\n"
-      "  diefill plan my_die.toml --json --no-benchmark");
+      "  diefill plan my_die.toml --json --no-benchmark\n"
+      "  diefill plan sample_tools/stepped_ring/strategies.toml --variants");
   command->callback([arguments, &chosen] { chosen = [arguments] { return plan(*arguments); }; });
 }
 

@@ -38,6 +38,13 @@ const results::Profile* fill_level_of(const results::FillResult& result) {
   return result.profiles.empty() ? nullptr : &result.profiles.front();
 }
 
+/// The first that goes through powder; nothing where none does.
+const results::SectionField* section_to_draw(const results::FillResult& result) {
+  for (const auto& section : result.sections)
+    if (!section.field.first.empty()) return &section;
+  return nullptr;
+}
+
 }  // namespace
 
 std::vector<std::filesystem::path> draw_all(const std::filesystem::path& directory,
@@ -54,17 +61,17 @@ std::vector<std::filesystem::path> draw_all(const std::filesystem::path& directo
     write_png(directory / name, compose_field(field, title, subtitle, range, style).image);
     written.push_back(directory / name);
   };
+  const results::SectionField* section = section_to_draw(result);
   const auto section_picture = [&](const char* name) {
-    const auto& section = result.sections.front();
-    field_picture(name, section.field, tool_outlines(result.tools, section.plane));
+    field_picture(name, section->field, tool_outlines(result.tools, section->plane));
   };
   if (!result.maps.empty()) {
     const auto& map = result.maps.front();
     field_picture("density_map.png", map, fill_plane_outline(result.cavity, map));
-  } else if (!result.sections.empty()) {
+  } else if (section != nullptr) {
     section_picture("density_map.png");
   }
-  if (!result.sections.empty()) section_picture("section.png");
+  if (section != nullptr) section_picture("section.png");
   draw_snapshot(directory / "snapshot.png", result);
   written.push_back(directory / "snapshot.png");
   if (const auto* profile = fill_level_of(result)) {

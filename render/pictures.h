@@ -29,8 +29,9 @@ void draw_snapshot(const std::filesystem::path& png, const results::FillResult& 
 void draw_profile(const std::filesystem::path& png, const results::Profile& profile, const std::string& title,
                   const std::string& subtitle);
 
-/// Writes density_map.png (or the first section again where the cavity is no ring), section.png, snapshot.png
-/// and fill_level.png into `directory`; returns what was written.
+/// Writes density_map.png (or the section again where the cavity is no ring), section.png (the first that
+/// goes through powder; none where none does), snapshot.png and fill_level.png into `directory`; returns what
+/// was written.
 std::vector<std::filesystem::path> draw_all(const std::filesystem::path& directory,
                                             const results::FillResult& result);
 

@@ -14,7 +14,7 @@ namespace diefill::process {
 
 namespace {
 
-constexpr std::array<char, 8> kMagic = {'d', 'f', 'c', 'h', 'k', 'p', '1', '1'};
+constexpr std::array<char, 8> kMagic = {'d', 'f', 'c', 'h', 'k', 'p', '1', '2'};
 
 std::uint64_t hash_of(const std::string& bytes) {
   engine::Fnv1a hash;
@@ -91,6 +91,7 @@ void transfer(Io& io, Contents& checkpoint) {
   io(checkpoint.beginning_hash);
   io(checkpoint.grains_left);
   io(checkpoint.grains_sheared);
+  io(checkpoint.grains_leaked);
   io(checkpoint.wall_seconds);
   io(checkpoint.sphere_steps);
   io(checkpoint.schedule.steps);

@@ -19,6 +19,7 @@
 #include "process/run/material.h"
 #include "process/run/mixed_powder.h"
 #include "process/run/pour.h"
+#include "process/run/powder_domain.h"
 #include "process/run/suction.h"
 #include "process/run/wall_bodies.h"
 #include "process/scene/setting.h"
@@ -33,9 +34,6 @@ using Clock = std::chrono::steady_clock;
 // Duties fall on multiples of these steps, so that a restart does them when the unbroken run does.
 constexpr std::uint64_t kScheduleEvery = 20, kSpillEvery = 100, kFeedEvery = 100, kHealthEvery = 200,
                         kPinchEvery = 10, kLostEvery = 200;
-constexpr double kFarAway = 1e3;  // m
-constexpr double kLongFall =
-    0.5;  // m below the tools, where spilled grains are computed no longer in any case
 /// Grains that may be sheared off however few there are.
 constexpr double kFewSheared = 3;
 
@@ -55,6 +53,7 @@ FillRun::FillRun(const Scene& scene, const Tooling& tooling, const RunOptions& o
       probes_(scene, tooling),
       snapshots_(scene),
       lost_grains_(tooling, grain_diameters(scene.powder)),
+      leak_watch_(tooling, largest_grain(scene.powder)),
       progress_(options.show_progress) {
   const auto grains = pour(scene, engine_settings(scene, 1.0), tooling);
   if (setting_of(scene)) throw std::logic_error("a setting must be turned into numbers before a scene runs");
@@ -66,22 +65,8 @@ FillRun::FillRun(const Scene& scene, const Tooling& tooling, const RunOptions& o
   critical_step_ = process::critical_time_step(settings, impact);
   simulation_ = std::make_unique<engine::Simulation>(settings, wall_bodies(scene, tooling, settings));
 
-  domain_ = schedule_.swept();
-  const double largest = largest_grain(scene.powder), margin = 2 * largest;
-  domain_.lower = domain_.lower.cwiseMax(tooling.standing.lower - Eigen::Vector3d::Constant(margin));
-  domain_.upper = domain_.upper.cwiseMin(tooling.standing.upper + Eigen::Vector3d::Constant(margin));
-  domain_.lower[2] = tooling.standing.lower[2] - margin;
-  domain_.upper[2] = kFarAway;
-  if (!scene.economy.drop_spilled) {
-    domain_.lower.head<2>().setConstant(-kFarAway);
-    domain_.upper.head<2>().setConstant(kFarAway);
-    domain_.lower[2] -= kLongFall;
-  }
-  for (Eigen::Index axis = 0; axis < 2; ++axis)
-    if (scene.numerics.period[static_cast<std::size_t>(axis)]) {
-      domain_.lower[axis] = -kFarAway;
-      domain_.upper[axis] = kFarAway;
-    }
+  domain_ = powder_domain(scene, tooling, schedule_);
+  const double largest = largest_grain(scene.powder);
   const double width = tooling.all_cavities().narrowest_width;
   if (tooling.cavity.found && width > 0 && largest > width / 3) {
     char text[240];
@@ -140,6 +125,7 @@ void FillRun::go_on_from(const Checkpoint& checkpoint) {
   simulation_->restore(checkpoint.simulation);
   left_ = GrainTally(checkpoint.grains_left);
   sheared_ = GrainTally(checkpoint.grains_sheared);
+  leak_watch_.restore(checkpoint.grains_leaked);
   earlier_wall_seconds_ = checkpoint.wall_seconds;
   sphere_steps_ = checkpoint.sphere_steps;
   instants_ = checkpoint.instants;
@@ -192,7 +178,18 @@ void FillRun::duties() {
 }
 
 void FillRun::let_spilled_grains_go() {
-  remove_grains([this](const Eigen::Vector3d& position) { return !domain_.contains(position); });
+  const DieFrame die(simulation_->body_motion(tooling_.die));
+  remove_grains([&](const Eigen::Vector3d& position) {
+    const bool leaves = !domain_.contains(position);
+    if (leaves) leak_watch_.has_left(die.point(position));
+    return leaves;
+  });
+  if (const auto news = leak_watch_.news(grains_poured()))
+    progress_.say("warning: by t = " + std::to_string(simulation_->time()) + " s, " + *news);
+}
+
+std::uint64_t FillRun::grains_poured() const {
+  return simulation_->grains().size() + left_.grains() + sheared_.grains();
 }
 
 void FillRun::remove_grains(const std::function<bool(const Eigen::Vector3d&)>& leaves) {
@@ -209,7 +206,7 @@ void FillRun::remove_grains(const std::function<bool(const Eigen::Vector3d&)>& l
 
 void FillRun::let_powder_in() {
   // Ids count all grains that ever were.
-  const std::uint64_t before = simulation_->grains().size() + left_.grains() + sheared_.grains();
+  const std::uint64_t before = grains_poured();
   source_.feed(*simulation_, schedule_);
   const auto& grains = simulation_->grains();
   for (std::size_t k = 0; k < grains.size(); ++k)
@@ -242,7 +239,7 @@ void FillRun::shear_off_pinched_grains() {
   std::vector<std::uint64_t> ids;
   for (const auto& grain : engine::pinched_grains(*simulation_, kShearingOverlap)) ids.push_back(grain.id);
   if (ids.empty()) return;
-  const auto poured = static_cast<double>(simulation_->grains().size() + left_.grains() + sheared_.grains());
+  const auto poured = static_cast<double>(grains_poured());
   for (const std::uint64_t id : ids) sheared_.add(simulation_->grains().kind_of(place_of(id)));
   simulation_->remove_grains(ids);
   const double most = scene_.numerics.most_sheared;
@@ -317,6 +314,7 @@ Checkpoint FillRun::checkpoint() const {
   checkpoint.snapshots = snapshots_.state();
   checkpoint.grains_left = left_.by_kind();
   checkpoint.grains_sheared = sheared_.by_kind();
+  checkpoint.grains_leaked = leak_watch_.grains();
   checkpoint.wall_seconds = wall_seconds();
   checkpoint.sphere_steps = sphere_steps_;
   checkpoint.instants = instants_;
@@ -364,6 +362,7 @@ std::vector<std::string> FillRun::warnings() const {
     all.push_back(std::move(economy));
   all.insert(all.end(), health_.warnings().begin(), health_.warnings().end());
   if (sheared_.grains() > 0) all.push_back(shear_warning());
+  if (auto leak = leak_watch_.warning(grains_poured())) all.push_back(std::move(*leak));
   return all;
 }
 

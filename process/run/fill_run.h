@@ -10,6 +10,7 @@
 #include "engine/health.h"
 #include "process/run/checkpoint.h"
 #include "process/run/grain_tally.h"
+#include "process/run/leak_watch.h"
 #include "process/run/lost_grains.h"
 #include "process/run/powder_source.h"
 #include "process/run/probes.h"
@@ -78,6 +79,7 @@ class FillRun {
   std::string shear_warning() const;
   void let_powder_in();
   void clear_powder();
+  std::uint64_t grains_poured() const;
   void remove_grains(const std::function<bool(const Eigen::Vector3d&)>& leaves);
   void take_snapshots();
   void look_for_lost_grains();
@@ -103,6 +105,7 @@ class FillRun {
   Snapshots snapshots_;
   engine::Health health_;
   LostGrains lost_grains_;
+  LeakWatch leak_watch_;
   Progress progress_;
   geometry::Box domain_;  ///< m, grains beyond it have been spilled or discharged
   std::vector<std::string> warnings_;

@@ -56,6 +56,35 @@ TEST(Plan, ASettingTakesThePlaceOfTheScenesNumbersAndTheReportSaysSo) {
   EXPECT_GT(report["grain_diameter_m"].get<double>(), 1.01e-3);
 }
 
+TEST(Plan, SumsUpWhatVariantsTakeAndSaysThatTheyAreThere) {
+  const SmallDie die;
+  die.write("scene.toml", contents(die.scene()) + R"(
+[[variant]]
+name = "slow"
+step.1.velocity = "0.05 m/s"
+[[variant]]
+name = "fast"
+[[variant]]
+name = "coarse"
+powder.grain_diameter = "1.2 mm"
+)");
+  const auto json = plan(die, {"--variants"});
+  const auto& variants = json.at("variants");
+  ASSERT_EQ(variants.size(), 3U);
+  double sum = 0;
+  for (const auto& variant : variants) sum += variant.at("wall_seconds").get<double>();
+  EXPECT_NEAR(json.at("wall_seconds").get<double>(), sum, 1e-9);
+  EXPECT_GT(variants[0].at("simulated_s").get<double>(), variants[1].at("simulated_s").get<double>());
+  EXPECT_LT(variants[1].at("wall_seconds").get<double>(), variants[1].at("wall_seconds_alone").get<double>());
+  EXPECT_EQ(variants[2].at("shared_s").get<double>(), 0);  // another powder
+  EXPECT_EQ(json.at("pilots").size(), 2U);
+  const Outcome table = run_program({"plan", die.scene().string(), "--variants", "--no-benchmark"});
+  ASSERT_EQ(table.exit_code, 0) << table.err;
+  EXPECT_NE(table.out.find("all of them, one after the other"), std::string::npos) << table.out;
+  const Outcome base = run_program({"plan", die.scene().string(), "--no-benchmark"});
+  EXPECT_NE(base.out.find("diefill plan --variants"), std::string::npos) << base.out;
+}
+
 TEST(Plan, WrongInputEndsInOneLine) {
   const SmallDie die;
   const Outcome setting = run_program({"check", die.scene().string(), "--setting", "quik"});
@@ -64,6 +93,7 @@ TEST(Plan, WrongInputEndsInOneLine) {
   EXPECT_NE(setting.err.find("did you mean \"quick\"?"), std::string::npos) << setting.err;
   EXPECT_EQ(run_program({"plan", die.scene().string(), "--minutes", "-1"}).exit_code, 2);
   EXPECT_EQ(run_program({"plan", (die.folder() / "none.toml").string()}).exit_code, 2);
+  EXPECT_EQ(run_program({"plan", die.scene().string(), "--variants", "--minutes", "5"}).exit_code, 2);
   die.exchange("seed = 1", "seed = 1\nsetting = \"working\"");
   const Outcome both = run_program({"plan", die.scene().string(), "--no-benchmark"});
   EXPECT_EQ(both.exit_code, 2);

@@ -83,6 +83,43 @@ TEST(ValidRange, AWallWithHolesStopsTheRun) {
   expect_stop(die, {"it went through the wall"});
 }
 
+/// The pocket without its floor, full of powder, and a slide that closes it from below while powder runs out.
+void close_late(const SmallDie& die) {
+  die.write("die.stl", cad::binary_stl(cad::tube(cad::rectangle(-15, 6, -3.5, 3.5),
+                                                 cad::rectangle(-5, -1, -2, 2), -5, 0)));
+  die.write("slide.stl", cad::binary_stl(cad::prism(cad::rectangle(-6, 0, -3, 3), -6, -5)));
+  die.exchange(
+      "from = [\"0.5 mm\", \"-2.5 mm\", \"0 mm\"]\nto = [\"5.5 mm\", \"2.5 mm\", \"9 mm\"]",
+      "from = [\"-4.95 mm\", \"-1.95 mm\", \"-4.9 mm\"]\nto = [\"-1.05 mm\", \"1.95 mm\", \"2 mm\"]");
+  die.exchange("[pour]", R"([[tool]]
+name = "slide"
+role = "punch"
+file = "slide.stl"
+length_unit = "mm"
+position = ["5 mm", "0 mm", "0 mm"]
+
+[pour])");
+  die.exchange("kind = \"passage\"\ntool = \"shoe\"\ndirection = \"-x\"\nvelocity = \"0.1 m/s\"\n",
+               R"(kind = "move"
+tool = "slide"
+direction = "-x"
+distance = "5 mm"
+velocity = "0.2 m/s"
+)");
+}
+
+TEST(ValidRange, PowderThatRunsOutBeneathTheCavityIsSpokenOf) {
+  const SmallDie die;
+  close_late(die);
+  const Outcome outcome = die.run();
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  const nlohmann::json report = die.report();
+  EXPECT_GT(report.at("grains_left").get<double>(), 0);
+  EXPECT_NE(outcome.err.find("ran out beneath the cavity"), std::string::npos) << outcome.err;
+  EXPECT_NE(report["warnings"].dump().find("ran out beneath the cavity"), std::string::npos)
+      << report["warnings"].dump();
+}
+
 TEST(ValidRange, BetweenComfortableAndForbiddenTheReportSaysSoOnce) {
   const SmallDie die;
   die.exchange("reduced_modulus = \"3 MPa\"", "reduced_modulus = \"0.15 MPa\"");

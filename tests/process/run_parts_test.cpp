@@ -199,6 +199,7 @@ TEST_F(CheckpointFile, GivesBackEveryBitAndContinuesTheSameRun) {
   kept.snapshots[0].taken = 4;
   kept.grains_left = {3, 4};
   kept.grains_sheared = {3};
+  kept.grains_leaked = 2;
   write_checkpoint(checkpoint_file(folder_.path()), kept);
   const auto read = read_checkpoint(checkpoint_file(folder_.path()));
   ASSERT_TRUE(read.has_value());
@@ -212,6 +213,7 @@ TEST_F(CheckpointFile, GivesBackEveryBitAndContinuesTheSameRun) {
   EXPECT_EQ(read->snapshots.at(0).taken, 4U);
   EXPECT_EQ(read->grains_left, kept.grains_left);
   EXPECT_EQ(read->grains_sheared, kept.grains_sheared);
+  EXPECT_EQ(read->grains_leaked, 2U);
   engine::Simulation resumed(original.settings(), {});
   resumed.restore(read->simulation);
   for (int n = 0; n < 300; ++n) {

@@ -1,0 +1,85 @@
+#include "app/comparison_plan_report.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <nlohmann/json.hpp>
+
+#include "app/pilot_report.h"
+#include "process/run/progress.h"
+
+namespace diefill::app {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+namespace plan = process::plan;
+
+std::string time_in_words(const std::optional<double>& seconds) {
+  return seconds ? process::duration_in_words(*seconds) : "not known";
+}
+
+Json number_or_null(const std::optional<double>& number) {
+  return number ? Json(*number) : Json(nullptr);
+}
+
+void print_table(const std::vector<plan::VariantForecast>& variants) {
+  int width = 8;
+  for (const auto& variant : variants) width = std::max(width, static_cast<int>(variant.name.size()));
+  std::printf("\n%-*s%10s%10s%13s%11s%12s%14s\n", width, "variant", "spheres", "steps", "simulated, s",
+              "shared, s", "memory, MB", "wall time");
+  for (const auto& variant : variants)
+    std::printf("%-*s%10zu%10.0f%13.3g%11.3g%12.0f%14s\n", width, variant.name.c_str(),
+                variant.forecast.spheres, variant.forecast.steps(), variant.forecast.seconds(),
+                variant.shared_seconds, 1e-6 * variant.forecast.memory,
+                time_in_words(variant.wall_seconds).c_str());
+}
+
+Json variant_as_json(const plan::VariantForecast& variant) {
+  const auto& forecast = variant.forecast;
+  return {{"name", variant.name},
+          {"grain_diameter_m", forecast.grain_diameter},
+          {"time_step_s", forecast.time_step},
+          {"grains", forecast.grains},
+          {"spheres", forecast.spheres},
+          {"wall_spheres", forecast.wall_spheres},
+          {"steps", forecast.steps()},
+          {"simulated_s", forecast.seconds()},
+          {"shared_s", variant.shared_seconds},
+          {"memory_bytes", forecast.memory},
+          {"wall_seconds_alone", number_or_null(forecast.wall_seconds)},
+          {"wall_seconds", number_or_null(variant.wall_seconds)}};
+}
+
+}  // namespace
+
+void print_comparison_plan(const std::string& title, const plan::ComparisonForecast& comparison,
+                           int threads) {
+  std::printf("%s: %zu variants\n", title.c_str(), comparison.variants.size());
+  print_table(comparison.variants);
+  std::printf("\nall of them, one after the other on %d threads (diefill compare): %s\n", threads,
+              time_in_words(comparison.wall_seconds).c_str());
+  std::printf(
+      "shared: what a variant begins with and an earlier one has computed; wall time is that of the rest, "
+      "for "
+      "one seed\n");
+  for (const auto& powder : comparison.pilots) {
+    std::printf("%s, ", powder.powder.c_str());
+    print_pilot(powder.pilot);
+  }
+}
+
+Json comparison_plan_as_json(const std::string& title, const plan::ComparisonForecast& comparison) {
+  Json json = {{"title", title},
+               {"wall_seconds", number_or_null(comparison.wall_seconds)},
+               {"variants", Json::array()},
+               {"pilots", Json::array()}};
+  for (const auto& variant : comparison.variants) json["variants"].push_back(variant_as_json(variant));
+  for (const auto& powder : comparison.pilots) {
+    Json pilot = pilot_as_json(powder.pilot);
+    pilot["powder"] = powder.powder;
+    json["pilots"].push_back(pilot);
+  }
+  return json;
+}
+
+}  // namespace diefill::app

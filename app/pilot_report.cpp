@@ -1,0 +1,54 @@
+#include "app/pilot_report.h"
+
+#include <cstdio>
+#include <nlohmann/json.hpp>
+
+namespace diefill::app {
+
+using Json = nlohmann::ordered_json;
+namespace plan = process::plan;
+
+void print_pilot(const plan::Pilot& pilot) {
+  std::printf("wall time: from a pilot run of %zu spheres, d = %.4g mm, %.4g mm of powder, %.1f s:",
+              pilot.spheres, 1e3 * pilot.grain_diameter, 1e3 * pilot.fill_height, pilot.wall_seconds);
+  for (int k = 0; k < plan::kPhaseKinds; ++k) {
+    const auto& cost = pilot.cost[static_cast<std::size_t>(k)];
+    if (cost.sphere_steps > 0)
+      std::printf(" %s %.1f ns a sphere and step%s;", plan::in_words(static_cast<plan::PhaseKind>(k)),
+                  1e9 * cost.seconds_per_sphere_step(), cost.whole ? "" : " (begun)");
+    else
+      std::printf(" %s was not seen, and is taken to cost what the dearest does;",
+                  plan::in_words(static_cast<plan::PhaseKind>(k)));
+  }
+  std::printf(" reading the tools comes on top\n");
+  if (pilot.size.points.size() > 1) {
+    std::printf("size: on this machine a sphere and step costs");
+    for (const auto& point : pilot.size.points)
+      std::printf("%s %.2f times as much with %.0f spheres", &point == &pilot.size.points.front() ? "" : ",",
+                  pilot.size.factor(point.spheres, static_cast<double>(pilot.spheres)), point.spheres);
+    std::printf(" as in the pilot run\n");
+  }
+  if (!pilot.stopped.empty()) std::printf("note: the pilot run ended early: %s\n", pilot.stopped.c_str());
+}
+
+Json pilot_as_json(const plan::Pilot& pilot) {
+  Json json = {{"grain_diameter_m", pilot.grain_diameter},
+               {"fill_height_m", pilot.fill_height},
+               {"spheres", pilot.spheres},
+               {"wall_seconds", pilot.wall_seconds},
+               {"stopped", pilot.stopped},
+               {"seconds_per_sphere_step", Json::object()}};
+  for (int k = 0; k < plan::kPhaseKinds; ++k) {
+    const auto& cost = pilot.cost[static_cast<std::size_t>(k)];
+    if (cost.sphere_steps > 0)
+      json["seconds_per_sphere_step"][plan::in_words(static_cast<plan::PhaseKind>(k))] =
+          cost.seconds_per_sphere_step();
+  }
+  json["size_cost"] = Json::array();
+  for (const auto& point : pilot.size.points)
+    json["size_cost"].push_back(
+        {{"spheres", point.spheres}, {"seconds_per_sphere_step", point.seconds_per_sphere_step}});
+  return json;
+}
+
+}  // namespace diefill::app

@@ -1,0 +1,16 @@
+// What a pilot run has found: where the wall times of a plan come from.
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+
+#include "process/plan/pilot.h"
+
+namespace diefill::app {
+
+/// Lines on the terminal: the pilot's size, its costs by kind of phase, what size makes of them.
+void print_pilot(const process::plan::Pilot& pilot);
+
+/// The same in SI units.
+nlohmann::ordered_json pilot_as_json(const process::plan::Pilot& pilot);
+
+}  // namespace diefill::app

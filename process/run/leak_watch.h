@@ -1,0 +1,37 @@
+// Powder that runs out beneath the cavity: the tools leave an opening there while they move, which their CAD
+// at rest does not show.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "process/run/tooling.h"
+
+namespace diefill::process {
+
+/// Counts grains that left the computation below the cavities, however they were closed in the end.
+class LeakWatch {
+ public:
+  /// `grain_diameter`: m, of the largest grains.
+  LeakWatch(const Tooling& tooling, double grain_diameter);
+
+  /// Takes note of a grain that has left at `place` (m, frame of the die); one beside the cavities was
+  /// spilled.
+  void has_left(const Eigen::Vector3d& place);
+  std::uint64_t grains() const { return grains_; }
+  void restore(std::uint64_t grains) { grains_ = grains; }
+
+  /// What to tell the user, out of `poured` grains that there have been; nothing for stray ones.
+  std::optional<std::string> warning(std::uint64_t poured) const;
+  /// The same when there is something to tell for the first time; nothing from then on.
+  std::optional<std::string> news(std::uint64_t poured);
+
+ private:
+  const Tooling& tooling_;
+  geometry::Box below_;  ///< m, frame of the die; empty without a cavity
+  std::uint64_t grains_ = 0;
+  bool told_ = false;
+};
+
+}  // namespace diefill::process
