@@ -11,7 +11,6 @@
 #include "process/compare/collect.h"
 #include "process/compare/job_folder.h"
 #include "process/compare/run_jobs.h"
-#include "process/plan/variant_setting.h"
 
 namespace diefill::app {
 
@@ -63,18 +62,7 @@ int gather(const std::filesystem::path& directory) {
 std::vector<process::Variant> checked_variants(const CompareArguments& arguments) {
   if (arguments.scene.empty())
     throw process::SceneError("SCENE: a scene file is needed, or --collect with a directory of runs");
-  auto variants = process::read_variants(arguments.scene);
-  if (arguments.setting.empty()) return variants;
-  variants = process::plan::with_setting(std::move(variants), process::setting_named(arguments.setting));
-  std::vector<std::string> said;
-  for (const auto& variant : variants) {
-    const auto chosen = process::chosen_in(variant.scene.text);
-    if (chosen == said) continue;
-    std::fprintf(stderr, "from \"%s\" on, ", variant.name.c_str());
-    say_what_was_chosen(variant.scene);
-    said = chosen;
-  }
-  return variants;
+  return wanted_variants(arguments.scene, arguments.setting);
 }
 
 /// Writes the jobs into `directory`.

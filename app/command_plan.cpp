@@ -10,6 +10,7 @@
 #include "app/exit_code.h"
 #include "app/freed_memory.h"
 #include "app/plan_report.h"
+#include "app/scene_choice.h"
 #include "process/run/progress.h"
 
 namespace diefill::app {
@@ -17,7 +18,7 @@ namespace diefill::app {
 namespace {
 
 struct PlanArguments {
-  std::string scene;
+  std::string scene, setting;
   std::optional<double> minutes, error;
   int threads = 0;
   bool json = false, no_benchmark = false, variants = false;
@@ -56,7 +57,7 @@ int plan_variants(const PlanArguments& arguments, process::plan::PlanOptions opt
     process::Progress progress(true);
     options.tell = progress.listener();
     give_back_freed_memory();
-    return process::plan::forecast_comparison(process::read_variants(arguments.scene), options);
+    return process::plan::forecast_comparison(wanted_variants(arguments.scene, arguments.setting), options);
   }();
   if (arguments.json)
     print_json(comparison_plan_as_json(title, comparison));
@@ -119,11 +120,13 @@ void add_plan(CLI::App& program, Action& chosen) {
   command->add_option("--threads", arguments->threads, "threads of the run to come (default: all cores)")
       ->check(CLI::Range(1, 1024));
   command->add_flag("--no-benchmark", arguments->no_benchmark, "no pilot run; wall times are then not known");
-  command
-      ->add_flag("--variants", arguments->variants,
-                 "what diefill compare will take: every [[variant]] of the scene and all together")
-      ->excludes(minutes)
-      ->excludes(error);
+  auto* variants =
+      command
+          ->add_flag("--variants", arguments->variants,
+                     "what diefill compare will take: every [[variant]] of the scene and all together")
+          ->excludes(minutes)
+          ->excludes(error);
+  add_setting(*command, arguments->setting)->needs(variants);
   command->add_flag("--json", arguments->json, "print JSON, SI units");
   command->footer(
       "Reads the tools, runs the scene itself with less and coarser powder for some ten seconds, and prints "
@@ -134,7 +137,7 @@ void add_plan(CLI::App& program, Action& chosen) {
       "Examples:\n  diefill plan sample_tools/narrow_ring/fill.toml\n"
       "  diefill plan my_die.toml --minutes 60\n"
       "  diefill plan my_die.toml --json --no-benchmark\n"
-      "  diefill plan sample_tools/stepped_ring/strategies.toml --variants");
+      "  diefill plan sample_tools/stepped_ring/strategies.toml --variants --setting quick");
   command->callback([arguments, &chosen] { chosen = [arguments] { return plan(*arguments); }; });
 }
 

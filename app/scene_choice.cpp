@@ -4,14 +4,16 @@
 #include <optional>
 
 #include "process/plan/setting.h"
+#include "process/plan/variant_setting.h"
 #include "process/run/material.h"
 
 namespace diefill::app {
 
-void add_setting(CLI::App& command, std::string& setting) {
-  command.add_option("--setting", setting,
-                     "quick, working or reference: the planner's grain diameter, time step, wall spacing and "
-                     "fill height in place of the scene's own numbers");
+CLI::Option* add_setting(CLI::App& command, std::string& setting) {
+  return command.add_option(
+      "--setting", setting,
+      "quick, working or reference: the planner's grain diameter, time step, wall spacing and "
+      "fill height in place of the scene's own numbers");
 }
 
 void say_what_was_chosen(const process::Scene& scene) {
@@ -26,6 +28,21 @@ process::Scene wanted_scene(const std::string& file, const std::string& setting)
   auto scene = process::plan::settled_scene(process::read_scene(file), wanted);
   say_what_was_chosen(scene);
   return scene;
+}
+
+std::vector<process::Variant> wanted_variants(const std::string& file, const std::string& setting) {
+  auto variants = process::read_variants(file);
+  if (setting.empty()) return variants;
+  variants = process::plan::with_setting(std::move(variants), process::setting_named(setting));
+  std::vector<std::string> said;
+  for (const auto& variant : variants) {
+    const auto chosen = process::chosen_in(variant.scene.text);
+    if (chosen == said) continue;
+    std::fprintf(stderr, "from \"%s\" on, ", variant.name.c_str());
+    say_what_was_chosen(variant.scene);
+    said = chosen;
+  }
+  return variants;
 }
 
 process::Tooling prepared_tooling(const process::Scene& scene, bool show_progress) {

@@ -81,6 +81,10 @@ powder.grain_diameter = "1.2 mm"
   const Outcome table = run_program({"plan", die.scene().string(), "--variants", "--no-benchmark"});
   ASSERT_EQ(table.exit_code, 0) << table.err;
   EXPECT_NE(table.out.find("all of them, one after the other"), std::string::npos) << table.out;
+  // With a setting all grains are alike, and so the poured powder is common to all.
+  const auto quick = plan(die, {"--variants", "--setting", "quick", "--no-benchmark"}).at("variants");
+  EXPECT_EQ(quick[0].at("grain_diameter_m"), quick[2].at("grain_diameter_m"));
+  EXPECT_GT(quick[2].at("shared_s").get<double>(), 0);
   const Outcome base = run_program({"plan", die.scene().string(), "--no-benchmark"});
   EXPECT_NE(base.out.find("diefill plan --variants"), std::string::npos) << base.out;
 }
@@ -94,6 +98,7 @@ TEST(Plan, WrongInputEndsInOneLine) {
   EXPECT_EQ(run_program({"plan", die.scene().string(), "--minutes", "-1"}).exit_code, 2);
   EXPECT_EQ(run_program({"plan", (die.folder() / "none.toml").string()}).exit_code, 2);
   EXPECT_EQ(run_program({"plan", die.scene().string(), "--variants", "--minutes", "5"}).exit_code, 2);
+  EXPECT_EQ(run_program({"plan", die.scene().string(), "--setting", "quick"}).exit_code, 2);
   die.exchange("seed = 1", "seed = 1\nsetting = \"working\"");
   const Outcome both = run_program({"plan", die.scene().string(), "--no-benchmark"});
   EXPECT_EQ(both.exit_code, 2);
