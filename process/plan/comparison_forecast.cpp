@@ -1,9 +1,11 @@
 #include "process/plan/comparison_forecast.h"
 
 #include <algorithm>
+#include <cstdio>
 #include <set>
 
 #include "process/run/beginning.h"
+#include "process/run/law_terms.h"
 #include "process/run/material.h"
 #include "process/run/powder_domain.h"
 #include "process/run/snapshots.h"
@@ -29,14 +31,17 @@ std::string powder_in_words(const PowderSpec& powder) {
   return powder.sizes_in_words.empty() ? text : powder.name + ", " + powder.sizes_in_words;
 }
 
-/// The pilot of the powder, run with this variant if there is none yet.
+/// The pilot of the powder and its law, run with this variant if there is none yet.
 const Pilot& pilot_for(const Prepared& variant, const PlanOptions& options,
                        std::vector<PowderPilot>& pilots) {
   const std::string powder = powder_in_words(variant.scene.powder);
-  const auto found = std::find_if(pilots.begin(), pilots.end(),
-                                  [&](const PowderPilot& other) { return other.powder == powder; });
+  const auto laws = law_terms(variant.scene, engine_settings(variant.scene, 1.0)).used;
+  const auto found = std::find_if(pilots.begin(), pilots.end(), [&](const PowderPilot& other) {
+    return other.powder == powder && other.laws == laws;
+  });
   if (found != pilots.end()) return found->pilot;
-  pilots.push_back({powder, run_pilot(variant.scene, variant.tooling, options.threads, options.pilot_limit)});
+  pilots.push_back(
+      {powder, laws, run_pilot(variant.scene, variant.tooling, options.threads, options.pilot_limit)});
   return pilots.back().pilot;
 }
 
@@ -79,6 +84,16 @@ std::vector<Beginning> beginnings_of(const Prepared& variant, const Forecast& fo
   return beginnings;
 }
 
+/// s of simulated time at the variant's beginning that have been `left` by others; `fall` (s) is how long its
+/// poured powder settles.
+double shared_seconds(const std::set<std::uint64_t>& left, const std::vector<Beginning>& own, double fall) {
+  double shared = 0;
+  for (const Beginning& beginning : own)
+    if (beginning.nothing_missed && left.count(beginning.hash) > 0)
+      shared = std::max(shared, fall + beginning.after_fall);
+  return shared;
+}
+
 }  // namespace
 
 std::optional<double> wall_seconds_after(const Forecast& forecast, double seconds) {
@@ -110,10 +125,7 @@ ComparisonForecast forecast_comparison(const std::vector<Variant>& variants, con
       own.forecast = forecast(prepared.scene, prepared.tooling);
     }
     const auto beginnings = beginnings_of(prepared, own.forecast, rest);
-    for (const Beginning& beginning : beginnings)
-      if (beginning.nothing_missed && left.count(beginning.hash) > 0)
-        own.shared_seconds =
-            std::max(own.shared_seconds, own.forecast.phases.front().phase.seconds + beginning.after_fall);
+    own.shared_seconds = shared_seconds(left, beginnings, own.forecast.phases.front().phase.seconds);
     for (const Beginning& beginning : beginnings) left.insert(beginning.hash);
     own.wall_seconds = wall_seconds_after(own.forecast, own.shared_seconds);
     if (own.wall_seconds) *comparison.wall_seconds += *own.wall_seconds;

@@ -21,19 +21,21 @@ struct VariantForecast {
   std::optional<double> wall_seconds;  ///< s of computing the rest; nothing without a pilot
 };
 
-/// A pilot run and the powder it is for.
+/// A pilot run and what it is for: grains of one size under one law.
 struct PowderPilot {
   std::string powder;
+  std::vector<std::string> laws;  ///< terms in use
   Pilot pilot;
 };
 
 struct ComparisonForecast {
   std::vector<VariantForecast> variants;  ///< in their order
-  std::vector<PowderPilot> pilots;     ///< one for each powder and grain size, of the first variant with it
+  std::vector<PowderPilot>
+      pilots;  ///< one for each powder, grain size and law, of the first variant with them
   std::optional<double> wall_seconds;  ///< s, of all, one after the other
 };
 
-/// Builds every variant's tools and runs a pilot for each powder among them. Throws as a run would.
+/// Builds every variant's tools and runs a pilot for each powder and law among them. Throws as a run would.
 ComparisonForecast forecast_comparison(const std::vector<Variant>& variants, const PlanOptions& options);
 
 /// s of wall-clock time that the forecast has for what comes after the first `seconds` of simulated time;
