@@ -7,6 +7,7 @@
 #include "geometry/solid_query.h"
 #include "process/run/dice.h"
 #include "process/run/material.h"
+#include "process/run/pour_fit.h"
 #include "process/run/pour_sizes.h"
 
 namespace diefill::process {
@@ -80,29 +81,6 @@ PourColumns columns_of(const Scene& scene, const engine::SimulationSettings& set
   return columns;
 }
 
-/// Powder that starts beside or below the tools that stand would be let go as spilled at once.
-void refuse_powder_over_nothing(const Scene& scene, const geometry::Box& standing) {
-  static const char* const kAxes[] = {"x", "y", "z"};
-  for (Eigen::Index axis = 0; axis < 3; ++axis) {
-    if (axis < 2 && scene.numerics.period[static_cast<std::size_t>(axis)]) continue;
-    const double from = scene.pour.lower[axis], to = scene.pour.upper[axis];
-    const double lower = standing.lower[axis],
-                 upper = axis < 2 ? standing.upper[axis] : std::max(to, standing.upper[2]);
-    if (from >= lower && to <= upper) continue;
-    char text[240];
-    std::snprintf(text, sizeof text,
-                  ": pour: the box reaches from %.4g to %.4g mm along %s, but the tools that stand only from "
-                  "%.4g to %.4g mm: "
-                  "powder beyond would be lost; move the box or the tools",
-                  1e3 * from, 1e3 * to, kAxes[axis], 1e3 * lower, 1e3 * upper);
-    throw SceneError(scene.file.string() + ":" + std::to_string(scene.pour.line) + text);
-  }
-}
-
-/// m, from the nearest tool; a grain's centre must be farther from it than this times its radius: its offset
-/// may bring it near a wall.
-constexpr double kTolerated = 0.9;
-
 /// Tells places in the powder from places that tools take up.
 class Room {
  public:
@@ -112,7 +90,7 @@ class Room {
   /// Whether a grain of `radius` (m) can stand at `place` (m).
   bool at(const Eigen::Vector3d& place, double radius) const {
     return std::ranges::all_of(solids_, [&](const geometry::SolidQuery& solid) {
-      return solid.signed_distance(place) > kTolerated * radius;
+      return solid.signed_distance(place) > kNearestTool * radius;
     });
   }
 
@@ -145,28 +123,8 @@ std::vector<engine::NewGrain> stack_around_tools(const Scene& scene, const engin
     const auto grain = grain_at(lattice.site(n), scene, shape, dice);
     if (room.at(grain.position, radius)) grains.push_back(grain);
   }
+  refuse_lid(scene, tooling, grains, lattice.constant);
   return grains;
-}
-
-/// The lattice must not reach into a tool: grains would start overlapping it and be shot away. `radii`: m, of
-/// each kind.
-void refuse_overlap(const Scene& scene, const Tooling& tooling, const std::vector<engine::NewGrain>& grains,
-                    const std::vector<double>& radii) {
-  for (const Tool& tool : tooling.tools) {
-    const geometry::SolidQuery& solid = tool.solid();
-    for (const auto& grain : grains) {
-      const double radius = radii[grain.kind];
-      const double distance = solid.signed_distance(grain.position);
-      if (distance > kTolerated * radius) continue;
-      char text[240];
-      std::snprintf(text, sizeof text,
-                    ": pour: tool \"%s\" reaches %.3g mm into the powder near (%.2f, %.2f, %.2f) mm; move "
-                    "the pour box or the tool so that they do not overlap, or say around_tools = true",
-                    tool.spec.name.c_str(), 1e3 * (radius - distance), 1e3 * grain.position[0],
-                    1e3 * grain.position[1], 1e3 * grain.position[2]);
-      throw SceneError(scene.file.string() + ":" + std::to_string(scene.pour.line) + text);
-    }
-  }
 }
 
 std::vector<engine::NewGrain> pour_kinds(const Scene& scene, const engine::SimulationSettings& settings,
@@ -180,10 +138,16 @@ std::vector<engine::NewGrain> pour_kinds(const Scene& scene, const engine::Simul
   const auto has_room = [&](const engine::NewGrain& grain, const engine::GrainShape& shape) {
     return !around || room.at(grain.position, shape.bounding_radius());
   };
-  auto grains = pour_sizes(scene, kinds, columns_of(scene, settings), count, place, has_room);
+  const PourColumns columns = columns_of(scene, settings);
+  auto grains = pour_sizes(scene, kinds, columns, count, place, has_room);
   std::vector<double> radii;
   for (const auto& kind : kinds) radii.push_back(kind.shape.bounding_radius());
-  if (!around) refuse_overlap(scene, tooling, grains, radii);
+  const engine::GrainShape& largest = kinds.back().shape;
+  if (around)
+    refuse_lid(scene, tooling, grains,
+               column_height(scene, columns, 2 * largest.bounding_radius(), largest.solid_volume));
+  else
+    refuse_overlap(scene, tooling, grains, radii);
   return grains;
 }
 

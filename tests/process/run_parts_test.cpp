@@ -149,6 +149,39 @@ TEST(Pour, GoesAroundToolsOnlyWhereAsked) {
     EXPECT_GT(solid.signed_distance(grain.position), 0.9 * shape.bounding_radius());
 }
 
+/// What pouring complains of.
+std::string complaint(const Scene& scene, const Tooling& tooling) {
+  try {
+    pour(scene, engine_settings(scene, 1.0), tooling);
+  } catch (const SceneError& error) {
+    return error.what();
+  }
+  return {};
+}
+
+TEST(Pour, RefusesALidOverTheBoxAndSaysHowMuchFitsBeneath) {
+  Scene scene = open_box("ASC100.29 D2");
+  const auto settings = engine_settings(scene, 1.0);
+  const double above = scene.pour.lower[2] + scene.pour.fill_height + 4 * settings.shape.bounding_radius();
+  ASSERT_GT(pour_height(scene, settings), above + 2e-3);
+  Tooling tooling = floor_below();
+  Tool lid;
+  lid.spec.name = "lid";
+  lid.mesh = box({-1, -1, above}, {1, 1, above + 2e-3});
+  tooling.tools.push_back(lid);
+  for (const bool around : {false, true}) {
+    scene.pour.around_tools = around;
+    const std::string said = complaint(scene, tooling);
+    EXPECT_NE(said.find("tool \"lid\""), std::string::npos) << said;
+    const std::size_t place = said.find("pour at most ");
+    ASSERT_NE(place, std::string::npos) << said;
+    Scene less = scene;
+    less.pour.fill_height = 1e-3 * std::stod(said.substr(place + 13));
+    ASSERT_GT(less.pour.fill_height, 0.2 * scene.pour.fill_height);
+    EXPECT_EQ(complaint(less, tooling), "") << "what it says does fit";
+  }
+}
+
 TEST(Pour, DependsOnTheSeedAlone) {
   Scene scene = open_box("ASC100.29 D2");
   const auto settings = engine_settings(scene, 1.0);
