@@ -14,8 +14,9 @@ void print_pilot(const plan::Pilot& pilot) {
   for (int k = 0; k < plan::kPhaseKinds; ++k) {
     const auto& cost = pilot.cost[static_cast<std::size_t>(k)];
     if (cost.sphere_steps > 0)
-      std::printf(" %s %.1f ns a sphere and step%s;", plan::in_words(static_cast<plan::PhaseKind>(k)),
-                  1e9 * cost.seconds_per_sphere_step(), cost.whole ? "" : " (begun)");
+      std::printf(" %s %.1f ns a sphere and step, %.0f %% of it searching%s;",
+                  plan::in_words(static_cast<plan::PhaseKind>(k)), 1e9 * cost.seconds_per_sphere_step(),
+                  100 * cost.search_seconds / cost.wall_seconds, cost.whole ? "" : " (begun)");
     else
       std::printf(" %s was not seen, and is taken to cost what the dearest does;",
                   plan::in_words(static_cast<plan::PhaseKind>(k)));
@@ -24,8 +25,10 @@ void print_pilot(const plan::Pilot& pilot) {
   if (pilot.size.points.size() > 1) {
     std::printf("size: on this machine a sphere and step costs");
     for (const auto& point : pilot.size.points)
-      std::printf("%s %.2f times as much with %.0f spheres", &point == &pilot.size.points.front() ? "" : ",",
-                  pilot.size.factor(point.spheres, static_cast<double>(pilot.spheres)), point.spheres);
+      std::printf("%s %.2f times as much (a search %.2f) with %.0f spheres",
+                  &point == &pilot.size.points.front() ? "" : ",",
+                  pilot.size.factor(point.spheres, static_cast<double>(pilot.spheres)),
+                  pilot.size.search_factor(point.spheres, static_cast<double>(pilot.spheres)), point.spheres);
     std::printf(" as in the pilot run\n");
   }
   if (!pilot.stopped.empty()) std::printf("note: the pilot run ended early: %s\n", pilot.stopped.c_str());
@@ -46,8 +49,9 @@ Json pilot_as_json(const plan::Pilot& pilot) {
   }
   json["size_cost"] = Json::array();
   for (const auto& point : pilot.size.points)
-    json["size_cost"].push_back(
-        {{"spheres", point.spheres}, {"seconds_per_sphere_step", point.seconds_per_sphere_step}});
+    json["size_cost"].push_back({{"spheres", point.spheres},
+                                 {"seconds_per_sphere_step", point.seconds_per_sphere_step},
+                                 {"search_seconds_per_sphere", point.search_seconds}});
   return json;
 }
 

@@ -76,17 +76,23 @@ class Books {
   void book(const FillRun& run, PhaseKind kind, bool whole, Pilot& pilot) {
     PhaseCost& cost = pilot.cost[static_cast<std::size_t>(kind)];
     cost.wall_seconds += run.wall_seconds() - wall_;
+    cost.search_seconds += searched(run) - searched_;
     cost.sphere_steps += static_cast<double>(run.sphere_steps() - sphere_steps_);
     cost.seconds += run.simulation().time() - time_;
     cost.whole = whole;
     wall_ = run.wall_seconds();
+    searched_ = searched(run);
     sphere_steps_ = run.sphere_steps();
     time_ = run.simulation().time();
   }
   void begin(const FillRun& run) { wall_ = run.wall_seconds(); }
 
  private:
-  double wall_ = 0, time_ = 0;
+  static double searched(const FillRun& run) {
+    return run.simulation().timers().seconds()[static_cast<std::size_t>(engine::Phase::search)];
+  }
+
+  double wall_ = 0, searched_ = 0, time_ = 0;
   std::uint64_t sphere_steps_ = 0;
 };
 
@@ -107,13 +113,19 @@ double largest_diameter(const Scene& scene, const Tooling& tooling) {
 
 }  // namespace
 
-double Pilot::seconds_per_sphere_step(PhaseKind kind, double in_spheres) const {
-  const double factor = size.factor(in_spheres, static_cast<double>(spheres));
-  if (of(kind).sphere_steps > 0) return factor * of(kind).seconds_per_sphere_step();
+double Pilot::seconds_per_sphere_step(PhaseKind kind, double in_spheres, double searches) const {
+  const auto from = static_cast<double>(spheres);
+  const double factor = size.factor(in_spheres, from);
+  const double search_factor = searches * size.search_factor(in_spheres, from);
+  const auto scaled = [&](const PhaseCost& seen) {
+    return (factor * (seen.wall_seconds - seen.search_seconds) + search_factor * seen.search_seconds) /
+           seen.sphere_steps;
+  };
+  if (of(kind).sphere_steps > 0) return scaled(of(kind));
   double dearest = 0;
   for (const PhaseCost& other : cost)
-    if (other.sphere_steps > 0) dearest = std::max(dearest, other.seconds_per_sphere_step());
-  return factor * dearest;
+    if (other.sphere_steps > 0) dearest = std::max(dearest, scaled(other));
+  return dearest;
 }
 
 Scene pilot_scene(const Scene& scene, const Tooling& tooling, double sphere_steps) {
@@ -154,6 +166,7 @@ Pilot run_pilot(const Scene& scene, const Tooling& tooling, int threads, double 
   Pilot pilot;
   pilot.grain_diameter = short_scene.powder.grain_diameter;
   pilot.fill_height = short_scene.pour.fill_height;
+  pilot.fall_time = fall_time(short_scene, tooling);
   const auto phases = timeline(short_scene, tooling, pilot.rest);
   const bool moves = std::any_of(phases.begin(), phases.end(),
                                  [](const Phase& phase) { return phase.kind == PhaseKind::motion; });
@@ -192,7 +205,7 @@ Pilot run_pilot(const Scene& scene, const Tooling& tooling, int threads, double 
   if (in_range) pilot.size = measure_size_cost(run.simulation());
   for (const PhaseCost& cost : pilot.cost) pilot.wall_seconds += cost.wall_seconds;
   const PhaseCost& fall = pilot.of(PhaseKind::fall);
-  if (fall.whole) pilot.rest.after_fall = std::max(0.0, fall.seconds - fall_time(short_scene, tooling));
+  if (fall.whole) pilot.rest.after_fall = std::max(0.0, fall.seconds - pilot.fall_time);
   const auto rests = std::count_if(phases.begin(), phases.end(),
                                    [](const Phase& phase) { return phase.kind == PhaseKind::rest; });
   const PhaseCost& coming_to_rest = pilot.of(PhaseKind::rest);

@@ -15,14 +15,16 @@ namespace diefill::process::plan {
 /// What a pilot run has found of one kind of phase.
 struct PhaseCost {
   double wall_seconds = 0, sphere_steps = 0;
-  double seconds = 0;  ///< simulated
-  bool whole = false;  ///< the phase was run to its end
+  double seconds = 0;         ///< simulated
+  bool whole = false;         ///< the phase was run to its end
+  double search_seconds = 0;  ///< of wall_seconds, of searches for near pairs
   double seconds_per_sphere_step() const { return wall_seconds / sphere_steps; }
 };
 
 /// A pilot run.
 struct Pilot {
   double grain_diameter = 0, fill_height = 0;  ///< m
+  double fall_time = 0;                        ///< s, that its last grain fell (timeline.h)
   std::size_t spheres = 0;
   double wall_seconds = 0;
   std::array<PhaseCost, kPhaseKinds> cost;  ///< by PhaseKind
@@ -31,9 +33,9 @@ struct Pilot {
   SizeCost size;                            ///< measured on the powder as the run left it
 
   const PhaseCost& of(PhaseKind kind) const { return cost[static_cast<std::size_t>(kind)]; }
-  /// s a sphere and step in a phase of this kind with as many spheres; a kind that was not seen costs what
-  /// the dearest other does.
-  double seconds_per_sphere_step(PhaseKind kind, double in_spheres) const;
+  /// s a sphere and step in a phase of this kind with as many spheres, searching `searches` times as often; a
+  /// kind that was not seen costs what the dearest other does.
+  double seconds_per_sphere_step(PhaseKind kind, double in_spheres, double searches = 1) const;
 };
 
 /// The scene with as much less and coarser powder as makes it cost at most `sphere_steps`, or as little as

@@ -61,20 +61,36 @@ double seconds_of(engine::Simulation& simulation, int steps) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
 }
 
+/// s that making the list of near pairs takes: nearly all of what going back to a state does.
+double search_seconds(engine::Simulation& simulation) {
+  const engine::Snapshot now = simulation.snapshot();
+  const auto began = std::chrono::steady_clock::now();
+  simulation.restore(now);
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
+}
+
 }  // namespace
 
-double SizeCost::factor(double spheres, double from) const {
+double SizeCost::factor_of(double Point::*cost, double spheres, double from) const {
   if (points.empty()) return 1;
   const auto cost_of = [&](double number) {
     const auto above = std::find_if(points.begin(), points.end(),
                                     [&](const Point& point) { return point.spheres >= number; });
-    if (above == points.begin()) return above->seconds_per_sphere_step;
-    if (above == points.end()) return points.back().seconds_per_sphere_step;
+    if (above == points.begin()) return *above.*cost;
+    if (above == points.end()) return points.back().*cost;
     const Point &low = above[-1], &high = *above;
     const double share = std::log(number / low.spheres) / std::log(high.spheres / low.spheres);
-    return std::lerp(low.seconds_per_sphere_step, high.seconds_per_sphere_step, share);
+    return std::lerp(low.*cost, high.*cost, share);
   };
   return cost_of(spheres) / cost_of(from);
+}
+
+double SizeCost::factor(double spheres, double from) const {
+  return factor_of(&Point::seconds_per_sphere_step, spheres, from);
+}
+
+double SizeCost::search_factor(double spheres, double from) const {
+  return factor_of(&Point::search_seconds, spheres, from);
 }
 
 SizeCost measure_size_cost(const engine::Simulation& bed) {
@@ -83,16 +99,17 @@ SizeCost measure_size_cost(const engine::Simulation& bed) {
   const engine::SimulationSettings settings = free_standing(bed);
   for (int copies = 1; once > 0 && copies * copies * once <= kMostSpheres; copies *= 2) {
     const auto grains = side_by_side(bed, copies);
-    double seconds = 0, steps = 0;
+    double seconds = 0, search = 0, times = 0;
     while (seconds < kLongEnough) {
       engine::Simulation simulation(settings, {});
       simulation.add_grains(grains);
       seconds_of(simulation, kWarmUp);
       seconds += seconds_of(simulation, kSteps);
-      steps += kSteps;
+      search += search_seconds(simulation);
+      ++times;
     }
     const double spheres = copies * copies * once;
-    cost.points.push_back({spheres, seconds / (steps * spheres)});
+    cost.points.push_back({spheres, seconds / (times * kSteps * spheres), search / (times * spheres)});
   }
   return cost;
 }

@@ -12,13 +12,20 @@ namespace diefill::process::plan {
 /// Times of the same bed once and several times side by side.
 struct SizeCost {
   struct Point {
-    double spheres = 0, seconds_per_sphere_step = 0;
+    double spheres = 0;
+    double seconds_per_sphere_step = 0;  ///< without searches for near pairs
+    double search_seconds = 0;           ///< of one search, a sphere
   };
   std::vector<Point> points;  ///< fewest spheres first
 
   /// Cost of a sphere and step in a bed of `spheres` over that in one of `from`: linear in the logarithm of
   /// the number between points, that of the nearest point beyond them; 1 where nothing was measured.
   double factor(double spheres, double from) const;
+  /// The same of a search for near pairs.
+  double search_factor(double spheres, double from) const;
+
+ private:
+  double factor_of(double Point::*cost, double spheres, double from) const;
 };
 
 /// Steps copies of the bed side by side, without tools, as few steps as leave contacts what they are, on as

@@ -10,19 +10,20 @@ namespace diefill::process::plan {
 namespace {
 
 SizeCost measured() {
-  return {{{1e3, 30e-9}, {1e4, 20e-9}, {1e6, 40e-9}}};
+  return {{{1e3, 30e-9, 2e-7}, {1e4, 20e-9, 2e-7}, {1e6, 40e-9, 6e-7}}};
 }
 
 TEST(SizeCost, IsLinearInTheLogarithmOfTheNumber) {
   EXPECT_NEAR(measured().factor(1e5, 1e4), 1.5, 1e-12);
   EXPECT_NEAR(measured().factor(1e4, 1e5), 1 / 1.5, 1e-12);
   EXPECT_NEAR(measured().factor(1e6, 1e3), 40.0 / 30, 1e-12);
+  EXPECT_NEAR(measured().search_factor(1e5, 1e4), 2, 1e-12);
 }
 
 TEST(SizeCost, StaysThatOfTheNearestPointBeyondTheEnds) {
   EXPECT_NEAR(measured().factor(1e8, 1e4), 2, 1e-12);
   EXPECT_NEAR(measured().factor(1e6, 10), 40.0 / 30, 1e-12);
-  EXPECT_EQ((SizeCost{{{500, 2e-8}}}.factor(1e6, 500)), 1);
+  EXPECT_EQ((SizeCost{{{500, 2e-8, 1e-7}}}.factor(1e6, 500)), 1);
   EXPECT_EQ(SizeCost{}.factor(1e6, 500), 1);
 }
 
@@ -33,6 +34,10 @@ TEST(SizeCost, MultipliesThePilotsCosts) {
   pilot.size = measured();
   EXPECT_NEAR(pilot.seconds_per_sphere_step(PhaseKind::motion, 1e6), 60e-9, 1e-18);
   EXPECT_NEAR(pilot.seconds_per_sphere_step(PhaseKind::rest, 1e5), 45e-9, 1e-18);
+  // A third of it is searches, which cost three times as much there and come twice as often.
+  pilot.cost[1].search_seconds = 1;
+  EXPECT_NEAR(pilot.seconds_per_sphere_step(PhaseKind::motion, 1e6), (2 * 20e-9) + (3 * 10e-9), 1e-18);
+  EXPECT_NEAR(pilot.seconds_per_sphere_step(PhaseKind::motion, 1e6, 2), (2 * 20e-9) + (6 * 10e-9), 1e-18);
 }
 
 class SizeCostOf : public ::testing::TestWithParam<laboratory::RaceBed> {};
@@ -51,6 +56,7 @@ TEST_P(SizeCostOf, ABedIsMeasuredSideBySide) {
   for (std::size_t k = 0; k < 2; ++k) {
     EXPECT_EQ(cost.points[k].spheres, once * (k == 0 ? 1 : 4));
     EXPECT_GT(cost.points[k].seconds_per_sphere_step, 0);
+    EXPECT_GT(cost.points[k].search_seconds, cost.points[k].seconds_per_sphere_step);
   }
   EXPECT_TRUE(measure_size_cost(engine::Simulation(bed.settings, bed.walls)).points.empty());
 }
