@@ -21,9 +21,9 @@ Pictures spread_pictures(const PictureRequest& request, const std::string& kind,
   std::vector<render::Named<results::SpreadProfile>> profiles;
   for (const auto& source : request.sources) {
     const auto& result = source.result;
-    profiles.push_back({legend_of(request, source),
-                        profile_of(process::cylindrical_map(result.powder, result.solid_fraction,
-                                                            result.cavity, request.averaging_width))});
+    profiles.push_back({legend_of(request, source), profile_of(process::cylindrical_map(
+                                                        result.powder, result.solid_fraction, result.tools,
+                                                        result.cavity, request.averaging_width))});
   }
   return write_chart(request, kind,
                      render::spread_chart(profiles, chart_title(request, what), chart_subtitle(request)));

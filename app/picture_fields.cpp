@@ -27,7 +27,7 @@ std::string in_seconds(double time) {
 }
 
 results::Field2D map_of(const PictureRequest& request, const results::FillResult& result) {
-  return process::cylindrical_map(result.powder, result.solid_fraction, result.cavity,
+  return process::cylindrical_map(result.powder, result.solid_fraction, result.tools, result.cavity,
                                   request.averaging_width);
 }
 

@@ -37,7 +37,8 @@ Pictures make_size_map(const PictureRequest& request) {
   std::vector<results::Field2D> fields;
   for (const auto& source : request.sources) {
     const process::SizeField size(source.result.powder, request.averaging_width);
-    fields.push_back(process::sample_ring(source.result.powder, source.result.cavity, request.averaging_width,
+    fields.push_back(process::sample_ring(source.result.powder, source.result.tools, source.result.cavity,
+                                          request.averaging_width,
                                           [&](const Eigen::Vector3d& point) { return size.at(point); }));
   }
   return draw_sizes(request, "size_map", std::move(fields),

@@ -40,7 +40,7 @@ Pictures make_pressure_map(const PictureRequest& request) {
   for (const auto& source : request.sources) {
     const process::StressField stress(source.result, request.averaging_width);
     fields.push_back(process::sample_ring(
-        source.result.powder, source.result.cavity, request.averaging_width,
+        source.result.powder, source.result.tools, source.result.cavity, request.averaging_width,
         [&](const Eigen::Vector3d& point) { return stress.pressure(point) / kKilopascal; }));
   }
   return draw_pressures(request, "pressure", std::move(fields),

@@ -8,6 +8,7 @@
 #include "process/measure/gaussian_field.h"
 #include "process/measure/measure.h"
 #include "process/measure/ring_sample.h"
+#include "process/measure/tool_solids.h"
 
 namespace diefill::process {
 namespace {
@@ -59,6 +60,22 @@ std::vector<double> radii(const results::CavityState& cavity, double averaging_w
   return middle;
 }
 
+/// Of the radii those that are outside all tools at a height (m above the floor): walls of a ring are the
+/// same all round, so that one azimuth tells, and above the fill plane there are none.
+std::vector<double> free_radii(const std::vector<geometry::SolidQuery>& solids,
+                               const results::CavityState& cavity, const std::vector<double>& radius,
+                               double height, double averaging_width) {
+  const double skin = 0.05 * averaging_width;  // floor and ledges themselves are not inside
+  if (height > cavity.upper_corner.z() - cavity.lower_corner.z()) return radius;
+  std::vector<double> free;
+  for (const double r : radius) {
+    const Eigen::Vector3d point = ring_point(cavity, {0, r, height});
+    if (std::ranges::none_of(solids, [&](const auto& solid) { return solid.signed_distance(point) < -skin; }))
+      free.push_back(r);
+  }
+  return free;
+}
+
 /// Mean over the radii that find powder, weighted by radius as areas are.
 double radial_mean(const PlaneValue& value_at, const results::CavityState& cavity,
                    const std::vector<double>& radius, double azimuth, double height) {
@@ -74,8 +91,9 @@ double radial_mean(const PlaneValue& value_at, const results::CavityState& cavit
 
 }  // namespace
 
-results::Field2D sample_ring(const results::PowderState& powder, const results::CavityState& cavity,
-                             double averaging_width, const PlaneValue& value_at) {
+results::Field2D sample_ring(const results::PowderState& powder, const std::vector<results::ToolState>& tools,
+                             const results::CavityState& cavity, double averaging_width,
+                             const PlaneValue& value_at) {
   const double depth = cavity.upper_corner.z() - cavity.lower_corner.z();
   if (!cavity.is_ring || !(depth > 0) || !(cavity.outer_radius > cavity.inner_radius))
     throw std::invalid_argument("a cylindrical map needs a ring with a depth and two radii");
@@ -84,10 +102,13 @@ results::Field2D sample_ring(const results::PowderState& powder, const results::
   map.first = azimuth_nodes(cavity.outer_radius, averaging_width);
   map.second = height_nodes(depth, highest_grain(powder, cavity), averaging_width);
   map.value.reserve(map.first.size() * map.second.size());
+  const std::vector<geometry::SolidQuery> solids = solids_of(tools);
   for (const double height : map.second) {
+    const std::vector<double> free =
+        free_radii(solids, cavity, radius, height * kMillimetre, averaging_width);
     const std::size_t row = map.value.size();
     for (std::size_t i = 0; i + 1 < map.first.size(); ++i)
-      map.value.push_back(radial_mean(value_at, cavity, radius, map.first[i], height * kMillimetre));
+      map.value.push_back(radial_mean(value_at, cavity, free, map.first[i], height * kMillimetre));
     map.value.push_back(map.value[row]);  // 360 degrees is 0 degrees
   }
   return map;
@@ -95,9 +116,10 @@ results::Field2D sample_ring(const results::PowderState& powder, const results::
 
 results::Field2D cylindrical_map(const results::PowderState& powder,
                                  const results::GrainSolidFraction& fraction,
+                                 const std::vector<results::ToolState>& tools,
                                  const results::CavityState& cavity, double averaging_width) {
   const GaussianField field(powder, fraction, averaging_width);
-  return sample_ring(powder, cavity, averaging_width,
+  return sample_ring(powder, tools, cavity, averaging_width,
                      [&field](const Eigen::Vector3d& point) { return field.at(point); });
 }
 

@@ -25,10 +25,12 @@ results::SolidFractionSummary summarise(const results::PowderState& powder,
 /// above) and height (mm above the cavity floor, to the fill plane, and on where powder is heaped) of a ring.
 /// Mean over the radius, weighted by radius, of Eq. 2.27 (Bierwisch 2009) with Gaussian width
 /// `averaging_width` (m). Only closed cells enter. NaN where no such grain's centre is within the larger
-/// of 1.2 d and 1.5 sigma at any radius: holes stay holes. Nodes are 2 deg (finer for large rings) and about
-/// sigma / 2 apart. Throws std::invalid_argument for other cavities.
+/// of 1.2 d and 1.5 sigma at any radius: holes stay holes. Radii inside the tools' solids, as under the step
+/// of a stepped ring, do not count. Nodes are 2 deg (finer for large rings) and about sigma / 2 apart. Throws
+/// std::invalid_argument for other cavities.
 results::Field2D cylindrical_map(const results::PowderState& powder,
                                  const results::GrainSolidFraction& fraction,
+                                 const std::vector<results::ToolState>& tools,
                                  const results::CavityState& cavity, double averaging_width);
 
 /// Solid fraction in a plane (Eq. 2.27) over the extent of the powder in the cavity (of all powder if none is

@@ -3,10 +3,10 @@
 #include <limits>
 #include <stdexcept>
 
-#include "geometry/solid_query.h"
 #include "process/measure/gaussian_field.h"
 #include "process/measure/measure.h"
 #include "process/measure/plane_sample.h"
+#include "process/measure/tool_solids.h"
 
 namespace diefill::process {
 namespace {
@@ -53,13 +53,6 @@ std::vector<double> nodes(double lower, double upper, double step) {
   std::vector<double> places;
   for (int n = 0; n <= intervals; ++n) places.push_back((lower + n * step) / kMillimetre);
   return places;
-}
-
-std::vector<geometry::SolidQuery> solids_of(const std::vector<results::ToolState>& tools) {
-  std::vector<geometry::SolidQuery> solids;
-  for (const auto& tool : tools)
-    if (!tool.triangles.empty()) solids.emplace_back(geometry::Mesh{tool.vertices, tool.triangles});
-  return solids;
 }
 
 /// Whether `point` is inside a tool, or in a clearance between two that is narrower than `room` (m).

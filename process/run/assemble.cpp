@@ -298,7 +298,8 @@ void measure_fields(results::FillResult& result, const FieldRequest& request, in
   result.sections.clear();
   result.profiles.clear();
   if (result.cavity.is_ring) {
-    result.maps.push_back(cylindrical_map(result.powder, result.solid_fraction, result.cavity, width));
+    result.maps.push_back(
+        cylindrical_map(result.powder, result.solid_fraction, result.tools, result.cavity, width));
     result.profiles.push_back(fill_level(result.powder, result.cavity, azimuth_bins));
     result.profiles.push_back(sector_filling(result.powder, result.solid_fraction, result.cavity, kSectors));
     result.profiles.push_back(height_profile(result.maps.back()));

@@ -67,7 +67,8 @@ TEST(CylindricalMap, IsConstantForConstantPowder) {
   const results::CavityState ring = sample_ring();
   const results::PowderState powder =
       powder_of(lattice_in_ring(ring, kDiameter, [](double) { return 6e-3; }));
-  const auto map = cylindrical_map(powder, fraction_of(powder, [](const auto&) { return 0.41; }), ring, 5e-4);
+  const auto map =
+      cylindrical_map(powder, fraction_of(powder, [](const auto&) { return 0.41; }), {}, ring, 5e-4);
   EXPECT_EQ(map.first_unit, "deg");
   EXPECT_EQ(map.second_unit, "mm");
   EXPECT_EQ(map.first.front(), 0);
@@ -86,7 +87,7 @@ TEST(CylindricalMap, FollowsAzimuthCounterClockwiseFromWhereTheShoeArrives) {
       powder_of(lattice_in_ring(ring, kDiameter, [](double) { return 6e-3; }));
   const auto wave = [](double azimuth) { return 0.4 + 0.05 * std::sin(azimuth * kDegree); };
   const auto map = cylindrical_map(
-      powder, fraction_of(powder, [&](const auto& place) { return wave(azimuth_of(ring, place)); }), ring,
+      powder, fraction_of(powder, [&](const auto& place) { return wave(azimuth_of(ring, place)); }), {}, ring,
       5e-4);
   for (std::size_t j = 0; j < map.second.size(); ++j) {
     for (std::size_t i = 0; i < map.first.size(); ++i) EXPECT_NEAR(at(map, i, j), wave(map.first[i]), 1e-3);
@@ -100,7 +101,7 @@ TEST(CylindricalMap, GivesBackALinearGradientInAzimuth) {
       powder_of(lattice_in_ring(ring, kDiameter, [](double) { return 6e-3; }));
   const auto ramp = [](double azimuth) { return 0.3 + 0.2 * azimuth / 360; };
   const auto map = cylindrical_map(
-      powder, fraction_of(powder, [&](const auto& place) { return ramp(azimuth_of(ring, place)); }), ring,
+      powder, fraction_of(powder, [&](const auto& place) { return ramp(azimuth_of(ring, place)); }), {}, ring,
       5e-4);
   for (std::size_t j = 0; j < map.second.size(); ++j)
     for (std::size_t i = 0; i < map.first.size(); ++i)
@@ -115,7 +116,8 @@ TEST(CylindricalMap, ShowsHolesAsHoles) {
   const results::CavityState ring = sample_ring();
   const results::PowderState powder = powder_of(lattice_in_ring(
       ring, kDiameter, [](double azimuth) { return azimuth > 90 && azimuth < 150 ? 2e-3 : 6e-3; }));
-  const auto map = cylindrical_map(powder, fraction_of(powder, [](const auto&) { return 0.4; }), ring, 5e-4);
+  const auto map =
+      cylindrical_map(powder, fraction_of(powder, [](const auto&) { return 0.4; }), {}, ring, 5e-4);
   for (std::size_t j = 0; j < map.second.size(); ++j)
     for (std::size_t i = 0; i < map.first.size(); ++i) {
       const bool well_inside = map.first[i] > 100 && map.first[i] < 140 && map.second[j] > 3;
@@ -133,7 +135,8 @@ TEST(CylindricalMap, GoesOnAboveTheFillPlaneWherePowderIsHeaped) {
   const results::CavityState ring = sample_ring();
   const results::PowderState powder =
       powder_of(lattice_in_ring(ring, kDiameter, [](double azimuth) { return azimuth < 90 ? 7e-3 : 6e-3; }));
-  const auto map = cylindrical_map(powder, fraction_of(powder, [](const auto&) { return 0.4; }), ring, 5e-4);
+  const auto map =
+      cylindrical_map(powder, fraction_of(powder, [](const auto&) { return 0.4; }), {}, ring, 5e-4);
   EXPECT_GT(map.second.back(), 6.7);
   EXPECT_LT(map.second.back(), 7.5);
   EXPECT_NE(
@@ -144,7 +147,7 @@ TEST(CylindricalMap, GoesOnAboveTheFillPlaneWherePowderIsHeaped) {
 TEST(CylindricalMap, NeedsARing) {
   results::CavityState box = sample_ring();
   box.is_ring = false;
-  EXPECT_THROW(cylindrical_map(powder_of({}), {}, box, 5e-4), std::invalid_argument);
+  EXPECT_THROW(cylindrical_map(powder_of({}), {}, {}, box, 5e-4), std::invalid_argument);
 }
 
 results::ToolState box_tool(const Eigen::Vector3d& lower, const Eigen::Vector3d& upper) {
@@ -155,6 +158,39 @@ results::ToolState box_tool(const Eigen::Vector3d& lower, const Eigen::Vector3d&
   tool.triangles = {{0, 2, 1}, {1, 2, 3}, {4, 5, 6}, {5, 7, 6}, {0, 1, 4}, {1, 5, 4},
                     {2, 6, 3}, {3, 6, 7}, {0, 4, 2}, {2, 4, 6}, {1, 3, 5}, {3, 7, 5}};
   return tool;
+}
+
+TEST(CylindricalMap, LooksNowhereInsideTools) {
+  const results::CavityState ring = sample_ring();
+  // Dense powder in the inner half up to the rim, loose powder in the outer half on a ledge 3 mm up.
+  const double middle = 0.5 * (ring.inner_radius + ring.outer_radius);
+  const auto is_inside = [&](const Eigen::Vector3d& place) {
+    return (place - ring.axis_origin).head<2>().norm() < middle;
+  };
+  std::vector<Eigen::Vector3d> places;
+  for (const auto& place : lattice_in_ring(ring, kDiameter, [](double) { return 6e-3; }))
+    if (is_inside(place) || place.z() > ring.lower_corner.z() + 3e-3 + 0.5 * kDiameter)
+      places.push_back(place);
+  const results::PowderState powder = powder_of(places);
+  const auto fraction = fraction_of(powder, [&](const auto& place) { return is_inside(place) ? 0.5 : 0.2; });
+  // Where azimuth is 0 is enough: a ring's walls are looked at there.
+  const Eigen::Vector3d axis = ring.axis_origin;
+  const double floor = ring.lower_corner.z();
+  const results::ToolState ledge = box_tool({axis.x() - 0.05, axis.y() - 0.05, floor - 3e-3},
+                                            {axis.x() - middle, axis.y() + 0.05, floor + 3e-3});
+  const auto blurred = cylindrical_map(powder, fraction, {}, ring, 5e-4);
+  const auto map = cylindrical_map(powder, fraction, {ledge}, ring, 5e-4);
+  for (std::size_t j = 0; j < map.second.size(); ++j) {
+    if (map.second[j] < 2.9) {
+      EXPECT_NEAR(at(map, 0, j), 0.5, 0.05) << map.second[j];
+    }
+    if (map.second[j] > 3.1) {
+      EXPECT_EQ(at(map, 0, j), at(blurred, 0, j)) << map.second[j];
+    }
+    if (map.second[j] > 2.6 && map.second[j] < 2.9) {
+      EXPECT_LT(at(blurred, 0, j), at(map, 0, j) - 0.05) << "where powder on the ledge is near";
+    }
+  }
 }
 
 TEST(PlaneSection, CutsOutTheToolsAndEndsWithThePowder) {

@@ -80,7 +80,7 @@ TEST(SolidFraction, OfARingInsideALattice) {
   // Layers at 0.25, 0.75, ... 5.75 mm. The lowest is open; that at 4.75 mm is 2 d deep but for rounding.
   EXPECT_GE(summary.grains, deep);
   EXPECT_LE(summary.grains, deep + at_two_diameters);
-  const auto map = cylindrical_map(powder, fraction, ring, 5e-4);
+  const auto map = cylindrical_map(powder, fraction, {}, ring, 5e-4);
   EXPECT_EQ(map.value.size(), 181u * 25u);
   for (std::size_t n = 0; n < map.value.size(); ++n) {
     const double height = map.second[n / map.first.size()];

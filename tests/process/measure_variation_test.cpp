@@ -175,8 +175,8 @@ TEST(TimeAverage, IsTheMeanOverTheInstantsBetween) {
 TEST(TimeAverage, SolidFractionOfUnchangedPowderIsThatOfOneInstant) {
   const auto result = two_instants();
   const auto one = result_at(result, 1), average = time_average(result, 1, 2);
-  const auto before = cylindrical_map(one.powder, one.solid_fraction, one.cavity, 0.5e-3);
-  const auto after = cylindrical_map(average.powder, average.solid_fraction, average.cavity, 0.5e-3);
+  const auto before = cylindrical_map(one.powder, one.solid_fraction, {}, one.cavity, 0.5e-3);
+  const auto after = cylindrical_map(average.powder, average.solid_fraction, {}, average.cavity, 0.5e-3);
   ASSERT_EQ(before.value.size(), after.value.size());
   int compared = 0;
   for (std::size_t n = 0; n < before.value.size(); ++n) {
