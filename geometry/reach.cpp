@@ -178,7 +178,9 @@ Reach::Reach(const ReachRequest& request) : laboratory_(laboratory_grid(request)
     surroundings_.push_back({grid, std::vector<std::uint8_t>(grid.size(), 0), {}, {}});
   }
   ReachFlood flood(laboratory_, request.climb, request.scatters);
-  flood.pour(powder_in(laboratory_, request.powder), solids.blocked(0));
+  std::vector<Box> powder_boxes;
+  for (const Box& box : request.powder) powder_boxes.push_back(powder_in(laboratory_, box));
+  flood.pour(powder_boxes, solids.blocked(0));
   first_ = flood.reached_voxels();
   auto ever = first_;
   for (std::size_t sample = 0; sample < solids.samples(); ++sample) {

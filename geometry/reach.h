@@ -26,7 +26,8 @@ struct MovingSolid {
 /// What to flood.
 struct ReachRequest {
   std::vector<MovingSolid> solids;
-  Box powder;        ///< m, where the poured powder starts (laboratory frame); it may reach above the tools
+  std::vector<Box>
+      powder;        ///< m, where powder starts or comes in (laboratory frame); may reach above the tools
   double climb = 0;  ///< m, how far powder may rise above where it stands (a heap pushed by the shoe); such a
                      ///< heap runs out sideways over 4/3 of its height
   bool scatters = false;  ///< tools throw powder about: what has risen goes sideways without limit

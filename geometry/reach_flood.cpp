@@ -62,19 +62,23 @@ ReachFlood::ReachFlood(const VoxelGrid& grid, double climb, bool scatters)
       heads_(grid.size(), kNone),
       waiting_(static_cast<std::size_t>(highest_head(grid.counts.z())) + 1) {}
 
-void ReachFlood::pour(const Box& box, const std::vector<std::uint8_t>& blocked) {
-  ceiling_ = holding_layer(box, blocked);
-  const Eigen::Vector3i lower = grid_.voxel_at(box.lower).cwiseMax(0);
-  const Eigen::Vector3i upper = grid_.voxel_at(box.upper).cwiseMin(grid_.counts - Eigen::Vector3i::Ones());
-  for (int k = lower.z(); k <= upper.z(); ++k) {
-    for (int j = lower.y(); j <= upper.y(); ++j) {
-      for (int i = lower.x(); i <= upper.x(); ++i) {
-        if (box.contains(grid_.centre({i, j, k}))) head({i, j, k}) = highest_head(k);
-      }
-    }
+void ReachFlood::pour(const std::vector<Box>& boxes, const std::vector<std::uint8_t>& blocked) {
+  ceiling_ = 0;
+  for (const Box& box : boxes) {
+    ceiling_ = std::max(ceiling_, holding_layer(box, blocked));
+    place(box);
   }
   spread(blocked);
   drop_falling();
+}
+
+void ReachFlood::place(const Box& box) {
+  const Eigen::Vector3i lower = grid_.voxel_at(box.lower).cwiseMax(0);
+  const Eigen::Vector3i upper = grid_.voxel_at(box.upper).cwiseMin(grid_.counts - Eigen::Vector3i::Ones());
+  for (int k = lower.z(); k <= upper.z(); ++k)
+    for (int j = lower.y(); j <= upper.y(); ++j)
+      for (int i = lower.x(); i <= upper.x(); ++i)
+        if (box.contains(grid_.centre({i, j, k}))) head({i, j, k}) = highest_head(k);
 }
 
 // A border that the box itself reaches is no way out: there the powder goes on periodically, or is cut off on

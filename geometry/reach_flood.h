@@ -17,10 +17,10 @@ class ReachFlood {
  public:
   ReachFlood(const VoxelGrid& grid, double climb, bool scatters);
 
-  /// Powder appears in the free voxels of `box` and spreads. It stays below the top of what holds it: the
-  /// highest layer in which walls keep it from running sideways to the border of the grid. Powder above that
-  /// layer only falls.
-  void pour(const Box& box, const std::vector<std::uint8_t>& blocked);
+  /// Powder appears in the free voxels of `boxes` and spreads. It stays below the top of what holds it: the
+  /// highest layer in which walls keep that of any box from running sideways to the border of the grid.
+  /// Powder above that layer only falls.
+  void pour(const std::vector<Box>& boxes, const std::vector<std::uint8_t>& blocked);
 
   /// Takes powder out of blocked voxels and lets the rest spread.
   void spread(const std::vector<std::uint8_t>& blocked);
@@ -45,6 +45,7 @@ class ReachFlood {
     return heads_[grid_.index(voxel.x(), voxel.y(), voxel.z())];
   }
   std::int32_t highest_head(int layer) const { return kVoxel * layer + climb_; }
+  void place(const Box& box);
   void drop_falling();
   int holding_layer(const Box& box, const std::vector<std::uint8_t>& blocked) const;
   template <typename Visit>

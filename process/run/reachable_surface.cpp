@@ -6,6 +6,7 @@
 #include <limits>
 #include <set>
 
+#include "process/machine/powder_inflow.h"
 #include "process/run/stages.h"
 #include "process/run/tooling.h"
 
@@ -120,6 +121,17 @@ std::vector<Poses> sampled_poses(const Scene& scene, const Tooling& tooling, dou
   return samples;
 }
 
+/// Where powder is poured, then where it comes in later: at the start, as tools carry it on from there. Boxes
+/// of inflows may be flat: they are made wider by `voxel` (m) on all sides.
+std::vector<geometry::Box> powder_boxes(const Scene& scene, double voxel) {
+  std::vector<geometry::Box> boxes = {{scene.pour.lower, scene.pour.upper}};
+  const Eigen::Vector3d wider = Eigen::Vector3d::Constant(voxel);
+  for (const auto& step : scene.steps)
+    if (const PowderInflow* inflow = step->inflow())
+      boxes.push_back({inflow->lower - wider, inflow->upper + wider});
+  return boxes;
+}
+
 }  // namespace
 
 ReachableSurface::ReachableSurface(const Scene& scene, const Tooling& tooling, double grain_diameter) {
@@ -133,10 +145,13 @@ ReachableSurface::ReachableSurface(const Scene& scene, const Tooling& tooling, d
   const double thrown = throw_height(scene, tooling);
   request.scatters = thrown > kThrown * grain_diameter;
   request.climb = 2 * grain_diameter + (request.scatters ? thrown : 0);
-  request.powder = {scene.pour.lower, scene.pour.upper};
+  request.powder = powder_boxes(scene, request.voxel);
   request.domain.lower = tooling.standing.lower;
   request.domain.upper = tooling.standing.upper;
-  request.domain.upper[2] = std::max(tooling.all.upper[2], scene.pour.upper[2]) + request.climb;
+  request.domain.upper[2] = tooling.all.upper[2];
+  for (const geometry::Box& box : request.powder)
+    request.domain.upper[2] = std::max(request.domain.upper[2], box.upper[2]);
+  request.domain.upper[2] += request.climb;
   // Flooded voxels are free space up to the walls: only their size makes the answer fuzzy.
   // Wide enough to join the frayed borders of what was flooded: a strip of wall too many costs little, a gap
   // grains.
@@ -150,7 +165,7 @@ ReachableSurface::ReachableSurface(const Scene& scene, const Tooling& tooling, d
     request.domain.upper[a] = std::min(request.domain.upper[a], period_half_[axis]);
   }
   if (scene.pour.around_tools) {
-    falls_here_ = request.powder;
+    falls_here_ = request.powder.front();
     falls_here_.lower.array() -= margin_;
     falls_here_.upper.array() += margin_;
     falls_here_.upper[2] = std::max(falls_here_.upper[2], tooling.all.upper[2] + margin_);

@@ -234,5 +234,23 @@ kind = "passage")");
               3 * grain);  // some roll out after
 }
 
+TEST(Strategies, WallsHoldPowderThatComesInAboveWhatWasPoured) {
+  const SmallDie die;
+  die.exchange("\"9 mm\"]\nfill_height = \"5 mm\"", "\"2 mm\"]\nfill_height = \"0.5 mm\"");
+  die.exchange(kPassage, R"([[step]]
+kind = "inflow"
+from = ["0.7 mm", "-2.3 mm", "8 mm"]
+to = ["5.3 mm", "2.3 mm", "8 mm"]
+mass = "80 mg"
+)");
+  const Outcome outcome = die.run({"--quiet"});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  const auto result = results::read_results(die.out());
+  double highest = 0;
+  for (const auto& tool : result.tools)
+    for (const auto& centre : tool.wall_sphere_centres) highest = std::max(highest, centre.z());
+  EXPECT_GT(highest, 8e-3);
+}
+
 }  // namespace
 }  // namespace diefill::app

@@ -41,7 +41,7 @@ struct Frame {
 
   Frame() {
     for (const auto* mesh : {&table, &left, &right, &front, &back}) request.solids.push_back(standing(*mesh));
-    request.powder = space_mm({-5, -5, 0}, {5, 5, 8});
+    request.powder = {space_mm({-5, -5, 0}, {5, 5, 8})};
     request.domain = space_mm({-22.2, -22.2, -6}, {22.3, 22.3, 40});
     request.voxel = 5e-4;
   }
@@ -85,11 +85,22 @@ TEST(Reach, VolumeIsThatOfThePowderBox) {
 
 TEST(Reach, PowderPouredFromAboveTheRimStaysInside) {
   Frame frame;
-  frame.request.powder = space_mm({-5, -5, 0}, {5, 5, 35});
+  frame.request.powder = {space_mm({-5, -5, 0}, {5, 5, 35})};
   frame.request.climb = 3e-3;
   const Reach reach(frame.request);
   EXPECT_TRUE(at(reach, 1, {-5, 0, 19.5}, Vector3d::UnitX()));
   EXPECT_FALSE(at(reach, 1, {-6, 0, 20}, kUp));
+  EXPECT_FALSE(at(reach, 1, {-7, 0, 10}, -Vector3d::UnitX()));
+  EXPECT_FALSE(at(reach, 0, {10, 0, 0}, kUp));
+}
+
+TEST(Reach, PowderThatComesInHigherUpGetsToWallsThere) {
+  Frame frame;
+  EXPECT_FALSE(at(Reach(frame.request), 1, {-5, 0, 15}, Vector3d::UnitX()));
+  frame.request.powder.push_back(space_mm({-3, -3, 14}, {3, 3, 16}));
+  const Reach reach(frame.request);
+  EXPECT_TRUE(at(reach, 1, {-5, 0, 15}, Vector3d::UnitX()));
+  EXPECT_TRUE(at(reach, 1, {-5, 0, 11}, Vector3d::UnitX()));
   EXPECT_FALSE(at(reach, 1, {-7, 0, 10}, -Vector3d::UnitX()));
   EXPECT_FALSE(at(reach, 0, {10, 0, 0}, kUp));
 }
@@ -126,7 +137,7 @@ TEST(Reach, DoesNotRiseLikeWater) {
   ReachRequest request;
   for (const auto* mesh : {&outer_left, &outer_right, &bottom, &divider})
     request.solids.push_back(standing(*mesh));
-  request.powder = space_mm({-10, -5, 10}, {-1, 5, 20});
+  request.powder = {space_mm({-10, -5, 10}, {-1, 5, 20})};
   request.domain = space_mm({-13.2, -5, -4.1}, {13.3, 5, 32});
   request.climb = 4e-3;
   const Reach reach(request);
@@ -145,7 +156,7 @@ TEST(Reach, HeapRunsOutOverFourThirdsOfItsHeightUnlessItIsScattered) {
   for (const auto* mesh : {&left, &right, &bottom}) request.solids.push_back(standing(*mesh, 2));
   for (const auto* mesh : {&left_wall, &right_wall})
     request.solids.push_back(moving(*mesh, {{0, 0, 0}, {0, 0, 0.02}}));
-  request.powder = space_mm({-5, -2, -5}, {5, 2, -0.1});
+  request.powder = {space_mm({-5, -2, -5}, {5, 2, -0.1})};
   request.domain = space_mm({-30, -2, -8}, {30, 2, 25});
   request.climb = 6e-3;
   const Reach reach(request);
@@ -253,7 +264,7 @@ class ReachOfNarrowRing : public testing::Test {
     ReachRequest request;
     for (std::size_t i = 0; i < 3; ++i) request.solids.push_back(standing(tools_[i], path.size()));
     request.solids.push_back(moving(tools_[3], path));
-    request.powder = space_mm({19.4, -14.5, 0}, {51.4, 14.5, 110});
+    request.powder = {space_mm({19.4, -14.5, 0}, {51.4, 14.5, 110})};
     request.domain = space_mm({-55.46, -18.5, -25}, {55.46, 18.5, 114});
     request.climb = 3.76e-3;
     request.voxel = 4.7e-4;
@@ -323,7 +334,7 @@ TEST(ReachOfSlitPlate, PowderFallsThroughTheSlitOfAPeriodicSlice) {
   for (int i = 0; i <= 40; ++i) path.emplace_back(58e-3 - 116e-3 * i / 40, 0, 0);
   ReachRequest request;
   request.solids = {standing(plate, path.size()), moving(shoe, path)};
-  request.powder = space_mm({42, -1.08, 0}, {74, 1.08, 98});
+  request.powder = {space_mm({42, -1.08, 0}, {74, 1.08, 98})};
   request.domain = space_mm({-78, -1.08, -2}, {78, 1.08, 100});
   request.climb = 1e-3;
   request.voxel = 2.5e-4;
