@@ -44,22 +44,11 @@ TEST(ValidRange, AStepOfOneAndAHalfTimesTheMeasuredLimitStopsTheRun) {
 
 /// The pocket full of powder, pressed by a piston with `gain`.
 void press(const SmallDie& die, const std::string& gain) {
-  die.write("piston.stl", cad::binary_stl(cad::prism(cad::rectangle(-4.8, -1.2, -1.8, 1.8), 2, 4)));
-  die.exchange(
-      "from = [\"0.5 mm\", \"-2.5 mm\", \"0 mm\"]\nto = [\"5.5 mm\", \"2.5 mm\", \"9 mm\"]\nfill_height = "
-      "\"5 mm\"",
-      "from = [\"-4.95 mm\", \"-1.95 mm\", \"-4 mm\"]\nto = [\"-1.05 mm\", \"1.95 mm\", \"2 "
-      "mm\"]\nfill_height = \"2.5 mm\"\nlattice_constant = 1.25");
-  die.exchange("[pour]", R"([[tool]]
-name = "piston"
-role = "punch"
-file = "piston.stl"
-length_unit = "mm"
-position = ["0 mm", "0 mm", "1 mm"]
-
-[pour])");
-  die.exchange("kind = \"passage\"\ntool = \"shoe\"\ndirection = \"-x\"\nvelocity = \"0.1 m/s\"\n",
-               R"(kind = "piston"
+  die.pour_into_the_pocket();
+  die.add_tool("piston", "punch", cad::prism(cad::rectangle(-4.8, -1.2, -1.8, 1.8), 2, 4),
+               "[\"0 mm\", \"0 mm\", \"1 mm\"]");
+  die.exchange_passage(R"([[step]]
+kind = "piston"
 tool = "piston"
 direction = "-z"
 force = "0.05 N"
@@ -87,20 +76,11 @@ TEST(ValidRange, AWallWithHolesStopsTheRun) {
 void close_late(const SmallDie& die) {
   die.write("die.stl", cad::binary_stl(cad::tube(cad::rectangle(-15, 6, -3.5, 3.5),
                                                  cad::rectangle(-5, -1, -2, 2), -5, 0)));
-  die.write("slide.stl", cad::binary_stl(cad::prism(cad::rectangle(-6, 0, -3, 3), -6, -5)));
-  die.exchange(
-      "from = [\"0.5 mm\", \"-2.5 mm\", \"0 mm\"]\nto = [\"5.5 mm\", \"2.5 mm\", \"9 mm\"]",
-      "from = [\"-4.95 mm\", \"-1.95 mm\", \"-4.9 mm\"]\nto = [\"-1.05 mm\", \"1.95 mm\", \"2 mm\"]");
-  die.exchange("[pour]", R"([[tool]]
-name = "slide"
-role = "punch"
-file = "slide.stl"
-length_unit = "mm"
-position = ["5 mm", "0 mm", "0 mm"]
-
-[pour])");
-  die.exchange("kind = \"passage\"\ntool = \"shoe\"\ndirection = \"-x\"\nvelocity = \"0.1 m/s\"\n",
-               R"(kind = "move"
+  die.pour_into_the_pocket();
+  die.add_tool("slide", "punch", cad::prism(cad::rectangle(-6, 0, -3, 3), -6, -5),
+               "[\"5 mm\", \"0 mm\", \"0 mm\"]");
+  die.exchange_passage(R"([[step]]
+kind = "move"
 tool = "slide"
 direction = "-x"
 distance = "5 mm"

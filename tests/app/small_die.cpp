@@ -61,6 +61,26 @@ void SmallDie::exchange(const std::string& old, const std::string& text) const {
   write("scene.toml", support::exchanged(contents(scene()), old, text));
 }
 
+void SmallDie::add_tool(const std::string& name, const std::string& role, const cad::Part& part,
+                        const std::string& position) const {
+  write(name + ".stl", cad::binary_stl(part));
+  exchange("[pour]", "[[tool]]\nname = \"" + name + "\"\nrole = \"" + role + "\"\nfile = \"" + name +
+                         ".stl\"\nlength_unit = \"mm\"\nposition = " + position + "\n\n[pour]");
+}
+
+void SmallDie::exchange_passage(const std::string& steps) const {
+  exchange("[[step]]\nkind = \"passage\"\ntool = \"shoe\"\ndirection = \"-x\"\nvelocity = \"0.1 m/s\"\n",
+           steps);
+}
+
+void SmallDie::pour_into_the_pocket() const {
+  exchange(
+      "from = [\"0.5 mm\", \"-2.5 mm\", \"0 mm\"]\nto = [\"5.5 mm\", \"2.5 mm\", \"9 mm\"]\nfill_height = "
+      "\"5 mm\"",
+      "from = [\"-4.95 mm\", \"-1.95 mm\", \"-4 mm\"]\nto = [\"-1.05 mm\", \"1.95 mm\", \"2 "
+      "mm\"]\nfill_height = \"2.5 mm\"\nlattice_constant = 1.25");
+}
+
 std::vector<std::string> SmallDie::run_arguments(const std::vector<std::string>& more) const {
   std::vector<std::string> arguments = {"run", scene().string(), "--out", out().string(), "--threads", "1"};
   arguments.insert(arguments.end(), more.begin(), more.end());

@@ -28,6 +28,14 @@ class SmallDie {
   /// Exchanges `old` for `text` in the scene file; throws std::logic_error if it does not stand there.
   void exchange(const std::string& old, const std::string& text) const;
 
+  /// A tool more, drawn in mm, in front of the pour; `position` as the scene has it.
+  void add_tool(const std::string& name, const std::string& role, const cad::Part& part,
+                const std::string& position) const;
+  /// Other steps in place of the passage.
+  void exchange_passage(const std::string& steps) const;
+  /// Powder at rest in the pocket, to be worked on.
+  void pour_into_the_pocket() const;
+
   std::vector<std::string> run_arguments(const std::vector<std::string>& more = {}) const;
   Outcome run(const std::vector<std::string>& more = {}) const { return run_program(run_arguments(more)); }
   Outcome check() const { return run_program({"check", scene().string()}); }

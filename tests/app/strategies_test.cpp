@@ -14,17 +14,6 @@ namespace diefill::app {
 namespace {
 
 const std::string kVelocity = "velocity = \"0.1 m/s\"\n";
-const std::string kPassage =
-    "[[step]]\nkind = \"passage\"\ntool = \"shoe\"\ndirection = \"-x\"\nvelocity = \"0.1 m/s\"\n";
-
-/// A tool of the scene, written to a file of its name.
-std::string tool(const SmallDie& die, const std::string& name, const std::string& role, const cad::Part& part,
-                 const std::string& position) {
-  die.write(name + ".stl", cad::binary_stl(part));
-  return "[[tool]]\nname = \"" + name + "\"\nrole = \"" + role + "\"\nfile = \"" + name +
-         ".stl\"\nlength_unit = \"mm\"\nposition = " + position + "\n\n";
-}
-
 /// Values of a probe, row after row, from its CSV file.
 std::vector<std::vector<double>> rows_of(const SmallDie& die, const std::string& file) {
   std::istringstream text(contents(die.out() / file));
@@ -127,12 +116,11 @@ TEST(Strategies, AnOpenPunchSucksThePowderIn) {
   die.write("die.stl", cad::binary_stl(cad::tube(cad::rectangle(-15, 6, -3.5, 3.5),
                                                  cad::rectangle(-5, -1, -2, 2), -5, 0)));
   die.exchange("[\"3 mm\", \"0 mm\", \"0 mm\"]", "[\"-3 mm\", \"0 mm\", \"0 mm\"]");
-  die.exchange(
-      "[pour]\nfrom = [\"0.5 mm\", \"-2.5 mm\", \"0 mm\"]\nto = [\"5.5 mm\", \"2.5 mm\", \"9 mm\"]",
-      tool(die, "punch", "punch", cad::prism(cad::rectangle(-4.98, -1.02, -1.98, 1.98), -5, -4),
-           "[\"0 mm\", \"0 mm\", \"4 mm\"]") +
-          "[pour]\nfrom = [\"-5.5 mm\", \"-2.5 mm\", \"0 mm\"]\nto = [\"-0.5 mm\", \"2.5 mm\", \"9 mm\"]");
-  die.exchange(kPassage, R"([[step]]
+  die.exchange("from = [\"0.5 mm\", \"-2.5 mm\", \"0 mm\"]\nto = [\"5.5 mm\", \"2.5 mm\", \"9 mm\"]",
+               "from = [\"-5.5 mm\", \"-2.5 mm\", \"0 mm\"]\nto = [\"-0.5 mm\", \"2.5 mm\", \"9 mm\"]");
+  die.add_tool("punch", "punch", cad::prism(cad::rectangle(-4.98, -1.02, -1.98, 1.98), -5, -4),
+               "[\"0 mm\", \"0 mm\", \"4 mm\"]");
+  die.exchange_passage(R"([[step]]
 kind = "move"
 tool = "punch"
 direction = "-z"
@@ -164,23 +152,12 @@ interval = "10 ms"
   EXPECT_LE(flow.back().at(1), filled + report.at("mass_left_kg").get<double>() + 1e-12);
 }
 
-/// Powder at rest in the pocket, to be worked on.
-void pour_into_the_pocket(const SmallDie& die) {
-  die.exchange(
-      "from = [\"0.5 mm\", \"-2.5 mm\", \"0 mm\"]\nto = [\"5.5 mm\", \"2.5 mm\", \"9 mm\"]\nfill_height = "
-      "\"5 mm\"",
-      "from = [\"-4.95 mm\", \"-1.95 mm\", \"-4 mm\"]\nto = [\"-1.05 mm\", \"1.95 mm\", \"2 "
-      "mm\"]\nfill_height "
-      "= \"2.5 mm\"\nlattice_constant = 1.25");
-}
-
 TEST(Strategies, APistonReachesItsForce) {
   const SmallDie die;
-  pour_into_the_pocket(die);
-  die.exchange("[pour]", tool(die, "piston", "punch", cad::prism(cad::rectangle(-4.8, -1.2, -1.8, 1.8), 2, 4),
-                              "[\"0 mm\", \"0 mm\", \"1 mm\"]") +
-                             "[pour]");
-  die.exchange(kPassage, R"([[step]]
+  die.pour_into_the_pocket();
+  die.add_tool("piston", "punch", cad::prism(cad::rectangle(-4.8, -1.2, -1.8, 1.8), 2, 4),
+               "[\"0 mm\", \"0 mm\", \"1 mm\"]");
+  die.exchange_passage(R"([[step]]
 kind = "piston"
 tool = "piston"
 direction = "-z"
@@ -237,7 +214,7 @@ kind = "passage")");
 TEST(Strategies, WallsHoldPowderThatComesInAboveWhatWasPoured) {
   const SmallDie die;
   die.exchange("\"9 mm\"]\nfill_height = \"5 mm\"", "\"2 mm\"]\nfill_height = \"0.5 mm\"");
-  die.exchange(kPassage, R"([[step]]
+  die.exchange_passage(R"([[step]]
 kind = "inflow"
 from = ["0.7 mm", "-2.3 mm", "8 mm"]
 to = ["5.3 mm", "2.3 mm", "8 mm"]

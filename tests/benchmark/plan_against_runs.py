@@ -9,6 +9,7 @@ plan has for it. Environment: DIEFILL (program, default build/bin/diefill)."""
 import argparse
 import csv
 import json
+import math
 import os
 import pathlib
 import re
@@ -65,6 +66,7 @@ def run(scene, threads, minutes, folder):
                 began = time.monotonic()
             if began is not None and time.monotonic() - began > 60 * minutes:
                 os.kill(process.pid, signal.SIGINT)  # Popen would reap it and its peak memory
+                minutes = math.inf  # asked once
     memory, status = end
     came_to = re.findall(r"stopped at t = ([0-9.]+) s", log.read_text())
     if came_to:
