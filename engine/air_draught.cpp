@@ -2,13 +2,13 @@
 
 namespace diefill::engine {
 
-double AirDraught::add_forces(const Grains& grains, std::size_t begin, double speed, double time_over_mass,
+double AirDraught::add_forces(const SphereField& grains, std::size_t begin, double speed,
                               std::span<ContactSum> contacts) const {
   double power = 0;
   for (std::size_t k = 0; k < contacts.size(); ++k) {
     const std::size_t grain = begin + k;
-    if (!region.contains(grains.position[grain])) continue;
-    const double predicted = grains.velocity[grain].z() + time_over_mass * grains.force[grain].z();
+    if (!region.contains(eigen(grains.grain_centre(grain)))) continue;
+    const double predicted = grains.motion(grain).velocity.z;
     const double force = resistance * (speed - predicted);
     contacts[k].add_force({0, 0, force});
     power += force * predicted;

@@ -25,18 +25,19 @@ struct ContactBatch {
 
   std::size_t count = 0;
   Vectors separation;     ///< m, centre of i seen from that of j
-  Vectors velocity;       ///< m/s, of i's centre against j's, or against the wall where they touch
+  Vectors velocity;       ///< m/s, of i's centre against j's, or against the wall where they touch; laws in
+                          ///< stages leave the sliding velocity here
   Vectors spin_sum;       ///< rad/s, sum of both angular velocities; for walls that of i
   Vectors relative_spin;  ///< rad/s, angular velocity of i less that of j; only set for laws that roll and
                           ///< for pairs of composed grains
   Vectors place;          ///< m, centre of i seen from the reference point
   Scalars memory[std::max<std::size_t>(1, kMemory)];
 
-  Vectors normal;        ///< from j to i
-  Scalars root_overlap;  ///< m^(1/2), for laws in stages
-  Vectors force;         ///< N on i
-  Vectors moment;        ///< N m on i
-  Vectors other_moment;  ///< N m on j; only set where it is not the obvious one
+  Vectors normal;                          ///< from j to i
+  Scalars root_overlap, separation_speed;  ///< m^(1/2), m/s along the normal; for laws in stages
+  Vectors force;                           ///< N on i
+  Vectors moment;                          ///< N m on i
+  Vectors other_moment;                    ///< N m on j; only set where it is not the obvious one
   Scalars load, overlap;
   Scalars viscous_power, friction_power, rolling_power;  ///< W
 
@@ -128,17 +129,89 @@ void meet(ContactBatch<Law>& batch, const OfLane& of_lane) {
   }
 }
 
-/// What laws in stages need before they react.
-template <class Law, class OfLane>
-void turn_memory(ContactBatch<Law>& batch, const OfLane& of_lane) {
+/// The state of a lane's contact.
+template <LeverArm kArm, bool kUnequal, class Law>
+laws::ContactState contact_of(const ContactBatch<Law>& batch, std::size_t lane, const PairReach& reach,
+                              double time_step) {
+  using Arms = Lever<kArm>;
+  laws::ContactState contact;
+  contact.overlap = batch.overlap[lane];
+  contact.normal = batch.normal[lane];
+  contact.velocity = batch.velocity[lane];
+  contact.time_step = contact.rolling_step = time_step;
+  const double arm = Arms::arm(reach.radius, contact.overlap);
+  if constexpr (Arms::kTurns && kUnequal) {
+    const double other_arm = Arms::arm(reach.contact - reach.radius, contact.overlap);
+    contact.velocity -=
+        0.5 * cross((arm + other_arm) * batch.spin_sum[lane] + (arm - other_arm) * batch.relative_spin[lane],
+                    contact.normal);
+  } else if constexpr (Arms::kTurns) {
+    contact.velocity -= arm * cross(batch.spin_sum[lane], contact.normal);
+  }
+  if constexpr (Law::kRolls) contact.spin = batch.relative_spin[lane];
+  return contact;
+}
+
+/// Puts a lane's reaction into the batch, with the moments that the force causes.
+template <LeverArm kArm, bool kComposed, bool kUnequal, class Law>
+void put_reaction(const laws::Reaction& reaction, const PairReach& reach, std::size_t lane,
+                  ContactBatch<Law>& batch) {
+  using Arms = Lever<kArm>;
+  batch.force.set(lane, reaction.force);
+  batch.load[lane] = reaction.load;
+  batch.viscous_power[lane] = reaction.viscous_power;
+  batch.friction_power[lane] = reaction.friction_power;
+  if constexpr (Law::kRolls) batch.rolling_power[lane] = reaction.rolling_power;
+  if constexpr (!Arms::kTurns) return;
+  const double overlap = batch.overlap[lane], arm = Arms::arm(reach.radius, overlap);
+  const Vector3 normal = batch.normal[lane];
+  Vector3 point = (-arm) * normal;
+  if constexpr (kComposed) point += batch.place[lane];
+  Vector3 moment = cross(point, reaction.force);
+  if constexpr (Law::kRolls) moment += reaction.couple;
+  batch.moment.set(lane, moment);
+  if constexpr (kComposed && Arms::kOtherDiffers)
+    batch.other_moment.set(lane,
+                           -moment - cross(Arms::offset_of_other(reach, overlap) * normal, reaction.force));
+  if constexpr (!kComposed && kUnequal) {
+    const double other_arm = Arms::arm(reach.contact - reach.radius, overlap);
+    batch.other_moment.set(lane, -cross(other_arm * normal, reaction.force) - reaction.couple);
+  } else if constexpr (!kComposed && Law::kRolls) {
+    batch.other_moment.set(lane, moment - 2 * reaction.couple);
+  }
+}
+
+/// The reaction of all pairs by a law in stages, one root or quotient each: a stage is short enough for the
+/// processor to have several groups of lanes under way. What a stage leaves to the next takes the place of
+/// what it has used up.
+template <LeverArm kArm, bool kComposed, class Law, class OfLane>
+void react_in_stages(ContactBatch<Law>& batch, const OfLane& of_lane, double time_step) {
+  static_assert(!Law::kRolls);
   const std::size_t lanes = whole_groups(batch.count);
-#pragma GCC ivdep
-  for (std::size_t lane = 0; lane < lanes; ++lane)
-    batch.root_overlap[lane] = batch.overlap[lane] * reciprocal_root(batch.overlap[lane]);
 #pragma GCC ivdep
   for (std::size_t lane = 0; lane < lanes; ++lane) {
     const auto& [law, reach] = of_lane(lane);
     batch.change_memory(lane, [&](double* memory) { law.turn(memory, batch.normal[lane]); });
+  }
+#pragma GCC ivdep
+  for (std::size_t lane = 0; lane < lanes; ++lane) {
+    const auto& [law, reach] = of_lane(lane);
+    const laws::ContactState contact = contact_of<kArm, false>(batch, lane, reach, time_step);
+    laws::StretchedContact stretched;
+    batch.change_memory(lane, [&](double* memory) { stretched = law.stretch(contact, memory); });
+    batch.root_overlap[lane] = stretched.root_overlap;
+    batch.separation_speed[lane] = stretched.separation_speed;
+    batch.velocity.set(lane, stretched.sliding);
+  }
+#pragma GCC ivdep
+  for (std::size_t lane = 0; lane < lanes; ++lane) {
+    const auto& [law, reach] = of_lane(lane);
+    const laws::StretchedContact stretched{batch.overlap[lane], batch.root_overlap[lane],
+                                           batch.separation_speed[lane], batch.velocity[lane]};
+    laws::Reaction reaction;
+    batch.change_memory(
+        lane, [&](double* memory) { reaction = law.react_stretched(stretched, batch.normal[lane], memory); });
+    put_reaction<kArm, kComposed, false>(reaction, reach, lane, batch);
   }
 }
 
@@ -146,56 +219,17 @@ void turn_memory(ContactBatch<Law>& batch, const OfLane& of_lane) {
 /// the reference point, otherwise about the centres of i and j. `kUnequal`: radii of i and j may differ.
 template <LeverArm kArm, bool kComposed, bool kUnequal = false, class Law, class OfLane>
 void react(ContactBatch<Law>& batch, const OfLane& of_lane, double time_step) {
-  using Arms = Lever<kArm>;
   meet(batch, of_lane);
-  if constexpr (Law::kInStages) turn_memory(batch, of_lane);
+  if constexpr (Law::kInStages && !kUnequal)
+    return react_in_stages<kArm, kComposed>(batch, of_lane, time_step);
   const std::size_t lanes = whole_groups(batch.count);
 #pragma GCC ivdep
   for (std::size_t lane = 0; lane < lanes; ++lane) {
     const auto& [law, reach] = of_lane(lane);
-    laws::ContactState contact;
-    contact.overlap = batch.overlap[lane];
-    contact.normal = batch.normal[lane];
-    contact.velocity = batch.velocity[lane];
-    contact.time_step = contact.rolling_step = time_step;
-    const double arm = Arms::arm(reach.radius, contact.overlap);
-    const double other_arm = kUnequal ? Arms::arm(reach.contact - reach.radius, contact.overlap) : arm;
-    if constexpr (Arms::kTurns && kUnequal)
-      contact.velocity -= 0.5 * cross((arm + other_arm) * batch.spin_sum[lane] +
-                                          (arm - other_arm) * batch.relative_spin[lane],
-                                      contact.normal);
-    else if constexpr (Arms::kTurns)
-      contact.velocity -= arm * cross(batch.spin_sum[lane], contact.normal);
-    if constexpr (Law::kRolls) contact.spin = batch.relative_spin[lane];
-
+    const laws::ContactState contact = contact_of<kArm, kUnequal>(batch, lane, reach, time_step);
     laws::Reaction reaction;
-    batch.change_memory(lane, [&](double* memory) {
-      if constexpr (Law::kInStages)
-        reaction = law.react_turned(contact, batch.root_overlap[lane], memory);
-      else
-        reaction = law.react(contact, memory);
-    });
-
-    batch.force.set(lane, reaction.force);
-    batch.load[lane] = reaction.load;
-    batch.viscous_power[lane] = reaction.viscous_power;
-    batch.friction_power[lane] = reaction.friction_power;
-    if constexpr (Law::kRolls) batch.rolling_power[lane] = reaction.rolling_power;
-    if constexpr (Arms::kTurns) {
-      Vector3 point = (-arm) * contact.normal;
-      if constexpr (kComposed) point += batch.place[lane];
-      Vector3 moment = cross(point, reaction.force);
-      if constexpr (Law::kRolls) moment += reaction.couple;
-      batch.moment.set(lane, moment);
-      if constexpr (kComposed && Arms::kOtherDiffers)
-        batch.other_moment.set(
-            lane,
-            -moment - cross(Arms::offset_of_other(reach, contact.overlap) * contact.normal, reaction.force));
-      if constexpr (!kComposed && kUnequal)
-        batch.other_moment.set(lane, -cross(other_arm * contact.normal, reaction.force) - reaction.couple);
-      else if constexpr (!kComposed && Law::kRolls)
-        batch.other_moment.set(lane, moment - 2 * reaction.couple);
-    }
+    batch.change_memory(lane, [&](double* memory) { reaction = law.react(contact, memory); });
+    put_reaction<kArm, kComposed, kUnequal>(reaction, reach, lane, batch);
   }
 }
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "engine/grains.h"
+#include "engine/transpose.h"
 
 namespace diefill::engine {
 
@@ -18,17 +19,25 @@ class ContactSums {
   void start(std::size_t count, std::size_t numbers) {
     size_ = count;
     numbers_ = numbers;
-    if (value_.size() != count * numbers) value_ = std::vector<double>(count * numbers);
+    const std::size_t room = count * numbers + kSpare;
+    if (value_.size() != room) value_ = std::vector<double>(room);
   }
   /// Bytes that the sums take.
-  std::size_t bytes() const { return value_.size() * sizeof(double); }
+  std::size_t bytes() const { return size_ * numbers_ * sizeof(double); }
 
   /// Keeps the first size() of `sums`, which become 0.
   void keep(std::vector<ContactSum>& sums) {
-    with_numbers([&]<std::size_t kNumbers>(std::integral_constant<std::size_t, kNumbers>) {
+    with_numbers([&](auto numbers) {
       double* kept = value_.data();
-      for (std::size_t k = 0; k < size_; ++k) {
-        __builtin_memcpy(kept + k * kNumbers, sums[k].data(), kNumbers * sizeof(double));
+      // Halves are longer by a number than what is kept of them: the next one is written over it.
+      for (std::size_t k = 0; k < size_; ++k, kept += numbers) {
+        Four half;
+        load(half, sums[k].first_half());
+        store(half, kept);
+        if constexpr (numbers > ContactSum::kForce) {
+          load(half, sums[k].second_half());
+          store(half, kept + numbers - kMoment);
+        }
         sums[k] = {};
       }
     });
@@ -36,26 +45,39 @@ class ContactSums {
   /// Sets `sums` to the first `count` that are kept.
   void copy_to(std::vector<ContactSum>& sums, std::size_t count) const {
     sums.resize(count);
-    with_numbers([&]<std::size_t kNumbers>(std::integral_constant<std::size_t, kNumbers>) {
-      const double* kept = value_.data();
-      for (std::size_t k = 0; k < count; ++k) {
-        double* sum = sums[k].data();
-        __builtin_memcpy(sum, kept + k * kNumbers, kNumbers * sizeof(double));
-        for (std::size_t n = kNumbers; n < 8; ++n) sum[n] = 0;
-      }
+    with_numbers([&](auto numbers) {
+      for (std::size_t k = 0; k < count; ++k) bring<numbers>(k, sums[k]);
     });
   }
   /// Asks for sum k, which is going to be read soon.
   void fetch(std::size_t k) const { __builtin_prefetch(&value_[k * numbers_]); }
   ContactSum operator[](std::size_t k) const {
     ContactSum sum;
-    with_numbers([&]<std::size_t kNumbers>(std::integral_constant<std::size_t, kNumbers>) {
-      __builtin_memcpy(sum.data(), &value_[k * kNumbers], kNumbers * sizeof(double));
-    });
+    with_numbers([&](auto numbers) { bring<numbers>(k, sum); });
     return sum;
   }
 
  private:
+  static constexpr std::size_t kMoment = 3;  ///< numbers of a moment, kept last
+  static constexpr std::size_t kSpare = 1;   ///< numbers behind the last sum, so that halves may be longer
+
+  /// Sets `sum` to the k-th.
+  template <std::size_t kNumbers>
+  void bring(std::size_t k, ContactSum& sum) const {
+    const double* kept = value_.data() + k * kNumbers;
+    Four half;
+    load(half, kept);
+    if constexpr (kNumbers < ContactSum::kRolling) drop_last(half);
+    store(half, sum.first_half());
+    half = Four{};
+    if constexpr (kNumbers > ContactSum::kForce) {
+      load(half, kept + kNumbers - kMoment);
+      drop_last(half);
+    }
+    store(half, sum.second_half());
+  }
+
+  /// Calls use(numbers) with a constant.
   template <class Use>
   void with_numbers(const Use& use) const {
     if (numbers_ == ContactSum::kForce)

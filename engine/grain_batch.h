@@ -1,5 +1,5 @@
 // Touching pairs of grains on their way into a batch's lanes and out of them: pairs are read and written as
-// records, eight of which turn into lanes in registers.
+// records, four of which turn into lanes in registers.
 #pragma once
 
 #include <type_traits>
@@ -17,15 +17,15 @@ struct TouchingPair {
   std::uint32_t memory;
 };
 
-/// A batch of pairs between grains.
+/// A batch of pairs between grains. `kWide`, here and below: by way of records; otherwise number by number.
 template <class Law>
 struct GrainBatch : ContactBatch<Law> {
   using Base = ContactBatch<Law>;
-  using Base::kLanes, Base::kMemory, Base::count;
+  using Base::kLanes, Base::count;
+  static constexpr std::size_t kMemory = Base::kMemory;
 
-  /// Whether a record has room for what a pair remembers: in its upper half.
-  static constexpr bool kMemoryInRecord = kMemory <= 4;
-  static constexpr std::size_t kUpper = 4;
+  /// Whether a record has room for what a pair remembers.
+  static constexpr bool kMemoryInRecord = kMemory > 0 && kMemory <= Records::kCount;
 
   TouchingPair pair[kLanes];
 
@@ -37,134 +37,145 @@ struct GrainBatch : ContactBatch<Law> {
     }
   }
 
-  /// Fills the lanes of separations and of what the pairs remember in `table`. `kWide`, here and below: by
-  /// way of records.
+  /// Fills the lanes of separations.
   template <bool kWide>
-  void spread_between(const LocalSpheres& spheres, const GrainPairTable& table) {
-    if constexpr (kWide)
-      for (std::size_t k = 0; k < whole_groups(count); k += kLaneGroup) spread_eight(k, spheres, table);
-    else
-      for (std::size_t lane = 0; lane < whole_groups(count); ++lane)
-        this->separation.set(lane,
-                             spheres.position(pair[lane].pair.own) - spheres.position(pair[lane].pair.other));
-    if constexpr (!kWide || !kMemoryInRecord)
-      for (std::size_t lane = 0; lane < whole_groups(count); ++lane) {
-        const double* remembered = table.memory_at(pair[lane].memory);
-        for (std::size_t n = 0; n < kMemory; ++n) this->memory[n][lane] = remembered[n];
+  void spread_separations(const LocalSpheres& spheres) {
+    for_lanes<kWide>([&](std::size_t k, auto several) {
+      if constexpr (several) {
+        Records apart;
+        for (std::size_t lane = 0; lane < Records::kCount; ++lane)
+          spheres.separate(pair[k + lane].pair, apart.row[lane]);
+        to_vectors(apart, this->separation, k);
+      } else {
+        this->separation.set(k, spheres.position(pair[k].pair.own) - spheres.position(pair[k].pair.other));
       }
+    });
   }
 
-  /// Fills the lanes of motions: velocities are subtracted, spins added.
-  template <bool kWide, bool kComposed>
-  void spread_motion(const Block& block, const LocalSpheres& spheres) {
-    if constexpr (kWide) {
-      for (std::size_t k = 0; k < whole_groups(count); k += kLaneGroup)
-        spread_motion_of_eight<kComposed>(k, block, spheres);
-    } else {
-      for (std::size_t lane = 0; lane < whole_groups(count); ++lane) {
-        const std::size_t own = block.slot_of<kComposed>(pair[lane].pair.own),
-                          other = block.slot_of<kComposed>(pair[lane].pair.other);
-        this->velocity.set(lane, spheres.velocity(own) - spheres.velocity(other));
-        this->spin_sum.set(lane, spheres.spin(own) + spheres.spin(other));
+  /// Fills the lanes of what the pairs remember in `table`.
+  template <bool kWide>
+  void spread_memory(const GrainPairTable& table) {
+    for_lanes<kWide && kMemoryInRecord>([&](std::size_t k, auto several) {
+      if constexpr (several) {
+        Records numbers;
+        for (std::size_t lane = 0; lane < Records::kCount; ++lane)
+          load(numbers.row[lane], table.memory_at(pair[k + lane].memory));
+        numbers.transpose();
+        for (std::size_t n = 0; n < kMemory; ++n) numbers.to_lanes(n, &this->memory[n][k]);
+      } else {
+        const double* remembered = table.memory_at(pair[k].memory);
+        for (std::size_t n = 0; n < kMemory; ++n) this->memory[n][k] = remembered[n];
       }
-    }
+    });
+  }
+
+  /// Fills the lanes of motions: velocities are subtracted, spins added and, where `kRelative`, subtracted.
+  template <bool kWide, bool kComposed, bool kRelative>
+  void spread_motion(const Block& block, const LocalSpheres& spheres) {
+    const auto own = [&](std::size_t lane) { return block.slot_of<kComposed>(pair[lane].pair.own); };
+    const auto other = [&](std::size_t lane) { return block.slot_of<kComposed>(pair[lane].pair.other); };
+    for_lanes<kWide>([&](std::size_t k, auto several) {
+      if constexpr (several) {
+        Records approach, sum, difference;
+        for (std::size_t lane = 0; lane < Records::kCount; ++lane) {
+          const double* of_own = spheres.motion(own(k + lane)).value;
+          const double* of_other = spheres.motion(other(k + lane)).value;
+          Four a, b, spin_a, spin_b;
+          load(a, of_own);
+          load(b, of_other);
+          load(spin_a, of_own + Record::kHalf);
+          load(spin_b, of_other + Record::kHalf);
+          approach.row[lane] = a - b;
+          sum.row[lane] = spin_a + spin_b;
+          if constexpr (kRelative) difference.row[lane] = spin_a - spin_b;
+        }
+        to_vectors(approach, this->velocity, k);
+        to_vectors(sum, this->spin_sum, k);
+        if constexpr (kRelative) to_vectors(difference, this->relative_spin, k);
+      } else {
+        this->velocity.set(k, spheres.velocity(own(k)) - spheres.velocity(other(k)));
+        this->spin_sum.set(k, spheres.spin(own(k)) + spheres.spin(other(k)));
+        if constexpr (kRelative) this->relative_spin.set(k, spheres.spin(own(k)) - spheres.spin(other(k)));
+      }
+    });
   }
 
   /// Writes what the pairs remember to `remembered`, one pair after the other. Up to three numbers behind the
   /// last are overwritten as well.
   template <bool kWide>
   void write_memory(double* remembered) const {
-    if constexpr (!kWide || !kMemoryInRecord) {
+    if constexpr (kWide && kMemoryInRecord)
+      in_groups([&](std::size_t k, auto pairs) {
+        Records numbers{};
+        for (std::size_t n = 0; n < kMemory; ++n) numbers.from_lanes(n, this->memory[n].value + k);
+        numbers.transpose();
+        for (std::size_t lane = 0; lane < pairs; ++lane)
+          store(numbers.row[lane], remembered + (k + lane) * kMemory);
+      });
+    else
       for (std::size_t lane = 0; lane < count; ++lane)
         for (std::size_t n = 0; n < kMemory; ++n) remembered[lane * kMemory + n] = this->memory[n][lane];
-    } else if constexpr (kMemory > 0) {
-      in_groups([&](std::size_t k, auto pairs) {
-        Records records{};
-        for (std::size_t n = 0; n < kMemory; ++n) records.load(n, this->memory[n].value + k);
-        records.transpose();
-        for (std::size_t lane = 0; lane < pairs; ++lane)
-          __builtin_memcpy(remembered + (k + lane) * kMemory, &records.row[lane], sizeof(Four));
-      });
-    }
   }
 
-  /// Calls add(pair, reaction on i, reaction on j) for every pair: force, moment and load as in ContactSum.
-  /// The force on j is that on i, and so is its moment unless `kOtherDiffers`. `kTurns`: whether there are
-  /// moments.
+  /// A reaction in the two halves of a ContactSum: force and rolling load, moment.
+  struct Reaction {
+    Four push, turn;
+  };
+  /// Calls add(pair, reaction on i, reaction on j) for every pair. The force on j is that on i, and so is its
+  /// moment unless `kOtherDiffers`. `kTurns`: whether there are moments. Loads are multiplied by `rolling`.
   template <bool kTurns, bool kOtherDiffers, class Add>
-  void for_reactions(const Add& add) const {
+  void for_reactions(double rolling, const Add& add) const {
     in_groups([&](std::size_t k, auto pairs) {
-      Records own{}, other{};
-      load_reactions<kTurns>(k, this->moment, own);
-      own.transpose();
+      Records pushes, turns{}, other_turns{};
+      from_vectors(this->force, pushes, k);
+      pushes.from_lanes(3, this->load.value + k);
+      pushes.row[3] *= rolling;
+      pushes.transpose();
+      if constexpr (kTurns) {
+        from_vectors(this->moment, turns, k);
+        turns.transpose();
+      }
       if constexpr (kOtherDiffers) {
-        load_reactions<kTurns>(k, this->other_moment, other);
-        other.transpose();
+        from_vectors(this->other_moment, other_turns, k);
+        other_turns.transpose();
       }
       for (std::size_t lane = 0; lane < pairs; ++lane)
-        add(pair[k + lane].pair, own.row[lane], kOtherDiffers ? other.row[lane] : own.row[lane]);
+        add(pair[k + lane].pair, Reaction{pushes.row[lane], turns.row[lane]},
+            Reaction{pushes.row[lane], kOtherDiffers ? other_turns.row[lane] : turns.row[lane]});
     });
   }
 
  private:
-  void spread_eight(std::size_t k, const LocalSpheres& spheres, const GrainPairTable& table) {
-    Records records;
-    for (std::size_t lane = 0; lane < kLaneGroup; ++lane) {
-      const TouchingPair& touching = pair[k + lane];
-      Four own, other, numbers{};
-      __builtin_memcpy(&own, spheres.centre(touching.pair.own).value, sizeof own);
-      __builtin_memcpy(&other, spheres.centre(touching.pair.other).value, sizeof other);
-      if constexpr (kMemoryInRecord && kMemory > 0)
-        __builtin_memcpy(&numbers, table.memory_at(touching.memory), sizeof numbers);
-      own -= other;
-      records.row[lane] = __builtin_shufflevector(own, numbers, 0, 1, 2, 3, 4, 5, 6, 7);
-    }
-    records.transpose();
-    records.store(0, &this->separation.x[k]);
-    records.store(1, &this->separation.y[k]);
-    records.store(2, &this->separation.z[k]);
-    if constexpr (kMemoryInRecord)
-      for (std::size_t n = 0; n < kMemory; ++n) records.store(kUpper + n, &this->memory[n][k]);
-  }
+  using Vectors = typename Base::Vectors;
 
-  template <bool kComposed>
-  void spread_motion_of_eight(std::size_t k, const Block& block, const LocalSpheres& spheres) {
-    constexpr Eight kSign = {-1, -1, -1, -1, 1, 1, 1, 1};
-    Records records;
-    for (std::size_t lane = 0; lane < kLaneGroup; ++lane) {
-      Eight own, other;
-      take(own, spheres.motion(block.slot_of<kComposed>(pair[k + lane].pair.own)));
-      take(other, spheres.motion(block.slot_of<kComposed>(pair[k + lane].pair.other)));
-      records.row[lane] = own + kSign * other;
-    }
-    records.transpose();
-    records.store(0, &this->velocity.x[k]);
-    records.store(1, &this->velocity.y[k]);
-    records.store(2, &this->velocity.z[k]);
-    records.store(kUpper, &this->spin_sum.x[k]);
-    records.store(kUpper + 1, &this->spin_sum.y[k]);
-    records.store(kUpper + 2, &this->spin_sum.z[k]);
+  /// Calls use(first lane, whether it stands for several) for all whole groups of lanes: a record's pairs at
+  /// a time or one.
+  template <bool kSeveral, class Use>
+  void for_lanes(const Use& use) const {
+    for (std::size_t k = 0; k < whole_groups(count); k += kSeveral ? Records::kCount : 1)
+      use(k, std::bool_constant<kSeveral>{});
   }
-
-  template <bool kTurns>
-  void load_reactions(std::size_t k, const typename Base::Vectors& turning, Records& records) const {
-    records.load(0, this->force.x.value + k);
-    records.load(1, this->force.y.value + k);
-    records.load(2, this->force.z.value + k);
-    if constexpr (!kTurns) return;
-    records.load(3, turning.x.value + k);
-    records.load(4, turning.y.value + k);
-    records.load(5, turning.z.value + k);
-    records.load(6, this->load.value + k);
-  }
-
-  /// Calls use(first, how many) for groups of pairs; the compiler knows how many but for the last group.
+  /// Calls use(first, how many) for the pairs of a record at a time; the compiler knows how many but for the
+  /// last.
   template <class Use>
   void in_groups(const Use& use) const {
     std::size_t k = 0;
-    for (; k + kLaneGroup <= count; k += kLaneGroup)
-      use(k, std::integral_constant<std::size_t, kLaneGroup>{});
+    for (; k + Records::kCount <= count; k += Records::kCount)
+      use(k, std::integral_constant<std::size_t, Records::kCount>{});
     if (k < count) use(k, count - k);
+  }
+
+  static void to_vectors(Records& records, Vectors& lanes, std::size_t k) {
+    records.transpose();
+    records.to_lanes(0, &lanes.x[k]);
+    records.to_lanes(1, &lanes.y[k]);
+    records.to_lanes(2, &lanes.z[k]);
+  }
+  static void from_vectors(const Vectors& lanes, Records& records, std::size_t k) {
+    records.from_lanes(0, lanes.x.value + k);
+    records.from_lanes(1, lanes.y.value + k);
+    records.from_lanes(2, lanes.z.value + k);
+    records.row[3] = Four{};
   }
 };
 

@@ -205,7 +205,7 @@ GrainIntegrator::Body GrainIntegrator::body_of(const GrainShape& shape, const Ei
 
 void GrainIntegrator::advance(Grains& grains, std::size_t begin, std::size_t end,
                               SphereField& spheres) const {
-  if (single_) return single_->advance(grains, begin, end, spheres);
+  if (single_) return single_->advance(grains, begin, end);
   if (bodies_.size() == 1) {
     AlikeBodies bodies(bodies_.front());
     return advance_with(bodies, grains, begin, end, spheres);

@@ -1,8 +1,8 @@
 #include <bit>
 
 #include "engine/contact_kernel.h"
-#include "engine/eight_distances.h"
 #include "engine/grain_batch.h"
+#include "engine/pair_distances.h"
 #include "engine/pair_laws.h"
 #include "engine/vector_width.h"
 
@@ -161,78 +161,63 @@ class GrainLoop final : public PairLoop {
   template <bool kWide>
   std::size_t find_touching(Block& block, const LocalSpheres& spheres, TouchingPair* touching) const {
     GrainPairTable& table = block.grain_pairs;
-    const GrainPair* pair = table.pair.data();
-    std::uint8_t* touches = table.touching.data();
     std::size_t count = 0;
     std::uint32_t before = 0;  // pairs so far that touched in the last step
-    for (std::size_t first = 0; first < table.size(); first += kTested) {
-      std::uint64_t last = 0, now = 0;
-      for (std::size_t k = 0; k < kTested && first + k < table.size(); k += kLaneGroup) {
-        const std::size_t some = std::min(kLaneGroup, table.size() - first - k);
-        const Touches eight =
-            !kWide ? test_one_by_one(block, spheres, pair + first + k, touches + first + k, some)
-            : some == kLaneGroup ? test_eight(block, spheres, pair + first + k, touches + first + k)
-                                 : test_few(block, spheres, pair + first + k, touches + first + k, some);
-        last |= eight.last << k;
-        now |= eight.now << k;
-      }
-      list_touching(pair + first, {last, now}, before, touching + count);
-      count += static_cast<std::size_t>(std::popcount(now));
-      before += static_cast<std::uint32_t>(std::popcount(last));
-    }
+    const auto test = [&](std::size_t first, auto how_many) {
+      const GrainPair* near = table.pair.data() + first;
+      const Touches touches = test_some<kWide>(block, spheres, near, how_many, table.touching.data() + first);
+      list_touching(near, touches, before, touching + count);
+      count += static_cast<std::size_t>(std::popcount(touches.now));
+      before += static_cast<std::uint32_t>(std::popcount(touches.last));
+    };
+    std::size_t first = 0;
+    for (; first + kTested <= table.size(); first += kTested)
+      test(first, std::integral_constant<std::size_t, kTested>{});
+    if (first < table.size()) test(first, table.size() - first);
     return count;
   }
 
-  /// Notes in `touches` which of eight near pairs touch.
-  Touches test_eight(const Block& block, const LocalSpheres& spheres, const GrainPair* near,
-                     std::uint8_t* touches) const {
-    Eight squares, reach_squared;
-    squares_of_eight(
-        [&](int k, Four& between) {
-          Four other;
-          __builtin_memcpy(&between, spheres.centre(near[k].own).value, sizeof between);
-          __builtin_memcpy(&other, spheres.centre(near[k].other).value, sizeof other);
-          between -= other;
-        },
-        squares);
-    if constexpr (Pairs::kAlike)
-      reach_squared = Eight{} + pairs_.reach_squared(0);
-    else
-      for (int k = 0; k < 8; ++k) reach_squared[k] = pairs_.reach_squared(pairs_.kinds(block, near[k]));
-    std::uint64_t last;
-    const std::uint64_t now = bytes_where_less(squares, reach_squared);
-    __builtin_memcpy(&last, touches, sizeof last);
-    __builtin_memcpy(touches, &now, sizeof now);
-    return {bits_from_bytes(last), bits_from_bytes(now)};
-  }
-  /// The same of fewer, at the end of a table.
-  Touches test_few(const Block& block, const LocalSpheres& spheres, const GrainPair* near,
-                   std::uint8_t* touches, std::size_t some) const {
-    GrainPair eight[kLaneGroup];
-    std::uint8_t touch[kLaneGroup] = {};
-    for (std::size_t k = 0; k < kLaneGroup; ++k) eight[k] = near[std::min(k, some - 1)];
-    std::copy_n(touches, some, touch);
-    Touches tested = test_eight(block, spheres, eight, touch);
-    std::copy_n(touch, some, touches);
-    tested.now &= (std::uint64_t{1} << some) - 1;
+  /// Notes in `touches` which of the near pairs touch, `how_many` of them, known to the compiler or not.
+  template <bool kWide, class Count>
+  Touches test_some(const Block& block, const LocalSpheres& spheres, const GrainPair* near, Count how_many,
+                    std::uint8_t* touches) const {
+    double square[kTested];
+    measure<kWide>(spheres, near, how_many, square);
+    std::uint8_t last[kTested] = {}, now[kTested] = {};
+    std::copy_n(touches, std::size_t{how_many}, last);
+    if constexpr (Pairs::kAlike) {
+      const double reach_squared = pairs_.reach_squared(0);
+      for (std::size_t k = 0; k < how_many; ++k) now[k] = square[k] < reach_squared;
+    } else {
+      for (std::size_t k = 0; k < how_many; ++k)
+        now[k] = square[k] < pairs_.reach_squared(pairs_.kinds(block, near[k]));
+    }
+    std::copy_n(now, std::size_t{how_many}, touches);
+    Touches tested{0, 0};
+    for (std::size_t k = 0; k < kTested; k += 8) {
+      tested.last |= bits_from_bytes(last + k) << k;
+      tested.now |= bits_from_bytes(now + k) << k;
+    }
     return tested;
   }
 
-  /// The same as both, without vectors of eight.
-  Touches test_one_by_one(const Block& block, const LocalSpheres& spheres, const GrainPair* near,
-                          std::uint8_t* touches, std::size_t some) const {
-    const double alike_reach = Pairs::kAlike ? pairs_.reach_squared(0) : 0;
-    Touches tested{0, 0};
-    for (std::size_t k = 0; k < some; ++k) {
-      const Vector3 between = spheres.position(near[k].own) - spheres.position(near[k].other);
-      const double reach_squared =
-          Pairs::kAlike ? alike_reach : pairs_.reach_squared(pairs_.kinds(block, near[k]));
-      const bool now = dot(between, between) < reach_squared;
-      tested.last |= std::uint64_t{touches[k]} << k;
-      tested.now |= std::uint64_t{now} << k;
-      touches[k] = now;
+  /// Squares (m^2) of the distances of some near pairs.
+  template <bool kWide>
+  static void measure(const LocalSpheres& spheres, const GrainPair* near, std::size_t count, double* square) {
+    std::size_t k = 0;
+    if constexpr (kWide) {
+      const std::size_t whole = count / 4 * 4;
+      for (; k < whole; k += 4)
+        squares_of_four(
+            [&](int lane, Four& between) {
+              spheres.separate(near[k + static_cast<std::size_t>(lane)], between);
+            },
+            square + k);
     }
-    return tested;
+    for (; k < count; ++k) {
+      const Vector3 between = spheres.position(near[k].own) - spheres.position(near[k].other);
+      square[k] = dot(between, between);
+    }
   }
 
   /// Brings the batch's pairs into its lanes, whole groups of them: the last pair fills up.
@@ -242,26 +227,32 @@ class GrainLoop final : public PairLoop {
     if constexpr (!Pairs::kAlike)
       for (std::size_t lane = 0; lane < whole_groups(batch.count); ++lane)
         batch.kinds[lane] = pairs_.kinds(block, batch.pair[lane].pair);
-    batch.template spread_between<kWide>(spheres, block.grain_pairs);
-    batch.template spread_motion<kWide, kComposed>(block, spheres);
-    if constexpr (kComposed || (kTurns && Law::kRolls))
-      for (std::size_t lane = 0; lane < whole_groups(batch.count); ++lane) {
-        const GrainPair pair = batch.pair[lane].pair;
-        if constexpr (kComposed) batch.place.set(lane, spheres.position(pair.own) - plain(block.reference));
-        batch.relative_spin.set(lane, spheres.spin(block.slot_of<kComposed>(pair.own)) -
-                                          spheres.spin(block.slot_of<kComposed>(pair.other)));
-      }
+    batch.template spread_separations<kWide>(spheres);
+    batch.template spread_memory<kWide>(block.grain_pairs);
+    batch.template spread_motion<kWide, kComposed, kComposed || (kTurns && Law::kRolls)>(block, spheres);
+    if constexpr (kComposed)
+      for (std::size_t lane = 0; lane < whole_groups(batch.count); ++lane)
+        batch.place.set(lane, spheres.position(batch.pair[lane].pair.own) - plain(block.reference));
   }
 
   /// Adds the batch's forces to `sums`.
   template <bool kWide>
   void hand_out(const Batch& batch, const Block& block, std::vector<ContactSum>& sums) const {
     const double rolling = kRolls ? pairs_.rolling_friction() : 0;
-    const double turn = kComposed && !kOtherDiffers ? -1 : 1;
-    if constexpr (kWide)
-      hand_out_records(batch, block, Eight{1, 1, 1, 1, 1, 1, rolling, 0},
-                       Eight{-1, -1, -1, turn, turn, turn, rolling, 0}, sums);
-    else
+    constexpr double kTurn = kComposed && !kOtherDiffers ? -1 : 1;
+    if constexpr (kWide) {
+      constexpr Four kForceOnOther{-1, -1, -1, 1}, kMomentOnOther{kTurn, kTurn, kTurn, kTurn};
+      batch.template for_reactions<kTurns, kOtherDiffers>(
+          rolling, [&](GrainPair pair, const auto& own, const auto& other) {
+            const auto add = [&](LocalSphere sphere, const Four& push, const Four& turn) {
+              ContactSum& sum = sums[block.slot_of<kComposed>(sphere)];
+              add_to(sum.first_half(), push);
+              if constexpr (kTurns) add_to(sum.second_half(), turn);
+            };
+            add(pair.own, own.push, own.turn);
+            add(pair.other, kForceOnOther * other.push, kMomentOnOther * other.turn);
+          });
+    } else {
       for (std::size_t lane = 0; lane < batch.count; ++lane) {
         const GrainPair pair = batch.pair[lane].pair;
         const Vector3 force = batch.force[lane];
@@ -272,18 +263,9 @@ class GrainLoop final : public PairLoop {
           if constexpr (kRolls) sum.add_rolling_load(rolling * batch.load[lane]);
         };
         add(pair.own, force, batch.moment[lane]);
-        add(pair.other, -force, kOtherDiffers ? batch.other_moment[lane] : turn * batch.moment[lane]);
+        add(pair.other, -force, kOtherDiffers ? batch.other_moment[lane] : kTurn * batch.moment[lane]);
       }
-  }
-
-  /// The same by way of records; signs: what the numbers of a reaction are multiplied by.
-  void hand_out_records(const Batch& batch, const Block& block, const Eight& own_sign,
-                        const Eight& other_sign, std::vector<ContactSum>& sums) const {
-    batch.template for_reactions<kTurns, kOtherDiffers>(
-        [&](GrainPair pair, const Eight& own, const Eight& other) {
-          add_times(sums[block.slot_of<kComposed>(pair.own)].data(), own, own_sign);
-          add_times(sums[block.slot_of<kComposed>(pair.other)].data(), other, other_sign);
-        });
+    }
   }
 
   Pairs pairs_;

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "engine/transpose.h"
 #include "engine/vector3.h"
 
 namespace diefill::engine {
@@ -39,7 +40,8 @@ struct Grains {
   void reorder(const std::vector<std::uint32_t>& order);
 };
 
-/// Sum of contact forces on a grain, laid out as a Record.
+/// Sum of contact forces on a grain, laid out as a Record: forces and loads in its first half, moments in the
+/// second, so that each is added to as a whole.
 class ContactSum {
  public:
   /// Numbers that count where grains do not rotate, where they do, and where single spheres roll as well.
@@ -48,12 +50,14 @@ class ContactSum {
   Vector3 force() const { return {value_[0], value_[1], value_[2]}; }  ///< N
   /// N m, laboratory frame: about the centre of a single sphere, about the block's reference point for
   /// composed grains.
-  Vector3 moment() const { return {value_[3], value_[4], value_[5]}; }
+  Vector3 moment() const { return {value_[4], value_[5], value_[6]}; }
   /// N m, sum of mu_r |f_e + f_v| (model B).
-  double rolling_load() const { return value_[6]; }
-  /// The numbers above in their order, then one to spare.
-  double* data() { return value_; }
-  const double* data() const { return value_; }
+  double rolling_load() const { return value_[3]; }
+  /// Force and rolling load; moment and a number to spare.
+  double* first_half() { return value_; }
+  double* second_half() { return value_ + Record::kHalf; }
+  const double* first_half() const { return value_; }
+  const double* second_half() const { return value_ + Record::kHalf; }
 
   void add_force(Vector3 force) {
     value_[0] += force.x;
@@ -61,18 +65,18 @@ class ContactSum {
     value_[2] += force.z;
   }
   void add_moment(Vector3 moment) {
-    value_[3] += moment.x;
-    value_[4] += moment.y;
-    value_[5] += moment.z;
+    value_[4] += moment.x;
+    value_[5] += moment.y;
+    value_[6] += moment.z;
   }
-  void add_rolling_load(double load) { value_[6] += load; }
+  void add_rolling_load(double load) { value_[3] += load; }
   ContactSum& operator+=(const ContactSum& other) {
     for (std::size_t k = 0; k < 8; ++k) value_[k] += other.value_[k];
     return *this;
   }
 
  private:
-  alignas(64) double value_[8] = {};
+  alignas(64) double value_[2 * Record::kHalf] = {};
 };
 
 }  // namespace diefill::engine

@@ -17,16 +17,17 @@ namespace diefill::engine {
 /// (Block::slot_of): single spheres and their grains have the same.
 class LocalSpheres {
  public:
-  /// A centre (m), with one number to spare.
-  struct alignas(32) Centre {
-    double value[4];
-  };
-
-  const Centre& centre(LocalSphere k) const { return centres_[k]; }
   /// m, centre of sphere k.
   Vector3 position(LocalSphere k) const {
     const Centre& centre = centres_[k];
     return {centre.value[0], centre.value[1], centre.value[2]};
+  }
+  /// m, the pair's own centre seen from the other one, and 0.
+  void separate(GrainPair pair, Four& separation) const {
+    Four other;
+    load(separation, centres_[pair.own].value);
+    load(other, centres_[pair.other].value);
+    separation -= other;
   }
   /// Of a grain: velocity (m/s) in numbers 0 to 2, spin (rad/s) in numbers 4 to 6; the others are 0. The
   /// velocity is that of a single sphere's centre. Of a composed grain it is what the rigid grain would have
@@ -48,7 +49,7 @@ class LocalSpheres {
     const std::size_t all = block.own_spheres() + block.partners.size();
     if (centres_.size() < all) centres_.resize(all);
     if (spheres.spheres_per_grain == 1) {
-      take_single(block, spheres);
+      with_instructions(instructions, [&] { take_single(block, spheres); });
     } else {
       take_motion_about_reference(block, spheres);
       place_own(block, spheres, instructions);
@@ -57,17 +58,27 @@ class LocalSpheres {
   }
 
  private:
+  /// A centre (m), with one number to spare.
+  struct alignas(32) Centre {
+    double value[4];
+  };
   static constexpr std::size_t kAhead = 16, kSpin = 4;
 
   /// Grains are their spheres.
   void take_single(const Block& block, const SphereField& spheres) {
     const std::size_t own = block.own_spheres(), partners = block.partners.size();
     if (motion_.size() < own + partners) motion_.resize(own + partners);
-    for (std::size_t k = 0; k < own; ++k) {
-      const std::size_t sphere = block.begin + k;
-      spheres.fetch(std::min(sphere + kAhead, spheres.real() - 1));
-      put_centre(k, spheres.grain_centre(sphere));
-      put_motion(k, spheres.motion(sphere));
+    // Vectors are read together with the number behind them, which the very last ones do not have.
+    const std::size_t whole = std::min<std::size_t>(block.end, spheres.real() - 1) - block.begin;
+    for (std::size_t k = 0; k < whole; ++k) {
+      const SphereField::Single sphere = spheres.single(block.begin + k);
+      copy_three(sphere.centre, centres_[k].value);
+      copy_three(sphere.velocity, motion_[k].value);
+      copy_three(sphere.spin, motion_[k].value + kSpin);
+    }
+    for (std::size_t k = whole; k < own; ++k) {
+      put_centre(k, spheres.grain_centre(block.begin + k));
+      put_motion(k, spheres.motion(block.begin + k));
     }
     for (std::size_t k = 0; k < partners; ++k) {
       const std::size_t partner = block.partners[k];
@@ -146,6 +157,13 @@ class LocalSpheres {
     with_instructions(instructions, [&] { posed_.turn(whole_groups(count)); });
   }
 
+  /// Three numbers of the four that are read, and 0.
+  static void copy_three(const double* from, double* to) {
+    Four numbers;
+    load(numbers, from);
+    drop_last(numbers);
+    store(numbers, to);
+  }
   void put_centre(std::size_t k, const Vector3& centre) { put(centre, centres_[k].value); }
   void put_motion(std::size_t slot, const GrainMotion& motion) {
     put(motion.velocity, motion_[slot].value);

@@ -267,8 +267,7 @@ void Simulation::finish_grains() {
 void Simulation::draw_air(std::size_t b, std::vector<ContactSum>& contacts) {
   const AirDraught& air = *settings_.air_draught;
   const double speed = body_motion_[air.body].velocity.z();
-  const double power = air.add_forces(grains_, list_.blocks()[b].begin, speed,
-                                      settings_.time_step / settings_.shape.mass, contacts);
+  const double power = air.add_forces(spheres_, list_.blocks()[b].begin, speed, contacts);
   tallies_[b].drag_work += power * settings_.time_step;
 }
 

@@ -62,7 +62,7 @@ struct WallLoad {
   Eigen::Vector3d torque = Eigen::Vector3d::Zero();  ///< N m
 };
 
-/// The force of one contact in the last step on a grain, from another or from a wall.
+/// The force of one contact on a grain, from another or from a wall.
 struct ContactForce {
   std::size_t grain;          ///< place in Grains
   std::size_t other;          ///< the same; kNoGrain: a wall
@@ -126,8 +126,8 @@ class Simulation {
   /// Spheres as the last contact computation saw them, grain after grain, images last.
   const SphereField& spheres() const { return spheres_; }
 
-  /// Visits the forces of all contacts of the last step, in a fixed order; none before the first. For figures
-  /// asked for now and then.
+  /// Visits the forces of all contacts of the last step, in a fixed order, with places and velocities as they
+  /// are now; none before the first. For figures asked for now and then.
   void visit_contact_forces(const std::function<void(const ContactForce&)>& visit) const;
 
   /// Sleeping grains, and the sphere-steps that resting blocks have saved so far; 0 where no grains sleep.

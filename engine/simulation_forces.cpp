@@ -3,10 +3,24 @@
 
 namespace diefill::engine {
 
+namespace {
+
+/// The velocities in `spheres`, which are those predicted when contacts were last computed, become what they
+/// are now; single spheres have them from their grains.
+void bring_up_to_date(SphereField& spheres, const Simulation& simulation) {
+  if (spheres.spheres_per_grain == 1) return;
+  for (std::size_t k = 0; k < spheres.grains; ++k)
+    spheres.set_motion(k, {plain(simulation.grains().velocity[k]), plain(simulation.angular_velocity(k))});
+}
+
+}  // namespace
+
 void Simulation::visit_contact_forces(const std::function<void(const ContactForce&)>& visit) const {
   LocalSpheres local;
+  SphereField spheres = spheres_;
+  bring_up_to_date(spheres, *this);
   for (const Block& block : list_.blocks()) {
-    local.take(block, spheres_, settings_.instructions);
+    local.take(block, spheres, settings_.instructions);
     const ContactScene scene = contact_scene(local);
     // Where the grain of a local sphere stands as the pair sees it: shifted where the pair meets an image.
     const auto centre_of = [&](LocalSphere sphere) -> Eigen::Vector3d {

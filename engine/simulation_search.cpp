@@ -131,8 +131,11 @@ void Simulation::search(const ContactHistory& history, const ContactHistory& wal
   spheres_.grains = reference_.position.size();
   find_images();
   if (!kinds_.alike()) spheres_.kind = grains_.kind;
-  spheres_.velocity.resize(spheres_.grains);
-  spheres_.spin.resize(spheres_.grains);
+  if (kinds_.composed()) {
+    spheres_.velocity.resize(spheres_.grains);
+    spheres_.spin.resize(spheres_.grains);
+  }
+  spheres_.move_at(grains_.velocity, grains_.spin);
   spheres_.stand_at(reference_.position, reference_.orientation);
   spheres_.hold_places();
   list_.build(spheres_, bodies_, reference_, history, wall_history, workers_);

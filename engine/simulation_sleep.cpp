@@ -65,7 +65,7 @@ void Simulation::carry(const Block& block) {
   for (std::size_t k = block.begin; k < block.end; ++k) {
     if (!sleeping_->asleep(k)) continue;
     grains_.position[k] += carried_;
-    spheres_.set_motion(k, {plain(grains_.velocity[k]), {}});
+    if (kinds_.composed()) spheres_.set_motion(k, {plain(grains_.velocity[k]), {}});
   }
 }
 
@@ -178,8 +178,9 @@ bool Simulation::fall_asleep() {
   return !tired.empty();
 }
 
-/// Sleepers' spheres stand still from now on, or move with their carrier.
+/// Sleepers' spheres stand still from now on, or move with their carrier; single spheres move as grains do.
 void Simulation::settle_motion_of_sleepers() {
+  if (!kinds_.composed()) return;
   const Vector3 velocity = plain(carrier().velocity);
   for (std::size_t k = 0; k < spheres_.grains; ++k)
     if (sleeping_->asleep(k)) spheres_.set_motion(k, {velocity, {}});

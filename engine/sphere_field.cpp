@@ -3,6 +3,7 @@
 namespace diefill::engine {
 
 void SphereField::reorder_motion(const std::vector<std::uint32_t>& order) {
+  if (spheres_per_grain == 1) return;
   for (std::vector<Vector3>* vectors : {&velocity, &spin}) {
     std::vector<Vector3> reordered(order.size());
     for (std::size_t k = 0; k < order.size(); ++k)
@@ -15,6 +16,12 @@ void SphereField::stand_at(const std::vector<Eigen::Vector3d>& position,
                            const std::vector<Quaternion>& orientation) {
   position_ = position.data();
   orientation_ = orientation.data();
+}
+
+void SphereField::move_at(const std::vector<Eigen::Vector3d>& velocities,
+                          const std::vector<Eigen::Vector3d>& spins) {
+  velocity_ = velocities.data();
+  spin_ = spins.data();
 }
 
 void SphereField::hold_places() {

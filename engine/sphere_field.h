@@ -18,25 +18,28 @@ struct GrainMotion {
 };
 
 /// Spheres, grain after grain; those of images follow those of real grains in number, but are held nowhere:
-/// they are where their owner is, and shifted. Velocities are those predicted for the end of the step (OP-3).
+/// they are where their owner is, and shifted. Velocities are those predicted for the end of the step (OP-3):
+/// single spheres have them in the grains' own arrays while contacts are computed.
 /// A composed grain's spheres are where its pose has them, and move as it does: neither is held, as a grain
 /// takes less memory than its spheres.
 struct SphereField {
   std::size_t spheres_per_grain = 1;
   std::size_t grains = 0;         ///< real ones; images follow
-  std::vector<Vector3> velocity;  ///< m/s, of real grains' centres of mass
-  std::vector<Vector3> spin;      ///< rad/s, of real grains, laboratory frame
+  std::vector<Vector3> velocity;  ///< m/s, of composed real grains' centres of mass
+  std::vector<Vector3> spin;      ///< rad/s, of composed real grains, laboratory frame
   std::vector<GrainImage> images;
   PeriodicBox box;                            ///< beyond whose borders images are seen
   std::vector<std::uint16_t> kind;            ///< of grains; empty where all are alike
   std::vector<std::vector<Vector3>> offsets;  ///< m, of the spheres of each kind, body frame
 
-  /// Velocities and spins follow their grains: entry k becomes the former entry order[k]. Grains that have
-  /// just been added have none yet.
+  /// Velocities and spins of composed grains follow them: entry k becomes the former entry order[k]. Grains
+  /// that have just been added have none yet.
   void reorder_motion(const std::vector<std::uint32_t>& order);
   /// Grains are from now on at `position` (m) with `orientation` (none for single spheres). Whoever moves
   /// either array to another place has to say so again.
   void stand_at(const std::vector<Eigen::Vector3d>& position, const std::vector<Quaternion>& orientation);
+  /// Single spheres move from now on at `velocities` (m/s) with `spins` (rad/s). As above.
+  void move_at(const std::vector<Eigen::Vector3d>& velocities, const std::vector<Eigen::Vector3d>& spins);
   /// Holds the places of composed grains' spheres as they are now, for many questions at one instant, and
   /// lets go of them.
   void hold_places();
@@ -60,7 +63,17 @@ struct SphereField {
     return k < real() ? k : owner(k) * spheres_per_grain + k % spheres_per_grain;
   }
   /// Of real grain k.
-  GrainMotion motion(std::size_t k) const { return {velocity[k], spin[k]}; }
+  GrainMotion motion(std::size_t k) const {
+    if (spheres_per_grain == 1) return {plain(velocity_[k]), plain(spin_[k])};
+    return {velocity[k], spin[k]};
+  }
+  /// Where the numbers of a real single sphere lie: centre (m), velocity (m/s) and spin (rad/s), three each.
+  /// Those of the next sphere follow.
+  struct Single {
+    const double *centre, *velocity, *spin;
+  };
+  Single single(std::size_t k) const { return {position_[k].data(), velocity_[k].data(), spin_[k].data()}; }
+  /// Of composed real grain k.
   void set_motion(std::size_t k, const GrainMotion& motion) {
     velocity[k] = motion.velocity;
     spin[k] = motion.spin;
@@ -69,12 +82,12 @@ struct SphereField {
   Vector3 grain_centre(std::size_t k) const { return plain(position_[k]); }
   /// Body to laboratory, of composed real grain k.
   PlainQuaternion orientation(std::size_t k) const { return plain(orientation_[k]); }
-  /// Asks for what is going to be read soon of real grain k.
+  /// Asks for what is going to be read soon of composed real grain k.
   void fetch(std::size_t k) const {
     __builtin_prefetch(position_ + k);
     __builtin_prefetch(velocity.data() + k);
     __builtin_prefetch(spin.data() + k);
-    if (spheres_per_grain > 1) __builtin_prefetch(orientation_ + k);
+    __builtin_prefetch(orientation_ + k);
   }
   /// m, of sphere `number` of real grain k in its frame.
   const Vector3& offset(std::size_t k, std::size_t number) const {
@@ -96,6 +109,7 @@ struct SphereField {
 
   const Eigen::Vector3d* position_ = nullptr;
   const Quaternion* orientation_ = nullptr;
+  const Eigen::Vector3d *velocity_ = nullptr, *spin_ = nullptr;
   std::vector<Vector3> placed_;
 };
 

@@ -13,10 +13,6 @@ namespace {
 double* numbers(std::vector<Eigen::Vector3d>& vectors) {
   return vectors.data()->data();
 }
-double* numbers(std::vector<Vector3>& vectors) {
-  static_assert(sizeof(Vector3) == 3 * sizeof(double));
-  return &vectors.data()->x;
-}
 
 }  // namespace
 
@@ -30,8 +26,11 @@ struct SphereIntegrator::ContactForces {
   /// Four numbers at a time, of which the next sphere overwrites the last.
   void take(std::span<const ContactSum> sums) {
     for (std::size_t k = 0; k < sums.size(); ++k) {
-      __builtin_memcpy(force + 3 * k, sums[k].data(), 4 * sizeof(double));
-      __builtin_memcpy(moment + 3 * k, sums[k].data() + 3, 4 * sizeof(double));
+      Four half;
+      load(half, sums[k].first_half());
+      store(half, force + 3 * k);
+      load(half, sums[k].second_half());
+      store(half, moment + 3 * k);
     }
   }
   double total_drag_power() const {
@@ -80,12 +79,10 @@ void SphereIntegrator::for_groups(const Grains& grains, std::size_t begin, std::
   if (first < end) visit(factors(first, end - first), 3 * first, 3 * (end - first));
 }
 
-void SphereIntegrator::advance(Grains& grains, std::size_t begin, std::size_t end,
-                               SphereField& spheres) const {
-  double *position = numbers(grains.position), *predicted = numbers(spheres.velocity),
-         *predicted_spin = numbers(spheres.spin);
-  const double *velocity = numbers(grains.velocity), *force = numbers(grains.force),
-               *spin = numbers(grains.spin), *torque = numbers(grains.torque);
+void SphereIntegrator::advance(Grains& grains, std::size_t begin, std::size_t end) const {
+  double *position = numbers(grains.position), *velocity = numbers(grains.velocity),
+         *spin = numbers(grains.spin);
+  const double *force = numbers(grains.force), *torque = numbers(grains.torque);
   const double time_step = time_step_;
   with_instructions(instructions_, [&] {
     for_groups(grains, begin, end, [&](const Factors& factors, std::size_t first, auto how_many) {
@@ -94,12 +91,12 @@ void SphereIntegrator::advance(Grains& grains, std::size_t begin, std::size_t en
       for (std::size_t k = 0; k < count; ++k) {
         const double gained = factors.velocity_per_force[k] * force[first + k];
         position[first + k] += time_step * (velocity[first + k] + 0.5 * gained);
-        predicted[first + k] = velocity[first + k] + gained;
+        velocity[first + k] += gained;
       }
       if (!rotates_) return;
 #pragma GCC ivdep
       for (std::size_t k = 0; k < count; ++k)
-        predicted_spin[first + k] = spin[first + k] + factors.spin_per_torque[k] * torque[first + k];
+        spin[first + k] += factors.spin_per_torque[k] * torque[first + k];
     });
   });
 }
@@ -121,7 +118,8 @@ StepWork SphereIntegrator::finish(Grains& grains, std::size_t begin, std::size_t
   return {chunk.total_drag_power() * time_step_, rolling_power * time_step_};
 }
 
-/// New velocities from the forces before and after the step: contacts, air, weight.
+/// From the velocities that the forces before the step lead to, those that the mean of the forces before and
+/// after it does: contacts, air, weight.
 void SphereIntegrator::kick(Grains& grains, std::size_t begin, std::size_t end,
                             ContactForces& contacts) const {
   double *velocity = numbers(grains.velocity), *force = numbers(grains.force), *power = contacts.drag_power;
@@ -131,17 +129,17 @@ void SphereIntegrator::kick(Grains& grains, std::size_t begin, std::size_t end,
     const double* acting = contact + (first - 3 * begin);
 #pragma GCC ivdep
     for (std::size_t k = 0; k < count; ++k) {
-      const double predicted = velocity[first + k] + factors.velocity_per_force[k] * force[first + k];
+      const double predicted = velocity[first + k];
       const double air = -factors.drag[k] * predicted;
       const double after = acting[k] + air + factors.weight[k];
       power[k] += air * predicted;
-      velocity[first + k] += 0.5 * factors.velocity_per_force[k] * (force[first + k] + after);
+      velocity[first + k] += 0.5 * factors.velocity_per_force[k] * (after - force[first + k]);
       force[first + k] = after;
     }
   });
 }
 
-/// New spins from the torques before and after the step.
+/// The same for spins and torques.
 void SphereIntegrator::kick_spin(Grains& grains, std::size_t begin, std::size_t end,
                                  const ContactForces& contacts) const {
   double *spin = numbers(grains.spin), *torque = numbers(grains.torque);
@@ -150,7 +148,7 @@ void SphereIntegrator::kick_spin(Grains& grains, std::size_t begin, std::size_t 
     const double* acting = contacts.moment + (first - 3 * begin);
 #pragma GCC ivdep
     for (std::size_t k = 0; k < count; ++k) {
-      spin[first + k] += 0.5 * factors.spin_per_torque[k] * (torque[first + k] + acting[k]);
+      spin[first + k] += 0.5 * factors.spin_per_torque[k] * (acting[k] - torque[first + k]);
       torque[first + k] = acting[k];
     }
   });

@@ -8,7 +8,6 @@
 
 #include "engine/grain_kinds.h"
 #include "engine/grains.h"
-#include "engine/sphere_field.h"
 #include "engine/vector_instructions.h"
 
 namespace diefill::engine {
@@ -33,8 +32,9 @@ class SphereIntegrator {
   SphereIntegrator(std::vector<Body> bodies, bool rotates, bool rolls, double time_step,
                    InstructionSet instructions);
 
-  /// As GrainIntegrator::advance() and finish().
-  void advance(Grains& grains, std::size_t begin, std::size_t end, SphereField& spheres) const;
+  /// As GrainIntegrator::advance() and finish(). In between, velocities and spins of `grains` are those
+  /// predicted for the end of the step: a step passes through no memory besides.
+  void advance(Grains& grains, std::size_t begin, std::size_t end) const;
   StepWork finish(Grains& grains, std::size_t begin, std::size_t end,
                   std::span<const ContactSum> contacts) const;
 

@@ -1,70 +1,64 @@
-// Between records and lanes: eight records of eight numbers each turn into eight lanes of each number.
-// Records are what memory is read and written in, lanes are what vector instructions compute with.
+// Between records and lanes: four records of four numbers each turn into four lanes of each number. Records
+// are what memory is read and written in, lanes are what vector instructions compute with.
 #pragma once
 
 #include <cstddef>
-#include <cstdint>
-#include <initializer_list>
 
 namespace diefill::engine {
 
-/// Numbers of one contact or grain, as wide as a cache line.
+/// Numbers of one contact or grain, as wide as a cache line: two halves of four.
 struct alignas(64) Record {
-  double value[8];
+  static constexpr std::size_t kHalf = 4;
+  double value[2 * kHalf];
 };
 
 /// GCC's and Clang's vector type: plain instructions where the processor has nothing better.
-using Eight = double __attribute__((vector_size(64)));
-
 using Four = double __attribute__((vector_size(32)));
 
-/// The record's numbers.
-inline void take(Eight& numbers, const Record& record) {
-  __builtin_memcpy(&numbers, record.value, sizeof numbers);
+/// The same where it lies in memory, on any border of a number. A memcpy would do, but is cut into pieces as
+/// wide as the registers of the oldest processors before it is known which instructions it is compiled for;
+/// and what has been written in pieces has to reach the cache before it can be read as a whole.
+using FourInMemory = double __attribute__((vector_size(32), aligned(8), may_alias));
+
+/// numbers = from[0], ..., from[3].
+inline void load(Four& numbers, const double* from) {
+  numbers = *reinterpret_cast<const FourInMemory*>(from);
 }
-/// sum + way * given, number by number.
-inline void add_times(double* sum, const Eight& given, const Eight& way) {
-  Eight total;
-  __builtin_memcpy(&total, sum, sizeof total);
-  total += way * given;
-  __builtin_memcpy(sum, &total, sizeof total);
-}
-
-namespace transposition {
-
-using Places = std::int64_t __attribute__((vector_size(64)));
-
-/// Exchanges blocks of `kSize` numbers between `upper` and `lower`: one of three rounds.
-template <std::int64_t kSize>
-inline void exchange(Eight& upper, Eight& lower) {
-  Places first{}, second{};
-  for (std::int64_t k = 0; k < 8; ++k) {
-    const bool swapped = (k / kSize) % 2 == 1;
-    first[k] = swapped ? 8 + k - kSize : k;
-    second[k] = swapped ? 8 + k : k + kSize;
-  }
-  const Eight kept = upper;
-  upper = __builtin_shuffle(kept, lower, first);
-  lower = __builtin_shuffle(kept, lower, second);
+/// The way back.
+inline void store(const Four& numbers, double* to) {
+  *reinterpret_cast<FourInMemory*>(to) = numbers;
 }
 
-inline void transpose(Eight (&row)[8]) {
-  for (const int k : {0, 2, 4, 6}) exchange<1>(row[k], row[k + 1]);
-  for (const int k : {0, 1, 4, 5}) exchange<2>(row[k], row[k + 2]);
-  for (const int k : {0, 1, 2, 3}) exchange<4>(row[k], row[k + 4]);
+/// Makes the last number 0.
+inline void drop_last(Four& numbers) {
+  numbers = __builtin_shufflevector(numbers, Four{}, 0, 1, 2, 7);
+}
+/// to[k] += numbers[k].
+inline void add_to(double* to, const Four& numbers) {
+  Four sum;
+  load(sum, to);
+  store(sum + numbers, to);
 }
 
-}  // namespace transposition
-
-/// Eight records, one pair or grain each, in registers.
+/// Four records, one pair or grain each, in registers.
 struct Records {
-  Eight row[8];
+  static constexpr std::size_t kCount = 4;
+  Four row[kCount];
 
   /// Number k of all records goes to row k, and back.
-  void transpose() { transposition::transpose(row); }
-  /// Row k, transposed, to eight lanes and from them.
-  void store(std::size_t k, double* lanes) const { __builtin_memcpy(lanes, &row[k], sizeof row[k]); }
-  void load(std::size_t k, const double* lanes) { __builtin_memcpy(&row[k], lanes, sizeof row[k]); }
+  void transpose() {
+    const Four even = __builtin_shufflevector(row[0], row[1], 0, 4, 2, 6),
+               odd = __builtin_shufflevector(row[0], row[1], 1, 5, 3, 7),
+               next_even = __builtin_shufflevector(row[2], row[3], 0, 4, 2, 6),
+               next_odd = __builtin_shufflevector(row[2], row[3], 1, 5, 3, 7);
+    row[0] = __builtin_shufflevector(even, next_even, 0, 1, 4, 5);
+    row[1] = __builtin_shufflevector(odd, next_odd, 0, 1, 4, 5);
+    row[2] = __builtin_shufflevector(even, next_even, 2, 3, 6, 7);
+    row[3] = __builtin_shufflevector(odd, next_odd, 2, 3, 6, 7);
+  }
+  /// Row k, transposed, to four lanes and from them.
+  void to_lanes(std::size_t k, double* lanes) const { store(row[k], lanes); }
+  void from_lanes(std::size_t k, const double* lanes) { load(row[k], lanes); }
 };
 
 }  // namespace diefill::engine

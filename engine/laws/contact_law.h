@@ -2,6 +2,7 @@
 // for walls and the tests all call these few lines.
 #pragma once
 
+#include <cmath>
 #include <vector>
 
 #include "engine/contact_parameters.h"
@@ -10,7 +11,6 @@
 #include "engine/laws/hertz.h"
 #include "engine/laws/reaction.h"
 #include "engine/laws/tangential_spring.h"
-#include "engine/reciprocal_root.h"
 
 namespace diefill::engine::laws {
 
@@ -27,8 +27,8 @@ template <class Cohesion, class Friction>
 struct ContactLaw {
   static constexpr int kMemory = Friction::kMemory;  ///< numbers that a touching pair remembers
   static constexpr bool kRolls = false;              ///< whether relative spins matter
-  /// Whether loops over many pairs may call turn() and react_turned() one after the other instead of react():
-  /// what waits for a root in one pair leaves the processor room for others.
+  /// Whether loops over many pairs may call turn(), stretch() and react_stretched() one after the other
+  /// instead of react(): what waits for a root in one pair leaves the processor room for others.
   static constexpr bool kInStages = true;
   Hertz elastic;
   Cohesion cohesion;
@@ -46,22 +46,30 @@ struct ContactLaw {
   /// Force between touching spheres; advances the pair's `memory`.
   Reaction react(const ContactState& contact, double* memory) const {
     turn(memory, contact.normal);
-    return react_turned(contact, contact.overlap * reciprocal_root(contact.overlap), memory);
+    return react_stretched(stretch(contact, memory), contact.normal, memory);
   }
   /// Turns the pair's memory along with its `normal`.
   void turn(double* memory, Vector3 normal) const { friction.turn(memory, normal); }
-  /// The same as react(), once the memory has been turned; sqrt(h) is given.
-  Reaction react_turned(const ContactState& contact, double root_overlap, double* memory) const {
-    const double separation_speed = dot(contact.velocity, contact.normal);
-    const NormalForce parts = normal(contact.overlap, root_overlap, separation_speed);
-    const Vector3 sliding = contact.velocity - separation_speed * contact.normal;
+  /// Stretches the pair's memory, once it has been turned, and says what the rest needs to know.
+  StretchedContact stretch(const ContactState& contact, double* memory) const {
+    StretchedContact stretched;
+    stretched.overlap = contact.overlap;
+    // Rounding can make the overlap of a pair that just touches negative.
+    stretched.root_overlap = std::sqrt(contact.overlap > 0 ? contact.overlap : 0.0);
+    stretched.separation_speed = dot(contact.velocity, contact.normal);
+    stretched.sliding = contact.velocity - stretched.separation_speed * contact.normal;
+    friction.stretch(memory, stretched.sliding, contact.time_step);
+    return stretched;
+  }
+  /// The same as react(), once the memory has been turned and stretched.
+  Reaction react_stretched(const StretchedContact& contact, Vector3 unit_normal, double* memory) const {
+    const NormalForce parts = normal(contact.overlap, contact.root_overlap, contact.separation_speed);
     Reaction reaction;
     reaction.load = parts.load();
-    const Vector3 tangential =
-        friction.stretch(memory, sliding, root_overlap, reaction.load, contact.time_step);
-    reaction.force = parts.total() * contact.normal + tangential;
-    reaction.viscous_power = parts.viscous * separation_speed;
-    reaction.friction_power = dot(tangential, sliding);
+    const Vector3 tangential = friction.limited(memory, contact.root_overlap, reaction.load);
+    reaction.force = parts.total() * unit_normal + tangential;
+    reaction.viscous_power = parts.viscous * contact.separation_speed;
+    reaction.friction_power = dot(tangential, contact.sliding);
     return reaction;
   }
 

@@ -15,6 +15,14 @@ struct ContactState {
   double rolling_step = time_step;  ///< s, springs of rolling advance by it; differs where forces are scaled
 };
 
+/// A contact half-way through a law in stages (ContactLaw::kInStages).
+struct StretchedContact {
+  double overlap;           ///< m
+  double root_overlap;      ///< m^(1/2)
+  double separation_speed;  ///< m/s, along the normal
+  Vector3 sliding;          ///< m/s, across it
+};
+
 /// What the law does to the pair, and the power of each kind of force for an energy ledger. A negative power
 /// takes energy out of the motion.
 struct Reaction {

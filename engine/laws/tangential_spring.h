@@ -14,7 +14,8 @@ struct NoFriction {
   NoFriction() = default;
   NoFriction(double, double, double) {}
   void turn(double*, Vector3) const {}
-  Vector3 stretch(double*, Vector3, double, double, double) const { return {}; }
+  void stretch(double*, Vector3, double) const {}
+  Vector3 limited(double*, double, double) const { return {}; }
 };
 
 /// f_t = -min[kappa_t sqrt(h / R_eff) |xi|, mu |f_e + f_v|] xi / |xi| (Bierwisch 2009, Eq. 2.7). The Coulomb
@@ -39,7 +40,8 @@ struct TangentialSpring {
   Vector3 force(double* memory, Vector3 normal, Vector3 sliding, double root_overlap, double normal_load,
                 double time_step) const {
     turn(memory, normal);
-    return stretch(memory, sliding, root_overlap, normal_load, time_step);
+    stretch(memory, sliding, time_step);
+    return limited(memory, root_overlap, normal_load);
   }
 
   /// Turns the spring into the plane across `normal`, keeping its length.
@@ -52,13 +54,17 @@ struct TangentialSpring {
     put(spring, memory);
   }
 
-  /// The rest of force(), once the spring has been turned.
-  Vector3 stretch(double* memory, Vector3 sliding, double root_overlap, double normal_load,
-                  double time_step) const {
-    Vector3 spring = Vector3{memory[0], memory[1], memory[2]} + time_step * sliding;
+  /// Stretches the spring by what surfaces slide on each other in `time_step` (s).
+  void stretch(double* memory, Vector3 sliding, double time_step) const {
+    put(Vector3{memory[0], memory[1], memory[2]} + time_step * sliding, memory);
+  }
+
+  /// The force in N of the spring as it is now, up to the Coulomb limit.
+  Vector3 limited(double* memory, double root_overlap, double normal_load) const {
+    Vector3 spring{memory[0], memory[1], memory[2]};
     const double stiffness = coefficient * root_overlap;
-    const double limit_over_elastic =
-        friction * normal_load * reciprocal_root(stiffness * stiffness * dot(spring, spring));
+    // Infinite for a spring of length 0, or no number where there is no load either: neither is a limit.
+    const double limit_over_elastic = friction * normal_load / (stiffness * std::sqrt(dot(spring, spring)));
     const double share = limit_over_elastic < 1 ? limit_over_elastic : 1.0;
     const Vector3 force = (-stiffness * share) * spring;
     if constexpr (kCutBack) spring = share * spring;

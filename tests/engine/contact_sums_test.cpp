@@ -16,24 +16,29 @@ ContactSum some_sum(double start) {
   return sum;
 }
 
+/// Force, moment and rolling load.
+std::vector<double> numbers_of(const ContactSum& sum) {
+  const Vector3 force = sum.force(), moment = sum.moment();
+  return {force.x, force.y, force.z, moment.x, moment.y, moment.z, sum.rolling_load()};
+}
+
 TEST(ContactSums, KeepTheNumbersThatCountAndNoOthers) {
-  const std::vector<ContactSum> given = {some_sum(1), some_sum(20)};
+  const std::vector<ContactSum> given = {some_sum(1), some_sum(20), some_sum(40)};
   for (const std::size_t numbers : {ContactSum::kForce, ContactSum::kMoment, ContactSum::kRolling}) {
     ContactSums kept;
     kept.start(given.size(), numbers);
     std::vector<ContactSum> taken = given;
     kept.keep(taken);
-    for (const ContactSum& sum : taken)
-      for (std::size_t n = 0; n < 8; ++n) EXPECT_EQ(sum.data()[n], 0);
-    EXPECT_EQ(kept.bytes(), 2 * numbers * sizeof(double));
+    for (const ContactSum& sum : taken) EXPECT_EQ(numbers_of(sum), std::vector<double>(7, 0.0));
+    EXPECT_EQ(kept.bytes(), given.size() * numbers * sizeof(double));
     std::vector<ContactSum> copies;
-    kept.copy_to(copies, 2);
-    for (std::size_t k = 0; k < given.size(); ++k)
-      for (std::size_t n = 0; n < 8; ++n) {
-        const double expected = n < numbers ? given[k].data()[n] : 0;
-        EXPECT_EQ(std::as_const(kept)[k].data()[n], expected);
-        EXPECT_EQ(copies[k].data()[n], expected);
-      }
+    kept.copy_to(copies, given.size());
+    for (std::size_t k = 0; k < given.size(); ++k) {
+      std::vector<double> expected = numbers_of(given[k]);
+      std::fill(expected.begin() + static_cast<std::ptrdiff_t>(numbers), expected.end(), 0.0);
+      EXPECT_EQ(numbers_of(std::as_const(kept)[k]), expected);
+      EXPECT_EQ(numbers_of(copies[k]), expected);
+    }
   }
 }
 

@@ -10,33 +10,32 @@ namespace {
 
 TEST(Transpose, LanesHoldOneNumberOfEachRecordAndComeBack) {
   for (const auto set : {InstructionSet::baseline, best_instruction_set()}) {
-    Record given[8], back[8];
-    double lanes[8][8] = {};
-    for (int r = 0; r < 8; ++r)
-      for (int k = 0; k < 8; ++k) given[r].value[k] = 10 * r + k;
+    double given[4][4], back[4][4], lanes[4][4] = {};
+    for (int r = 0; r < 4; ++r)
+      for (int k = 0; k < 4; ++k) given[r][k] = 10 * r + k;
     with_instructions(set, [&] {
       Records records;
-      for (int r = 0; r < 8; ++r) take(records.row[r], given[r]);
+      for (int r = 0; r < 4; ++r) load(records.row[r], given[r]);
       records.transpose();
-      for (int k = 0; k < 8; ++k) records.store(static_cast<std::size_t>(k), lanes[k]);
+      for (int k = 0; k < 4; ++k) records.to_lanes(static_cast<std::size_t>(k), lanes[k]);
       Records returned{};
-      for (int k = 0; k < 6; ++k) returned.load(static_cast<std::size_t>(k), lanes[k]);
+      for (int k = 0; k < 3; ++k) returned.from_lanes(static_cast<std::size_t>(k), lanes[k]);
       returned.transpose();
-      for (int r = 0; r < 8; ++r) returned.store(static_cast<std::size_t>(r), back[r].value);
+      for (int r = 0; r < 4; ++r) store(returned.row[r], back[r]);
     });
-    for (int r = 0; r < 8; ++r)
-      for (int k = 0; k < 8; ++k) {
+    for (int r = 0; r < 4; ++r)
+      for (int k = 0; k < 4; ++k) {
         EXPECT_EQ(lanes[k][r], 10 * r + k);
-        EXPECT_EQ(back[r].value[k], k < 6 ? 10 * r + k : 0);
+        EXPECT_EQ(back[r][k], k < 3 ? 10 * r + k : 0);
       }
   }
 }
 
-TEST(Transpose, AddsEachNumberWithItsOwnFactor) {
-  double sum[8] = {1, 1, 1, 1, 1, 1, 1, 1};
-  add_times(sum, Eight{1, 2, 3, 4, 5, 6, 7, 8}, Eight{1, -1, 1, -1, 0, 2, 0.5, -0.5});
-  const double expected[8] = {2, -1, 4, -3, 1, 13, 4.5, -3};
-  for (int k = 0; k < 8; ++k) EXPECT_EQ(sum[k], expected[k]);
+TEST(Transpose, ReadsAndAddsAtAnyBorderOfANumber) {
+  double numbers[6] = {1, 2, 3, 4, 5, 6};
+  add_to(numbers + 1, Four{10, -1, 0.5, 0});
+  const double expected[6] = {1, 12, 2, 4.5, 5, 6};
+  for (int k = 0; k < 6; ++k) EXPECT_EQ(numbers[k], expected[k]);
 }
 
 }  // namespace
