@@ -24,10 +24,9 @@ laws::LawParameters rough() {
                           .work_of_adhesion = 0.002});
 }
 
-/// The same, damped so that the smallest of kTenfold are not overdamped.
-laws::LawParameters lively() {
-  return bierwisch_parts(
-      {.reduced_modulus = 1e7, .damping = 10, .tangential = 50, .friction = 0.5, .work_of_adhesion = 2e-4});
+/// The same, with a `damping` (Pa s) by which the smallest of kTenfold are not overdamped.
+laws::LawParameters lively(double damping = 10) {
+  return bierwisch_parts({1e7, damping, 50, 0.5, 2e-4});  // E~, gamma_n, kappa_t, mu, w
 }
 
 /// Sizes over a range of ten.
@@ -199,12 +198,8 @@ TEST(MixedCloud, KeepsMomentumAndAngularMomentumAndBooksItsEnergy) {
 }
 
 TEST(MixedCloud, ForcesOfContactsSumUpToThoseOnGrains) {
-  // Undamped, so that forces do not depend on velocities, which have changed since they were computed.
-  auto simulation = empty_bed({.air = 0}, bierwisch_parts({.reduced_modulus = 1e7,
-                                                           .damping = 0,
-                                                           .tangential = 50,
-                                                           .friction = 0.5,
-                                                           .work_of_adhesion = 2e-4}));
+  // Undamped: forces do not depend on velocities, which have changed since.
+  auto simulation = empty_bed({.air = 0}, lively(0));
   simulation.add_grains(crowd(600, 3));
   run_steps(simulation, 600);
   const Grains& grains = simulation.grains();
