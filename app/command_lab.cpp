@@ -26,13 +26,14 @@ struct LabArguments {
 struct Family {
   const char *name, *help;
   const std::vector<Experiment>& (*experiments)();
+  bool has_published_points = false;
 };
 
 const Family kFamilies[] = {
     {"stability", "Find where each method fails, against theory", process::laboratory::stability_experiments},
     {"walls", "Hold wall spheres against the exact surface", process::laboratory::wall_experiments},
     {"bulk_density", "How dense beds of sticky powders lie, against published ones",
-     process::laboratory::bulk_density_experiments},
+     process::laboratory::bulk_density_experiments, true},
 };
 
 /// The experiments that `name` asks for; throws SceneError where there is none.
@@ -62,6 +63,13 @@ void print(const results::ExperimentResult& result) {
   std::fflush(stdout);
 }
 
+results::ExperimentResult perform_telling(const Experiment& one,
+                                          process::laboratory::ExperimentOptions options) {
+  process::Progress progress(true);
+  options.tell = progress.listener();
+  return process::laboratory::perform(one, options);
+}
+
 int experiment(const Family& family, const LabArguments& arguments) {
   const auto experiments = wanted(family, arguments.name);
   const std::filesystem::path out = arguments.out.empty() ? std::string("out/") + family.name : arguments.out;
@@ -69,7 +77,7 @@ int experiment(const Family& family, const LabArguments& arguments) {
   set_up_drawing();
   std::vector<results::ExperimentResult> found;
   for (const auto& one : experiments) {
-    found.push_back(process::laboratory::perform(one, arguments.options));
+    found.push_back(perform_telling(one, arguments.options));
     print(found.back());
     write_output([&] {
       results::write_experiment(out, found.back());
@@ -87,6 +95,9 @@ void add_family(CLI::App& lab, const Family& family, Action& chosen) {
   auto arguments = std::make_shared<LabArguments>();
   command->add_option("NAME", arguments->name, "experiment (default: all)");
   command->add_flag("--quick", arguments->options.quick, "small beds and few points");
+  if (family.has_published_points)
+    command->add_flag("--published", arguments->options.published_only,
+                      "only the points that published figures exist for");
   command->add_option("--out", arguments->out,
                       std::string("directory for tables and charts (default: out/") + family.name + ")");
   command->add_option("--threads", arguments->options.threads, "threads; results do not depend on it")

@@ -8,6 +8,7 @@
 #include <cstdint>
 
 #include "engine/contact_parameters.h"
+#include "engine/contacts_in_parts.h"
 #include "engine/lanes.h"
 #include "engine/laws/reaction.h"
 #include "engine/reciprocal_root.h"
@@ -41,6 +42,11 @@ struct ContactBatch {
   Scalars load, overlap;
   Scalars viscous_power, friction_power, rolling_power;  ///< W
 
+  /// For laws by parts: the law of a lane, and how far it has come.
+  const Law* law[Law::kByParts ? kLanes + kLaneGroup : 1];
+  ContactsInParts<Law::kByParts ? kLanes : 1> parts;
+  Vectors couple;  ///< N m on i besides that of the force; for laws by parts
+
   /// Which pair of kinds a lane is; only set where grains are not all alike.
   std::uint32_t kinds[kLanes + kLaneGroup];
 
@@ -51,6 +57,16 @@ struct ContactBatch {
     for (std::size_t k = 0; k < kMemory; ++k) numbers[k] = memory[k][lane];
     change(numbers);
     for (std::size_t k = 0; k < kMemory; ++k) memory[k][lane] = numbers[k];
+  }
+
+  /// What the law says about a lane.
+  void put(std::size_t lane, const laws::Reaction& reaction) {
+    force.set(lane, reaction.force);
+    if constexpr (Law::kByParts) couple.set(lane, reaction.couple);
+    load[lane] = reaction.load;
+    viscous_power[lane] = reaction.viscous_power;
+    friction_power[lane] = reaction.friction_power;
+    if constexpr (Law::kRolls) rolling_power[lane] = reaction.rolling_power;
   }
 
   /// Fills the last group with copies of the last pair, so that whole groups hold numbers that make sense.
@@ -152,32 +168,26 @@ laws::ContactState contact_of(const ContactBatch<Law>& batch, std::size_t lane, 
   return contact;
 }
 
-/// Puts a lane's reaction into the batch, with the moments that the force causes.
+/// Puts the moments into the batch that a lane's `force` and `couple` on i cause.
 template <LeverArm kArm, bool kComposed, bool kUnequal, class Law>
-void put_reaction(const laws::Reaction& reaction, const PairReach& reach, std::size_t lane,
-                  ContactBatch<Law>& batch) {
+void put_moments(Vector3 force, Vector3 couple, const PairReach& reach, std::size_t lane,
+                 ContactBatch<Law>& batch) {
   using Arms = Lever<kArm>;
-  batch.force.set(lane, reaction.force);
-  batch.load[lane] = reaction.load;
-  batch.viscous_power[lane] = reaction.viscous_power;
-  batch.friction_power[lane] = reaction.friction_power;
-  if constexpr (Law::kRolls) batch.rolling_power[lane] = reaction.rolling_power;
   if constexpr (!Arms::kTurns) return;
   const double overlap = batch.overlap[lane], arm = Arms::arm(reach.radius, overlap);
   const Vector3 normal = batch.normal[lane];
   Vector3 point = (-arm) * normal;
   if constexpr (kComposed) point += batch.place[lane];
-  Vector3 moment = cross(point, reaction.force);
-  if constexpr (Law::kRolls) moment += reaction.couple;
+  Vector3 moment = cross(point, force);
+  if constexpr (Law::kRolls) moment += couple;
   batch.moment.set(lane, moment);
   if constexpr (kComposed && Arms::kOtherDiffers)
-    batch.other_moment.set(lane,
-                           -moment - cross(Arms::offset_of_other(reach, overlap) * normal, reaction.force));
+    batch.other_moment.set(lane, -moment - cross(Arms::offset_of_other(reach, overlap) * normal, force));
   if constexpr (!kComposed && kUnequal) {
     const double other_arm = Arms::arm(reach.contact - reach.radius, overlap);
-    batch.other_moment.set(lane, -cross(other_arm * normal, reaction.force) - reaction.couple);
+    batch.other_moment.set(lane, -cross(other_arm * normal, force) - couple);
   } else if constexpr (!kComposed && Law::kRolls) {
-    batch.other_moment.set(lane, moment - 2 * reaction.couple);
+    batch.other_moment.set(lane, moment - 2 * couple);
   }
 }
 
@@ -211,26 +221,38 @@ void react_in_stages(ContactBatch<Law>& batch, const OfLane& of_lane, double tim
     laws::Reaction reaction;
     batch.change_memory(
         lane, [&](double* memory) { reaction = law.react_stretched(stretched, batch.normal[lane], memory); });
-    put_reaction<kArm, kComposed, false>(reaction, reach, lane, batch);
+    batch.put(lane, reaction);
+    put_moments<kArm, kComposed, false>(reaction.force, {}, reach, lane, batch);
   }
+}
+
+/// The reaction of all pairs by a law of parts.
+template <LeverArm kArm, bool kComposed, bool kUnequal, class Law, class OfLane>
+void react_in_parts(ContactBatch<Law>& batch, const OfLane& of_lane, InstructionSet instructions,
+                    double time_step) {
+  const std::size_t lanes = whole_groups(batch.count);
+#pragma GCC ivdep
+  for (std::size_t lane = 0; lane < lanes; ++lane)
+    batch.velocity.set(lane,
+                       contact_of<kArm, kUnequal>(batch, lane, of_lane(lane).reach, time_step).velocity);
+  for (std::size_t lane = 0; lane < lanes; ++lane) batch.law[lane] = &of_lane(lane).law;
+  react_by_parts(batch, instructions, time_step);
+#pragma GCC ivdep
+  for (std::size_t lane = 0; lane < lanes; ++lane)
+    put_moments<kArm, kComposed, kUnequal>(batch.force[lane], batch.couple[lane], of_lane(lane).reach, lane,
+                                           batch);
 }
 
 /// Forces of all pairs in the batch; `of_lane(lane)` is the PairLaw of each. `kComposed`: moments are about
 /// the reference point, otherwise about the centres of i and j. `kUnequal`: radii of i and j may differ.
 template <LeverArm kArm, bool kComposed, bool kUnequal = false, class Law, class OfLane>
-void react(ContactBatch<Law>& batch, const OfLane& of_lane, double time_step) {
+void react(ContactBatch<Law>& batch, const OfLane& of_lane, InstructionSet instructions, double time_step) {
+  static_assert(Law::kByParts || !kUnequal);
   meet(batch, of_lane);
-  if constexpr (Law::kInStages && !kUnequal)
-    return react_in_stages<kArm, kComposed>(batch, of_lane, time_step);
-  const std::size_t lanes = whole_groups(batch.count);
-#pragma GCC ivdep
-  for (std::size_t lane = 0; lane < lanes; ++lane) {
-    const auto& [law, reach] = of_lane(lane);
-    const laws::ContactState contact = contact_of<kArm, kUnequal>(batch, lane, reach, time_step);
-    laws::Reaction reaction;
-    batch.change_memory(lane, [&](double* memory) { reaction = law.react(contact, memory); });
-    put_reaction<kArm, kComposed, kUnequal>(reaction, reach, lane, batch);
-  }
+  if constexpr (Law::kByParts)
+    react_in_parts<kArm, kComposed, kUnequal>(batch, of_lane, instructions, time_step);
+  else
+    react_in_stages<kArm, kComposed>(batch, of_lane, time_step);
 }
 
 }  // namespace diefill::engine

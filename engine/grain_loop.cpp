@@ -65,7 +65,7 @@ class GrainLoop final : public PairLoop {
       with_width(scene.instructions, [&](auto wide) {
         constexpr bool kWide = decltype(wide)::value;
         pack<kWide>(block, scene.spheres, batch);
-        react_all(batch, scene.time_step);
+        react_all(batch, scene.instructions, scene.time_step);
         hand_out<kWide>(batch, block, sums);
         batch.template write_memory<kWide>(memory);
         batches.add(batch);
@@ -90,7 +90,7 @@ class GrainLoop final : public PairLoop {
     const auto visit_batch = [&] {
       if (batch.count == 0) return;
       pack<false>(block, scene.spheres, batch);
-      react_all(batch, 0);
+      react_all(batch, scene.instructions, 0);
       for (std::size_t lane = 0; lane < batch.count; ++lane) {
         const GrainPair pair = batch.pair[lane].pair;
         const Vector3 separation = batch.separation[lane];
@@ -150,10 +150,10 @@ class GrainLoop final : public PairLoop {
     return Pairs::kAlike ? reach.radius : std::min(reach.radius, reach.contact - reach.radius);
   }
 
-  void react_all(Batch& batch, double time_step) const {
+  void react_all(Batch& batch, InstructionSet instructions, double time_step) const {
     if constexpr (kComposed) bring_velocities_to_centres(batch);
     react<kArm, kComposed, !Pairs::kAlike>(
-        batch, [&](std::size_t lane) { return pairs_.of(kinds_of(batch, lane)); }, time_step);
+        batch, [&](std::size_t lane) { return pairs_.of(kinds_of(batch, lane)); }, instructions, time_step);
   }
 
   /// Distances are tested first and touching pairs collected, so that the costly part runs without guessing.

@@ -96,7 +96,7 @@ class WallLoop final : public PairLoop {
           const std::uint32_t kind = batch.kinds[lane];
           return PairLaw<Law>{law(body, kind), {reach(scene, body, kind), radii_[kind]}};
         },
-        time_step);
+        scene.instructions, time_step);
   }
 
   MeshPairs mesh_pairs(const Block& block, std::size_t body, const ContactScene& scene) const {

@@ -1,6 +1,8 @@
 // A contact law of original grains between scaled ones: the direct way of coarse graining by force scaling.
 #pragma once
 
+#include <cmath>
+
 #include "engine/coarse_graining/force_scaling.h"
 #include "engine/laws/composed_law.h"
 
@@ -31,17 +33,29 @@ class ScaledLaw {
   /// As ComposedLaw::react, for scaled grains. The couple is such that it and force times the scaled lever
   /// arm share the factor ForceScaling::torque_factor, which the caller applies to their sum.
   laws::Reaction react(const laws::ContactState& state, double* memory) const {
+    return scaled(law_.react(original(state), memory), state.normal);
+  }
+  /// The law between the small grains.
+  const Law& parts() const { return law_; }
+  /// The contact of small grains that stands for the one at `state`.
+  laws::ContactState original(const laws::ContactState& state) const {
     laws::ContactState original = state;
     original.overlap = original_overlap(state.overlap);
     original.spin = spin_ * state.spin;
     original.time_step = state.time_step / stretch_;
     original.rolling_step = state.rolling_step / turn_;
-    laws::Reaction reaction = law_.react(original, memory);
-    reaction.force = force_ * reaction.force + ((attraction_ - force_) * reaction.attraction) * state.normal;
+    return original;
+  }
+  /// What the `reaction` of small grains means for those that stand for them; `normal` from j to i.
+  laws::Reaction scaled(laws::Reaction reaction, Vector3 normal) const {
+    reaction.force = force_ * reaction.force + ((attraction_ - force_) * reaction.attraction) * normal;
     reaction.couple = couple_ * reaction.couple;
-    for (double* contact : {&reaction.load, &reaction.viscous, &reaction.normal_power,
-                            &reaction.viscous_power, &reaction.friction_power, &reaction.rolling_power})
-      *contact *= force_;
+    reaction.load *= force_;
+    reaction.viscous *= force_;
+    reaction.normal_power *= force_;
+    reaction.viscous_power *= force_;
+    reaction.friction_power *= force_;
+    reaction.rolling_power *= force_;
     reaction.attraction *= attraction_;
     reaction.attraction_power *= attraction_;
     return reaction;

@@ -1,16 +1,51 @@
 // Parts chosen while the program runs: each Any... holds one of the parts in its list and is a part of that
-// kind itself, so that one instantiation of ComposedLaw serves every combination. Slower than a law composed
-// of fixed parts by the choice at each call.
+// kind itself, so that one instantiation of ComposedLaw serves every combination. One contact at a time is
+// slower than with a law composed of fixed parts by the choice at each call; loops over many contacts choose
+// once.
 #pragma once
 
 #include <algorithm>
-#include <array>
+#include <cstddef>
+#include <memory>
+#include <type_traits>
 #include <utility>
 #include <variant>
 
 #include "engine/laws/parts.h"
 
 namespace diefill::engine::laws {
+
+/// Room for one of some plain structs.
+template <class First, class... Others>
+union OneOf {
+  static_assert(std::is_trivially_copyable_v<First>);
+  First first;
+  OneOf<Others...> others;
+
+  OneOf() {}  // nothing is held yet
+  template <class Part>
+  Part& as() {
+    if constexpr (std::is_same_v<Part, First>)
+      return first;
+    else
+      return others.template as<Part>();
+  }
+  template <class Part>
+  const Part& as() const {
+    return const_cast<OneOf*>(this)->template as<Part>();
+  }
+};
+template <class Last>
+union OneOf<Last> {
+  static_assert(std::is_trivially_copyable_v<Last>);
+  Last last;
+
+  OneOf() {}
+  template <class Part>
+  Part& as() {
+    return last;
+  }
+};
 
 /// One of `Parts`, chosen by which of their Parameters is given.
 template <class... Parts>
@@ -38,14 +73,27 @@ class AnyPart {
     }
   };
 
-  AnyPart(const Parameters& given, const PairProperties& pair) : part_(make(given.choice, pair)) {}
+  AnyPart(const Parameters& given, const PairProperties& pair) : which_(given.choice.index()) {
+    choose([&]<class Part>(std::type_identity<Part>) {
+      std::construct_at(&held_.template as<Part>(), std::get<typename Part::Parameters>(given.choice), pair);
+    });
+  }
 
- protected:
   /// Calls use(part) with the part that was chosen.
   template <class Use>
   auto with(const Use& use) const {
-    return std::visit(use, part_);
+    return choose([&]<class Part>(std::type_identity<Part>) { return use(as<Part>()); });
   }
+  /// The part that was chosen, which must be a Part: nothing is checked, as loops with a check do not
+  /// vectorise.
+  template <class Part>
+  const Part& as() const {
+    return held_.template as<Part>();
+  }
+  /// Place of the chosen part in the list.
+  std::size_t which() const { return which_; }
+
+ protected:
   static constexpr int kMostMemory = [] {
     int most = 0;
     ((most = std::max(most,
@@ -58,17 +106,20 @@ class AnyPart {
   }();
 
  private:
-  using Held = std::variant<Parts...>;
-  static Held make(const Choice& given, const PairProperties& pair) {
-    using Maker = Held (*)(const Choice&, const PairProperties&);
-    constexpr std::array<Maker, sizeof...(Parts)> kMakers = {
-        [](const Choice& choice, const PairProperties& of) {
-          return Held(std::in_place_type<Parts>, std::get<typename Parts::Parameters>(choice), of);
-        }...};
-    return kMakers[given.index()](given, pair);
+  /// Calls use(type_identity) of the chosen part.
+  template <class Use>
+  auto choose(const Use& use) const {
+    return choose_from<0, Parts...>(use);
+  }
+  template <std::size_t kFirst, class First, class... Others, class Use>
+  auto choose_from(const Use& use) const {
+    if constexpr (sizeof...(Others) > 0)
+      if (which_ != kFirst) return choose_from<kFirst + 1, Others...>(use);
+    return use(std::type_identity<First>{});
   }
 
-  Held part_;
+  OneOf<Parts...> held_;
+  std::size_t which_;
 };
 
 template <NormalPart... Parts>

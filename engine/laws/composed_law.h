@@ -1,9 +1,10 @@
 // A contact law put together from one part of each kind: motion of the pair in, force and couple out. Grains,
-// walls, the engine and the slow reference all call `react`.
+// walls, the engine and the slow reference all go through the parts in the order that `for_each_part` has.
 #pragma once
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 
 #include "engine/laws/parts.h"
 #include "engine/laws/reaction.h"
@@ -15,6 +16,51 @@ enum class LoadRule {
   with_damping,   ///< |limit + viscous| (Bierwisch 2009, Eqs. 2.7, 2.11; Hu 2024 for Hertz; Kottlan 2018)
   without,        ///< |limit| (Hu 2024 for JKR)
   repulsive_only  ///< max(0, limit + viscous)
+};
+
+/// The rule in numbers, as loops with a choice in them do not vectorise.
+class Load {
+ public:
+  Load(LoadRule rule = LoadRule::with_damping)  // NOLINT: a rule is all that a load needs
+      : viscous_share_(rule == LoadRule::without ? 0 : 1),
+        pull_share_(rule == LoadRule::repulsive_only ? 0 : -1) {}
+  /// N, of the normal part's limit and the damping's force (N).
+  double of(double limit, double viscous) const {
+    const double sum = limit + viscous_share_ * viscous;
+    return sum >= 0 ? sum : pull_share_ * sum;
+  }
+  /// Tells rules apart.
+  std::uint32_t form() const { return static_cast<std::uint32_t>(2 * viscous_share_ - pull_share_); }
+
+ private:
+  double viscous_share_, pull_share_;
+};
+
+/// A contact on its way through the parts of a law.
+struct ContactInParts {
+  double overlap = 0;                      ///< m, positive in contact, minus the gap otherwise
+  double root_overlap = 0;                 ///< m^(1/2), 0 apart
+  double separation_speed = 0;             ///< m/s
+  Vector3 normal = {};                     ///< from j to i
+  Vector3 sliding = {};                    ///< m/s, across the normal
+  Vector3 spin = {};                       ///< rad/s, omega_i - omega_j
+  double time_step = 0, rolling_step = 0;  ///< s
+
+  double attraction = 0;  ///< N, of the distant part
+  StaticForce still = {};
+  double viscous = 0, load = 0;          ///< N
+  Vector3 tangential = {}, couple = {};  ///< N and N m, on i
+
+  ContactInParts() = default;
+  explicit ContactInParts(const ContactState& state)
+      : overlap(state.overlap),
+        root_overlap(std::sqrt(state.overlap > 0 ? state.overlap : 0.0)),
+        separation_speed(dot(state.velocity, state.normal)),
+        normal(state.normal),
+        sliding(state.velocity - separation_speed * state.normal),
+        spin(state.spin),
+        time_step(state.time_step),
+        rolling_step(state.rolling_step) {}
 };
 
 template <NormalPart Normal, DampingPart Damping, FrictionPart Friction, RollingPart Rolling,
@@ -31,23 +77,73 @@ struct ComposedLaw {
   Friction friction;
   Rolling rolling;
   Attraction attraction;
-  LoadRule load_rule = LoadRule::with_damping;
+  Load load = {};
 
   /// m, the largest gap at which the pair must still be looked at.
   double range() const { return attraction.range(); }
 
+  /// Number of the parts it is made of and of how its load is made: laws of one form differ in numbers only.
+  /// For laws whose parts are chosen while the program runs.
+  std::uint32_t form() const {
+    std::uint32_t form = load.form();
+    for (const std::size_t place :
+         {normal.which(), damping.which(), friction.which(), rolling.which(), attraction.which()})
+      form = 16 * form + static_cast<std::uint32_t>(place);
+    return form;
+  }
+
   /// Force and couple at `state`; advances the pair's `memory` (kMemory doubles) by one time step, so it must
   /// be called once per pair and step. Apart, only the attraction acts and the contact's memory is wiped.
   Reaction react(const ContactState& state, double* memory) const {
+    ContactInParts contact(state);
+    for_each_part([&](auto part, const auto& act) { act(load, this->*part, contact, memory); });
+    return sum(contact, memory);
+  }
+
+  /// Calls run(part, act) for one part after the other: `part` points to the member, and act(load, part,
+  /// contact, memory) lets it act on a ContactInParts, `load` being the law's and `memory` all that the pair
+  /// remembers. After the last one comes sum().
+  template <class Run>
+  static void for_each_part(const Run& run) {
+    run(&ComposedLaw::attraction, [](const Load&, const auto& part, auto& contact, double* memory) {
+      contact.attraction = part.force(-contact.overlap, memory + kAttractionMemory);
+    });
+    run(&ComposedLaw::normal, [](const Load&, const auto& part, auto& contact, double* memory) {
+      contact.still = part.force(contact.overlap, contact.root_overlap, memory);
+    });
+    run(&ComposedLaw::damping, [](const Load& load, const auto& part, auto& contact, double*) {
+      contact.viscous = part.force(contact.overlap, contact.root_overlap, contact.separation_speed);
+      contact.load = load.of(contact.still.limit, contact.viscous);
+    });
+    run(&ComposedLaw::friction, [](const Load&, const auto& part, auto& contact, double* memory) {
+      contact.tangential = part.force(memory + kFrictionMemory, contact.normal, contact.sliding,
+                                      contact.root_overlap, contact.load, contact.time_step);
+    });
+    run(&ComposedLaw::rolling, [](const Load&, const auto& part, auto& contact, double* memory) {
+      contact.couple = part.torque(memory + kRollingMemory, contact.normal, contact.spin,
+                                   contact.root_overlap, contact.still, contact.load, contact.rolling_step);
+    });
+  }
+
+  /// What the parts make up together. Apart, what the parts of the contact have done comes to nothing.
+  static Reaction sum(const ContactInParts& contact, double* memory) {
+    const bool touches = contact.overlap > 0;
+    const auto in_contact = [touches](double value) { return touches ? value : 0.0; };
+    const Vector3 push = (contact.still.force + contact.viscous) * contact.normal + contact.tangential;
     Reaction reaction;
-    const double speed = dot(state.velocity, state.normal);
-    reaction.attraction = attraction.force(-state.overlap, memory + kAttractionMemory);
-    reaction.attraction_power = reaction.attraction * speed;
-    reaction.force = reaction.attraction * state.normal;
-    if (state.overlap > 0)
-      touch(state, speed, memory, reaction);
-    else
-      std::fill_n(memory, kAttractionMemory, 0.0);
+    reaction.attraction = contact.attraction;
+    reaction.force = contact.attraction * contact.normal +
+                     Vector3{in_contact(push.x), in_contact(push.y), in_contact(push.z)};
+    reaction.couple = {in_contact(contact.couple.x), in_contact(contact.couple.y),
+                       in_contact(contact.couple.z)};
+    reaction.load = in_contact(contact.load);
+    reaction.viscous = in_contact(contact.viscous);
+    reaction.attraction_power = contact.attraction * contact.separation_speed;
+    reaction.normal_power = in_contact(contact.still.force * contact.separation_speed);
+    reaction.viscous_power = in_contact(contact.viscous * contact.separation_speed);
+    reaction.friction_power = in_contact(dot(contact.tangential, contact.sliding));
+    reaction.rolling_power = in_contact(dot(contact.couple, contact.spin));
+    for (int k = 0; k < kAttractionMemory; ++k) memory[k] = in_contact(memory[k]);
     return reaction;
   }
 
@@ -58,29 +154,6 @@ struct ComposedLaw {
   /// J of the distant attraction (negative), zero beyond its range.
   double attraction_energy(double overlap, const double* memory) const {
     return attraction.energy(-overlap, memory + kAttractionMemory);
-  }
-
- private:
-  void touch(const ContactState& state, double speed, double* memory, Reaction& reaction) const {
-    const double root_overlap = std::sqrt(state.overlap);
-    const StaticForce still = normal.force(state.overlap, root_overlap, memory);
-    reaction.viscous = damping.force(state.overlap, root_overlap, speed);
-    reaction.load = load(still.limit, reaction.viscous);
-    const Vector3 sliding = state.velocity - speed * state.normal;
-    const Vector3 tangential = friction.force(memory + kFrictionMemory, state.normal, sliding, root_overlap,
-                                              reaction.load, state.time_step);
-    reaction.couple = rolling.torque(memory + kRollingMemory, state.normal, state.spin, root_overlap, still,
-                                     reaction.load, state.rolling_step);
-    reaction.force += (still.force + reaction.viscous) * state.normal + tangential;
-    reaction.normal_power = still.force * speed;
-    reaction.viscous_power = reaction.viscous * speed;
-    reaction.friction_power = dot(tangential, sliding);
-    reaction.rolling_power = dot(reaction.couple, state.spin);
-  }
-
-  double load(double limit, double viscous) const {
-    const double sum = load_rule == LoadRule::without ? limit : limit + viscous;
-    return load_rule == LoadRule::repulsive_only ? std::max(0.0, sum) : std::abs(sum);
   }
 };
 

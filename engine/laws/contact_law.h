@@ -27,9 +27,9 @@ template <class Cohesion, class Friction>
 struct ContactLaw {
   static constexpr int kMemory = Friction::kMemory;  ///< numbers that a touching pair remembers
   static constexpr bool kRolls = false;              ///< whether relative spins matter
-  /// Whether loops over many pairs may call turn(), stretch() and react_stretched() one after the other
-  /// instead of react(): what waits for a root in one pair leaves the processor room for others.
-  static constexpr bool kInStages = true;
+  /// No: loops over many pairs call turn(), stretch() and react_stretched() one after the other. What waits
+  /// for a root in one pair leaves the processor room for others.
+  static constexpr bool kByParts = false;
   Hertz elastic;
   Cohesion cohesion;
   HertzianDamping damping;

@@ -4,6 +4,7 @@
 
 #include "engine/laws/parameter_check.h"
 #include "engine/laws/parts.h"
+#include "engine/laws/spring_memory.h"
 #include "engine/laws/tangential_spring.h"
 
 namespace diefill::engine::laws {
@@ -22,19 +23,22 @@ struct CundallFriction {
     Parameters similar(double l) const { return {l * tangential, friction, cut_back}; }
   };
   static constexpr int kMemory = 3;  ///< xi, m
-  TangentialSpring<true> slipping;
-  TangentialSpring<false> stretching;
-  bool cut_back;
+  TangentialSpring<true> spring;
+  double cut_back;  ///< 1 or 0; a number, as loops with a flag do not vectorise
 
   CundallFriction(const Parameters& given, const PairProperties& pair)
-      : slipping(given.tangential, given.friction, pair.effective_radius()),
-        stretching(given.tangential, given.friction, pair.effective_radius()),
-        cut_back(given.cut_back) {}
+      : spring(given.tangential, given.friction, pair.effective_radius()),
+        cut_back(given.cut_back ? 1.0 : 0.0) {}
 
   Vector3 force(double* memory, Vector3 normal, Vector3 sliding, double root_overlap, double load,
                 double time_step) const {
-    return cut_back ? slipping.force(memory, normal, sliding, root_overlap, load, time_step)
-                    : stretching.force(memory, normal, sliding, root_overlap, load, time_step);
+    spring.turn(memory, normal);
+    spring.stretch(memory, sliding, time_step);
+    const Vector3 stretched = load_vector(memory);
+    const Vector3 force = spring.limited(memory, root_overlap, load);
+    const Vector3 slipped = load_vector(memory);
+    store_vector(memory, cut_back > 0 ? slipped : stretched);
+    return force;
   }
 };
 

@@ -37,7 +37,7 @@ void require_sensible(const LawParameters& parameters);
 inline GeneralLaw make_law(const LawParameters& parameters, const PairProperties& pair) {
   return {AnyNormal(parameters.normal, pair),         AnyDamping(parameters.damping, pair),
           AnyFriction(parameters.friction, pair),     AnyRolling(parameters.rolling, pair),
-          AnyAttraction(parameters.attraction, pair), parameters.load_rule};
+          AnyAttraction(parameters.attraction, pair), Load(parameters.load_rule)};
 }
 
 /// The law between two materials by name, in either order.

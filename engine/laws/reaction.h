@@ -15,7 +15,7 @@ struct ContactState {
   double rolling_step = time_step;  ///< s, springs of rolling advance by it; differs where forces are scaled
 };
 
-/// A contact half-way through a law in stages (ContactLaw::kInStages).
+/// A contact half-way through a law in stages (ContactLaw).
 struct StretchedContact {
   double overlap;           ///< m
   double root_overlap;      ///< m^(1/2)

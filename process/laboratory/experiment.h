@@ -6,12 +6,15 @@
 #include <vector>
 
 #include "process/results/experiment_result.h"
+#include "process/run/progress.h"
 
 namespace diefill::process::laboratory {
 
 struct ExperimentOptions {
-  bool quick = false;  ///< small beds and few points
+  bool quick = false;           ///< small beds and few points
+  bool published_only = false;  ///< only points that there are published figures for
   int threads = 2;
+  TellProgress tell = tell_nobody;
 };
 
 struct Experiment {

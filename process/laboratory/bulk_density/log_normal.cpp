@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 #include <string>
+#include <vector>
 
 #include "process/laboratory/bulk_density/log_normal_bed.h"
 #include "process/laboratory/bulk_density/registry.h"
@@ -39,6 +40,21 @@ results::ExperimentChart chart_of(const std::string& name, const std::string& ti
   return chart;
 }
 
+/// The beds of `published`. The wide spreads take longest: they come first.
+std::vector<LogNormalBedFigures> settle_beds(const std::vector<Published>& published,
+                                             const ExperimentOptions& options) {
+  std::vector<LogNormalBedFigures> figures(published.size());
+  side_by_side(options, published.size(), "settling beds", [&](std::size_t k, const TellShare& tell) {
+    const std::size_t last_first = published.size() - 1 - k;
+    LogNormalBed bed;
+    bed.variation = published[last_first].variation;
+    bed.share_of_width = options.quick ? kQuickWidth : 1;
+    bed.tell = tell;
+    figures[last_first] = settle_log_normal_bed(bed);
+  });
+  return figures;
+}
+
 }  // namespace
 
 void measure_log_normal_beds(const ExperimentOptions& options, results::ExperimentResult& result) {
@@ -50,12 +66,11 @@ void measure_log_normal_beds(const ExperimentOptions& options, results::Experime
   ExperimentSeries density{.name = "here", .x = {}, .y = {}},
       coordination = density, published_density{.name = kSource, .role = Role::predicted, .x = {}, .y = {}},
       published_coordination = published_density;
-  for (const auto& [variation, dense, touching] : options.quick ? ends : all) {
-    LogNormalBed bed;
-    bed.variation = variation;
-    bed.share_of_width = options.quick ? kQuickWidth : 1;
-    bed.threads = options.threads;
-    const auto figures = settle_log_normal_bed(bed);
+  const std::vector<Published>& beds = options.quick || options.published_only ? ends : all;
+  const auto measured = settle_beds(beds, options);
+  for (std::size_t k = 0; k < beds.size(); ++k) {
+    const auto& [variation, dense, touching] = beds[k];
+    const auto& figures = measured[k];
     for (ExperimentSeries* series : {&density, &coordination}) series->x.push_back(variation);
     density.y.push_back(figures.density);
     coordination.y.push_back(figures.coordination);

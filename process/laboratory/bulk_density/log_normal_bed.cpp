@@ -98,11 +98,13 @@ LogNormalBedFigures settle_log_normal_bed(const LogNormalBed& bed) {
   simulation.add_grains(hung_spheres(bed, settings, engine::drawn_classes(classes, count, bed.seed)));
   LogNormalBedFigures figures;
   while (simulation.time() < kLongest &&
-         (simulation.time() < kFall || kinetic_per_sphere(simulation) > kStill))
+         (simulation.time() < kFall || kinetic_per_sphere(simulation) > kStill)) {
+    bed.tell(simulation.time() / kLongest);
     for (long k = std::lround(kLook / settings.time_step); k > 0; --k) {
       simulation.step();
       figures.sphere_steps += count;
     }
+  }
   static_cast<SphereBedFigures&>(figures) = figures_of_bed(simulation);
   figures.smallest = classes.front().diameter;
   figures.largest = classes.back().diameter;

@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include "process/laboratory/bulk_density/bed_figures.h"
+#include "process/laboratory/side_by_side.h"
 
 namespace diefill::process::laboratory {
 
@@ -18,6 +19,7 @@ struct LogNormalBed {
   double share_of_width = 1;    ///< of the source's, at most 1
   std::uint64_t seed = 1;
   int threads = 1;
+  TellShare tell = [](double) {};
 };
 
 struct LogNormalBedFigures : SphereBedFigures {

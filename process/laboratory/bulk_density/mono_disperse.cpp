@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 #include <string>
+#include <vector>
 
 #include "process/laboratory/bulk_density/poured_bed.h"
 #include "process/laboratory/bulk_density/registry.h"
@@ -22,6 +23,13 @@ struct Published {
   double rolling_friction, density;
 };
 
+/// Beds that differ in the coefficient of one rolling resistance.
+struct Curve {
+  std::string name;
+  laws::AnyRolling::Parameters (*rolling)(double rolling_friction);
+  std::vector<Published> beds;
+};
+
 laws::AnyRolling::Parameters epsd2(double rolling_friction) {
   return laws::Epsd2Rolling::Parameters{rolling_friction, sticky_shear_modulus()};
 }
@@ -33,28 +41,56 @@ laws::AnyRolling::Parameters constant_torque(double rolling_friction) {
 /// Quick: all powder in a twentieth of the time, twenty times as densely.
 constexpr double kPouring = 10, kQuickPouring = 0.5;  // s
 
-void add_curve(const ExperimentOptions& options, const std::string& name, const std::vector<Published>& beds,
-               laws::AnyRolling::Parameters (*rolling)(double), results::ExperimentChart& chart,
+/// `few`: those with published figures, which are of one bed where nothing resists rolling.
+std::vector<Curve> curves(bool few) {
+  Curve spring{"EPSD2", epsd2, {{0, 541}, {0.2, kUnknown}, {0.4, kUnknown}, {0.6, kUnknown}, {0.8, 484}}};
+  Curve torque{
+      "CDT", constant_torque, {{0, 541}, {0.04, kUnknown}, {0.08, kUnknown}, {0.12, kUnknown}, {0.16, 502}}};
+  if (!few) return {spring, torque};
+  spring.beds = {spring.beds.front(), spring.beds.back()};
+  torque.beds = {torque.beds.back()};
+  return {spring, torque};
+}
+
+/// Of all beds, curve after curve.
+std::vector<PouredBedFigures> pour_beds(const std::vector<Curve>& curves, const ExperimentOptions& options) {
+  std::vector<PouredBed> beds;
+  for (const auto& curve : curves)
+    for (const auto& published : curve.beds) {
+      PouredBed& bed = beds.emplace_back();
+      bed.rolling = curve.rolling(published.rolling_friction);
+      bed.pouring_time = options.quick ? kQuickPouring : kPouring;
+    }
+  std::vector<PouredBedFigures> figures(beds.size());
+  side_by_side(options, beds.size(), "pouring beds", [&](std::size_t k, const TellShare& tell) {
+    PouredBed bed = beds[k];
+    bed.tell = tell;
+    figures[k] = pour_bed(bed);
+  });
+  return figures;
+}
+
+/// `figures`: of the curve's beds, one after the other.
+void add_curve(const Curve& curve, const PouredBedFigures* figures, results::ExperimentChart& chart,
                results::ExperimentResult& result) {
-  ExperimentSeries measured{.name = name, .x = {}, .y = {}};
-  ExperimentSeries published{.name = name + ", Hu 2024, l = 1", .role = Role::predicted, .x = {}, .y = {}};
-  for (const auto& [friction, density] : beds) {
-    PouredBed bed;
-    bed.rolling = rolling(friction);
-    bed.pouring_time = options.quick ? kQuickPouring : kPouring;
-    bed.threads = options.threads;
-    const auto figures = pour_bed(bed);
+  ExperimentSeries measured{.name = curve.name, .x = {}, .y = {}};
+  ExperimentSeries published{
+      .name = curve.name + ", Hu 2024, l = 1", .role = Role::predicted, .x = {}, .y = {}};
+  for (const auto& [friction, density] : curve.beds) {
     measured.x.push_back(friction);
-    measured.y.push_back(figures.density);
+    measured.y.push_back(figures->density);
     if (!std::isnan(density)) {
       published.x.push_back(friction);
       published.y.push_back(density);
     }
-    const std::string at = name + ", mu_r = " + std::to_string(friction).substr(0, 4);
+    const std::string at = curve.name + ", mu_r = " + std::to_string(friction).substr(0, 4);
     result.limits.push_back(
-        {at + ": bulk density", figures.density, density, "kg/m3", "Hu 2024, section 5.2, l = 1"});
-    result.limits.push_back({at + ": coordination number", figures.coordination, kUnknown, "", ""});
-    result.limits.push_back({at + ": height of the bed", figures.height, kUnknown, "m", ""});
+        {at + ": bulk density", figures->density, density, "kg/m3", "Hu 2024, section 5.2, l = 1"});
+    result.limits.push_back({at + ": coordination number", figures->coordination, kUnknown, "", ""});
+    result.limits.push_back({at + ": height of the bed", figures->height, kUnknown, "m", ""});
+    result.limits.push_back(
+        {at + ": kinetic energy over m g d at the end", figures->kinetic, kUnknown, "", ""});
+    ++figures;
   }
   chart.series.push_back(measured);
   chart.series.push_back(published);
@@ -71,15 +107,13 @@ void measure_mono_disperse_beds(const ExperimentOptions& options, results::Exper
                              : "Poured within 10 s, as in the source.";
   chart.x = {.label = "Rolling friction coefficient"};
   chart.y = {.label = "Bulk density [kg/m3]"};
-  using Beds = std::vector<Published>;
-  add_curve(options, "EPSD2",
-            options.quick ? Beds{{0, 541}, {0.8, 484}}
-                          : Beds{{0, 541}, {0.2, kUnknown}, {0.4, kUnknown}, {0.6, kUnknown}, {0.8, 484}},
-            epsd2, chart, result);
-  add_curve(options, "CDT",
-            options.quick ? Beds{{0.16, 502}}
-                          : Beds{{0, 541}, {0.04, kUnknown}, {0.08, kUnknown}, {0.12, kUnknown}, {0.16, 502}},
-            constant_torque, chart, result);
+  const auto all = curves(options.quick || options.published_only);
+  const auto figures = pour_beds(all, options);
+  const PouredBedFigures* of_curve = figures.data();
+  for (const auto& curve : all) {
+    add_curve(curve, of_curve, chart, result);
+    of_curve += curve.beds.size();
+  }
   result.charts.push_back(chart);
 }
 

@@ -82,11 +82,14 @@ PouredBedFigures pour_bed(const PouredBed& bed) {
     const std::size_t due = wanted * static_cast<std::size_t>(batch) / static_cast<std::size_t>(batches);
     pour_batch(simulation, due - simulation.grains().size(), random);
     run(steps_a_batch);
+    bed.tell(simulation.time() / (bed.pouring_time + kRest));
   }
   // The last batch falls 0.3 m, which takes a quarter of a second.
   for (double rest = 0; rest < kRest && (rest < 0.3 || kinetic_per_sphere(simulation) > kStill);
-       rest += kBatchEvery)
+       rest += kBatchEvery) {
     run(steps_a_batch);
+    bed.tell((bed.pouring_time + rest) / (bed.pouring_time + kRest));
+  }
   static_cast<SphereBedFigures&>(figures) = figures_of_bed(simulation);
   return figures;
 }

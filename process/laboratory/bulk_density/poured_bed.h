@@ -5,6 +5,7 @@
 
 #include "process/laboratory/bulk_density/bed_figures.h"
 #include "process/laboratory/bulk_density/sticky_spheres.h"
+#include "process/laboratory/side_by_side.h"
 
 namespace diefill::process::laboratory {
 
@@ -17,6 +18,7 @@ struct PouredBed {
   double pouring_time = 10;  ///< s, until all powder is in
   std::uint64_t seed = 1;
   int threads = 1;
+  TellShare tell = [](double) {};
 };
 
 struct PouredBedFigures : SphereBedFigures {
