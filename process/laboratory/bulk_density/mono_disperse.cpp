@@ -2,6 +2,7 @@
 // against Hu 2024, section 5.2.
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -41,22 +42,27 @@ laws::AnyRolling::Parameters constant_torque(double rolling_friction) {
 /// Quick: all powder in a twentieth of the time, twenty times as densely.
 constexpr double kPouring = 10, kQuickPouring = 0.5;  // s
 
-/// `few`: those with published figures, which are of one bed where nothing resists rolling.
+/// `few`: those with published figures.
 std::vector<Curve> curves(bool few) {
   Curve spring{"EPSD2", epsd2, {{0, 541}, {0.2, kUnknown}, {0.4, kUnknown}, {0.6, kUnknown}, {0.8, 484}}};
   Curve torque{
       "CDT", constant_torque, {{0, 541}, {0.04, kUnknown}, {0.08, kUnknown}, {0.12, kUnknown}, {0.16, 502}}};
   if (!few) return {spring, torque};
-  spring.beds = {spring.beds.front(), spring.beds.back()};
-  torque.beds = {torque.beds.back()};
+  for (Curve* curve : {&spring, &torque}) curve->beds = {curve->beds.front(), curve->beds.back()};
   return {spring, torque};
 }
 
-/// Of all beds, curve after curve.
+/// Of all beds, curve after curve. Where nothing resists rolling, all curves have the same bed.
 std::vector<PouredBedFigures> pour_beds(const std::vector<Curve>& curves, const ExperimentOptions& options) {
   std::vector<PouredBed> beds;
+  std::vector<std::size_t> bed_of;  // of a point
+  std::optional<std::size_t> free_rolling;
   for (const auto& curve : curves)
     for (const auto& published : curve.beds) {
+      const bool resists = published.rolling_friction > 0;
+      bed_of.push_back(!resists && free_rolling ? *free_rolling : beds.size());
+      if (bed_of.back() < beds.size()) continue;
+      if (!resists) free_rolling = beds.size();
       PouredBed& bed = beds.emplace_back();
       bed.rolling = curve.rolling(published.rolling_friction);
       bed.pouring_time = options.quick ? kQuickPouring : kPouring;
@@ -67,7 +73,9 @@ std::vector<PouredBedFigures> pour_beds(const std::vector<Curve>& curves, const 
     bed.tell = tell;
     figures[k] = pour_bed(bed);
   });
-  return figures;
+  std::vector<PouredBedFigures> of_points;
+  for (const std::size_t bed : bed_of) of_points.push_back(figures[bed]);
+  return of_points;
 }
 
 /// `figures`: of the curve's beds, one after the other.
