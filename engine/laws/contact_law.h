@@ -27,8 +27,9 @@ template <class Cohesion, class Friction>
 struct ContactLaw {
   static constexpr int kMemory = Friction::kMemory;  ///< numbers that a touching pair remembers
   static constexpr bool kRolls = false;              ///< whether relative spins matter
-  /// No: loops over many pairs call turn(), stretch() and react_stretched() one after the other. What waits
-  /// for a root in one pair leaves the processor room for others.
+  /// Whether the law is made of parts chosen while the program runs. This one is not: loops over many pairs
+  /// call turn(), stretch() and react_stretched() one after the other, so that what waits for a root in one
+  /// pair leaves the processor room for others.
   static constexpr bool kByParts = false;
   Hertz elastic;
   Cohesion cohesion;

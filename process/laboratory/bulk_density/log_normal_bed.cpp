@@ -48,7 +48,6 @@ engine::SimulationSettings settings_of(const LogNormalBed& bed,
   settings.shape = mix.kinds.front().shape;
   const double width = bed.share_of_width * bed.scale * kWidth;
   settings.period = {width, width};
-  settings.threads = bed.threads;
   settings.time_step =
       engine::kDefaultTimeStepFraction *
       engine::critical_time_step(mix, {{kFloor, std::numeric_limits<double>::infinity()}}, kImpact);

@@ -18,7 +18,6 @@ struct LogNormalBed {
   double scale = 4;             ///< l of the scaled-up particle model
   double share_of_width = 1;    ///< of the source's, at most 1
   std::uint64_t seed = 1;
-  int threads = 1;
   TellShare tell = [](double) {};
 };
 

@@ -29,7 +29,6 @@ engine::SimulationSettings settings_of(const PouredBed& bed) {
   const auto scaling = engine::coarse_graining::scaled_up_particle(bed.scale);
   settings.general_contact = engine::GeneralContact{law, law, scaling};
   settings.period = {kWidth, kWidth};
-  settings.threads = bed.threads;
   engine::GrainShape as_simulated = settings.shape;
   as_simulated.inertia /= scaling.torque_factor();
   settings.time_step = engine::kDefaultTimeStepFraction *

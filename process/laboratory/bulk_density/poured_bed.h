@@ -17,7 +17,6 @@ struct PouredBed {
   double scale = 4;          ///< l of the scaled-up particle model
   double pouring_time = 10;  ///< s, until all powder is in
   std::uint64_t seed = 1;
-  int threads = 1;
   TellShare tell = [](double) {};
 };
 
