@@ -3,14 +3,14 @@
 namespace diefill::engine {
 
 double AirDraught::add_forces(const SphereField& grains, std::size_t begin, double speed,
-                              std::span<ContactSum> contacts) const {
+                              ContactSums& contacts) const {
   double power = 0;
   for (std::size_t k = 0; k < contacts.size(); ++k) {
     const std::size_t grain = begin + k;
     if (!region.contains(eigen(grains.grain_centre(grain)))) continue;
     const double predicted = grains.motion(grain).velocity.z;
     const double force = resistance * (speed - predicted);
-    contacts[k].add_force({0, 0, force});
+    contacts.add_force(k, {0, 0, force});
     power += force * predicted;
   }
   return power;

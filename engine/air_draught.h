@@ -2,9 +2,8 @@
 #pragma once
 
 #include <Eigen/Geometry>
-#include <span>
 
-#include "engine/grains.h"
+#include "engine/contact_sums.h"
 #include "engine/sphere_field.h"
 
 namespace diefill::engine {
@@ -20,8 +19,7 @@ struct AirDraught {
   /// Adds the force on each of the grains from `begin` on, along z: resistance times the tool's velocity
   /// (`speed`, m/s) less the grain's, predicted for the end of the step as for air at rest (OP-3). `contacts`
   /// has one sum a grain. Returns the power (W) of these forces.
-  double add_forces(const SphereField& grains, std::size_t begin, double speed,
-                    std::span<ContactSum> contacts) const;
+  double add_forces(const SphereField& grains, std::size_t begin, double speed, ContactSums& contacts) const;
 };
 
 }  // namespace diefill::engine

@@ -1,6 +1,7 @@
 #include "engine/grain_integrator.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numbers>
 
 #include "engine/lanes.h"
@@ -57,26 +58,30 @@ struct GrainLanes {
 /// How advanced grains move.
 struct Advanced {
   Vectors velocity, spin;  ///< predicted; spin in the laboratory frame
+  Scalars way;             ///< m, as GrainIntegrator::advance() returns
 };
 
-/// Positions and predicted velocities at the end of the step. Here and below, `bodies` says what each lane's
-/// grain is like.
+/// Positions and predicted velocities at the end of the step of powder that goes `drifted` (m). Here and
+/// below, `bodies` says what each lane's grain is like.
 template <class Bodies>
-void drift(GrainLanes& lanes, Advanced& out, const Bodies& bodies, double time_step) {
+void drift(GrainLanes& lanes, Advanced& out, const Bodies& bodies, double time_step, Vector3 drifted) {
   const std::size_t groups = lanes.groups();
   const auto& body = bodies.kept();
 #pragma GCC ivdep
   for (std::size_t lane = 0; lane < groups; ++lane) {
     const Vector3 acceleration = (1 / body.mass(lane)) * lanes.force[lane];
-    lanes.position.set(lane, lanes.position[lane] + time_step * lanes.velocity[lane] +
-                                 (0.5 * time_step * time_step) * acceleration);
+    const Vector3 before = lanes.position[lane];
+    const Vector3 position =
+        before + time_step * lanes.velocity[lane] + (0.5 * time_step * time_step) * acceleration;
+    lanes.position.set(lane, position);
+    out.way[lane] = length(position - before - drifted);
     out.velocity.set(lane, lanes.velocity[lane] + time_step * acceleration);
   }
 }
 
 /// Orientations and predicted spins at the end of the step.
 template <class Bodies>
-void turn(GrainLanes& lanes, Advanced& out, const Bodies& bodies, double time_step) {
+void turn(GrainLanes& lanes, Advanced& out, const Bodies& bodies, double time_step, double way_per_turn) {
   const std::size_t groups = lanes.groups();
   const auto& body = bodies.kept();
 #pragma GCC ivdep
@@ -84,6 +89,8 @@ void turn(GrainLanes& lanes, Advanced& out, const Bodies& bodies, double time_st
     const Vector3 rate = spin_rate(body.inertia(lane), lanes.spin[lane], lanes.torque[lane]);
     const PlainQuaternion orientation =
         advance_orientation(lanes.orientation[lane], lanes.spin[lane], rate, time_step);
+    const PlainQuaternion turned = orientation - lanes.orientation[lane];
+    out.way[lane] += way_per_turn * std::sqrt(dot(turned, turned));
     lanes.orientation.set(lane, orientation);
     out.spin.set(lane, rotation_of(orientation) * (lanes.spin[lane] + time_step * rate));
   }
@@ -184,7 +191,10 @@ struct GrainIntegrator::BodyLanes {
 
 GrainIntegrator::GrainIntegrator(const KindTable& kinds, const Eigen::Vector3d& gravity, double air_viscosity,
                                  bool rolls, double time_step, InstructionSet instructions)
-    : rotates_(kinds.rotates()), time_step_(time_step), instructions_(instructions) {
+    : rotates_(kinds.rotates()),
+      way_per_turn_(kinds.way_per_turn()),
+      time_step_(time_step),
+      instructions_(instructions) {
   for (std::size_t k = 0; k < kinds.size(); ++k)
     bodies_.push_back(body_of(kinds.shape(static_cast<KindNumber>(k)), gravity, air_viscosity));
   if (kinds.composed()) return;
@@ -203,28 +213,31 @@ GrainIntegrator::Body GrainIntegrator::body_of(const GrainShape& shape, const Ei
           plain(Eigen::Vector3d(shape.mass * gravity)), sphere_drag * plain(squares)};
 }
 
-void GrainIntegrator::advance(Grains& grains, std::size_t begin, std::size_t end,
-                              SphereField& spheres) const {
-  if (single_) return single_->advance(grains, begin, end);
+double GrainIntegrator::advance(Grains& grains, std::size_t begin, std::size_t end, const Vector3& drifted,
+                                SphereField& spheres) const {
+  if (single_) return single_->advance(grains, begin, end, drifted);
   if (bodies_.size() == 1) {
     AlikeBodies bodies(bodies_.front());
-    return advance_with(bodies, grains, begin, end, spheres);
+    return advance_with(bodies, grains, begin, end, drifted, spheres);
   }
   thread_local BodyLanes bodies;
-  advance_with(bodies, grains, begin, end, spheres);
+  return advance_with(bodies, grains, begin, end, drifted, spheres);
 }
 
 template <class Bodies>
-void GrainIntegrator::advance_with(Bodies& bodies, Grains& grains, std::size_t begin, std::size_t end,
-                                   SphereField& spheres) const {
+double GrainIntegrator::advance_with(Bodies& bodies, Grains& grains, std::size_t begin, std::size_t end,
+                                     const Vector3& drifted, SphereField& spheres) const {
   thread_local GrainLanes lanes;
   thread_local Advanced out;
+  LaneMost farthest;
   for (std::size_t first = begin; first < end; first += kGrains) {
     lanes.load(grains, first, end, rotates_);
     lanes.load_positions(grains);
     bodies.load(bodies_, grains, lanes);
-    with_instructions(instructions_, [&] { drift(lanes, out, bodies, time_step_); });
-    if (rotates_) with_instructions(instructions_, [&] { turn(lanes, out, bodies, time_step_); });
+    with_instructions(instructions_, [&] { drift(lanes, out, bodies, time_step_, drifted); });
+    if (rotates_)
+      with_instructions(instructions_, [&] { turn(lanes, out, bodies, time_step_, way_per_turn_); });
+    farthest.add(out.way, lanes.count);
 
     for (std::size_t lane = 0; lane < lanes.count; ++lane) {
       const std::size_t k = first + lane;
@@ -233,22 +246,23 @@ void GrainIntegrator::advance_with(Bodies& bodies, Grains& grains, std::size_t b
       spheres.set_motion(k, {out.velocity[lane], rotates_ ? out.spin[lane] : Vector3{}});
     }
   }
+  return farthest.most();
 }
 
 StepWork GrainIntegrator::finish(Grains& grains, std::size_t begin, std::size_t end,
-                                 std::span<const ContactSum> contacts) const {
-  if (single_) return single_->finish(grains, begin, end, contacts);
+                                 const ContactSums& contacts, std::size_t first_sum) const {
+  if (single_) return single_->finish(grains, begin, end, contacts, first_sum);
   if (bodies_.size() == 1) {
     AlikeBodies bodies(bodies_.front());
-    return finish_with(bodies, grains, begin, end, contacts);
+    return finish_with(bodies, grains, begin, end, contacts, first_sum);
   }
   thread_local BodyLanes bodies;
-  return finish_with(bodies, grains, begin, end, contacts);
+  return finish_with(bodies, grains, begin, end, contacts, first_sum);
 }
 
 template <class Bodies>
 StepWork GrainIntegrator::finish_with(Bodies& bodies, Grains& grains, std::size_t begin, std::size_t end,
-                                      std::span<const ContactSum> contacts) const {
+                                      const ContactSums& contacts, std::size_t first_sum) const {
   thread_local GrainLanes lanes;
   thread_local Vectors force, moment;
   thread_local Scalars drag_power;
@@ -257,9 +271,9 @@ StepWork GrainIntegrator::finish_with(Bodies& bodies, Grains& grains, std::size_
     lanes.load(grains, first, end, rotates_);
     bodies.load(bodies_, grains, lanes);
     for (std::size_t lane = 0; lane < lanes.groups(); ++lane) {
-      const ContactSum& sum = contacts[lanes.grain(lane) - begin];
-      force.set(lane, sum.force());
-      moment.set(lane, sum.moment());
+      const std::size_t sum = first_sum + lanes.grain(lane) - begin;
+      force.set(lane, contacts.force(sum));
+      moment.set(lane, contacts.moment(sum));
     }
     with_instructions(instructions_, [&] {
       total_force(lanes, force, bodies, time_step_, drag_power);

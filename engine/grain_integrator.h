@@ -4,8 +4,8 @@
 #pragma once
 
 #include <optional>
-#include <span>
 
+#include "engine/contact_sums.h"
 #include "engine/grain_kinds.h"
 #include "engine/grains.h"
 #include "engine/sphere_field.h"
@@ -23,13 +23,16 @@ class GrainIntegrator {
                   double time_step, InstructionSet instructions);
 
   /// Takes grains [begin, end) to the end of the step and places their spheres, with the velocities that the
-  /// present forces would lead to: forces depend on velocities (OP-3).
-  void advance(Grains& grains, std::size_t begin, std::size_t end, SphereField& spheres) const;
+  /// present forces would lead to: forces depend on velocities (OP-3). Returns how far (m) any of their
+  /// spheres can have moved in the step against powder that has gone `drifted` (m); rounding may make it
+  /// less.
+  double advance(Grains& grains, std::size_t begin, std::size_t end, const Vector3& drifted,
+                 SphereField& spheres) const;
 
   /// Ends the step of grains [begin, end), given the contacts' forces (N) on each and their moments (N m,
-  /// laboratory frame) about its centre.
-  StepWork finish(Grains& grains, std::size_t begin, std::size_t end,
-                  std::span<const ContactSum> contacts) const;
+  /// laboratory frame) about its centre: sum `first_sum` is that of grain `begin`.
+  StepWork finish(Grains& grains, std::size_t begin, std::size_t end, const ContactSums& contacts,
+                  std::size_t first_sum) const;
 
  private:
   /// What the motion of one kind depends on.
@@ -45,15 +48,16 @@ class GrainIntegrator {
 
   static Body body_of(const GrainShape& shape, const Eigen::Vector3d& gravity, double air_viscosity);
   template <class Bodies>
-  void advance_with(Bodies& bodies, Grains& grains, std::size_t begin, std::size_t end,
-                    SphereField& spheres) const;
+  double advance_with(Bodies& bodies, Grains& grains, std::size_t begin, std::size_t end,
+                      const Vector3& drifted, SphereField& spheres) const;
   template <class Bodies>
   StepWork finish_with(Bodies& bodies, Grains& grains, std::size_t begin, std::size_t end,
-                       std::span<const ContactSum> contacts) const;
+                       const ContactSums& contacts, std::size_t first_sum) const;
 
   std::vector<Body> bodies_;                ///< one a kind
   std::optional<SphereIntegrator> single_;  ///< where grains are single spheres
   bool rotates_;
+  double way_per_turn_;  ///< m, that spheres go at most over the change of their grain's quaternion
   double time_step_;
   InstructionSet instructions_;
 };

@@ -62,6 +62,9 @@ class KindTable {
   double largest_grain() const { return largest_grain_; }
   /// m, of a sphere's centre from its grain's, at most.
   double farthest_sphere() const { return farthest_sphere_; }
+  /// m: over the length |q - q_0| by which a grain's quaternion changes when it turns, how far a sphere goes
+  /// at most. One at distance r goes no farther than 2 r |q - q_0|.
+  double way_per_turn() const { return 2 * farthest_sphere_; }
 
  private:
   std::vector<GrainKind> kinds_;

@@ -50,12 +50,12 @@ class GrainLoop final : public PairLoop {
     thread_local std::vector<double> remembered;
     thread_local std::vector<TouchingPair> touching;
     GrainPairTable& table = block.grain_pairs;
-    table.make_room_to_remember(remembered);
     touching.resize(table.size());
     std::size_t count = 0;
     with_width(scene.instructions, [&](auto wide) {
       count = find_touching<decltype(wide)::value>(block, scene.spheres, touching.data());
     });
+    table.make_room_to_remember(remembered, count);
     Batch& batch = batch_of_thread<Batch>();
     BatchTally<Law> batches;
     for (std::size_t done = 0; done < count; done += batch.count) {
@@ -73,7 +73,7 @@ class GrainLoop final : public PairLoop {
       if constexpr (!Pairs::kAlike)
         batches.add_over_radius(batch, [&](std::size_t lane) { return smaller_radius(batch.kinds[lane]); });
     }
-    table.keep(remembered, count);
+    table.keep(remembered);
     batches.book(scene.time_step, tally);
     tally.overlap.grains = std::max(tally.overlap.grains, batches.deepest());
     const double over_radius =
@@ -167,6 +167,8 @@ class GrainLoop final : public PairLoop {
       const GrainPair* near = table.pair.data() + first;
       const Touches touches = test_some<kWide>(block, spheres, near, how_many, table.touching.data() + first);
       list_touching(near, touches, before, touching + count);
+      // Batches are too short for the processor to see that what pairs remember is read in a row.
+      table.fetch_memory(before + 1, static_cast<std::size_t>(std::popcount(touches.last)));
       count += static_cast<std::size_t>(std::popcount(touches.now));
       before += static_cast<std::uint32_t>(std::popcount(touches.last));
     };

@@ -69,22 +69,20 @@ class LocalSpheres {
     const std::size_t own = block.own_spheres(), partners = block.partners.size();
     if (motion_.size() < own + partners) motion_.resize(own + partners);
     // Vectors are read together with the number behind them, which the very last ones do not have.
-    const std::size_t whole = std::min<std::size_t>(block.end, spheres.real() - 1) - block.begin;
-    for (std::size_t k = 0; k < whole; ++k) {
-      const SphereField::Single sphere = spheres.single(block.begin + k);
-      copy_three(sphere.centre, centres_[k].value);
-      copy_three(sphere.velocity, motion_[k].value);
-      copy_three(sphere.spin, motion_[k].value + kSpin);
-    }
-    for (std::size_t k = whole; k < own; ++k) {
-      put_centre(k, spheres.grain_centre(block.begin + k));
-      put_motion(k, spheres.motion(block.begin + k));
-    }
-    for (std::size_t k = 0; k < partners; ++k) {
-      const std::size_t partner = block.partners[k];
-      put_centre(own + k, spheres.position(partner));
-      put_motion(own + k, spheres.motion(spheres.original(partner)));
-    }
+    const std::size_t last = spheres.real() - 1;
+    const auto put_sphere = [&](std::size_t k, std::size_t sphere) {
+      if (sphere < last) {
+        const SphereField::Single numbers = spheres.single(sphere);
+        copy_three(numbers.centre, centres_[k].value);
+        copy_three(numbers.velocity, motion_[k].value);
+        copy_three(numbers.spin, motion_[k].value + kSpin);
+      } else {
+        put_centre(k, spheres.position(sphere));
+        put_motion(k, spheres.motion(spheres.original(sphere)));
+      }
+    };
+    for (std::size_t k = 0; k < own; ++k) put_sphere(k, block.begin + k);
+    for (std::size_t k = 0; k < partners; ++k) put_sphere(own + k, block.partners[k]);
   }
 
   void take_motion_about_reference(const Block& block, const SphereField& spheres) {

@@ -125,20 +125,19 @@ struct GrainPairTable {
     memory.insert(memory.end(), kSpare, 0.0);
     memory.shrink_to_fit();
   }
-  /// Room for what pairs remember after a step, however many touch: kNothing's numbers are set.
-  void make_room_to_remember(std::vector<double>& remembered) const {
-    const std::size_t needed = (size() + 1) * width + kSpare;
-    if (remembered.size() < needed) remembered.resize(needed);
+  /// Room for what `count` touching pairs remember after a step, one after the other behind kNothing's, whose
+  /// numbers are set.
+  void make_room_to_remember(std::vector<double>& remembered, std::size_t count) const {
+    const std::size_t needed = (count + 1) * width + kSpare;
+    // Contacts come and go, and rooms go from block to block: fresh memory costs more than some that is idle.
+    if (remembered.capacity() < needed || remembered.capacity() > 2 * needed)
+      make_room(remembered, needed + needed / 8);
+    remembered.resize(needed);
     std::fill_n(remembered.begin(), width, 0.0);
   }
-  /// Takes over what `count` touching pairs remember, one after the other behind kNothing's.
-  void keep(const std::vector<double>& remembered, std::size_t count) {
-    const std::size_t needed = (count + 1) * width + kSpare;
-    // Contacts come and go: some room for more, but not much that is idle.
-    if (memory.capacity() < needed || memory.capacity() > needed + needed / 4)
-      make_room(memory, needed + needed / 64);
-    memory.assign(remembered.begin(), remembered.begin() + static_cast<std::ptrdiff_t>(needed));
-  }
+  /// Takes over what touching pairs remember, for which room was made; `remembered` becomes what they did
+  /// before: it has just been read, so that what another block writes to it next is written to the cache.
+  void keep(std::vector<double>& remembered) { memory.swap(remembered); }
   /// Memory number `place`: counted from 1 among those of touching pairs, or kNothing.
   const double* memory_at(std::uint32_t place) const { return memory.data() + place * width; }
   /// Asks for `count` memories from `place` on, which are going to be read soon, as far as there are so many.

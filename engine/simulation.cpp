@@ -22,12 +22,6 @@ std::vector<ContactSum>& pair_sums_of_thread() {
   return sums;
 }
 
-/// Sums of a block's grains that a thread works on.
-std::vector<ContactSum>& grain_sums_of_thread() {
-  thread_local std::vector<ContactSum> sums;
-  return sums;
-}
-
 }  // namespace
 
 Simulation::Simulation(const SimulationSettings& settings, std::vector<WallBodySpec> walls)
@@ -151,58 +145,65 @@ void Simulation::move_bodies() {
 
 void Simulation::advance_grains() {
   auto& blocks = list_.blocks();
+  const Vector3 drifted = plain(Eigen::Vector3d(reference_.drift * settings_.time_step));
   workers_.for_each(blocks.size(), [&](std::size_t b) {
-    if (sleeping_)
+    // Ways of many steps are summed up, and places rounded: a little more than both together.
+    constexpr double kRounding = 1 + 1e-6;
+    if (sleeping_) {
       advance_awake(b);
-    else
-      integrator_.advance(grains_, blocks[b].begin, blocks[b].end, spheres_);
-    tallies_[b].list_is_old = has_moved_too_far(blocks[b]);
+      leeway_[b] = 0;
+    } else {
+      leeway_[b] -=
+          kRounding * integrator_.advance(grains_, blocks[b].begin, blocks[b].end, drifted, spheres_);
+    }
+    if (leeway_[b] <= 0) leeway_[b] = leeway(blocks[b]);
+    tallies_[b].list_is_old = leeway_[b] < 0;
   });
 }
 
-/// Whether a sphere of the block may have moved farther against the powder as a whole than its grain may.
-bool Simulation::has_moved_too_far(const Block& block) const {
+/// m, how much farther against the powder as a whole every sphere of the block may surely move before the
+/// list is too old: below 0 when one has moved too far already.
+double Simulation::leeway(const Block& block) const {
   const Vector3 drifted = plain(Eigen::Vector3d(reference_.drift * (time_ - reference_.time)));
   const auto way = [&](std::size_t k) {
     constexpr std::size_t kAhead = 32;
     look_ahead<1>(reference_.position, k + kAhead);
     return plain(grains_.position[k]) - plain(reference_.position[k]) - drifted;
   };
-  bool too_far = false;
+  double least = std::numeric_limits<double>::infinity();
   if (!kinds_.composed()) {
-    std::array<double, AdaptiveSkin::kMostDoublings + 1> squared_allowance;  // m^2
-    for (std::size_t doublings = 0; doublings < squared_allowance.size(); ++doublings)
-      squared_allowance[doublings] = std::pow(reference_.allowance_of(doublings), 2);
+    std::array<double, AdaptiveSkin::kMostDoublings + 1> farthest{};  // m^2, of those that may go as far
     for (std::size_t k = block.begin; k < block.end; ++k) {
       const Vector3 moved = way(k);
-      too_far |= dot(moved, moved) > squared_allowance[reference_.doublings[k]];
+      double& squared = farthest[reference_.doublings[k]];
+      squared = std::max(squared, dot(moved, moved));
     }
-    return too_far;
+    for (std::size_t doublings = 0; doublings < farthest.size(); ++doublings)
+      least = std::min(least, reference_.allowance_of(doublings) - std::sqrt(farthest[doublings]));
+    return least;
   }
-  // A sphere at distance r turns by at most 2 r |q - q_0|.
-  const double per_turn = 2 * list_.settings().farthest_sphere;
+  const double way_per_turn = kinds_.way_per_turn();
   for (std::size_t k = block.begin; k < block.end; ++k) {
     const PlainQuaternion turn = plain(grains_.orientation[k]) - plain(reference_.orientation[k]);
-    too_far |= length(way(k)) + per_turn * std::sqrt(dot(turn, turn)) > reference_.allowance(k);
+    least =
+        std::min(least, reference_.allowance(k) - length(way(k)) - way_per_turn * std::sqrt(dot(turn, turn)));
   }
-  return too_far;
+  return least;
 }
 
-/// Contact forces on the grains of block b, moments about their centres: from the block's own pairs, then
-/// from those of other blocks in block order.
-void Simulation::gather(std::size_t b, std::vector<ContactSum>& contacts) const {
+/// Turns `contacts`, the sums of the pairs of block b, into contact forces on its grains, moments about their
+/// centres: adds those of other blocks' pairs, in block order.
+void Simulation::gather(std::size_t b, ContactSums& contacts) const {
   const Block& own = list_.blocks()[b];
   const bool composed = kinds_.composed();
   // Sums of a resting block are those of where its grains were when contacts were searched.
   const auto places = [&](std::size_t block) -> const std::vector<Eigen::Vector3d>& {
     return rests(block) ? reference_.position : grains_.position;
   };
-  with_instructions(settings_.instructions, [&] { own.sums.copy_to(contacts, own.grains()); });
   if (composed)
-    for (std::size_t k = own.begin; k < own.end; ++k) {
-      const Vector3 arm = plain(places(b)[k]) - plain(own.reference);
-      ContactSum& sum = contacts[k - own.begin];
-      sum.add_moment(-cross(arm, sum.force()));
+    for (std::size_t k = 0; k < own.grains(); ++k) {
+      const Vector3 arm = plain(places(b)[own.begin + k]) - plain(own.reference);
+      contacts.add_moment(k, -cross(arm, contacts.force(k)));
     }
   constexpr std::uint32_t kAhead = 8;  // sums of other blocks lie anywhere: they are asked for in time
   const std::uint32_t end = list_.foreign_first()[b + 1];
@@ -213,14 +214,17 @@ void Simulation::gather(std::size_t b, std::vector<ContactSum>& contacts) const 
     }
     const auto& place = list_.foreign_sums()[f];
     const Block& block = list_.blocks()[place.block];
-    ContactSum sum = block.sums[place.slot];
+    const Vector3 force = block.sums.force(place.slot);
+    Vector3 moment = block.sums.moment(place.slot);
     if (composed) {
       const std::uint32_t seen = block.seen[place.slot - block.grains()];
       const Vector3 arm =
           plain(places(place.block)[own.begin + place.grain]) + spheres_.shift(seen) - plain(block.reference);
-      sum.add_moment(-cross(arm, sum.force()));
+      moment = moment - cross(arm, force);
     }
-    contacts[place.grain] += sum;
+    contacts.add_force(place.grain, force);
+    contacts.add_moment(place.grain, moment);
+    contacts.add_rolling_load(place.grain, block.sums.rolling_load(place.slot));
   }
 }
 
@@ -247,24 +251,25 @@ void Simulation::compute_block(std::size_t b) {
 }
 
 void Simulation::finish_grains() {
-  const auto& blocks = list_.blocks();
+  auto& blocks = list_.blocks();
   workers_.for_each(blocks.size(), [&](std::size_t b) {
     if (rests(b)) {
       if (carries()) tallies_[b].held_force = force_on_resting(b);
       return;
     }
-    std::vector<ContactSum>& contacts = grain_sums_of_thread();
+    if (sleeping_) return finish_awake(b, gathered_copy(b));
+    // Nobody asks for the sums of the block's own pairs any more: they need not be copied.
+    ContactSums& contacts = blocks[b].sums;
     gather(b, contacts);
-    if (sleeping_) return finish_awake(b, contacts);
     if (settings_.air_draught) draw_air(b, contacts);
-    const auto work = integrator_.finish(grains_, blocks[b].begin, blocks[b].end, contacts);
+    const auto work = integrator_.finish(grains_, blocks[b].begin, blocks[b].end, contacts, 0);
     tallies_[b].drag_work += work.drag;
     tallies_[b].rolling_work += work.rolling;
   });
 }
 
 /// Adds the forces of drawn air to those of the contacts of block b.
-void Simulation::draw_air(std::size_t b, std::vector<ContactSum>& contacts) {
+void Simulation::draw_air(std::size_t b, ContactSums& contacts) {
   const AirDraught& air = *settings_.air_draught;
   const double speed = body_motion_[air.body].velocity.z();
   const double power = air.add_forces(spheres_, list_.blocks()[b].begin, speed, contacts);

@@ -156,7 +156,7 @@ class Simulation {
  private:
   void advance_grains();
   void move_bodies();
-  bool has_moved_too_far(const Block& block) const;
+  double leeway(const Block& block) const;
   bool list_is_old() const;
   void wrap_grains();
   std::size_t keep_grains(const std::vector<std::uint32_t>& staying);
@@ -171,8 +171,8 @@ class Simulation {
   void compute_contacts();
   void compute_block(std::size_t b);
   void finish_grains();
-  void gather(std::size_t b, std::vector<ContactSum>& contacts) const;
-  void draw_air(std::size_t b, std::vector<ContactSum>& contacts);
+  void gather(std::size_t b, ContactSums& contacts) const;
+  void draw_air(std::size_t b, ContactSums& contacts);
   void book_step();
   ContactScene contact_scene(const LocalSpheres& local) const;
 
@@ -186,7 +186,8 @@ class Simulation {
   void carry(const Block& block);
   void compute_resting();
   void slide(std::size_t b);
-  void finish_awake(std::size_t b, const std::vector<ContactSum>& contacts);
+  const ContactSums& gathered_copy(std::size_t b) const;
+  void finish_awake(std::size_t b, const ContactSums& contacts);
   void weigh_sleepers();
   void look_after_sleepers();
   bool fall_asleep();
@@ -211,6 +212,8 @@ class Simulation {
   Grains grains_;
   SphereField spheres_;
   std::vector<BlockTally> tallies_;
+  /// m a block, at most leeway(); 0: not known. Nobody's places need be looked at while it lasts.
+  std::vector<double> leeway_;
   std::vector<double> clearance_;  ///< m a body, how far it stood from the powder when contacts were searched
   Eigen::Vector3d carried_ = Eigen::Vector3d::Zero();  ///< m, how far sleepers are carried in this step
 

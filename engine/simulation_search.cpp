@@ -140,6 +140,7 @@ void Simulation::search(const ContactHistory& history, const ContactHistory& wal
   spheres_.hold_places();
   list_.build(spheres_, bodies_, reference_, history, wall_history, workers_);
   tallies_.resize(list_.blocks().size());
+  leeway_.assign(list_.blocks().size(), 0);
   if (sleeping_) {
     sleeping_->sort_blocks(list_);
     settle_motion_of_sleepers();

@@ -55,7 +55,7 @@ void Simulation::take_to(const Eigen::Vector3d& velocity) {
 void Simulation::advance_awake(std::size_t b) {
   const Block& block = list_.blocks()[b];
   sleeping_->for_awake(block.begin, block.end, [&](std::size_t first, std::size_t last) {
-    integrator_.advance(grains_, first, last, spheres_);
+    integrator_.advance(grains_, first, last, {}, spheres_);
   });
   if (carries()) carry(block);
 }
@@ -99,12 +99,21 @@ void Simulation::slide(std::size_t b) {
         tally.body_force[body].dot(velocity - body_motion_[body].velocity) * settings_.time_step;
 }
 
-void Simulation::finish_awake(std::size_t b, const std::vector<ContactSum>& contacts) {
+/// Contact forces on the grains of block b, which leave its sums as they are: those of a resting block are
+/// needed as long as it rests. Good until the thread's next call.
+const ContactSums& Simulation::gathered_copy(std::size_t b) const {
+  thread_local ContactSums contacts;
+  const Block& own = list_.blocks()[b];
+  contacts.copy_first(own.sums, own.grains());
+  gather(b, contacts);
+  return contacts;
+}
+
+void Simulation::finish_awake(std::size_t b, const ContactSums& contacts) {
   const Block& block = list_.blocks()[b];
   BlockTally& tally = tallies_[b];
   sleeping_->for_awake(block.begin, block.end, [&](std::size_t first, std::size_t last) {
-    const auto own = std::span(contacts).subspan(first - block.begin, last - first);
-    const auto work = integrator_.finish(grains_, first, last, own);
+    const auto work = integrator_.finish(grains_, first, last, contacts, first - block.begin);
     tally.drag_work += work.drag;
     tally.rolling_work += work.rolling;
   });
@@ -112,17 +121,17 @@ void Simulation::finish_awake(std::size_t b, const std::vector<ContactSum>& cont
   if (!carries()) return;
   for (std::size_t k = block.begin; k < block.end; ++k)
     if (sleeping_->asleep(k))
-      tally.held_force += eigen(contacts[k - block.begin].force()) + shape_of(k).mass * settings_.gravity;
+      tally.held_force += eigen(contacts.force(k - block.begin)) + shape_of(k).mass * settings_.gravity;
 }
 
 /// N, on all grains of a resting block: of its own contacts, of those of other blocks, and their weight.
 Eigen::Vector3d Simulation::force_on_resting(std::size_t b) const {
   const Block& own = list_.blocks()[b];
   Eigen::Vector3d force = mass_of(own.begin, own.end) * settings_.gravity;
-  for (std::size_t slot = 0; slot < own.grains(); ++slot) force += eigen(own.sums[slot].force());
+  for (std::size_t slot = 0; slot < own.grains(); ++slot) force += eigen(own.sums.force(slot));
   for (std::uint32_t f = list_.foreign_first()[b]; f < list_.foreign_first()[b + 1]; ++f) {
     const auto& place = list_.foreign_sums()[f];
-    force += eigen(list_.blocks()[place.block].sums[place.slot].force());
+    force += eigen(list_.blocks()[place.block].sums.force(place.slot));
   }
   return force;
 }
@@ -132,16 +141,14 @@ void Simulation::weigh_sleepers() {
   const bool composed = kinds_.composed();
   const auto& blocks = list_.blocks();
   workers_.for_each(blocks.size(), [&](std::size_t b) {
-    thread_local std::vector<ContactSum> contacts;
-    bool gathered = false;
+    const ContactSums* contacts = nullptr;
     for (std::size_t k = blocks[b].begin; k < blocks[b].end; ++k) {
       if (!sleeping_->asleep(k)) continue;
-      if (!gathered) gather(b, contacts);
-      gathered = true;
-      const ContactSum& sum = contacts[k - blocks[b].begin];
-      grains_.force[k] = eigen(sum.force()) + shape_of(k).mass * settings_.gravity;
+      if (!contacts) contacts = &gathered_copy(b);
+      const std::size_t sum = k - blocks[b].begin;
+      grains_.force[k] = eigen(contacts->force(sum)) + shape_of(k).mass * settings_.gravity;
       if (!kinds_.rotates()) continue;
-      grains_.torque[k] = eigen(sum.moment());
+      grains_.torque[k] = eigen(contacts->moment(sum));
       if (composed)
         grains_.torque[k] = rotation_matrix(grains_.orientation[k]).transpose() * grains_.torque[k];
     }

@@ -1,6 +1,7 @@
 #include "engine/sphere_integrator.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <type_traits>
 #include <utility>
@@ -15,30 +16,6 @@ double* numbers(std::vector<Eigen::Vector3d>& vectors) {
 }
 
 }  // namespace
-
-/// The sums of a chunk of spheres, taken apart, and what the air does to them.
-struct SphereIntegrator::ContactForces {
-  // Longer than a chunk by what the last sphere's copy reaches beyond it.
-  alignas(64) double force[3 * kChunk + 1];      ///< N
-  alignas(64) double moment[3 * kChunk + 1];     ///< N m
-  alignas(64) double drag_power[kNumbers] = {};  ///< W, summed up over all chunks, number by number
-
-  /// Four numbers at a time, of which the next sphere overwrites the last.
-  void take(std::span<const ContactSum> sums) {
-    for (std::size_t k = 0; k < sums.size(); ++k) {
-      Four half;
-      load(half, sums[k].first_half());
-      store(half, force + 3 * k);
-      load(half, sums[k].second_half());
-      store(half, moment + 3 * k);
-    }
-  }
-  double total_drag_power() const {
-    double sum = 0;
-    for (const double power : drag_power) sum += power;
-    return sum;
-  }
-};
 
 SphereIntegrator::SphereIntegrator(std::vector<Body> bodies, bool rotates, bool rolls, double time_step,
                                    InstructionSet instructions)
@@ -79,19 +56,25 @@ void SphereIntegrator::for_groups(const Grains& grains, std::size_t begin, std::
   if (first < end) visit(factors(first, end - first), 3 * first, 3 * (end - first));
 }
 
-void SphereIntegrator::advance(Grains& grains, std::size_t begin, std::size_t end) const {
+double SphereIntegrator::advance(Grains& grains, std::size_t begin, std::size_t end,
+                                 const Vector3& drifted) const {
   double *position = numbers(grains.position), *velocity = numbers(grains.velocity),
          *spin = numbers(grains.spin);
   const double *force = numbers(grains.force), *torque = numbers(grains.torque);
   const double time_step = time_step_;
+  alignas(64) double against[kNumbers], farthest[kNumbers] = {};  // m, along the axis of each number
+  for (std::size_t k = 0; k < kNumbers; ++k) against[k] = std::array{drifted.x, drifted.y, drifted.z}[k % 3];
   with_instructions(instructions_, [&] {
     for_groups(grains, begin, end, [&](const Factors& factors, std::size_t first, auto how_many) {
       const std::size_t count = how_many;
 #pragma GCC ivdep
       for (std::size_t k = 0; k < count; ++k) {
         const double gained = factors.velocity_per_force[k] * force[first + k];
-        position[first + k] += time_step * (velocity[first + k] + 0.5 * gained);
+        const double way = time_step * (velocity[first + k] + 0.5 * gained);
+        position[first + k] += way;
         velocity[first + k] += gained;
+        const double moved = std::abs(way - against[k]);
+        farthest[k] = moved > farthest[k] ? moved : farthest[k];
       }
       if (!rotates_) return;
 #pragma GCC ivdep
@@ -99,34 +82,34 @@ void SphereIntegrator::advance(Grains& grains, std::size_t begin, std::size_t en
         spin[first + k] += factors.spin_per_torque[k] * torque[first + k];
     });
   });
+  Eigen::Vector3d most = Eigen::Vector3d::Zero();
+  for (std::size_t k = 0; k < kNumbers; ++k) {
+    double& along = most[static_cast<Eigen::Index>(k % 3)];
+    along = std::max(along, farthest[k]);
+  }
+  return most.norm();
 }
 
 StepWork SphereIntegrator::finish(Grains& grains, std::size_t begin, std::size_t end,
-                                  std::span<const ContactSum> contacts) const {
-  ContactForces chunk;
-  double rolling_power = 0;
-  for (std::size_t first = begin; first < end; first += kChunk) {
-    const std::size_t last = std::min(end, first + kChunk);
-    const auto sums = contacts.subspan(first - begin, last - first);
-    with_instructions(instructions_, [&] {
-      chunk.take(sums);
-      kick(grains, first, last, chunk);
-      if (rotates_) kick_spin(grains, first, last, chunk);
-    });
-    if (rolls_) rolling_power += slow_rolling(grains, sums, first);
-  }
-  return {chunk.total_drag_power() * time_step_, rolling_power * time_step_};
+                                  const ContactSums& contacts, std::size_t first_sum) const {
+  StepWork power;  // W
+  with_instructions(instructions_, [&] {
+    power.drag = kick(grains, begin, end, contacts.forces() + 3 * first_sum);
+    if (rotates_) kick_spin(grains, begin, end, contacts.moments() + 3 * first_sum);
+  });
+  if (rolls_) power.rolling = slow_rolling(grains, begin, end, contacts.loads() + first_sum);
+  return {power.drag * time_step_, power.rolling * time_step_};
 }
 
 /// From the velocities that the forces before the step lead to, those that the mean of the forces before and
-/// after it does: contacts, air, weight.
-void SphereIntegrator::kick(Grains& grains, std::size_t begin, std::size_t end,
-                            ContactForces& contacts) const {
-  double *velocity = numbers(grains.velocity), *force = numbers(grains.force), *power = contacts.drag_power;
-  const double* contact = contacts.force;
+/// after it does: contacts (N, three numbers a sphere), air, weight. Returns the power of the air (W).
+double SphereIntegrator::kick(Grains& grains, std::size_t begin, std::size_t end,
+                              const double* contact_forces) const {
+  double *velocity = numbers(grains.velocity), *force = numbers(grains.force);
+  alignas(64) double power[kNumbers] = {};  // summed up number by number
   for_groups(grains, begin, end, [&](const Factors& factors, std::size_t first, auto how_many) {
     const std::size_t count = how_many;
-    const double* acting = contact + (first - 3 * begin);
+    const double* acting = contact_forces + (first - 3 * begin);
 #pragma GCC ivdep
     for (std::size_t k = 0; k < count; ++k) {
       const double predicted = velocity[first + k];
@@ -137,15 +120,18 @@ void SphereIntegrator::kick(Grains& grains, std::size_t begin, std::size_t end,
       force[first + k] = after;
     }
   });
+  double sum = 0;
+  for (const double part : power) sum += part;
+  return sum;
 }
 
-/// The same for spins and torques.
+/// The same for spins and torques; moments of contacts in N m.
 void SphereIntegrator::kick_spin(Grains& grains, std::size_t begin, std::size_t end,
-                                 const ContactForces& contacts) const {
+                                 const double* contact_moments) const {
   double *spin = numbers(grains.spin), *torque = numbers(grains.torque);
   for_groups(grains, begin, end, [&](const Factors& factors, std::size_t first, auto how_many) {
     const std::size_t count = how_many;
-    const double* acting = contacts.moment + (first - 3 * begin);
+    const double* acting = contact_moments + (first - 3 * begin);
 #pragma GCC ivdep
     for (std::size_t k = 0; k < count; ++k) {
       spin[first + k] += 0.5 * factors.spin_per_torque[k] * (acting[k] - torque[first + k]);
@@ -155,14 +141,14 @@ void SphereIntegrator::kick_spin(Grains& grains, std::size_t begin, std::size_t 
 }
 
 /// Slows spins by rolling friction (Bierwisch 2009, Eq. 2.11), which stops a rotation but never reverses it
-/// within a step (OP-9). Returns its power (W).
-double SphereIntegrator::slow_rolling(Grains& grains, std::span<const ContactSum> contacts,
-                                      std::size_t begin) const {
+/// within a step (OP-9). `loads` in N m, one a sphere. Returns its power (W).
+double SphereIntegrator::slow_rolling(Grains& grains, std::size_t begin, std::size_t end,
+                                      const double* loads) const {
   double power = 0;
-  for (std::size_t k = 0; k < contacts.size(); ++k) {
-    Eigen::Vector3d& spin = grains.spin[begin + k];
-    const double inertia = bodies_[grains.kind_of(begin + k)].inertia, speed = spin.norm();
-    const double slower = std::max(0.0, speed - contacts[k].rolling_load() * time_step_ / inertia);
+  for (std::size_t k = begin; k < end; ++k) {
+    Eigen::Vector3d& spin = grains.spin[k];
+    const double inertia = bodies_[grains.kind_of(k)].inertia, speed = spin.norm();
+    const double slower = std::max(0.0, speed - loads[k - begin] * time_step_ / inertia);
     power += 0.5 * inertia * (slower * slower - speed * speed) / time_step_;
     if (speed > 0) spin *= slower / speed;
   }

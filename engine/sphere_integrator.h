@@ -3,9 +3,9 @@
 // a lane.
 #pragma once
 
-#include <span>
 #include <vector>
 
+#include "engine/contact_sums.h"
 #include "engine/grain_kinds.h"
 #include "engine/grains.h"
 #include "engine/vector_instructions.h"
@@ -34,14 +34,13 @@ class SphereIntegrator {
 
   /// As GrainIntegrator::advance() and finish(). In between, velocities and spins of `grains` are those
   /// predicted for the end of the step: a step passes through no memory besides.
-  void advance(Grains& grains, std::size_t begin, std::size_t end) const;
-  StepWork finish(Grains& grains, std::size_t begin, std::size_t end,
-                  std::span<const ContactSum> contacts) const;
+  double advance(Grains& grains, std::size_t begin, std::size_t end, const Vector3& drifted) const;
+  StepWork finish(Grains& grains, std::size_t begin, std::size_t end, const ContactSums& contacts,
+                  std::size_t first_sum) const;
 
  private:
   static constexpr std::size_t kSpheres = 8;             ///< worked on at a time
   static constexpr std::size_t kNumbers = 3 * kSpheres;  ///< of their vectors: whole vector registers
-  static constexpr std::size_t kChunk = 64;  ///< spheres whose contacts' sums are taken apart at once
 
   /// What a few spheres' numbers are multiplied by, one entry a number.
   struct Factors {
@@ -50,14 +49,12 @@ class SphereIntegrator {
     alignas(64) double drag[kNumbers];                ///< kg/s
     alignas(64) double weight[kNumbers];              ///< N
   };
-  struct ContactForces;
-
   void set(Factors& factors, std::size_t sphere, const Body& body) const;
   template <class Visit>
   void for_groups(const Grains& grains, std::size_t begin, std::size_t end, const Visit& visit) const;
-  void kick(Grains& grains, std::size_t begin, std::size_t end, ContactForces& contacts) const;
-  void kick_spin(Grains& grains, std::size_t begin, std::size_t end, const ContactForces& contacts) const;
-  double slow_rolling(Grains& grains, std::span<const ContactSum> contacts, std::size_t begin) const;
+  double kick(Grains& grains, std::size_t begin, std::size_t end, const double* contact_forces) const;
+  void kick_spin(Grains& grains, std::size_t begin, std::size_t end, const double* contact_moments) const;
+  double slow_rolling(Grains& grains, std::size_t begin, std::size_t end, const double* loads) const;
 
   std::vector<Body> bodies_;  ///< one a kind
   Factors alike_;             ///< where there is one kind

@@ -1,8 +1,6 @@
 // What is kept of sums and of contacts between the passes of a step.
 #include <gtest/gtest.h>
 
-#include <utility>
-
 #include "engine/pair_table.h"
 
 namespace diefill::engine {
@@ -22,6 +20,12 @@ std::vector<double> numbers_of(const ContactSum& sum) {
   return {force.x, force.y, force.z, moment.x, moment.y, moment.z, sum.rolling_load()};
 }
 
+/// The same of a sum that is kept.
+std::vector<double> numbers_of(const ContactSums& sums, std::size_t k) {
+  const Vector3 force = sums.force(k), moment = sums.moment(k);
+  return {force.x, force.y, force.z, moment.x, moment.y, moment.z, sums.rolling_load(k)};
+}
+
 TEST(ContactSums, KeepTheNumbersThatCountAndNoOthers) {
   const std::vector<ContactSum> given = {some_sum(1), some_sum(20), some_sum(40)};
   for (const std::size_t numbers : {ContactSum::kForce, ContactSum::kMoment, ContactSum::kRolling}) {
@@ -31,14 +35,35 @@ TEST(ContactSums, KeepTheNumbersThatCountAndNoOthers) {
     kept.keep(taken);
     for (const ContactSum& sum : taken) EXPECT_EQ(numbers_of(sum), std::vector<double>(7, 0.0));
     EXPECT_EQ(kept.bytes(), given.size() * numbers * sizeof(double));
-    std::vector<ContactSum> copies;
-    kept.copy_to(copies, given.size());
+    ContactSums first;
+    first.copy_first(kept, 2);
+    EXPECT_EQ(first.size(), 2U);
     for (std::size_t k = 0; k < given.size(); ++k) {
       std::vector<double> expected = numbers_of(given[k]);
       std::fill(expected.begin() + static_cast<std::ptrdiff_t>(numbers), expected.end(), 0.0);
-      EXPECT_EQ(numbers_of(std::as_const(kept)[k]), expected);
-      EXPECT_EQ(numbers_of(copies[k]), expected);
+      EXPECT_EQ(numbers_of(kept, k), expected);
+      if (k < first.size()) {
+        EXPECT_EQ(numbers_of(first, k), expected);
+      }
     }
+  }
+}
+
+TEST(ContactSums, AddToOneSumWithoutTouchingItsNeighbours) {
+  for (const std::size_t numbers : {ContactSum::kForce, ContactSum::kMoment, ContactSum::kRolling}) {
+    std::vector<ContactSum> given = {some_sum(1), some_sum(20), some_sum(40)};
+    ContactSums kept;
+    kept.start(given.size(), numbers);
+    kept.keep(given);
+    const std::vector<double> first = numbers_of(kept, 0), last = numbers_of(kept, 2);
+    std::vector<double> expected = numbers_of(kept, 1);
+    for (std::size_t k = 0; k < numbers; ++k) expected[k] += static_cast<double>(k + 1);
+    kept.add_force(1, {1, 2, 3});
+    kept.add_moment(1, {4, 5, 6});
+    kept.add_rolling_load(1, 7);
+    EXPECT_EQ(numbers_of(kept, 0), first);
+    EXPECT_EQ(numbers_of(kept, 1), expected);
+    EXPECT_EQ(numbers_of(kept, 2), last);
   }
 }
 
@@ -66,11 +91,11 @@ TEST(GrainPairTable, KeepsWhatPairsRememberAfterAStep) {
   table.add({1, 2}, nullptr, nullptr);
   table.finish();
   std::vector<double> remembered(1, 99.0);
-  table.make_room_to_remember(remembered);
-  ASSERT_GE(remembered.size(), (3 + 1) * 3 + GrainPairTable::kSpare);
+  table.make_room_to_remember(remembered, 2);
+  ASSERT_EQ(remembered.size(), (2 + 1) * 3 + GrainPairTable::kSpare);
   for (std::size_t k = 0; k < 6; ++k) remembered[3 + k] = 7.0 + static_cast<double>(k);
   table.touching = {0, 1, 1};
-  table.keep(remembered, 2);
+  table.keep(remembered);
   EXPECT_EQ(table.memory_at(GrainPairTable::kNothing)[0], 0);
   EXPECT_EQ(table.memory_at(1)[0], 7.0);
   EXPECT_EQ(table.memory_at(2)[2], 12.0);

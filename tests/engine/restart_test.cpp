@@ -1,6 +1,8 @@
 // A run that stops and goes on is bit for bit the run that never stopped.
 #include <gtest/gtest.h>
 
+#include <set>
+
 #include "engine_test_support.h"
 
 namespace diefill::engine {
@@ -77,6 +79,23 @@ TEST_P(Restart, NewGrainsGetTheSameNamesAndPlaces) {
     run_steps(*simulation, 200);
   }
   EXPECT_EQ(resumed.hash(), unbroken.hash());
+}
+
+/// A fresh start looks at every grain's place; a run that goes on knows for how long none can have gone too
+/// far.
+TEST_P(Restart, ListsOfNearPairsAreRenewedInTheSameStepsAsIfAllPlacesWereLookedAtInEachOne) {
+  const auto [model, periodic] = GetParam();
+  auto going = start(model, periodic), looking = start(model, periodic);
+  std::set<std::uint64_t> renewals;
+  for (int step = 0; step < 400; ++step) {
+    looking.restore(looking.snapshot());
+    going.step();
+    looking.step();
+    ASSERT_EQ(going.snapshot().reference.step, looking.snapshot().reference.step) << "step " << step;
+    renewals.insert(going.snapshot().reference.step);
+  }
+  EXPECT_GT(renewals.size(), 3U);
+  EXPECT_EQ(going.hash(), looking.hash());
 }
 
 INSTANTIATE_TEST_SUITE_P(Powders, Restart,
