@@ -2,15 +2,14 @@
 
 namespace diefill::engine {
 
-double AirDraught::add_forces(const SphereField& grains, std::size_t begin, double speed,
+double AirDraught::add_forces(const SphereField& grains, std::size_t begin, std::size_t end, double speed,
                               ContactSums& contacts) const {
   double power = 0;
-  for (std::size_t k = 0; k < contacts.size(); ++k) {
-    const std::size_t grain = begin + k;
+  for (std::size_t grain = begin; grain < end; ++grain) {
     if (!region.contains(eigen(grains.grain_centre(grain)))) continue;
     const double predicted = grains.motion(grain).velocity.z;
     const double force = resistance * (speed - predicted);
-    contacts.add_force(k, {0, 0, force});
+    contacts.add_force(grain - begin, {0, 0, force});
     power += force * predicted;
   }
   return power;

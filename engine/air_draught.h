@@ -16,10 +16,11 @@ struct AirDraught {
   Eigen::AlignedBox3d region;  ///< m, laboratory frame: where the powder is in the way of the air
   double resistance = 0;       ///< N s/m a grain: force over the speed of the air against it
 
-  /// Adds the force on each of the grains from `begin` on, along z: resistance times the tool's velocity
+  /// Adds the force on each of the grains [begin, end), along z: resistance times the tool's velocity
   /// (`speed`, m/s) less the grain's, predicted for the end of the step as for air at rest (OP-3). `contacts`
-  /// has one sum a grain. Returns the power (W) of these forces.
-  double add_forces(const SphereField& grains, std::size_t begin, double speed, ContactSums& contacts) const;
+  /// has their sums first. Returns the power (W) of these forces.
+  double add_forces(const SphereField& grains, std::size_t begin, std::size_t end, double speed,
+                    ContactSums& contacts) const;
 };
 
 }  // namespace diefill::engine

@@ -179,7 +179,9 @@ struct Block {
   std::vector<std::uint16_t> kind;     ///< of a local sphere's grain; empty where all are alike
   std::vector<std::uint32_t> foreign;  ///< grains outside the block that its pairs push
   std::vector<std::uint32_t> seen;     ///< where they are composed: each itself, or its image that pairs meet
-  ContactSums sums;                    ///< of the last step
+  /// Of the block's pairs in the last step; at its end those of own grains have become all that acts on them
+  /// but weight and air at rest, unless grains sleep.
+  ContactSums sums;
 
   std::uint32_t grains() const { return end - begin; }
   std::uint32_t own_spheres() const { return grains() * spheres_per_grain; }

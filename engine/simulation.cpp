@@ -192,7 +192,7 @@ double Simulation::leeway(const Block& block) const {
 }
 
 /// Turns `contacts`, the sums of the pairs of block b, into contact forces on its grains, moments about their
-/// centres: adds those of other blocks' pairs, in block order.
+/// centres: adds those of other blocks' pairs, in block order. `contacts` may be the block's own.
 void Simulation::gather(std::size_t b, ContactSums& contacts) const {
   const Block& own = list_.blocks()[b];
   const bool composed = kinds_.composed();
@@ -272,7 +272,8 @@ void Simulation::finish_grains() {
 void Simulation::draw_air(std::size_t b, ContactSums& contacts) {
   const AirDraught& air = *settings_.air_draught;
   const double speed = body_motion_[air.body].velocity.z();
-  const double power = air.add_forces(spheres_, list_.blocks()[b].begin, speed, contacts);
+  const Block& block = list_.blocks()[b];
+  const double power = air.add_forces(spheres_, block.begin, block.end, speed, contacts);
   tallies_[b].drag_work += power * settings_.time_step;
 }
 

@@ -49,6 +49,7 @@ class SphereIntegrator {
     alignas(64) double drag[kNumbers];                ///< kg/s
     alignas(64) double weight[kNumbers];              ///< N
   };
+
   void set(Factors& factors, std::size_t sphere, const Body& body) const;
   template <class Visit>
   void for_groups(const Grains& grains, std::size_t begin, std::size_t end, const Visit& visit) const;

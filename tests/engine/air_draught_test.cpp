@@ -55,6 +55,40 @@ TEST(AirDraught, IsBookedAsWorkOfTheAir) {
   EXPECT_LT(std::abs(simulation.energy_balance_error()), 1e-2);
 }
 
+/// Neighbours that do not touch, but are near enough for blocks to keep sums of each other's grains.
+TEST(AirDraught, TakesGrainsAlikeWhateverBlockTheyAreIn) {
+  constexpr std::size_t kAlong = 12;
+  auto settings = weightless(Model::b, {}, kTimeStep);
+  settings.air_draught = AirDraught{0, {Eigen::Vector3d(-1, -1, -1), Eigen::Vector3d(1, 1, 1)}, kResistance};
+  WallBodySpec plate;
+  plate.centres = {{0, 0, -10}};
+  plate.sphere_radius = 1e-3;
+  Simulation simulation(settings, {plate});
+  simulation.set_motion(0, [](double) {
+    BodyMotion motion;
+    motion.velocity.z() = kToolSpeed;
+    return motion;
+  });
+  const double apart = 2.02 * settings.shape.sphere_radius;
+  std::vector<NewGrain> lattice;
+  for (std::size_t k = 0; k < kAlong * kAlong * kAlong; ++k) {
+    NewGrain grain;
+    const std::size_t place[] = {k % kAlong, k / kAlong % kAlong, k / (kAlong * kAlong)};
+    for (int axis = 0; axis < 3; ++axis) grain.position[axis] = apart * static_cast<double>(place[axis]);
+    lattice.push_back(grain);
+  }
+  simulation.add_grains(lattice);
+  const auto& blocks = simulation.neighbours().blocks();
+  ASSERT_GT(blocks.size(), 1U);
+  ASSERT_FALSE(blocks[0].foreign.empty());
+  run_steps(simulation, 200);
+  ASSERT_EQ(simulation.touching_pairs(), 0U);
+  const double speed = simulation.grains().velocity[0].z();
+  EXPECT_LT(speed, 0);
+  for (const auto& velocity : simulation.grains().velocity) EXPECT_EQ(velocity.z(), speed);
+  EXPECT_LT(std::abs(simulation.energy_balance_error()), 1e-2);
+}
+
 TEST(AirDraught, IsRefusedWhereGrainsSleep) {
   EXPECT_THROW(drawn_grains(SleepSettings{}), std::invalid_argument);
 }
