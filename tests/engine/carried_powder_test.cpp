@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "engine_test_support.h"
+#include "touching_pairs.h"
 
 namespace diefill::engine {
 namespace {
@@ -86,6 +87,41 @@ TEST_P(CarriedPowder, RidesAlongAndStaysAsItIs) {
     if (!simulation.asleep(k)) continue;
     EXPECT_EQ(velocity[k], Eigen::Vector3d(kSpeed, 0, 0));
   }
+}
+
+/// Those of the pairs of which at least one grain is awake: what sleeps is kept as it was when contacts were
+/// searched.
+SpherePairs of_the_awake(const Simulation& simulation, SpherePairs pairs) {
+  const auto sleeps = [&](const SphereName& sphere) {
+    return simulation.asleep(place_of(simulation, sphere.first));
+  };
+  std::erase_if(pairs, [&](const auto& pair) { return sleeps(pair.first) && sleeps(pair.second); });
+  return pairs;
+}
+
+TEST_P(CarriedPowder, MissesNoTouchOfThoseWhoAreAwake) {
+  auto simulation = filled_tray(GetParam(), true);
+  run_steps(simulation, static_cast<int>((kSetsOut + kSpeedingUp) / kStep));
+  std::size_t seen_while_some_sleep = 0;
+  for (int round = 0; round < 400; ++round) {
+    // Grains that hit it wake some of the powder; and powder that stops all of a sudden wakes, and rushes on.
+    if (round % 50 == 0)
+      simulation.add_grains({{.position = simulation.body_motion(kTray).translation +
+                                          Eigen::Vector3d(0, 0, 9 * grain_size(GetParam())),
+                              .velocity = {kSpeed, 0, -1}}});
+    if (round == 300)
+      simulation.set_motion(kTray, [at = simulation.body_motion(kTray)](double) {
+        BodyMotion stopped;
+        stopped.translation = at.translation;
+        return stopped;
+      });
+    run_steps(simulation, round < 300 ? 75 : 9);
+    const auto expected = of_the_awake(simulation, all_touching_pairs(simulation));
+    ASSERT_EQ(of_the_awake(simulation, found_pairs(simulation)), expected)
+        << "after " << simulation.steps() << " steps";
+    if (simulation.sleepers() > 0) seen_while_some_sleep += expected.size();
+  }
+  EXPECT_GT(seen_while_some_sleep, 500U);
 }
 
 /// Two awake beds of clumps, one of them nudged by 1e-12 m, come to differ by up to 0.16 of a grain by then,

@@ -2,66 +2,14 @@
 // by brute force.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <map>
-#include <set>
 
-#include "contact_energy.h"
 #include "engine_test_support.h"
+#include "touching_pairs.h"
 
 namespace diefill::engine {
 namespace {
-
-/// A pair of spheres named by (grain id, sphere of the grain), the smaller first.
-using SphereName = std::pair<std::uint64_t, std::size_t>;
-using SpherePairs = std::multiset<std::pair<SphereName, SphereName>>;
-
-std::pair<SphereName, SphereName> named(const Simulation& simulation, std::size_t i, std::size_t j) {
-  const std::size_t per_grain = simulation.spheres().spheres_per_grain;
-  const auto& ids = simulation.grains().id;
-  const SphereName first{ids[i / per_grain], i % per_grain}, second{ids[j / per_grain], j % per_grain};
-  return first < second ? std::pair{first, second} : std::pair{second, first};
-}
-
-SpherePairs found_pairs(const Simulation& simulation) {
-  const auto& field = simulation.spheres();
-  SpherePairs pairs;
-  visit_touching_grain_pairs(simulation,
-                             [&](const Block& block, std::size_t i, std::size_t p, const double*) {
-                               std::size_t j = block.sphere(block.grain_pairs.pair[p].other);
-                               j = field.owner(j) * field.spheres_per_grain + j % field.spheres_per_grain;
-                               pairs.insert(named(simulation, i, j));
-                             });
-  return pairs;
-}
-
-/// Shortest of all periodic images of a distance.
-Eigen::Vector3d nearest(const SimulationSettings& settings, Eigen::Vector3d between) {
-  for (const std::size_t axis : {0U, 1U})
-    if (settings.period[axis]) {
-      double& x = between[static_cast<Eigen::Index>(axis)];
-      x -= *settings.period[axis] * std::round(x / *settings.period[axis]);
-    }
-  return between;
-}
-
-SpherePairs all_touching_pairs(const Simulation& simulation) {
-  const auto& field = simulation.spheres();
-  const auto& settings = simulation.settings();
-  const std::size_t per_grain = field.spheres_per_grain;
-  SpherePairs pairs;
-  for (std::size_t a = 0; a < field.grains; ++a)
-    for (std::size_t b = 0; b < a; ++b) {
-      const Eigen::Vector3d centres =
-          nearest(settings, simulation.grains().position[a] - simulation.grains().position[b]);
-      if (centres.norm() > 2 * settings.shape.bounding_radius()) continue;
-      for (std::size_t i = a * per_grain; i < (a + 1) * per_grain; ++i)
-        for (std::size_t j = b * per_grain; j < (b + 1) * per_grain; ++j)
-          if (nearest(settings, eigen(field.position(i) - field.position(j))).norm() <
-              2 * settings.shape.sphere_radius)
-            pairs.insert(named(simulation, i, j));
-    }
-  return pairs;
-}
 
 struct CloudCase {
   const char* name;
@@ -73,8 +21,10 @@ class NeighbourSearch : public ::testing::TestWithParam<CloudCase> {
  protected:
   static constexpr double kWidth = 5e-3;  // m
 
-  /// Soft grains thrown at random into a box, overlapping and flying about.
-  static Simulation cloud(std::size_t count) {
+  static bool single_spheres() { return GetParam().model == Model::a || GetParam().model == Model::b; }
+
+  /// Soft grains thrown at random into a box, overlapping and flying about, `pace` times as fast as usual.
+  static Simulation cloud(std::size_t count, double pace = 1) {
     auto settings = weightless(GetParam().model, {.damping_over_radius = 0, .friction = 0.5}, 1e-5);
     settings.grain_contact.reduced_modulus = 1e3;
     settings.grain_contact.tangential = 1e-4;
@@ -85,9 +35,9 @@ class NeighbourSearch : public ::testing::TestWithParam<CloudCase> {
     std::vector<NewGrain> grains(count);
     for (auto& grain : grains) {
       grain.position = random_vector(random, 0.5 * kWidth);
-      grain.velocity = random_vector(random, 0.3) + Eigen::Vector3d(0.5, 0.2, 0);
+      grain.velocity = pace * (random_vector(random, 0.3) + Eigen::Vector3d(0.5, 0.2, 0));
       grain.orientation = random_orientation(random);
-      grain.angular_velocity = random_vector(random, 200);
+      grain.angular_velocity = pace * random_vector(random, 200);
     }
     simulation.add_grains(grains);
     return simulation;
@@ -96,8 +46,7 @@ class NeighbourSearch : public ::testing::TestWithParam<CloudCase> {
 
 TEST_P(NeighbourSearch, TouchingPairsAreThoseOfAllPairs) {
   // Enough for several blocks of spheres.
-  const bool single = GetParam().model == Model::a || GetParam().model == Model::b;
-  auto simulation = cloud(single ? 2400 : 400);
+  auto simulation = cloud(single_spheres() ? 2400 : 400);
   std::size_t seen = 0;
   for (int round = 0; round < 20; ++round) {
     run_steps(simulation, 15);
@@ -109,6 +58,29 @@ TEST_P(NeighbourSearch, TouchingPairsAreThoseOfAllPairs) {
   EXPECT_GT(seen, 1000U);
   EXPECT_GT(simulation.searches(), 5U);
   EXPECT_GT(simulation.neighbours().blocks().size(), 1U);
+}
+
+TEST_P(NeighbourSearch, NoTouchIsMissedWhileTheListOfClosePairsLasts) {
+  // So slow that close pairs are listed anew only now and then: they must hold whatever comes to touch.
+  auto simulation = cloud(single_spheres() ? 900 : 300, 0.02);
+  run_steps(simulation, 2);
+  std::size_t begun = 0;
+  SpherePairs before = found_pairs(simulation);
+  for (int step = 0; step < 400; ++step) {
+    simulation.step();
+    const auto expected = all_touching_pairs(simulation);
+    ASSERT_EQ(found_pairs(simulation), expected) << "after " << simulation.steps() << " steps";
+    begun += static_cast<std::size_t>(std::count_if(
+        expected.begin(), expected.end(), [&](const auto& pair) { return before.count(pair) == 0; }));
+    before = expected;
+  }
+  EXPECT_GT(begun, 20U);
+  std::size_t near = 0, close = 0;
+  for (const Block& block : simulation.neighbours().blocks()) {
+    near += block.grain_pairs.size();
+    close += block.grain_pairs.close().size();
+  }
+  EXPECT_LT(close, near) << "all near pairs are close ones: nothing was put to the test";
 }
 
 TEST_P(NeighbourSearch, SurvivesRemovalAndAdditionOnTheWay) {
