@@ -37,14 +37,6 @@ inline void list_touching(const GrainPair* near, Touches touches, std::uint32_t 
     touching[std::popcount(touches.now & up_to_lowest(begun)) - 1].memory = GrainPairTable::kNothing;
 }
 
-/// m, how much nearer than the law's reach close pairs may come before they are listed anew, when those of a
-/// block come nearer by `approach` (m) in a step. Tests of pairs that do not touch cost in proportion to the
-/// margin, listing in inverse proportion; both together cost least at some sqrt(radius approach).
-double close_margin(double approach, double sphere_radius) {
-  constexpr double kBalance = 1, kSmallest = 1e-3;
-  return std::max(kSmallest * sphere_radius, std::sqrt(kBalance * sphere_radius * approach));
-}
-
 /// Pairs between grains. `Pairs`: which law acts between which. `kComposed`: several spheres a grain, moments
 /// about the block's reference point.
 template <class Pairs, LeverArm kArm, bool kComposed>
@@ -58,8 +50,7 @@ class GrainLoop final : public PairLoop {
     thread_local std::vector<double> remembered;
     thread_local std::vector<TouchingPair> touching;
     GrainPairTable& table = block.grain_pairs;
-    if (table.age(scene.approach)) list_close(block, scene);
-    touching.resize(table.close().size());
+    touching.resize(table.size());
     std::size_t count = 0;
     with_width(scene.instructions, [&](auto wide) {
       count = find_touching<decltype(wide)::value>(block, scene.spheres, touching.data());
@@ -70,7 +61,7 @@ class GrainLoop final : public PairLoop {
     for (std::size_t done = 0; done < count; done += batch.count) {
       batch.count = std::min(count - done, Batch::kLanes);
       std::copy_n(touching.data() + done, batch.count, batch.pair);
-      double* memory = remembered.data() + (done + 1) * table.remembers();
+      double* memory = remembered.data() + (done + 1) * table.width;
       with_width(scene.instructions, [&](auto wide) {
         constexpr bool kWide = decltype(wide)::value;
         pack<kWide>(block, scene.spheres, batch);
@@ -120,13 +111,16 @@ class GrainLoop final : public PairLoop {
   double stored_energy(const Block& block, const ContactScene& scene) const override {
     double energy = 0;
     const auto& table = block.grain_pairs;
-    table.visit_near([&](std::size_t p, std::uint32_t place) {
+    std::uint32_t place = GrainPairTable::kNothing;
+    for (std::size_t p = 0; p < table.size(); ++p) {
       const GrainPair pair = table.pair[p];
+      place += table.touching[p];
+      const double* memory = table.memory_at(table.touching[p] ? place : GrainPairTable::kNothing);
       const auto [law, reach] = pairs_.of(pairs_.kinds(block, pair));
       const double overlap =
           reach.contact - length(scene.spheres.position(pair.own) - scene.spheres.position(pair.other));
-      if (overlap > 0) energy += law.energy(overlap, table.memory_at(place));
-    });
+      if (overlap > 0) energy += law.energy(overlap, memory);
+    }
     return energy;
   }
 
@@ -138,7 +132,7 @@ class GrainLoop final : public PairLoop {
   using Law = typename Pairs::Law;
   using Batch = GrainBatch<Law>;
 
-  static constexpr std::size_t kTested = GrainPairTable::kWord;  ///< pairs at a time
+  static constexpr std::size_t kTested = 64;  ///< pairs at a time
   static constexpr bool kTurns = Lever<kArm>::kTurns;
   /// Loads count where single spheres roll.
   static constexpr bool kRolls = !kComposed && kTurns;
@@ -162,24 +156,6 @@ class GrainLoop final : public PairLoop {
         batch, [&](std::size_t lane) { return pairs_.of(kinds_of(batch, lane)); }, instructions, time_step);
   }
 
-  /// Lists the block's close pairs anew.
-  void list_close(Block& block, const ContactScene& scene) const {
-    thread_local std::vector<std::uint64_t> near;
-    GrainPairTable& table = block.grain_pairs;
-    const double margin = close_margin(scene.approach, scene.sphere_radius);
-    // Ways of many steps are summed up, and places rounded: a little more than all of it together.
-    const double added = margin + 1e-6 * scene.sphere_radius;
-    near.resize((table.size() + kTested - 1) / kTested);
-    with_width(scene.instructions, [&](auto wide) {
-      constexpr bool kWide = decltype(wide)::value;
-      in_words(table.size(), [&](std::size_t first, auto how_many) {
-        near[first / kTested] =
-            test_some<kWide>(block, scene.spheres, table.pair.data() + first, how_many, added);
-      });
-    });
-    table.list_close(near, margin);
-  }
-
   /// Distances are tested first and touching pairs collected, so that the costly part runs without guessing.
   /// Returns how many were written to `touching`.
   template <bool kWide>
@@ -187,47 +163,44 @@ class GrainLoop final : public PairLoop {
     GrainPairTable& table = block.grain_pairs;
     std::size_t count = 0;
     std::uint32_t before = 0;  // pairs so far that touched in the last step
-    in_words(table.close().size(), [&](std::size_t first, auto how_many) {
-      const GrainPair* close = table.close().data() + first;
-      const Touches touches{table.touching(first / kTested),
-                            test_some<kWide>(block, spheres, close, how_many, 0)};
-      table.set_touching(first / kTested, touches.now);
-      list_touching(close, touches, before, touching + count);
+    const auto test = [&](std::size_t first, auto how_many) {
+      const GrainPair* near = table.pair.data() + first;
+      const Touches touches = test_some<kWide>(block, spheres, near, how_many, table.touching.data() + first);
+      list_touching(near, touches, before, touching + count);
       // Batches are too short for the processor to see that what pairs remember is read in a row.
       table.fetch_memory(before + 1, static_cast<std::size_t>(std::popcount(touches.last)));
       count += static_cast<std::size_t>(std::popcount(touches.now));
       before += static_cast<std::uint32_t>(std::popcount(touches.last));
-    });
+    };
+    std::size_t first = 0;
+    for (; first + kTested <= table.size(); first += kTested)
+      test(first, std::integral_constant<std::size_t, kTested>{});
+    if (first < table.size()) test(first, table.size() - first);
     return count;
   }
 
-  /// Calls use(first, how many) for all of `count` pairs, a word's at a time; the compiler knows how many but
-  /// for the last.
-  template <class Use>
-  static void in_words(std::size_t count, const Use& use) {
-    std::size_t first = 0;
-    for (; first + kTested <= count; first += kTested)
-      use(first, std::integral_constant<std::size_t, kTested>{});
-    if (first < count) use(first, count - first);
-  }
-
-  /// A bit for each of some pairs, `how_many` of them, known to the compiler or not: whether they are nearer
-  /// than the law's reach and `added` (m).
+  /// Notes in `touches` which of the near pairs touch, `how_many` of them, known to the compiler or not.
   template <bool kWide, class Count>
-  std::uint64_t test_some(const Block& block, const LocalSpheres& spheres, const GrainPair* pairs,
-                          Count how_many, double added) const {
+  Touches test_some(const Block& block, const LocalSpheres& spheres, const GrainPair* near, Count how_many,
+                    std::uint8_t* touches) const {
     double square[kTested];
-    measure<kWide>(spheres, pairs, how_many, square);
-    std::uint8_t nearer[kTested] = {};
-    const auto limit_of = [&](std::uint32_t kinds) { return pairs_.squared_reach_and(added, kinds); };
+    measure<kWide>(spheres, near, how_many, square);
+    std::uint8_t last[kTested] = {}, now[kTested] = {};
+    std::copy_n(touches, std::size_t{how_many}, last);
     if constexpr (Pairs::kAlike) {
-      const double limit = limit_of(0);
-      for (std::size_t k = 0; k < how_many; ++k) nearer[k] = square[k] < limit;
+      const double reach_squared = pairs_.reach_squared(0);
+      for (std::size_t k = 0; k < how_many; ++k) now[k] = square[k] < reach_squared;
     } else {
       for (std::size_t k = 0; k < how_many; ++k)
-        nearer[k] = square[k] < limit_of(pairs_.kinds(block, pairs[k]));
+        now[k] = square[k] < pairs_.reach_squared(pairs_.kinds(block, near[k]));
     }
-    return word_from_bytes(nearer);
+    std::copy_n(now, std::size_t{how_many}, touches);
+    Touches tested{0, 0};
+    for (std::size_t k = 0; k < kTested; k += 8) {
+      tested.last |= bits_from_bytes(last + k) << k;
+      tested.now |= bits_from_bytes(now + k) << k;
+    }
+    return tested;
   }
 
   /// Squares (m^2) of the distances of some near pairs.

@@ -196,15 +196,6 @@ void NeighbourList::index_foreign_sums() {
                                         [](std::uint32_t g, const Block& block) { return g < block.end; });
     return static_cast<std::size_t>(after - blocks_.begin());
   };
-  for (auto& block : blocks_) {
-    block.partner_blocks.clear();
-    for (const std::uint32_t grain : block.foreign)
-      block.partner_blocks.push_back(static_cast<std::uint32_t>(home(grain)));
-    std::sort(block.partner_blocks.begin(), block.partner_blocks.end());
-    const auto last = std::unique(block.partner_blocks.begin(), block.partner_blocks.end());
-    block.partner_blocks.erase(last, block.partner_blocks.end());
-    block.partner_blocks.shrink_to_fit();
-  }
   foreign_first_.assign(blocks_.size() + 1, 0);
   for (const auto& block : blocks_)
     for (const std::uint32_t grain : block.foreign) ++foreign_first_[home(grain) + 1];

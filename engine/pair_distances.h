@@ -26,15 +26,11 @@ inline void squares_of_four(const VectorOf& of, double* squares) {
         squares);
 }
 
-/// A bit from each of 64 bytes of 0 or 1, the lowest from the first.
-inline std::uint64_t word_from_bytes(const std::uint8_t* bytes) {
-  std::uint64_t word = 0;
-  for (unsigned k = 0; k < 64; k += 8) {
-    std::uint64_t eight;
-    __builtin_memcpy(&eight, bytes + k, sizeof eight);
-    word |= (eight * 0x0102040810204080U >> 56) << k;
-  }
-  return word;
+/// Eight bits from eight bytes of 0 or 1, the lowest from the first.
+inline std::uint64_t bits_from_bytes(const std::uint8_t* bytes) {
+  std::uint64_t eight;
+  __builtin_memcpy(&eight, bytes, sizeof eight);
+  return eight * 0x0102040810204080U >> 56;
 }
 
 }  // namespace diefill::engine

@@ -44,7 +44,7 @@ KindPairs::KindPairs(const KindTable& kinds, const GrainMix& mix)
     : count_(static_cast<std::uint32_t>(kinds.size())),
       law_(kinds.size() * kinds.size()),
       reach_(law_.size()),
-      range_reach_(law_.size()) {
+      reach_squared_(law_.size()) {
   for (std::uint32_t i = 0; i < count_; ++i)
     for (std::uint32_t j = i; j < count_; ++j) {
       const auto one = static_cast<KindNumber>(i), other = static_cast<KindNumber>(j);
@@ -54,7 +54,7 @@ KindPairs::KindPairs(const KindTable& kinds, const GrainMix& mix)
       reach_[i * count_ + j] = {radius + other_radius, radius};
       reach_[j * count_ + i] = {radius + other_radius, other_radius};
       const double reach = radius + other_radius + laws_.back().range();
-      range_reach_[i * count_ + j] = range_reach_[j * count_ + i] = reach;
+      reach_squared_[i * count_ + j] = reach_squared_[j * count_ + i] = reach * reach;
       range_ = std::max(range_, laws_.back().range());
     }
 }

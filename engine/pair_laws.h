@@ -25,9 +25,9 @@ class AlikePairs {
   /// Number of a pair's law.
   static std::uint32_t kinds(const Block&, GrainPair) { return 0; }
   PairLaw<Law> of(std::uint32_t) const { return {law_, reach_}; }
-  /// m^2, of the distance up to which the pair acts on each other, and `added` (m).
-  double squared_reach_and(double added, std::uint32_t) const {
-    const double reach = reach_.contact + law_.range() + added;
+  /// m^2, of the distance up to which the pair acts on each other.
+  double reach_squared(std::uint32_t) const {
+    const double reach = reach_.contact + law_.range();
     return reach * reach;
   }
   double range() const { return law_.range(); }
@@ -51,10 +51,7 @@ class KindPairs {
     return block.kind[pair.own] * count_ + block.kind[pair.other];
   }
   PairLaw<Law> of(std::uint32_t kinds) const { return {laws_[law_[kinds]], reach_[kinds]}; }
-  double squared_reach_and(double added, std::uint32_t kinds) const {
-    const double reach = range_reach_[kinds] + added;
-    return reach * reach;
-  }
+  double reach_squared(std::uint32_t kinds) const { return reach_squared_[kinds]; }
   /// m, the largest of all laws.
   double range() const { return range_; }
   static double rolling_friction() { return Law::rolling_friction; }
@@ -64,7 +61,7 @@ class KindPairs {
   std::vector<Law> laws_;           ///< one for kinds i and j in either order
   std::vector<std::uint32_t> law_;  ///< place in laws_ of kinds i, j at i * count_ + j, as below
   std::vector<PairReach> reach_;
-  std::vector<double> range_reach_;  ///< m, up to which a pair acts on each other
+  std::vector<double> reach_squared_;
   double range_ = 0;
 };
 

@@ -42,7 +42,6 @@ struct ContactScene {
   const std::vector<BodyMotion>& body_motion;
   double sphere_radius;  ///< m, the smallest
   double time_step;      ///< s
-  double approach;       ///< m, by how much spheres of a pair can have come nearer in this step
   InstructionSet instructions;
 };
 

@@ -1,4 +1,4 @@
-// A block of grains: its near pairs with what they remember, in the order in which the pair loop streams
+// Near pairs of one block of grains with what they remember, in the order in which the pair loop streams
 // them.
 #pragma once
 
@@ -8,11 +8,18 @@
 #include <vector>
 
 #include "engine/contact_sums.h"
-#include "engine/grain_pair_table.h"
-#include "engine/room.h"
 #include "engine/vector3.h"
 
 namespace diefill::engine {
+
+/// Number of a sphere in its block: first the block's own spheres, then their partners from elsewhere. Short,
+/// because lists of pairs are what a step reads most of.
+using LocalSphere = std::uint16_t;
+
+/// A near pair between grains.
+struct GrainPair {
+  LocalSphere own, other;
+};
 
 /// A near pair with a wall: the grain's sphere, and the number of the wall's sphere (or plane) in its body.
 struct WallPair {
@@ -37,6 +44,15 @@ struct WallRun {
   }
 };
 
+/// Room for `count` values in `values`, which becomes empty. Memory that would stand idle is given back: a
+/// step's speed is that of the memory it has to pass through.
+template <class Value>
+void make_room(std::vector<Value>& values, std::size_t count) {
+  if (values.capacity() > count + count / 4) std::vector<Value>().swap(values);
+  values.clear();
+  values.reserve(count);
+}
+
 /// Pairs with a memory of `width` numbers each; what a pair that does not touch remembers has no meaning.
 template <class Pair>
 struct PairTable {
@@ -46,8 +62,6 @@ struct PairTable {
   std::vector<double> memory;          ///< SI units, as the law lays them out
 
   std::size_t size() const { return pair.size(); }
-  /// Numbers that a touching pair remembers.
-  std::size_t remembers() const { return width; }
   /// Empties the table and makes room for `count` pairs that remember `numbers` each.
   void start(std::size_t count, std::size_t numbers) {
     width = numbers;
@@ -78,6 +92,74 @@ struct PairTable {
   }
 };
 
+/// Near pairs between grains. Half of them do not touch even in a dense bed, so only those that do have a
+/// memory: one after the other in the order of the table, behind a first one that is 0.
+struct GrainPairTable {
+  /// Place of what a contact remembers that has just begun.
+  static constexpr std::uint32_t kNothing = 0;
+  /// Numbers behind the last one that may be read, so that loads of four need not mind the end.
+  static constexpr std::size_t kSpare = 3;
+
+  std::size_t width = 0;  ///< numbers that a touching pair remembers
+  std::vector<GrainPair> pair;
+  std::vector<std::uint8_t> touching;  ///< 1 while the pair is within the law's reach
+  std::vector<double> memory;          ///< SI units, as the law lays them out, and kSpare numbers
+
+  std::size_t size() const { return pair.size(); }
+  /// Empties the table and makes room for `count` pairs that remember `numbers` each.
+  void start(std::size_t count, std::size_t numbers) {
+    width = numbers;
+    make_room(pair, count);
+    make_room(touching, count);
+    memory.assign(width, 0.0);
+  }
+  /// As PairTable::add().
+  void add(const GrainPair& added, const double* remembered, const double* sign) {
+    pair.push_back(added);
+    touching.push_back(remembered != nullptr);
+    if (!remembered) return;
+    for (std::size_t k = 0; k < width; ++k) memory.push_back(sign ? sign[k] * remembered[k] : remembered[k]);
+  }
+  /// Ends adding.
+  void finish() {
+    memory.insert(memory.end(), kSpare, 0.0);
+    memory.shrink_to_fit();
+  }
+  /// Room for what `count` touching pairs remember after a step, one after the other behind kNothing's, whose
+  /// numbers are set.
+  void make_room_to_remember(std::vector<double>& remembered, std::size_t count) const {
+    const std::size_t needed = (count + 1) * width + kSpare;
+    // Contacts come and go, and rooms go from block to block: fresh memory costs more than some that is idle.
+    if (remembered.capacity() < needed || remembered.capacity() > 2 * needed)
+      make_room(remembered, needed + needed / 8);
+    remembered.resize(needed);
+    std::fill_n(remembered.begin(), width, 0.0);
+  }
+  /// Takes over what touching pairs remember, for which room was made; `remembered` becomes what they did
+  /// before: it has just been read, so that what another block writes to it next is written to the cache.
+  void keep(std::vector<double>& remembered) { memory.swap(remembered); }
+  /// Memory number `place`: counted from 1 among those of touching pairs, or kNothing.
+  const double* memory_at(std::uint32_t place) const { return memory.data() + place * width; }
+  /// Asks for `count` memories from `place` on, which are going to be read soon, as far as there are so many.
+  void fetch_memory(std::size_t place, std::size_t count) const {
+    constexpr std::size_t kCacheLine = 64 / sizeof(double);
+    const std::size_t end = std::min((place + count) * width, memory.size());
+    for (std::size_t at = place * width; at < end; at += kCacheLine) __builtin_prefetch(&memory[at]);
+  }
+  /// Calls visit(p, memory) for every touching pair p in their order.
+  template <class Visit>
+  void visit_touching(const Visit& visit) const {
+    std::uint32_t place = kNothing;
+    for (std::size_t p = 0; p < size(); ++p)
+      if (touching[p]) visit(p, memory_at(++place));
+  }
+  /// As PairTable::recall(), for pairs in their order, in a table in which none touched.
+  void recall(std::size_t p, const double* remembered) {
+    touching[p] = 1;
+    memory.insert(memory.end() - kSpare, remembered, remembered + width);
+  }
+};
+
 /// A run of grains that one thread works on at a time: its pairs, and the forces they cause. Sums 0 to
 /// grains() - 1 belong to the block's own grains, the rest to `foreign` ones.
 struct Block {
@@ -97,7 +179,6 @@ struct Block {
   std::vector<std::uint16_t> kind;     ///< of a local sphere's grain; empty where all are alike
   std::vector<std::uint32_t> foreign;  ///< grains outside the block that its pairs push
   std::vector<std::uint32_t> seen;     ///< where they are composed: each itself, or its image that pairs meet
-  std::vector<std::uint32_t> partner_blocks;  ///< blocks that `foreign` grains are in, rising
   /// Of the block's pairs in the last step; at its end those of own grains have become all that acts on them
   /// but weight and air at rest, unless grains sleep.
   ContactSums sums;

@@ -150,11 +150,11 @@ void Simulation::advance_grains() {
     // Ways of many steps are summed up, and places rounded: a little more than both together.
     constexpr double kRounding = 1 + 1e-6;
     if (sleeping_) {
-      gone_[b] = kRounding * advance_awake(b);
+      advance_awake(b);
       leeway_[b] = 0;
     } else {
-      gone_[b] = kRounding * integrator_.advance(grains_, blocks[b].begin, blocks[b].end, drifted, spheres_);
-      leeway_[b] -= gone_[b];
+      leeway_[b] -=
+          kRounding * integrator_.advance(grains_, blocks[b].begin, blocks[b].end, drifted, spheres_);
     }
     if (leeway_[b] <= 0) leeway_[b] = leeway(blocks[b]);
     tallies_[b].list_is_old = leeway_[b] < 0;
@@ -241,7 +241,7 @@ void Simulation::compute_block(std::size_t b) {
   Block& block = list_.blocks()[b];
   thread_local LocalSpheres local;
   local.take(block, spheres_, settings_.instructions);
-  const ContactScene scene = contact_scene(local, approach_in(b));
+  const ContactScene scene = contact_scene(local);
   tallies_[b].start(bodies_.size());
   std::vector<ContactSum>& sums = pair_sums_of_thread();
   if (sums.size() < block.sums.size()) sums.resize(block.sums.size());
@@ -301,22 +301,9 @@ void Simulation::book_step() {
                          settings_.time_step;
 }
 
-/// m, by how much spheres of a pair of block b can have come nearer in this step.
-double Simulation::approach_in(std::size_t b) const {
-  double farthest = gone_[b];
-  for (const std::uint32_t other : list_.blocks()[b].partner_blocks)
-    farthest = std::max(farthest, gone_[other]);
-  return gone_[b] + farthest;
-}
-
-ContactScene Simulation::contact_scene(const LocalSpheres& local, double approach) const {
-  return {local,
-          bodies_,
-          body_motion_,
-          kinds_.smallest_sphere(),
-          settings_.time_step,
-          approach,
-          settings_.instructions};
+ContactScene Simulation::contact_scene(const LocalSpheres& local) const {
+  return {
+      local, bodies_, body_motion_, kinds_.smallest_sphere(), settings_.time_step, settings_.instructions};
 }
 
 }  // namespace diefill::engine

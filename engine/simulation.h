@@ -174,8 +174,7 @@ class Simulation {
   void gather(std::size_t b, ContactSums& contacts) const;
   void draw_air(std::size_t b, ContactSums& contacts);
   void book_step();
-  double approach_in(std::size_t b) const;
-  ContactScene contact_scene(const LocalSpheres& local, double approach) const;
+  ContactScene contact_scene(const LocalSpheres& local) const;
 
   // Where settled grains are put to sleep.
   std::vector<Eigen::AlignedBox3d> moving_tools() const;
@@ -183,7 +182,7 @@ class Simulation {
   BodyMotion carrier() const;
   void mind_tools(const BodyMotion& carrier_before);
   void take_to(const Eigen::Vector3d& velocity);
-  double advance_awake(std::size_t b);
+  void advance_awake(std::size_t b);
   void carry(const Block& block);
   void compute_resting();
   void slide(std::size_t b);
@@ -215,9 +214,6 @@ class Simulation {
   std::vector<BlockTally> tallies_;
   /// m a block, at most leeway(); 0: not known. Nobody's places need be looked at while it lasts.
   std::vector<double> leeway_;
-  /// m a block, how far any of its spheres can have moved in this step against the powder as a whole; 0 when
-  /// contacts have just been searched.
-  std::vector<double> gone_;
   std::vector<double> clearance_;  ///< m a body, how far it stood from the powder when contacts were searched
   Eigen::Vector3d carried_ = Eigen::Vector3d::Zero();  ///< m, how far sleepers are carried in this step
 

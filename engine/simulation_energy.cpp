@@ -15,7 +15,7 @@ Energy Simulation::energy() const {
     energy.height -= shape.mass * settings_.gravity.dot(grains_.position[k]);
   }
   LocalSpheres local;
-  const ContactScene scene = contact_scene(local, 0);
+  const ContactScene scene = contact_scene(local);
   for (const auto& block : list_.blocks()) {
     local.take(block, spheres_, settings_.instructions);
     energy.contacts += grain_loop_->stored_energy(block, scene) + wall_loop_->stored_energy(block, scene);

@@ -21,7 +21,7 @@ void Simulation::visit_contact_forces(const std::function<void(const ContactForc
   bring_up_to_date(spheres, *this);
   for (const Block& block : list_.blocks()) {
     local.take(block, spheres, settings_.instructions);
-    const ContactScene scene = contact_scene(local, 0);
+    const ContactScene scene = contact_scene(local);
     // Where the grain of a local sphere stands as the pair sees it: shifted where the pair meets an image.
     const auto centre_of = [&](LocalSphere sphere) -> Eigen::Vector3d {
       const std::uint32_t number = block.sphere(sphere);

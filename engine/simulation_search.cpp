@@ -141,7 +141,6 @@ void Simulation::search(const ContactHistory& history, const ContactHistory& wal
   list_.build(spheres_, bodies_, reference_, history, wall_history, workers_);
   tallies_.resize(list_.blocks().size());
   leeway_.assign(list_.blocks().size(), 0);
-  gone_.assign(list_.blocks().size(), 0);
   if (sleeping_) {
     sleeping_->sort_blocks(list_);
     settle_motion_of_sleepers();
@@ -193,7 +192,7 @@ Snapshot::Memory memory_of(const std::vector<Block>& blocks, Table Block::*table
     const auto& pairs = block.*table;
     pairs.visit_touching([&](std::size_t p, const double* numbers) {
       memory.pair.push_back(before + p);
-      memory.value.insert(memory.value.end(), numbers, numbers + pairs.remembers());
+      memory.value.insert(memory.value.end(), numbers, numbers + pairs.width);
     });
     before += pairs.size();
   }
@@ -208,7 +207,7 @@ void recall(std::vector<Block>& blocks, Table Block::*table, const Snapshot::Mem
   for (auto& block : blocks) {
     auto& pairs = block.*table;
     for (; next < memory.pair.size() && memory.pair[next] < before + pairs.size(); ++next)
-      pairs.recall(memory.pair[next] - before, memory.value.data() + next * pairs.remembers());
+      pairs.recall(memory.pair[next] - before, memory.value.data() + next * pairs.width);
     before += pairs.size();
   }
 }

@@ -1,6 +1,4 @@
 // How a simulation leaves sleeping grains alone, carries them along, and when it looks at them.
-#include <algorithm>
-
 #include "engine/rigid_motion.h"
 #include "engine/simulation.h"
 
@@ -54,16 +52,12 @@ void Simulation::take_to(const Eigen::Vector3d& velocity) {
   }
 }
 
-/// Returns how far (m) any of the block's spheres can have moved against what is carried.
-double Simulation::advance_awake(std::size_t b) {
+void Simulation::advance_awake(std::size_t b) {
   const Block& block = list_.blocks()[b];
-  const Vector3 carried = carries() ? plain(carried_) : Vector3{};
-  double gone = 0;
   sleeping_->for_awake(block.begin, block.end, [&](std::size_t first, std::size_t last) {
-    gone = std::max(gone, integrator_.advance(grains_, first, last, carried, spheres_));
+    integrator_.advance(grains_, first, last, {}, spheres_);
   });
   if (carries()) carry(block);
-  return gone;
 }
 
 /// Takes the block's sleepers along.
@@ -83,12 +77,12 @@ void Simulation::compute_resting() {
     if (!rests(b)) return;
     auto& grain_pairs = list_.blocks()[b].grain_pairs;
     auto& wall_pairs = list_.blocks()[b].wall_pairs;
-    auto grain_pairs_then = grain_pairs;
-    auto wall_touching = wall_pairs.touching;
-    auto wall_memory = wall_pairs.memory;
+    auto grain_touching = grain_pairs.touching, wall_touching = wall_pairs.touching;
+    auto grain_memory = grain_pairs.memory, wall_memory = wall_pairs.memory;
     compute_block(b);
-    grain_pairs = std::move(grain_pairs_then);
+    grain_pairs.touching = std::move(grain_touching);
     wall_pairs.touching = std::move(wall_touching);
+    grain_pairs.memory = std::move(grain_memory);
     wall_pairs.memory = std::move(wall_memory);
     BlockTally& tally = tallies_[b];
     tally.viscous_work = tally.tangential_work = tally.drag_work = tally.rolling_work = 0;

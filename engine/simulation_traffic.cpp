@@ -16,7 +16,7 @@ double Simulation::bytes_moved_per_step() const {
   double contacts = grains * (kMotion + kVector + orientation);
   for (const auto& block : list_.blocks())
     contacts +=
-        static_cast<double>(block.grain_pairs.close().size() * sizeof(GrainPair) +
+        static_cast<double>(block.grain_pairs.size() * (sizeof(GrainPair) + 1) +
                             block.wall_pairs.size() * (sizeof(WallPair) + 1) + 2 * block.sums.bytes());
   contacts += static_cast<double>(touching_) * 2 *
               static_cast<double>(list_.settings().grain_memory_sign.size()) * sizeof(double);
