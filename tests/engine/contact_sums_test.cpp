@@ -1,7 +1,7 @@
-// What is kept of sums between the passes of a step.
+// What is kept of sums and of contacts between the passes of a step.
 #include <gtest/gtest.h>
 
-#include "engine/contact_sums.h"
+#include "engine/pair_table.h"
 
 namespace diefill::engine {
 namespace {
@@ -65,6 +65,41 @@ TEST(ContactSums, AddToOneSumWithoutTouchingItsNeighbours) {
     EXPECT_EQ(numbers_of(kept, 1), expected);
     EXPECT_EQ(numbers_of(kept, 2), last);
   }
+}
+
+TEST(GrainPairTable, RemembersTouchingPairsInTheirOrderOnly) {
+  const double one[] = {1, 2, 3}, other[] = {4, 5, 6}, opposite[] = {-1, -1, -1};
+  GrainPairTable table;
+  table.start(3, 3);
+  table.add({0, 1}, one, nullptr);
+  table.add({0, 2}, nullptr, nullptr);
+  table.add({1, 2}, other, opposite);
+  table.finish();
+  EXPECT_EQ(table.memory.size(), 3U * 3U + GrainPairTable::kSpare);
+  std::vector<std::pair<std::size_t, double>> seen;
+  table.visit_touching([&](std::size_t p, const double* memory) { seen.emplace_back(p, memory[2]); });
+  EXPECT_EQ(seen, (std::vector<std::pair<std::size_t, double>>{{0, 3.0}, {2, -6.0}}));
+  EXPECT_EQ(table.memory_at(GrainPairTable::kNothing)[0], 0);
+}
+
+TEST(GrainPairTable, KeepsWhatPairsRememberAfterAStep) {
+  const double one[] = {1, 2, 3};
+  GrainPairTable table;
+  table.start(3, 3);
+  table.add({0, 1}, one, nullptr);
+  table.add({0, 2}, nullptr, nullptr);
+  table.add({1, 2}, nullptr, nullptr);
+  table.finish();
+  std::vector<double> remembered(1, 99.0);
+  table.make_room_to_remember(remembered, 2);
+  ASSERT_EQ(remembered.size(), (2 + 1) * 3 + GrainPairTable::kSpare);
+  for (std::size_t k = 0; k < 6; ++k) remembered[3 + k] = 7.0 + static_cast<double>(k);
+  table.touching = {0, 1, 1};
+  table.keep(remembered);
+  EXPECT_EQ(table.memory_at(GrainPairTable::kNothing)[0], 0);
+  EXPECT_EQ(table.memory_at(1)[0], 7.0);
+  EXPECT_EQ(table.memory_at(2)[2], 12.0);
+  EXPECT_EQ(table.memory.size(), 3U * 3U + GrainPairTable::kSpare);
 }
 
 }  // namespace

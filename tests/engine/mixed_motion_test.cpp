@@ -103,11 +103,12 @@ std::set<std::pair<std::uint64_t, std::uint64_t>> found(const Simulation& simula
   const SphereField& spheres = simulation.spheres();
   std::set<std::pair<std::uint64_t, std::uint64_t>> pairs;
   for (const Block& block : simulation.neighbours().blocks())
-    block.grain_pairs.visit_touching([&](std::size_t p, const double*) {
+    for (std::size_t p = 0; p < block.grain_pairs.size(); ++p) {
+      if (!block.grain_pairs.touching[p]) continue;
       const GrainPair pair = block.grain_pairs.pair[p];
       pairs.insert(std::minmax(grains.id[spheres.owner(block.sphere(pair.own))],
                                grains.id[spheres.owner(block.sphere(pair.other))]));
-    });
+    }
   return pairs;
 }
 

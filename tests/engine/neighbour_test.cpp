@@ -60,8 +60,8 @@ TEST_P(NeighbourSearch, TouchingPairsAreThoseOfAllPairs) {
   EXPECT_GT(simulation.neighbours().blocks().size(), 1U);
 }
 
-TEST_P(NeighbourSearch, NoTouchIsMissedWhileTheListOfClosePairsLasts) {
-  // So slow that close pairs are listed anew only now and then: they must hold whatever comes to touch.
+TEST_P(NeighbourSearch, NoTouchIsMissedInAnyStepWhileAListLasts) {
+  // So slow that lists last for many steps: they must hold whatever comes to touch.
   auto simulation = cloud(single_spheres() ? 900 : 300, 0.02);
   run_steps(simulation, 2);
   std::size_t begun = 0;
@@ -75,12 +75,7 @@ TEST_P(NeighbourSearch, NoTouchIsMissedWhileTheListOfClosePairsLasts) {
     before = expected;
   }
   EXPECT_GT(begun, 20U);
-  std::size_t near = 0, close = 0;
-  for (const Block& block : simulation.neighbours().blocks()) {
-    near += block.grain_pairs.size();
-    close += block.grain_pairs.close().size();
-  }
-  EXPECT_LT(close, near) << "all near pairs are close ones: nothing was put to the test";
+  EXPECT_LT(simulation.searches(), 100U);
 }
 
 TEST_P(NeighbourSearch, SurvivesRemovalAndAdditionOnTheWay) {
