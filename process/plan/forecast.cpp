@@ -50,7 +50,7 @@ Forecast forecast(const Scene& scene, const Tooling& tooling, const RestTimes& r
     forecast.phases.push_back(part);
   }
   forecast.memory = predicted_memory(largest_share * static_cast<double>(forecast.spheres),
-                                     static_cast<double>(forecast.wall_spheres), !scene.powder.sizes.empty());
+                                     static_cast<double>(forecast.wall_spheres));
   return forecast;
 }
 

@@ -3,7 +3,7 @@
 
 namespace diefill::process::plan {
 
-/// Peak memory (bytes) of `diefill run` with so many spheres of grains, of one size or several, and of tools.
-double predicted_memory(double spheres, double wall_spheres, bool several_sizes = false);
+/// Peak memory (bytes) of `diefill run` with so many spheres of grains and of tools.
+double predicted_memory(double spheres, double wall_spheres);
 
 }  // namespace diefill::process::plan
