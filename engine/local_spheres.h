@@ -82,7 +82,18 @@ class LocalSpheres {
       }
     };
     for (std::size_t k = 0; k < own; ++k) put_sphere(k, block.begin + k);
-    for (std::size_t k = 0; k < partners; ++k) put_sphere(own + k, block.partners[k]);
+    for (std::size_t k = 0; k < partners; ++k) {
+      if (k + kAhead < partners) {
+        const std::size_t soon = block.partners[k + kAhead];
+        if (soon < last) {
+          const SphereField::Single numbers = spheres.single(soon);
+          __builtin_prefetch(numbers.centre);
+          __builtin_prefetch(numbers.velocity);
+          __builtin_prefetch(numbers.spin);
+        }
+      }
+      put_sphere(own + k, block.partners[k]);
+    }
   }
 
   void take_motion_about_reference(const Block& block, const SphereField& spheres) {

@@ -205,12 +205,13 @@ void Simulation::gather(std::size_t b, ContactSums& contacts) const {
       const Vector3 arm = plain(places(b)[own.begin + k]) - plain(own.reference);
       contacts.add_moment(k, -cross(arm, contacts.force(k)));
     }
-  constexpr std::uint32_t kAhead = 8;  // sums of other blocks lie anywhere: they are asked for in time
+  constexpr std::uint32_t kAhead = 32;  // sums of other blocks lie anywhere: they are asked for in time
   const std::uint32_t end = list_.foreign_first()[b + 1];
   for (std::uint32_t f = list_.foreign_first()[b]; f < end; ++f) {
     if (f + kAhead < end) {
       const auto& soon = list_.foreign_sums()[f + kAhead];
       list_.blocks()[soon.block].sums.fetch(soon.slot);
+      contacts.fetch(soon.grain);
     }
     const auto& place = list_.foreign_sums()[f];
     const Block& block = list_.blocks()[place.block];
