@@ -83,15 +83,8 @@ class LocalSpheres {
     };
     for (std::size_t k = 0; k < own; ++k) put_sphere(k, block.begin + k);
     for (std::size_t k = 0; k < partners; ++k) {
-      if (k + kAhead < partners) {
-        const std::size_t soon = block.partners[k + kAhead];
-        if (soon < last) {
-          const SphereField::Single numbers = spheres.single(soon);
-          __builtin_prefetch(numbers.centre);
-          __builtin_prefetch(numbers.velocity);
-          __builtin_prefetch(numbers.spin);
-        }
-      }
+      // They lie anywhere: in a large bed in no cache.
+      if (k + kAhead < partners) spheres.fetch(spheres.original(block.partners[k + kAhead]));
       put_sphere(own + k, block.partners[k]);
     }
   }
@@ -110,6 +103,7 @@ class LocalSpheres {
     }
     for (std::size_t k = 0; k < block.seen.size(); ++k) {
       const std::size_t grain = block.foreign[k];
+      if (k + kAhead < block.seen.size()) spheres.fetch(block.foreign[k + kAhead]);
       put_moved(own + k, spheres.motion(grain), spheres.grain_centre(grain) + spheres.shift(block.seen[k]));
     }
   }

@@ -141,7 +141,8 @@ struct GrainPairTable {
   /// Memory number `place`: counted from 1 among those of touching pairs, or kNothing.
   const double* memory_at(std::uint32_t place) const { return memory.data() + place * width; }
   /// Asks for `count` memories from `place` on, which are going to be read soon, as far as there are so many.
-  void fetch_memory(std::size_t place, std::size_t count) const {
+  /// Always in place: look_ahead.h says why.
+  [[gnu::always_inline]] void fetch_memory(std::size_t place, std::size_t count) const {
     constexpr std::size_t kCacheLine = 64 / sizeof(double);
     const std::size_t end = std::min((place + count) * width, memory.size());
     for (std::size_t at = place * width; at < end; at += kCacheLine) __builtin_prefetch(&memory[at]);

@@ -82,9 +82,15 @@ struct SphereField {
   Vector3 grain_centre(std::size_t k) const { return plain(position_[k]); }
   /// Body to laboratory, of composed real grain k.
   PlainQuaternion orientation(std::size_t k) const { return plain(orientation_[k]); }
-  /// Asks for what is going to be read soon of composed real grain k.
-  void fetch(std::size_t k) const {
+  /// Asks for what is going to be read soon of real grain k. Always in
+  /// place: look_ahead.h says why.
+  [[gnu::always_inline]] void fetch(std::size_t k) const {
     __builtin_prefetch(position_ + k);
+    if (spheres_per_grain == 1) {
+      __builtin_prefetch(velocity_ + k);
+      __builtin_prefetch(spin_ + k);
+      return;
+    }
     __builtin_prefetch(velocity.data() + k);
     __builtin_prefetch(spin.data() + k);
     __builtin_prefetch(orientation_ + k);
