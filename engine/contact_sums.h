@@ -66,8 +66,8 @@ class ContactSums {
   void add_rolling_load(std::size_t k, double load) {
     if (numbers_ > ContactSum::kMoment) loads()[k] += load;
   }
-  /// Asks for sum k, which is going to be read soon. Always in
-  /// place: look_ahead.h says why.
+  /// Asks for sum k, which is going to be read soon.
+  /// Always in place: look_ahead.h says why.
   [[gnu::always_inline]] void fetch(std::size_t k) const {
     __builtin_prefetch(forces() + kVector * k);
     if (numbers_ > ContactSum::kForce) __builtin_prefetch(moments() + kVector * k);

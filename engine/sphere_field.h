@@ -82,8 +82,8 @@ struct SphereField {
   Vector3 grain_centre(std::size_t k) const { return plain(position_[k]); }
   /// Body to laboratory, of composed real grain k.
   PlainQuaternion orientation(std::size_t k) const { return plain(orientation_[k]); }
-  /// Asks for what is going to be read soon of real grain k. Always in
-  /// place: look_ahead.h says why.
+  /// Asks for what is going to be read soon of real grain k.
+  /// Always in place: look_ahead.h says why.
   [[gnu::always_inline]] void fetch(std::size_t k) const {
     __builtin_prefetch(position_ + k);
     if (spheres_per_grain == 1) {
