@@ -29,31 +29,47 @@ constexpr double kCoarsestPilot = 0.75;
 /// s of motion that say what it costs, and how many times the limit may be passed to see them or how long
 /// powder goes on running out.
 constexpr double kMotionAtLeast = 3, kPatience = 3;
+/// Of the time that the scene will take, what a pilot may take, and over its limit at most: what a passage
+/// costs changes on its way (gear: from 7.9 to 10 ns a sphere and step), and who waits for an hour may wait a
+/// minute.
+constexpr double kShareOfRun = 1.0 / 30, kLongestPilot = 8;
 
-/// Sets `flag` after `seconds`, unless it is gone by then.
+/// Sets `flag` after some time, unless it is gone by then.
 class Alarm {
  public:
   Alarm(double seconds, std::atomic<bool>& flag)
-      : thread_([this, seconds, &flag] {
+      : deadline_(in(seconds)), thread_([this, &flag] {
           std::unique_lock lock(mutex_);
-          if (!over_.wait_for(lock, std::chrono::duration<double>(seconds), [this] { return gone_; }))
-            flag.store(true);
+          while (!gone_ && Clock::now() < deadline_) changed_.wait_until(lock, deadline_);
+          if (!gone_) flag.store(true);
         }) {}
   ~Alarm() {
     {
       const std::lock_guard lock(mutex_);
       gone_ = true;
     }
-    over_.notify_all();
+    changed_.notify_all();
     thread_.join();
+  }
+  /// From now on it is `seconds` (s) that are left.
+  void put_off(double seconds) {
+    const std::lock_guard lock(mutex_);
+    deadline_ = in(seconds);
+    changed_.notify_all();
   }
   Alarm(const Alarm&) = delete;
   Alarm& operator=(const Alarm&) = delete;
 
  private:
+  using Clock = std::chrono::steady_clock;
+  static Clock::time_point in(double seconds) {
+    return Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds));
+  }
+
   std::mutex mutex_;
-  std::condition_variable over_;
+  std::condition_variable changed_;
   bool gone_ = false;
+  Clock::time_point deadline_;
   std::thread thread_;
 };
 
@@ -109,6 +125,24 @@ double largest_diameter(const Scene& scene, const Tooling& tooling) {
     largest = std::min(largest, (scene.pour.upper[i] - scene.pour.lower[i]) / kGrainsAcross);
   }
   return std::max(largest, scene.powder.grain_diameter);
+}
+
+std::ptrdiff_t occurs(PhaseKind kind, const std::vector<Phase>& phases) {
+  return std::count_if(phases.begin(), phases.end(), [&](const Phase& phase) { return phase.kind == kind; });
+}
+
+/// s that a pilot of `scene` may take that has gone on for `usual` (s) already.
+double longer_limit(double usual, const Scene& scene, const Tooling& tooling, const Pilot& so_far) {
+  const double foretold = forecast(scene, tooling, so_far).wall_seconds.value_or(0);
+  return std::clamp(kShareOfRun * foretold, usual, kLongestPilot * usual);
+}
+
+/// How long powder took to come to rest, as far as the pilot has seen it.
+void note_rest_times(bool rests_once, Pilot& pilot) {
+  const PhaseCost &fall = pilot.of(PhaseKind::fall), &rest = pilot.of(PhaseKind::rest);
+  if (fall.whole) pilot.rest.after_fall = std::max(0.0, fall.seconds - pilot.fall_time);
+  if (rests_once && (rest.whole || rest.seconds > pilot.rest.after_motion))
+    pilot.rest.after_motion = rest.seconds;
 }
 
 }  // namespace
@@ -167,12 +201,13 @@ Pilot run_pilot(const Scene& scene, const Tooling& tooling, int threads, double 
   pilot.grain_diameter = short_scene.powder.grain_diameter;
   pilot.fill_height = short_scene.pour.fill_height;
   pilot.fall_time = fall_time(short_scene, tooling);
+  pilot.time_step = forecast(short_scene, tooling).time_step;
   const auto phases = timeline(short_scene, tooling, pilot.rest);
-  const bool moves = std::any_of(phases.begin(), phases.end(),
-                                 [](const Phase& phase) { return phase.kind == PhaseKind::motion; });
+  const bool moves = occurs(PhaseKind::motion, phases) > 0;
   PhaseKind kind = PhaseKind::fall;
   Books books;
   std::atomic<bool> stop{false};
+  Alarm alarm(kPatience * wall_limit, stop);
   RunOptions options;
   options.threads = threads;
   options.show_progress = false;
@@ -186,14 +221,16 @@ Pilot run_pilot(const Scene& scene, const Tooling& tooling, int threads, double 
     const PhaseCost& motion = pilot.of(PhaseKind::motion);
     const bool motion_seen = !moves || motion.whole || motion.wall_seconds > kMotionAtLeast;
     const bool runs_out = kind == PhaseKind::rest && !tooling.cavity.found;
-    if (run.wall_seconds() > wall_limit && motion_seen && !runs_out) stop.store(true);
+    if (run.wall_seconds() <= wall_limit || !motion_seen || runs_out) return;
+    const double may_take = longer_limit(wall_limit, scene, tooling, pilot);
+    alarm.put_off(may_take - run.wall_seconds() + wall_limit);
+    if (run.wall_seconds() > may_take) stop.store(true);
   };
   FillRun run(short_scene, tooling, options);
   books.begin(run);
   pilot.spheres = run.simulation().grains().size() * run.simulation().settings().shape.spheres();
   bool in_range = true;
   try {
-    const Alarm alarm(kPatience * wall_limit, stop);
     run.run();
   } catch (const Interrupted&) {
     pilot.stopped = "its time was over";
@@ -204,13 +241,7 @@ Pilot run_pilot(const Scene& scene, const Tooling& tooling, int threads, double 
   books.book(run, kind, run.schedule().finished(), pilot);
   if (in_range) pilot.size = measure_size_cost(run.simulation());
   for (const PhaseCost& cost : pilot.cost) pilot.wall_seconds += cost.wall_seconds;
-  const PhaseCost& fall = pilot.of(PhaseKind::fall);
-  if (fall.whole) pilot.rest.after_fall = std::max(0.0, fall.seconds - pilot.fall_time);
-  const auto rests = std::count_if(phases.begin(), phases.end(),
-                                   [](const Phase& phase) { return phase.kind == PhaseKind::rest; });
-  const PhaseCost& coming_to_rest = pilot.of(PhaseKind::rest);
-  if (rests == 1 && (coming_to_rest.whole || coming_to_rest.seconds > pilot.rest.after_motion))
-    pilot.rest.after_motion = coming_to_rest.seconds;
+  note_rest_times(occurs(PhaseKind::rest, phases) == 1, pilot);
   return pilot;
 }
 

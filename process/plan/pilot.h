@@ -24,6 +24,7 @@ struct PhaseCost {
 /// A pilot run.
 struct Pilot {
   double grain_diameter = 0, fill_height = 0;  ///< m
+  double time_step = 0;                        ///< s
   double fall_time = 0;                        ///< s, that its last grain fell (timeline.h)
   std::size_t spheres = 0;
   double wall_seconds = 0;
@@ -43,7 +44,8 @@ struct Pilot {
 Scene pilot_scene(const Scene& scene, const Tooling& tooling, double sphere_steps);
 
 /// Runs pilot_scene() for `wall_limit` s on `threads` threads, or up to three times as long where nothing has
-/// moved by then or powder still runs out with no cavity to fill. `tooling` is that of the scene.
+/// moved by then or powder still runs out with no cavity to fill; where the scene will take long, for a
+/// thirtieth of that, up to eight times the limit. `tooling` is that of the scene.
 Pilot run_pilot(const Scene& scene, const Tooling& tooling, int threads, double wall_limit);
 
 }  // namespace diefill::process::plan

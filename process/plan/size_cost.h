@@ -28,8 +28,8 @@ struct SizeCost {
   double factor_of(double Point::*cost, double spheres, double from) const;
 };
 
-/// Steps copies of the bed side by side, without tools, as few steps as leave contacts what they are, on as
-/// many threads as the bed's. Half a million spheres at most, a few seconds.
+/// Steps copies of the bed side by side, without tools, in steps so short that contacts stay what they are,
+/// on as many threads as the bed's. A million spheres at most, some seconds.
 SizeCost measure_size_cost(const engine::Simulation& bed);
 
 }  // namespace diefill::process::plan

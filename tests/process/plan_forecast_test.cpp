@@ -86,6 +86,26 @@ TEST(PlanForecast, WallTimeIsCostTimesSphereSteps) {
   EXPECT_NEAR(*forecast.wall_seconds, sum, 1e-9 * sum);
 }
 
+TEST(PlanForecast, SearchesComeTheOftenerTheLargerAShareOfAGrainAStepTakesIt) {
+  const PlannedScene planned;
+  const Forecast bare = plan::forecast(planned.scene, planned.tooling);
+  Pilot pilot;
+  for (auto& cost : pilot.cost) cost = {3e-2, 1e6, 0.1, true, 1e-2};
+  pilot.fall_time = fall_time(planned.scene, planned.tooling);
+  pilot.grain_diameter = bare.grain_diameter;
+  pilot.time_step = bare.time_step;
+  EXPECT_NEAR(*plan::forecast(planned.scene, planned.tooling, pilot).wall_seconds / bare.sphere_steps(), 3e-8,
+              1e-14);
+  // Twice the grain in the same step: of three parts, two stay and one is doubled.
+  pilot.grain_diameter *= 2;
+  EXPECT_NEAR(*plan::forecast(planned.scene, planned.tooling, pilot).wall_seconds / bare.sphere_steps(), 4e-8,
+              1e-14);
+  // Falling for half as long as well, the pilot's grains became half as fast.
+  pilot.fall_time /= 2;
+  const Forecast faster = plan::forecast(planned.scene, planned.tooling, pilot);
+  EXPECT_NEAR(faster.phases.front().wall_seconds / faster.phases.front().sphere_steps, 6e-8, 1e-14);
+}
+
 TEST(PlanForecast, MemoryIsThatOfMeasuredRuns) {
   // Peaks of `diefill run` of shipped scenes: spheres, wall spheres, bytes.
   const double runs[][3] = {{53263, 219043, 598e6}, {27587, 82541, 565e6},  {30436, 154347, 588e6},

@@ -52,9 +52,10 @@ TEST_P(SizeCostOf, ABedIsMeasuredSideBySide) {
   const SizeCost cost = measure_size_cost(simulation);
   EXPECT_EQ(simulation.hash(), hash);
   const double once = static_cast<double>(bed.settings.shape.spheres() * bed.grains.size());
-  ASSERT_EQ(cost.points.size(), 2U);  // sixteen would be more than half a million
-  for (std::size_t k = 0; k < 2; ++k) {
-    EXPECT_EQ(cost.points[k].spheres, once * (k == 0 ? 1 : 4));
+  ASSERT_EQ(cost.points.size(), 4U);  // 6 x 6 would be more than a million
+  for (std::size_t k = 0; k < 4; ++k) {
+    const auto copies = static_cast<double>(k + 1);
+    EXPECT_EQ(cost.points[k].spheres, once * copies * copies);
     EXPECT_GT(cost.points[k].seconds_per_sphere_step, 0);
     EXPECT_GT(cost.points[k].search_seconds, cost.points[k].seconds_per_sphere_step);
   }
