@@ -14,6 +14,9 @@ namespace {
 /// border, but enough for threads to share the work evenly, and each so small that its spheres and sums stay
 /// in the second-level cache.
 constexpr std::size_t kSmallestBlock = 1024, kLargestBlock = 2048, kBlocks = 32;
+/// The same of powder that no cache has room for: what crosses a border comes from memory then, and costs
+/// more.
+constexpr std::size_t kLargestOfMany = 4096, kManyBlocks = 256;
 /// The same for sleeping grains: one that wakes spoils the rest of its whole block.
 constexpr std::size_t kSpheresPerSleepingBlock = 128;
 /// Spheres down to this share of a level's largest radius are in its cells: eight fit where the largest
@@ -22,7 +25,8 @@ constexpr double kSmallestOfLevel = 0.5;
 
 /// Block borders depend on the number of grains only.
 std::size_t spheres_per_block(std::size_t spheres) {
-  return std::clamp(spheres / kBlocks, kSmallestBlock, kLargestBlock);
+  return std::clamp(spheres / kManyBlocks, std::clamp(spheres / kBlocks, kSmallestBlock, kLargestBlock),
+                    kLargestOfMany);
 }
 
 }  // namespace
@@ -194,11 +198,21 @@ void NeighbourList::index_foreign_sums() {
   const auto home = [&](std::uint32_t grain) {
     const auto after = std::upper_bound(blocks_.begin(), blocks_.end(), grain,
                                         [](std::uint32_t g, const Block& block) { return g < block.end; });
-    return static_cast<std::size_t>(after - blocks_.begin());
+    return static_cast<std::uint32_t>(after - blocks_.begin());
   };
   foreign_first_.assign(blocks_.size() + 1, 0);
-  for (const auto& block : blocks_)
-    for (const std::uint32_t grain : block.foreign) ++foreign_first_[home(grain) + 1];
+  waiting_first_.assign(1, 0);
+  waiting_.clear();
+  awaited_.assign(blocks_.size(), 0);
+  std::vector<std::uint32_t> homes;
+  for (std::uint32_t b = 0; b < blocks_.size(); ++b) {
+    homes.assign(1, b);
+    for (const std::uint32_t grain : blocks_[b].foreign) {
+      homes.push_back(home(grain));
+      ++foreign_first_[homes.back() + 1];
+    }
+    note_waiting(homes);
+  }
   std::partial_sum(foreign_first_.begin(), foreign_first_.end(), foreign_first_.begin());
   make_room(foreign_sums_, foreign_first_.back());
   foreign_sums_.resize(foreign_first_.back());
@@ -206,10 +220,19 @@ void NeighbourList::index_foreign_sums() {
   for (std::uint32_t b = 0; b < blocks_.size(); ++b)
     for (std::uint32_t k = 0; k < blocks_[b].foreign.size(); ++k) {
       const std::uint32_t grain = blocks_[b].foreign[k];
-      const std::size_t own = home(grain);
+      const std::uint32_t own = home(grain);
       foreign_sums_[next[own]++] = {b, static_cast<std::uint16_t>(blocks_[b].grains() + k),
                                     static_cast<std::uint16_t>(grain - blocks_[own].begin)};
     }
+}
+
+/// Adds the next block's row to the blocks that wait: `homes`, itself among them, each as often as it is met.
+void NeighbourList::note_waiting(std::vector<std::uint32_t>& homes) {
+  std::sort(homes.begin(), homes.end());
+  homes.erase(std::unique(homes.begin(), homes.end()), homes.end());
+  waiting_.insert(waiting_.end(), homes.begin(), homes.end());
+  waiting_first_.push_back(static_cast<std::uint32_t>(waiting_.size()));
+  for (const std::uint32_t other : homes) ++awaited_[other];
 }
 
 }  // namespace diefill::engine

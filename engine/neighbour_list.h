@@ -3,6 +3,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 
 #include "engine/contact_history.h"
 #include "engine/parallel.h"
@@ -75,6 +76,14 @@ class NeighbourList {
   const std::vector<std::uint32_t>& foreign_first() const { return foreign_first_; }
   const std::vector<ForeignSum>& foreign_sums() const { return foreign_sums_; }
 
+  /// Blocks that cannot be finished before the pairs of block b are computed: itself and those whose grains
+  /// these pairs meet.
+  std::span<const std::uint32_t> waiting_for(std::size_t b) const {
+    return {waiting_.data() + waiting_first_[b], waiting_first_[b + 1] - waiting_first_[b]};
+  }
+  /// For how many blocks block b waits in this sense.
+  std::uint32_t awaited_by(std::size_t b) const { return awaited_[b]; }
+
  private:
   /// Spheres of similar size in cells that suit them: in cells for the largest, many small ones would have to
   /// be passed by. Where all grains are alike there is one.
@@ -95,6 +104,7 @@ class NeighbourList {
                        const ContactHistory& history) const;
   void number_spheres(Block& block, const SphereField& spheres) const;
   void index_foreign_sums();
+  void note_waiting(std::vector<std::uint32_t>& homes);
 
   NeighbourSettings settings_;
   std::vector<std::uint32_t> body_first_;
@@ -104,6 +114,7 @@ class NeighbourList {
   std::vector<std::uint8_t> level_of_kind_;
   std::vector<std::uint32_t> foreign_first_;
   std::vector<ForeignSum> foreign_sums_;
+  std::vector<std::uint32_t> waiting_first_, waiting_, awaited_;
 };
 
 }  // namespace diefill::engine

@@ -28,6 +28,8 @@ struct BlockTally {
   DeepestOverlap overlap;      ///< m
   bool list_is_old = false;    ///< a grain has moved farther than the list of near pairs allows
   std::uint64_t touching = 0;  ///< pairs
+  /// s, of computing the block's pairs and of finishing what was ready then; where the two take turns.
+  double computing_time = 0, finishing_time = 0;
   Eigen::Vector3d held_force = Eigen::Vector3d::Zero();  ///< N, on all grains that are carried asleep
   std::vector<Eigen::Vector3d> body_force;               ///< N on each wall body
   std::vector<Eigen::Vector3d> body_torque;              ///< N m about the origin of each body's frame

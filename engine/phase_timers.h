@@ -21,6 +21,14 @@ class PhaseTimers {
     seconds_[static_cast<std::size_t>(phase)] += std::chrono::duration<double>(now - last_).count();
     last_ = now;
   }
+  /// The same of time in which two phases took turns: `share` of it, 0 to 1, goes to the second.
+  void lap(Phase first, Phase second, double share) {
+    const double before = seconds_[static_cast<std::size_t>(first)];
+    lap(first);
+    const double moved = share * (seconds_[static_cast<std::size_t>(first)] - before);
+    seconds_[static_cast<std::size_t>(first)] -= moved;
+    seconds_[static_cast<std::size_t>(second)] += moved;
+  }
   const std::array<double, 4>& seconds() const { return seconds_; }
 
  private:

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <chrono>
 #include <limits>
 #include <numeric>
 #include <stdexcept>
@@ -21,6 +22,10 @@ std::vector<ContactSum>& pair_sums_of_thread() {
   thread_local std::vector<ContactSum> sums;
   return sums;
 }
+
+/// From so many blocks on, what a block is finished from has left the caches by the time that the pairs of
+/// all have been computed. With fewer, threads would wait for each other in the end for nothing.
+constexpr std::size_t kManyBlocks = 64;
 
 }  // namespace
 
@@ -130,9 +135,13 @@ void Simulation::step() {
     sort_and_search();
     timers_.lap(Phase::search);
   }
-  compute_contacts();
-  timers_.lap(Phase::contacts);
-  finish_grains();
+  if (sleeping_ || list_.blocks().size() < kManyBlocks) {
+    compute_contacts();
+    timers_.lap(Phase::contacts);
+    finish_grains();
+  } else {
+    compute_and_finish();
+  }
   book_step();
   if (sleeping_) look_after_sleepers();
   timers_.lap(Phase::gather);
@@ -252,21 +261,48 @@ void Simulation::compute_block(std::size_t b) {
 }
 
 void Simulation::finish_grains() {
-  auto& blocks = list_.blocks();
-  workers_.for_each(blocks.size(), [&](std::size_t b) {
-    if (rests(b)) {
-      if (carries()) tallies_[b].held_force = force_on_resting(b);
-      return;
-    }
-    if (sleeping_) return finish_awake(b, gathered_copy(b));
-    // Nobody asks for the sums of the block's own pairs any more: they need not be copied.
-    ContactSums& contacts = blocks[b].sums;
-    gather(b, contacts);
-    if (settings_.air_draught) draw_air(b, contacts);
-    const auto work = integrator_.finish(grains_, blocks[b].begin, blocks[b].end, contacts, 0);
-    tallies_[b].drag_work += work.drag;
-    tallies_[b].rolling_work += work.rolling;
+  workers_.for_each(list_.blocks().size(), [&](std::size_t b) {
+    if (!sleeping_)
+      finish_block(b);
+    else if (!rests(b))
+      finish_awake(b, gathered_copy(b));
+    else if (carries())
+      tallies_[b].held_force = force_on_resting(b);
   });
+}
+
+/// Does what compute_contacts() and finish_grains() do where all are awake, but finishes a block as soon as
+/// no other one needs its grains as they are.
+void Simulation::compute_and_finish() {
+  const std::size_t count = list_.blocks().size();
+  if (awaited_.size() != count) awaited_ = std::vector<std::atomic<std::uint32_t>>(count);
+  for (std::size_t b = 0; b < count; ++b) awaited_[b].store(list_.awaited_by(b), std::memory_order_relaxed);
+  using Clock = std::chrono::steady_clock;
+  workers_.for_each(count, [&](std::size_t b) {
+    const auto began = Clock::now();
+    compute_block(b);
+    const auto computed = Clock::now();
+    for (const std::uint32_t other : list_.waiting_for(b))
+      if (awaited_[other].fetch_sub(1, std::memory_order_acq_rel) == 1) finish_block(other);
+    tallies_[b].computing_time = std::chrono::duration<double>(computed - began).count();
+    tallies_[b].finishing_time = std::chrono::duration<double>(Clock::now() - computed).count();
+  });
+  double computing = 0, finishing = 0;
+  for (const auto& tally : tallies_) {
+    computing += tally.computing_time;
+    finishing += tally.finishing_time;
+  }
+  timers_.lap(Phase::contacts, Phase::gather, finishing / (computing + finishing));
+}
+
+void Simulation::finish_block(std::size_t b) {
+  Block& block = list_.blocks()[b];
+  // Nobody asks for the sums of the block's own pairs any more: they need not be copied.
+  gather(b, block.sums);
+  if (settings_.air_draught) draw_air(b, block.sums);
+  const auto work = integrator_.finish(grains_, block.begin, block.end, block.sums, 0);
+  tallies_[b].drag_work += work.drag;
+  tallies_[b].rolling_work += work.rolling;
 }
 
 /// Adds the forces of drawn air to those of the contacts of block b.

@@ -1,6 +1,7 @@
 // The DEM: owns powder, tools and contacts, and steps them through time.
 #pragma once
 
+#include <atomic>
 #include <functional>
 #include <memory>
 
@@ -171,6 +172,8 @@ class Simulation {
   void compute_contacts();
   void compute_block(std::size_t b);
   void finish_grains();
+  void finish_block(std::size_t b);
+  void compute_and_finish();
   void gather(std::size_t b, ContactSums& contacts) const;
   void draw_air(std::size_t b, ContactSums& contacts);
   void book_step();
@@ -212,6 +215,8 @@ class Simulation {
   Grains grains_;
   SphereField spheres_;
   std::vector<BlockTally> tallies_;
+  /// Of blocks that a block still waits for in this step.
+  std::vector<std::atomic<std::uint32_t>> awaited_;
   /// m a block, at most leeway(); 0: not known. Nobody's places need be looked at while it lasts.
   std::vector<double> leeway_;
   std::vector<double> clearance_;  ///< m a body, how far it stood from the powder when contacts were searched

@@ -137,6 +137,16 @@ double longer_limit(double usual, const Scene& scene, const Tooling& tooling, co
   return std::clamp(kShareOfRun * foretold, usual, kLongestPilot * usual);
 }
 
+/// Measured on powder that may have left the method's range: wedged grains do no harm, grains that have flown
+/// beyond all bounds cannot be searched.
+SizeCost size_cost_if_sound(const engine::Simulation& bed) {
+  try {
+    return measure_size_cost(bed);
+  } catch (const engine::OutOfRange&) {
+    return {};
+  }
+}
+
 /// How long powder took to come to rest, as far as the pilot has seen it.
 void note_rest_times(bool rests_once, Pilot& pilot) {
   const PhaseCost &fall = pilot.of(PhaseKind::fall), &rest = pilot.of(PhaseKind::rest);
@@ -229,17 +239,15 @@ Pilot run_pilot(const Scene& scene, const Tooling& tooling, int threads, double 
   FillRun run(short_scene, tooling, options);
   books.begin(run);
   pilot.spheres = run.simulation().grains().size() * run.simulation().settings().shape.spheres();
-  bool in_range = true;
   try {
     run.run();
   } catch (const Interrupted&) {
     pilot.stopped = "its time was over";
   } catch (const engine::OutOfRange& error) {
-    in_range = false;
     pilot.stopped = error.what();
   }
   books.book(run, kind, run.schedule().finished(), pilot);
-  if (in_range) pilot.size = measure_size_cost(run.simulation());
+  pilot.size = size_cost_if_sound(run.simulation());
   for (const PhaseCost& cost : pilot.cost) pilot.wall_seconds += cost.wall_seconds;
   note_rest_times(occurs(PhaseKind::rest, phases) == 1, pilot);
   return pilot;
