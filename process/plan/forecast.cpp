@@ -56,16 +56,17 @@ Forecast forecast(const Scene& scene, const Tooling& tooling, const RestTimes& r
 
 Forecast forecast(const Scene& scene, const Tooling& tooling, const Pilot& pilot) {
   Forecast forecast = plan::forecast(scene, tooling, pilot.rest);
-  // Lists of near pairs serve until a grain has gone as far as they allow, a share of its size: what counts
-  // is that share in a step, and in the fall how fast grains become.
+  // Lists of near pairs serve until a grain has gone as far as they allow, a share of its size. Swift grains
+  // are allowed more, so that those count which begin to fall: they take a time that goes with the root of
+  // the way.
   const double speed_in_fall = pilot.fall_time > 0 ? fall_time(scene, tooling) / pilot.fall_time : 1;
-  const double share_in_step = pilot.time_step > 0 ? forecast.time_step / forecast.grain_diameter /
-                                                         (pilot.time_step / pilot.grain_diameter)
-                                                   : 1;
+  const double oftener = pilot.time_step > 0 ? forecast.time_step / pilot.time_step *
+                                                   std::sqrt(pilot.grain_diameter / forecast.grain_diameter)
+                                             : 1;
   double sum = 0;
   for (auto& part : forecast.phases) {
     const double spheres = part.phase.share * static_cast<double>(forecast.spheres);
-    const double searches = share_in_step * (part.phase.kind == PhaseKind::fall ? speed_in_fall : 1);
+    const double searches = oftener * (part.phase.kind == PhaseKind::fall ? speed_in_fall : 1);
     part.wall_seconds = part.sphere_steps * pilot.seconds_per_sphere_step(part.phase.kind, spheres, searches);
     sum += part.wall_seconds;
   }

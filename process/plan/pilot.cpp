@@ -147,12 +147,19 @@ SizeCost size_cost_if_sound(const engine::Simulation& bed) {
   }
 }
 
-/// How long powder took to come to rest, as far as the pilot has seen it.
-void note_rest_times(bool rests_once, Pilot& pilot) {
+/// How long powder took to come to rest, as far as the pilot has seen it. `alike`: where it has fewer grains
+/// than the run will have, one that rolls moves the centre of mass of all too far to be called rest, and what
+/// takes longer than usual says nothing of more grains.
+void note_rest_times(bool rests_once, bool alike, Pilot& pilot) {
+  const RestTimes usual;
+  const auto credible = [&](double seen, double otherwise) {
+    return alike ? seen : std::min(seen, otherwise);
+  };
   const PhaseCost &fall = pilot.of(PhaseKind::fall), &rest = pilot.of(PhaseKind::rest);
-  if (fall.whole) pilot.rest.after_fall = std::max(0.0, fall.seconds - pilot.fall_time);
-  if (rests_once && (rest.whole || rest.seconds > pilot.rest.after_motion))
-    pilot.rest.after_motion = rest.seconds;
+  if (fall.whole)
+    pilot.rest.after_fall = credible(std::max(0.0, fall.seconds - pilot.fall_time), usual.after_fall);
+  if (rests_once && (rest.whole || rest.seconds > usual.after_motion))
+    pilot.rest.after_motion = credible(rest.seconds, usual.after_motion);
 }
 
 }  // namespace
@@ -249,7 +256,9 @@ Pilot run_pilot(const Scene& scene, const Tooling& tooling, int threads, double 
   books.book(run, kind, run.schedule().finished(), pilot);
   pilot.size = size_cost_if_sound(run.simulation());
   for (const PhaseCost& cost : pilot.cost) pilot.wall_seconds += cost.wall_seconds;
-  note_rest_times(occurs(PhaseKind::rest, phases) == 1, pilot);
+  const bool alike =
+      !tooling.cavity.found || 2 * forecast(short_scene, tooling).grains >= forecast(scene, tooling).grains;
+  note_rest_times(occurs(PhaseKind::rest, phases) == 1, alike, pilot);
   return pilot;
 }
 

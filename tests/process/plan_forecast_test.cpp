@@ -86,7 +86,7 @@ TEST(PlanForecast, WallTimeIsCostTimesSphereSteps) {
   EXPECT_NEAR(*forecast.wall_seconds, sum, 1e-9 * sum);
 }
 
-TEST(PlanForecast, SearchesComeTheOftenerTheLargerAShareOfAGrainAStepTakesIt) {
+TEST(PlanForecast, SearchesComeTheOftenerTheFinerGrainsAreAndTheFasterTheyFall) {
   const PlannedScene planned;
   const Forecast bare = plan::forecast(planned.scene, planned.tooling);
   Pilot pilot;
@@ -96,8 +96,8 @@ TEST(PlanForecast, SearchesComeTheOftenerTheLargerAShareOfAGrainAStepTakesIt) {
   pilot.time_step = bare.time_step;
   EXPECT_NEAR(*plan::forecast(planned.scene, planned.tooling, pilot).wall_seconds / bare.sphere_steps(), 3e-8,
               1e-14);
-  // Twice the grain in the same step: of three parts, two stay and one is doubled.
-  pilot.grain_diameter *= 2;
+  // Four times the grain in the same step: of three parts, two stay and one is doubled.
+  pilot.grain_diameter *= 4;
   EXPECT_NEAR(*plan::forecast(planned.scene, planned.tooling, pilot).wall_seconds / bare.sphere_steps(), 4e-8,
               1e-14);
   // Falling for half as long as well, the pilot's grains became half as fast.
