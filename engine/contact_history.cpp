@@ -27,53 +27,72 @@ std::uint32_t renamed(std::uint32_t sphere, std::uint32_t per_grain,
   return grain == kGone ? kGone : grain * per_grain + sphere % per_grain;
 }
 
+/// A touching pair by its lasting names.
+struct Remembered {
+  std::uint32_t a, b;
+  const double* memory;
+  const double* sign;
+};
+
+/// The history of `spheres` spheres of what visit(block, note) notes of each block, in the order of the
+/// blocks.
+template <class Visit>
+ContactHistory history_of(const std::vector<Block>& blocks, std::size_t width, std::size_t spheres,
+                          Workers& workers, const Visit& visit) {
+  std::vector<std::vector<Remembered>> noted(blocks.size());
+  workers.for_each(blocks.size(), [&](std::size_t b) {
+    visit(blocks[b], [&](const Remembered& pair) { noted[b].push_back(pair); });
+  });
+  const auto for_all_by_sphere = [&](const auto& use) {
+    const auto threads = static_cast<std::size_t>(workers.threads());
+    workers.for_each(threads, [&](std::size_t share) {
+      const auto begin = static_cast<std::uint32_t>(spheres * share / threads);
+      const auto width_of_share = static_cast<std::uint32_t>(spheres * (share + 1) / threads) - begin;
+      for (const auto& pairs : noted)
+        for (const Remembered& pair : pairs)
+          if (pair.a - begin < width_of_share) use(pair);
+    });
+  };
+  ContactHistory history(width, spheres);
+  for_all_by_sphere([&](const Remembered& pair) { history.announce(pair.a); });
+  history.make_places();
+  for_all_by_sphere([&](const Remembered& pair) { history.add(pair.a, pair.b, pair.memory, pair.sign); });
+  return history;
+}
+
 }  // namespace
 
 ContactHistory remember_grain_contacts(const std::vector<Block>& blocks, const PairNaming& naming,
                                        const std::vector<std::uint32_t>& new_place,
-                                       const std::vector<double>& sign, std::size_t spheres) {
+                                       const std::vector<double>& sign, std::size_t spheres,
+                                       Workers& workers) {
   const auto per_grain = static_cast<std::uint32_t>(naming.spheres_per_grain);
-  const auto visit_all = [&](const auto& visit) {
-    for (const auto& block : blocks) {
-      const auto& table = block.grain_pairs;
-      table.visit_touching([&](std::size_t p, const double* memory) {
-        const std::uint32_t a = renamed(block.sphere(table.pair[p].own), per_grain, new_place);
-        const std::uint32_t b =
-            renamed(naming.real_sphere(block.sphere(table.pair[p].other)), per_grain, new_place);
-        if (a != kGone && b != kGone) visit(a, b, memory);
-      });
-    }
-  };
-  ContactHistory history(sign.size(), spheres);
-  visit_all([&](std::uint32_t a, std::uint32_t b, const double*) { history.announce(std::min(a, b)); });
-  history.make_places();
-  visit_all([&](std::uint32_t a, std::uint32_t b, const double* memory) {
-    history.add(std::min(a, b), std::max(a, b), memory, a < b ? nullptr : sign.data());
+  return history_of(blocks, sign.size(), spheres, workers, [&](const Block& block, const auto& note) {
+    const auto& table = block.grain_pairs;
+    table.visit_touching([&](std::size_t p, const double* memory) {
+      const std::uint32_t a = renamed(block.sphere(table.pair[p].own), per_grain, new_place);
+      const std::uint32_t b =
+          renamed(naming.real_sphere(block.sphere(table.pair[p].other)), per_grain, new_place);
+      if (a != kGone && b != kGone)
+        note({std::min(a, b), std::max(a, b), memory, a < b ? nullptr : sign.data()});
+    });
   });
-  return history;
 }
 
 ContactHistory remember_wall_contacts(const std::vector<Block>& blocks, const PairNaming& naming,
                                       const std::vector<std::uint32_t>& new_place, std::size_t width,
-                                      std::size_t spheres) {
+                                      std::size_t spheres, Workers& workers) {
   const auto per_grain = static_cast<std::uint32_t>(naming.spheres_per_grain);
-  const auto visit_all = [&](const auto& visit) {
-    for (const auto& block : blocks) {
-      const auto& table = block.wall_pairs;
-      for (std::size_t body = 0; body + 1 < block.wall_first.size(); ++body)
-        for (std::uint32_t p = block.wall_first[body]; p < block.wall_first[body + 1]; ++p) {
-          if (!table.touching[p]) continue;
-          const std::uint32_t a = renamed(block.sphere(table.pair[p].own), per_grain, new_place);
-          if (a != kGone) visit(a, (*naming.body_first)[body] + table.pair[p].wall, table.memory_of(p));
-        }
-    }
-  };
-  ContactHistory history(width, spheres);
-  visit_all([&](std::uint32_t a, std::uint32_t, const double*) { history.announce(a); });
-  history.make_places();
-  visit_all(
-      [&](std::uint32_t a, std::uint32_t b, const double* memory) { history.add(a, b, memory, nullptr); });
-  return history;
+  return history_of(blocks, width, spheres, workers, [&](const Block& block, const auto& note) {
+    const auto& table = block.wall_pairs;
+    for (std::size_t body = 0; body + 1 < block.wall_first.size(); ++body)
+      for (std::uint32_t p = block.wall_first[body]; p < block.wall_first[body + 1]; ++p) {
+        if (!table.touching[p]) continue;
+        const std::uint32_t a = renamed(block.sphere(table.pair[p].own), per_grain, new_place);
+        if (a != kGone)
+          note({a, (*naming.body_first)[body] + table.pair[p].wall, table.memory_of(p), nullptr});
+      }
+  });
 }
 
 }  // namespace diefill::engine

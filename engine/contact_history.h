@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "engine/pair_table.h"
+#include "engine/parallel.h"
 
 namespace diefill::engine {
 
@@ -66,10 +67,11 @@ struct PairNaming {
 /// each number that a pair remembers is multiplied by when the pair is seen from its other side.
 ContactHistory remember_grain_contacts(const std::vector<Block>& blocks, const PairNaming& naming,
                                        const std::vector<std::uint32_t>& new_place,
-                                       const std::vector<double>& sign, std::size_t spheres);
+                                       const std::vector<double>& sign, std::size_t spheres,
+                                       Workers& workers);
 /// Touching wall pairs of all blocks, renamed by `new_place`, sorted for `spheres` spheres.
 ContactHistory remember_wall_contacts(const std::vector<Block>& blocks, const PairNaming& naming,
                                       const std::vector<std::uint32_t>& new_place, std::size_t width,
-                                      std::size_t spheres);
+                                      std::size_t spheres, Workers& workers);
 
 }  // namespace diefill::engine

@@ -16,7 +16,7 @@ namespace {
 constexpr std::size_t kSmallestBlock = 1024, kLargestBlock = 2048, kBlocks = 32;
 /// The same of powder that no cache has room for: what crosses a border comes from memory then, and costs
 /// more.
-constexpr std::size_t kLargestOfMany = 4096, kManyBlocks = 256;
+constexpr std::size_t kLargestFromMemory = 4096, kBlocksFromMemory = 256;
 /// The same for sleeping grains: one that wakes spoils the rest of its whole block.
 constexpr std::size_t kSpheresPerSleepingBlock = 128;
 /// Spheres down to this share of a level's largest radius are in its cells: eight fit where the largest
@@ -25,8 +25,8 @@ constexpr double kSmallestOfLevel = 0.5;
 
 /// Block borders depend on the number of grains only.
 std::size_t spheres_per_block(std::size_t spheres) {
-  return std::clamp(spheres / kManyBlocks, std::clamp(spheres / kBlocks, kSmallestBlock, kLargestBlock),
-                    kLargestOfMany);
+  return std::clamp(spheres / kBlocksFromMemory, std::clamp(spheres / kBlocks, kSmallestBlock, kLargestBlock),
+                    kLargestFromMemory);
 }
 
 }  // namespace
@@ -49,7 +49,7 @@ NeighbourList::NeighbourList(const NeighbourSettings& settings, std::vector<std:
 void NeighbourList::build(const SphereField& spheres, const std::vector<WallBody>& bodies,
                           const ListReference& reference, const ContactHistory& history,
                           const ContactHistory& wall_history, Workers& workers) {
-  sort_into_cells(spheres, reference.skin);
+  sort_into_cells(spheres, reference.skin, workers);
   const auto per_grain = static_cast<std::uint32_t>(spheres.spheres_per_grain);
   count_ = 0;
   cut_into_blocks(0, reference.awake_grains,
@@ -72,14 +72,14 @@ void NeighbourList::build(const SphereField& spheres, const std::vector<WallBody
   for (auto& level : levels_) level.cells = {};
 }
 
-void NeighbourList::sort_into_cells(const SphereField& spheres, double skin) {
+void NeighbourList::sort_into_cells(const SphereField& spheres, double skin, Workers& workers) {
   const auto edge = [&](const SizeLevel& level) { return 2 * level.largest + settings_.law_range + skin; };
-  if (levels_.size() == 1) return levels_.front().cells.build(spheres, edge(levels_.front()));
+  if (levels_.size() == 1) return levels_.front().cells.build(spheres, edge(levels_.front()), workers);
   std::vector<std::vector<std::uint32_t>> members(levels_.size());
   for (std::uint32_t j = 0; j < spheres.size(); ++j)
     members[level_of_kind_[spheres.kind[spheres.owner(j)]]].push_back(j);
   for (std::size_t l = 0; l < levels_.size(); ++l)
-    levels_[l].cells.build(spheres, std::move(members[l]), edge(levels_[l]));
+    levels_[l].cells.build(spheres, std::move(members[l]), edge(levels_[l]), workers);
 }
 
 std::size_t NeighbourList::near_pairs() const {
@@ -195,11 +195,9 @@ void NeighbourList::find_grain_pairs(Block& block, const SphereField& spheres, c
 }
 
 void NeighbourList::index_foreign_sums() {
-  const auto home = [&](std::uint32_t grain) {
-    const auto after = std::upper_bound(blocks_.begin(), blocks_.end(), grain,
-                                        [](std::uint32_t g, const Block& block) { return g < block.end; });
-    return static_cast<std::uint32_t>(after - blocks_.begin());
-  };
+  std::vector<std::uint32_t> home(blocks_.empty() ? 0 : blocks_.back().end);
+  for (std::uint32_t b = 0; b < blocks_.size(); ++b)
+    std::fill(home.begin() + blocks_[b].begin, home.begin() + blocks_[b].end, b);
   foreign_first_.assign(blocks_.size() + 1, 0);
   waiting_first_.assign(1, 0);
   waiting_.clear();
@@ -208,7 +206,7 @@ void NeighbourList::index_foreign_sums() {
   for (std::uint32_t b = 0; b < blocks_.size(); ++b) {
     homes.assign(1, b);
     for (const std::uint32_t grain : blocks_[b].foreign) {
-      homes.push_back(home(grain));
+      homes.push_back(home[grain]);
       ++foreign_first_[homes.back() + 1];
     }
     note_waiting(homes);
@@ -220,7 +218,7 @@ void NeighbourList::index_foreign_sums() {
   for (std::uint32_t b = 0; b < blocks_.size(); ++b)
     for (std::uint32_t k = 0; k < blocks_[b].foreign.size(); ++k) {
       const std::uint32_t grain = blocks_[b].foreign[k];
-      const std::uint32_t own = home(grain);
+      const std::uint32_t own = home[grain];
       foreign_sums_[next[own]++] = {b, static_cast<std::uint16_t>(blocks_[b].grains() + k),
                                     static_cast<std::uint16_t>(grain - blocks_[own].begin)};
     }

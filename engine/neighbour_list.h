@@ -93,7 +93,7 @@ class NeighbourList {
   };
 
   bool alike() const { return settings_.sphere_radii.size() == 1; }
-  void sort_into_cells(const SphereField& spheres, double skin);
+  void sort_into_cells(const SphereField& spheres, double skin, Workers& workers);
   void cut_into_blocks(std::size_t begin, std::size_t end, std::size_t grains_per_block);
   template <bool kAlike>
   void find_grain_pairs(Block& block, const SphereField& spheres, const ListReference& reference,

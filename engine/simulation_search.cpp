@@ -65,7 +65,7 @@ void Simulation::sort_and_search() {
   wrap_grains();
   // Where sizes differ, no two grains have room in one cell: the order does not depend on the one before.
   const double cell = kinds_.alike() ? 2 * kinds_.largest_grain() : kinds_.smallest_sphere();
-  search_in_order(spatial_order(grains_.position, cell));
+  search_in_order(spatial_order(grains_.position, cell, workers_));
 }
 
 void Simulation::search_in_order(std::vector<std::uint32_t> order) {
@@ -77,9 +77,9 @@ void Simulation::search_in_order(std::vector<std::uint32_t> order) {
   for (std::uint32_t k = 0; k < order.size(); ++k) new_place[order[k]] = k;
   const std::size_t spheres = order.size() * kinds_.spheres();
   const auto signs = grain_loop_->memory_signs();
-  const auto history = remember_grain_contacts(list_.blocks(), naming, new_place, signs, spheres);
-  const auto wall_history =
-      remember_wall_contacts(list_.blocks(), naming, new_place, list_.settings().wall_memory, spheres);
+  const auto history = remember_grain_contacts(list_.blocks(), naming, new_place, signs, spheres, workers_);
+  const auto wall_history = remember_wall_contacts(list_.blocks(), naming, new_place,
+                                                   list_.settings().wall_memory, spheres, workers_);
 
   grains_.reorder(order);
   spheres_.reorder_motion(order);
@@ -137,7 +137,7 @@ void Simulation::search(const ContactHistory& history, const ContactHistory& wal
   }
   spheres_.move_at(grains_.velocity, grains_.spin);
   spheres_.stand_at(reference_.position, reference_.orientation);
-  spheres_.hold_places();
+  spheres_.hold_places(workers_);
   list_.build(spheres_, bodies_, reference_, history, wall_history, workers_);
   tallies_.resize(list_.blocks().size());
   leeway_.assign(list_.blocks().size(), 0);

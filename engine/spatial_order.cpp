@@ -1,6 +1,7 @@
 #include "engine/spatial_order.h"
 
 #include <algorithm>
+#include <bit>
 #include <numeric>
 
 namespace diefill::engine {
@@ -18,13 +19,31 @@ std::uint64_t spread(std::uint64_t value) {
   return value;
 }
 
+using Keyed = std::pair<std::uint64_t, std::uint32_t>;
+
+/// Sorts parts side by side, then merges them two by two. No two are alike, so that the order is the same
+/// whatever the parts.
+void sort_in_parts(std::vector<Keyed>& keyed, Workers& workers) {
+  const std::size_t parts = std::bit_ceil(static_cast<std::size_t>(workers.threads()));
+  const auto border = [&](std::size_t part) {
+    return keyed.begin() + static_cast<std::ptrdiff_t>(keyed.size() * part / parts);
+  };
+  workers.for_each(parts, [&](std::size_t part) { std::sort(border(part), border(part + 1)); });
+  for (std::size_t merged = 1; merged < parts; merged *= 2)
+    workers.for_each(parts / (2 * merged), [&](std::size_t pair) {
+      const std::size_t first = 2 * merged * pair;
+      std::inplace_merge(border(first), border(first + merged), border(first + 2 * merged));
+    });
+}
+
 }  // namespace
 
-std::vector<std::uint32_t> spatial_order(const std::vector<Eigen::Vector3d>& points, double cell) {
+std::vector<std::uint32_t> spatial_order(const std::vector<Eigen::Vector3d>& points, double cell,
+                                         Workers& workers) {
   Eigen::Vector3d origin = Eigen::Vector3d::Constant(1e300);
   for (const auto& point : points) origin = origin.cwiseMin(point);
 
-  std::vector<std::pair<std::uint64_t, std::uint32_t>> keyed(points.size());
+  std::vector<Keyed> keyed(points.size());
   for (std::size_t k = 0; k < points.size(); ++k) {
     const Eigen::Array3d place = ((points[k] - origin) / cell).array().min(2097151.0);
     const auto code = spread(static_cast<std::uint64_t>(place[0])) |
@@ -32,7 +51,7 @@ std::vector<std::uint32_t> spatial_order(const std::vector<Eigen::Vector3d>& poi
                       spread(static_cast<std::uint64_t>(place[2])) << 2;
     keyed[k] = {code, static_cast<std::uint32_t>(k)};
   }
-  std::sort(keyed.begin(), keyed.end());
+  sort_in_parts(keyed, workers);
   std::vector<std::uint32_t> order(points.size());
   for (std::size_t k = 0; k < order.size(); ++k) order[k] = keyed[k].second;
   return order;

@@ -5,10 +5,13 @@
 #include <cstdint>
 #include <vector>
 
+#include "engine/parallel.h"
+
 namespace diefill::engine {
 
 /// Indices of `points` (m) sorted by their cell of edge `cell` (m) along a Morton curve; equal cells keep
 /// their order.
-std::vector<std::uint32_t> spatial_order(const std::vector<Eigen::Vector3d>& points, double cell);
+std::vector<std::uint32_t> spatial_order(const std::vector<Eigen::Vector3d>& points, double cell,
+                                         Workers& workers);
 
 }  // namespace diefill::engine

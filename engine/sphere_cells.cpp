@@ -1,5 +1,7 @@
 #include "engine/sphere_cells.h"
 
+#include <Eigen/Geometry>
+#include <algorithm>
 #include <numeric>
 
 namespace diefill::engine {
@@ -9,50 +11,85 @@ namespace {
 /// A few far-flung grains must not cost a huge empty grid: at most this many cells a point (and some to start
 /// with).
 constexpr double kCellsPerPoint = 8, kFewCells = 4096;
+/// Points that a thread takes at a time, and shares of the cells for each thread; they change no result.
+constexpr std::size_t kPointsAtATime = 16384, kSharesPerThread = 4;
+
+/// Calls use(begin, end, chunk) for chunks of [0, count).
+template <class Use>
+void in_chunks(std::size_t count, Workers& workers, const Use& use) {
+  workers.for_each((count + kPointsAtATime - 1) / kPointsAtATime, [&](std::size_t chunk) {
+    use(chunk * kPointsAtATime, std::min(count, (chunk + 1) * kPointsAtATime), chunk);
+  });
+}
 
 }  // namespace
 
-void SphereCells::build(const SphereField& spheres, double cell) {
-  members_.resize(spheres.size());
-  std::iota(members_.begin(), members_.end(), 0U);
-  build(spheres, std::move(members_), cell);
+void SphereCells::build(const SphereField& spheres, double cell, Workers& workers) {
+  std::vector<std::uint32_t> all(spheres.size());
+  std::iota(all.begin(), all.end(), 0U);
+  build(spheres, std::move(all), cell, workers);
 }
 
-void SphereCells::build(const SphereField& spheres, std::vector<std::uint32_t> members, double cell) {
+void SphereCells::build(const SphereField& spheres, std::vector<std::uint32_t> members, double cell,
+                        Workers& workers) {
   members_ = std::move(members);
-  lower_ = Eigen::Vector3d::Constant(1e300);
-  Eigen::Vector3d upper = -lower_;
-  for (const std::uint32_t k : members_) {
-    const Eigen::Vector3d point = eigen(spheres.position(k));
-    lower_ = lower_.cwiseMin(point);
-    upper = upper.cwiseMax(point);
-  }
-  if (members_.empty()) lower_ = upper = Eigen::Vector3d::Zero();
+  choose_cells(spheres, cell, workers);
+  cell_.resize(members_.size());
+  in_chunks(members_.size(), workers, [&](std::size_t begin, std::size_t end, std::size_t) {
+    for (std::size_t k = begin; k < end; ++k) {
+      const Eigen::Vector3i place = cell_of(spheres.position(members_[k]));
+      cell_[k] = static_cast<std::uint32_t>(index_of(place[0], place[1], place[2]));
+    }
+  });
+  fill(spheres, workers);
+}
+
+/// Cells of at least `cell` (m) about all members, all of them empty.
+void SphereCells::choose_cells(const SphereField& spheres, double cell, Workers& workers) {
+  std::vector<Eigen::AlignedBox3d> boxes(members_.size() / kPointsAtATime + 1);
+  in_chunks(members_.size(), workers, [&](std::size_t begin, std::size_t end, std::size_t chunk) {
+    Eigen::AlignedBox3d box;
+    for (std::size_t k = begin; k < end; ++k) box.extend(eigen(spheres.position(members_[k])));
+    boxes[chunk] = box;
+  });
+  Eigen::AlignedBox3d box;
+  for (const auto& part : boxes) box.extend(part);
+  if (members_.empty()) box.extend(Eigen::Vector3d(Eigen::Vector3d::Zero()));
+  lower_ = box.min();
   edge_ = cell;
   const auto cells_at = [&](double edge) {
-    return Eigen::Vector3d(((upper - lower_) / edge).array().floor() + 1);
+    return Eigen::Vector3d(((box.max() - lower_) / edge).array().floor() + 1);
   };
   const double most = kFewCells + kCellsPerPoint * static_cast<double>(members_.size());
   while (cells_at(edge_).prod() > most) edge_ *= 1.25;
   cells_ = cells_at(edge_).cast<int>();
-
   first_.assign(index_of(cells_[0] - 1, cells_[1] - 1, cells_[2] - 1) + 2, 0);
-  cell_.resize(members_.size());
-  for (std::size_t k = 0; k < members_.size(); ++k) {
-    const Eigen::Vector3i place = cell_of(spheres.position(members_[k]));
-    cell_[k] = static_cast<std::uint32_t>(index_of(place[0], place[1], place[2]));
-    ++first_[cell_[k] + 1];
-  }
-  std::partial_sum(first_.begin(), first_.end(), first_.begin());
+}
 
+/// Calls use(k) for the places k of all members: those of a cell in their order, by one thread.
+template <class Use>
+void SphereCells::for_members_by_cell(Workers& workers, const Use& use) const {
+  const std::size_t threads = static_cast<std::size_t>(workers.threads());
+  const std::size_t shares = threads == 1 ? 1 : threads * kSharesPerThread;
+  workers.for_each(shares, [&](std::size_t share) {
+    const auto begin = static_cast<std::uint32_t>(cells() * share / shares);
+    const auto width = static_cast<std::uint32_t>(cells() * (share + 1) / shares) - begin;
+    for (std::size_t k = 0; k < cell_.size(); ++k)
+      if (cell_[k] - begin < width) use(k);
+  });
+}
+
+void SphereCells::fill(const SphereField& spheres, Workers& workers) {
+  for_members_by_cell(workers, [&](std::size_t k) { ++first_[cell_[k] + 1]; });
+  std::partial_sum(first_.begin(), first_.end(), first_.begin());
   member_.resize(members_.size());
   position_.resize(members_.size());
   std::vector<std::uint32_t> next(first_.begin(), first_.end() - 1);
-  for (std::size_t k = 0; k < members_.size(); ++k) {
+  for_members_by_cell(workers, [&](std::size_t k) {
     const std::uint32_t place = next[cell_[k]]++;
     member_[place] = {members_[k], static_cast<std::uint32_t>(spheres.owner(members_[k]))};
     position_[place] = spheres.position(members_[k]);
-  }
+  });
 }
 
 }  // namespace diefill::engine

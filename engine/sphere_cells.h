@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "engine/parallel.h"
 #include "engine/sphere_field.h"
 
 namespace diefill::engine {
@@ -25,10 +26,11 @@ class SphereCells {
     double square;
   };
 
-  /// Sorts the centres of all spheres into cells of edge at least `cell` (m).
-  void build(const SphereField& spheres, double cell);
+  /// Sorts the centres of all spheres into cells of edge at least `cell` (m). In a cell they follow each
+  /// other by their numbers, whoever has put them there.
+  void build(const SphereField& spheres, double cell, Workers& workers);
   /// The same for some of them only, given by their numbers.
-  void build(const SphereField& spheres, std::vector<std::uint32_t> members, double cell);
+  void build(const SphereField& spheres, std::vector<std::uint32_t> members, double cell, Workers& workers);
 
   /// Calls visit(Near) for every member nearer to `point` than `distance` (m), in a fixed order.
   template <class Visit>
@@ -72,6 +74,12 @@ class SphereCells {
         use(first_[index_of(low[0], y, z)], first_[index_of(high[0], y, z) + 1]);
   }
 
+  void choose_cells(const SphereField& spheres, double cell, Workers& workers);
+  void fill(const SphereField& spheres, Workers& workers);
+  template <class Use>
+  void for_members_by_cell(Workers& workers, const Use& use) const;
+
+  std::size_t cells() const { return first_.size() - 1; }
   Eigen::Vector3i cell_of(Vector3 point) const { return ((eigen(point) - lower_) / edge_).cast<int>(); }
   std::size_t index_of(int x, int y, int z) const {
     return (static_cast<std::size_t>(z) * static_cast<std::size_t>(cells_[1]) + static_cast<std::size_t>(y)) *

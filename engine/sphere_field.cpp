@@ -1,5 +1,9 @@
 #include "engine/sphere_field.h"
 
+#include <algorithm>
+
+#include "engine/parallel.h"
+
 namespace diefill::engine {
 
 void SphereField::reorder_motion(const std::vector<std::uint32_t>& order) {
@@ -24,15 +28,19 @@ void SphereField::move_at(const std::vector<Eigen::Vector3d>& velocities,
   spin_ = spins.data();
 }
 
-void SphereField::hold_places() {
+void SphereField::hold_places(Workers& workers) {
   if (spheres_per_grain == 1) return;
+  constexpr std::size_t kGrainsAtATime = 2048;
   placed_.resize(real());
-  for (std::size_t grain = 0; grain < grains; ++grain) {
-    const Vector3 centre = grain_centre(grain);
-    const Rotation to_laboratory = rotation_of(orientation(grain));
-    for (std::size_t number = 0; number < spheres_per_grain; ++number)
-      placed_[grain * spheres_per_grain + number] = centre + to_laboratory * offset(grain, number);
-  }
+  workers.for_each((grains + kGrainsAtATime - 1) / kGrainsAtATime, [&](std::size_t chunk) {
+    const std::size_t end = std::min(grains, (chunk + 1) * kGrainsAtATime);
+    for (std::size_t grain = chunk * kGrainsAtATime; grain < end; ++grain) {
+      const Vector3 centre = grain_centre(grain);
+      const Rotation to_laboratory = rotation_of(orientation(grain));
+      for (std::size_t number = 0; number < spheres_per_grain; ++number)
+        placed_[grain * spheres_per_grain + number] = centre + to_laboratory * offset(grain, number);
+    }
+  });
 }
 
 }  // namespace diefill::engine

@@ -11,6 +11,8 @@
 
 namespace diefill::engine {
 
+class Workers;
+
 /// How a grain moves, laboratory frame.
 struct GrainMotion {
   Vector3 velocity;  ///< m/s, of the centre of mass
@@ -42,7 +44,7 @@ struct SphereField {
   void move_at(const std::vector<Eigen::Vector3d>& velocities, const std::vector<Eigen::Vector3d>& spins);
   /// Holds the places of composed grains' spheres as they are now, for many questions at one instant, and
   /// lets go of them.
-  void hold_places();
+  void hold_places(Workers& workers);
   void drop_places() { placed_.clear(); }
 
   /// Spheres of real grains.

@@ -147,9 +147,9 @@ SizeCost size_cost_if_sound(const engine::Simulation& bed) {
   }
 }
 
-/// How long powder took to come to rest, as far as the pilot has seen it. `alike`: where it has fewer grains
-/// than the run will have, one that rolls moves the centre of mass of all too far to be called rest, and what
-/// takes longer than usual says nothing of more grains.
+/// How long powder took to come to rest, as far as the pilot has seen it. `alike`: whether it has about as
+/// many grains as the run will have. In fewer, one that rolls moves the centre of mass of all too far to be
+/// called rest, and what took longer than usual says nothing of more grains.
 void note_rest_times(bool rests_once, bool alike, Pilot& pilot) {
   const RestTimes usual;
   const auto credible = [&](double seen, double otherwise) {
