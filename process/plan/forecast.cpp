@@ -63,11 +63,14 @@ Forecast forecast(const Scene& scene, const Tooling& tooling, const Pilot& pilot
   const double oftener = pilot.time_step > 0 ? forecast.time_step / pilot.time_step *
                                                    std::sqrt(pilot.grain_diameter / forecast.grain_diameter)
                                              : 1;
+  // Grains that touch a wall are a layer as thick as one of them.
+  const double near_tools = pilot.grain_diameter > 0 ? forecast.grain_diameter / pilot.grain_diameter : 1;
   double sum = 0;
   for (auto& part : forecast.phases) {
     const double spheres = part.phase.share * static_cast<double>(forecast.spheres);
     const double searches = oftener * (part.phase.kind == PhaseKind::fall ? speed_in_fall : 1);
-    part.wall_seconds = part.sphere_steps * pilot.seconds_per_sphere_step(part.phase.kind, spheres, searches);
+    part.wall_seconds =
+        part.sphere_steps * pilot.seconds_per_sphere_step(part.phase.kind, spheres, searches, near_tools);
     sum += part.wall_seconds;
   }
   if (sum > 0) forecast.wall_seconds = sum;

@@ -164,13 +164,18 @@ void note_rest_times(bool rests_once, bool alike, Pilot& pilot) {
 
 }  // namespace
 
-double Pilot::seconds_per_sphere_step(PhaseKind kind, double in_spheres, double searches) const {
+double Pilot::seconds_per_sphere_step(PhaseKind kind, double in_spheres, double searches,
+                                      double near_tools) const {
   const auto from = static_cast<double>(spheres);
   const double factor = size.factor(in_spheres, from);
   const double search_factor = searches * size.search_factor(in_spheres, from);
   const auto scaled = [&](const PhaseCost& seen) {
-    return (factor * (seen.wall_seconds - seen.search_seconds) + search_factor * seen.search_seconds) /
-           seen.sphere_steps;
+    const double search = seen.search_seconds / seen.sphere_steps;
+    const double stepping = seen.seconds_per_sphere_step() - search;
+    // What is more than the same powder costs without tools is theirs.
+    const double bare =
+        size.points.empty() ? stepping : std::min(stepping, size.points.front().seconds_per_sphere_step);
+    return factor * bare + near_tools * (stepping - bare) + search_factor * search;
   };
   if (of(kind).sphere_steps > 0) return scaled(of(kind));
   double dearest = 0;

@@ -34,9 +34,11 @@ struct Pilot {
   SizeCost size;                            ///< measured on the powder as the run left it
 
   const PhaseCost& of(PhaseKind kind) const { return cost[static_cast<std::size_t>(kind)]; }
-  /// s a sphere and step in a phase of this kind with as many spheres, searching `searches` times as often; a
-  /// kind that was not seen costs what the dearest other does.
-  double seconds_per_sphere_step(PhaseKind kind, double in_spheres, double searches = 1) const;
+  /// s a sphere and step in a phase of this kind with as many spheres, searching `searches` times as often
+  /// and meeting tools `near_tools` times as often; a kind that was not seen costs what the dearest other
+  /// does.
+  double seconds_per_sphere_step(PhaseKind kind, double in_spheres, double searches = 1,
+                                 double near_tools = 1) const;
 };
 
 /// The scene with as much less and coarser powder as makes it cost at most `sphere_steps`, or as little as

@@ -38,6 +38,10 @@ TEST(SizeCost, MultipliesThePilotsCosts) {
   pilot.cost[1].search_seconds = 1;
   EXPECT_NEAR(pilot.seconds_per_sphere_step(PhaseKind::motion, 1e6), (2 * 20e-9) + (3 * 10e-9), 1e-18);
   EXPECT_NEAR(pilot.seconds_per_sphere_step(PhaseKind::motion, 1e6, 2), (2 * 20e-9) + (6 * 10e-9), 1e-18);
+  // What is beyond the powder's own 30 ns is the tools' part: half as many grains meet them there.
+  pilot.cost[1].wall_seconds = 6;
+  EXPECT_NEAR(pilot.seconds_per_sphere_step(PhaseKind::motion, 1e6, 1, 0.5),
+              (2 * 30e-9) + (0.5 * 20e-9) + (3 * 10e-9), 1e-18);
 }
 
 class SizeCostOf : public ::testing::TestWithParam<laboratory::RaceBed> {};
