@@ -18,7 +18,7 @@ void print_pilot(const plan::Pilot& pilot) {
                   plan::in_words(static_cast<plan::PhaseKind>(k)), 1e9 * cost.seconds_per_sphere_step(),
                   100 * cost.search_seconds / cost.wall_seconds, cost.whole ? "" : " (begun)");
     else
-      std::printf(" %s was not seen, and is taken to cost what the dearest does;",
+      std::printf(" %s was not seen, and is taken to cost what settling does;",
                   plan::in_words(static_cast<plan::PhaseKind>(k)));
   }
   std::printf(" reading the tools comes on top\n");

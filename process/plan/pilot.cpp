@@ -4,28 +4,21 @@
 
 #include <algorithm>
 #include <atomic>
-#include <condition_variable>
-#include <mutex>
-#include <thread>
 
+#include "process/plan/alarm.h"
 #include "process/plan/forecast.h"
-#include "process/plan/setting.h"
+#include "process/plan/pilot_scene.h"
 #include "process/run/fill_run.h"
-#include "process/run/material.h"
 
 namespace diefill::process::plan {
 
 namespace {
 
-/// Some 10 s on two cores of 2024.
-constexpr double kPilotSphereSteps = 3e8;
-/// Fewer are not enough for costs to carry over (narrow ring: 800 grains cost as much each as 3,900).
-constexpr std::size_t kFewestGrains = 500;
-/// Less powder than this leaves the tools without what they move.
-constexpr double kLeastPowder = 0.4;
-/// Over the narrowest width: coarser grains jam, and cannot be what a passage costs.
-constexpr double kCoarsestPilot = 0.75;
-
+/// A look at how fast this machine computes this scene comes first: sphere-steps, and s at most.
+constexpr double kScoutSphereSteps = 3e7, kScoutTakes = 1;
+/// Of its limit, what the pilot should need: settling, which the look has seen, is dearer than the rest, but
+/// tools are met later.
+constexpr double kShareOfLimit = 0.6;
 /// s of motion that say what it costs, and how many times the limit may be passed to see them or how long
 /// powder goes on running out.
 constexpr double kMotionAtLeast = 3, kPatience = 3;
@@ -33,45 +26,6 @@ constexpr double kMotionAtLeast = 3, kPatience = 3;
 /// costs changes on its way (gear: from 7.9 to 10 ns a sphere and step), and who waits for an hour may wait a
 /// minute.
 constexpr double kShareOfRun = 1.0 / 30, kLongestPilot = 8;
-
-/// Sets `flag` after some time, unless it is gone by then.
-class Alarm {
- public:
-  Alarm(double seconds, std::atomic<bool>& flag)
-      : deadline_(in(seconds)), thread_([this, &flag] {
-          std::unique_lock lock(mutex_);
-          while (!gone_ && Clock::now() < deadline_) changed_.wait_until(lock, deadline_);
-          if (!gone_) flag.store(true);
-        }) {}
-  ~Alarm() {
-    {
-      const std::lock_guard lock(mutex_);
-      gone_ = true;
-    }
-    changed_.notify_all();
-    thread_.join();
-  }
-  /// From now on it is `seconds` (s) that are left.
-  void put_off(double seconds) {
-    const std::lock_guard lock(mutex_);
-    deadline_ = in(seconds);
-    changed_.notify_all();
-  }
-  Alarm(const Alarm&) = delete;
-  Alarm& operator=(const Alarm&) = delete;
-
- private:
-  using Clock = std::chrono::steady_clock;
-  static Clock::time_point in(double seconds) {
-    return Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds));
-  }
-
-  std::mutex mutex_;
-  std::condition_variable changed_;
-  bool gone_ = false;
-  Clock::time_point deadline_;
-  std::thread thread_;
-};
 
 /// Where the pilot's checkpoints go; gone at the end.
 struct CheckpointFolder {
@@ -112,21 +66,6 @@ class Books {
   std::uint64_t sphere_steps_ = 0;
 };
 
-double largest_diameter(const Scene& scene, const Tooling& tooling) {
-  constexpr double kGrainsAcross = 4, kLargestFactor = 20;
-  double largest = kLargestFactor * calibrated_diameter(scene.powder);
-  const geometry::Cavity cavity = tooling.all_cavities();
-  if (cavity.found && cavity.narrowest_width > 0)
-    largest = std::min(largest, kCoarsestPilot * cavity.narrowest_width);
-  for (std::size_t axis = 0; axis < 2; ++axis) {
-    const auto i = static_cast<Eigen::Index>(axis);
-    if (scene.numerics.period[axis])
-      largest = std::min(largest, *scene.numerics.period[axis] / kGrainsAcross);
-    largest = std::min(largest, (scene.pour.upper[i] - scene.pour.lower[i]) / kGrainsAcross);
-  }
-  return std::max(largest, scene.powder.grain_diameter);
-}
-
 std::ptrdiff_t occurs(PhaseKind kind, const std::vector<Phase>& phases) {
   return std::count_if(phases.begin(), phases.end(), [&](const Phase& phase) { return phase.kind == kind; });
 }
@@ -162,6 +101,93 @@ void note_rest_times(bool rests_once, bool alike, Pilot& pilot) {
     pilot.rest.after_motion = credible(rest.seconds, usual.after_motion);
 }
 
+/// What a pilot may take.
+struct PilotLimits {
+  double sphere_steps;  ///< foreseen
+  double wall;          ///< s of computing, if it has seen enough by then
+  double patience;      ///< s, in any case
+  bool only_a_look;     ///< no longer for long scenes, and the cost of size is not measured
+};
+
+/// A run of less and coarser powder, looked at every few ms of simulated time.
+class PilotRun {
+ public:
+  PilotRun(const Scene& scene, const Tooling& tooling, const PilotLimits& limits)
+      : planned_(scene),
+        tooling_(tooling),
+        limits_(limits),
+        scene_(pilot_scene(scene, tooling, limits.sphere_steps)),
+        phases_(timeline(scene_, tooling, {})) {
+    pilot_.grain_diameter = scene_.powder.grain_diameter;
+    pilot_.fill_height = scene_.pour.fill_height;
+    pilot_.fall_time = fall_time(scene_, tooling);
+    pilot_.time_step = forecast(scene_, tooling).time_step;
+  }
+
+  Pilot run(int threads) {
+    std::atomic<bool> stop{false};
+    Alarm alarm(limits_.patience, stop);
+    const CheckpointFolder folder;
+    RunOptions options;
+    options.threads = threads;
+    options.show_progress = false;
+    options.directory = folder.path;
+    options.stop = &stop;
+    options.snapshot = [&](const FillRun& run, const std::string&) {
+      if (has_seen_enough(run, alarm)) stop.store(true);
+    };
+    FillRun run(scene_, tooling_, options);
+    run_until_stopped(run);
+    if (!limits_.only_a_look) pilot_.size = size_cost_if_sound(run.simulation());
+    return pilot_;
+  }
+
+ private:
+  void run_until_stopped(FillRun& run) {
+    books_.begin(run);
+    pilot_.spheres = run.simulation().grains().size() * run.simulation().settings().shape.spheres();
+    try {
+      run.run();
+    } catch (const Interrupted&) {
+      pilot_.stopped = "its time was over";
+    } catch (const engine::OutOfRange& error) {
+      pilot_.stopped = error.what();
+    }
+    books_.book(run, kind_, run.schedule().finished(), pilot_);
+    pilot_.wall_seconds = pilot_.cost_of_all().wall_seconds;
+    note_rest_times(occurs(PhaseKind::rest, phases_) == 1, has_about_as_many_grains(), pilot_);
+  }
+
+  /// Books what the run has cost, and gives it longer where the scene will take long.
+  bool has_seen_enough(const FillRun& run, Alarm& alarm) {
+    const PhaseKind now = kind_of(run.schedule().stages(), run.schedule().state().steps);
+    books_.book(run, kind_, now != kind_, pilot_);
+    kind_ = now;
+    const bool moves = occurs(PhaseKind::motion, phases_) > 0;
+    const PhaseCost& motion = pilot_.of(PhaseKind::motion);
+    const bool motion_seen = !moves || motion.whole || motion.wall_seconds > kMotionAtLeast;
+    const bool runs_out = kind_ == PhaseKind::rest && !tooling_.cavity.found;
+    if (limits_.only_a_look || run.wall_seconds() <= limits_.wall || !motion_seen || runs_out) return false;
+    const double may_take = longer_limit(limits_.wall, planned_, tooling_, pilot_);
+    alarm.put_off(may_take - run.wall_seconds() + limits_.wall);
+    return run.wall_seconds() > may_take;
+  }
+
+  bool has_about_as_many_grains() const {
+    return !tooling_.cavity.found ||
+           2 * forecast(scene_, tooling_).grains >= forecast(planned_, tooling_).grains;
+  }
+
+  const Scene& planned_;
+  const Tooling& tooling_;
+  PilotLimits limits_;
+  Scene scene_;
+  std::vector<Phase> phases_;
+  PhaseKind kind_ = PhaseKind::fall;
+  Books books_;
+  Pilot pilot_;
+};
+
 }  // namespace
 
 double Pilot::seconds_per_sphere_step(PhaseKind kind, double in_spheres, double searches,
@@ -178,93 +204,28 @@ double Pilot::seconds_per_sphere_step(PhaseKind kind, double in_spheres, double 
     return factor * bare + near_tools * (stepping - bare) + search_factor * search;
   };
   if (of(kind).sphere_steps > 0) return scaled(of(kind));
-  double dearest = 0;
-  for (const PhaseCost& other : cost)
-    if (other.sphere_steps > 0) dearest = std::max(dearest, scaled(other));
-  return dearest;
+  return of(PhaseKind::fall).sphere_steps > 0 ? scaled(of(PhaseKind::fall)) : 0;
 }
 
-Scene pilot_scene(const Scene& scene, const Tooling& tooling, double sphere_steps) {
-  constexpr double kFiner = 1.05;
-  Scene pilot = scene;
-  pilot.numerics.time_step.reset();
-  pilot.measure.snapshot_interval = 0;
-  pilot.probes.clear();
-  // Called for as soon as the poured powder rests and every so often from then on: moments to look at the
-  // clock.
-  SnapshotSpec look;
-  look.name = "pilot";
-  look.every = 2e-3;
-  pilot.snapshots = {look};
-  pilot.numerics.checkpoint_interval = 86400;
-  const auto costs_at_most = [&](double limit) { return forecast(pilot, tooling).sphere_steps() <= limit; };
-  const auto coarsen_until = [&](double limit) {
-    const double largest = largest_diameter(scene, tooling);
-    while (!costs_at_most(limit) && pilot.powder.grain_diameter * kFiner <= largest) {
-      const PowderSpec before = pilot.powder;
-      enlarge(pilot.powder, kFiner);
-      if (forecast(pilot, tooling).grains >= kFewestGrains) continue;
-      pilot.powder = before;
-      break;
-    }
-  };
-  // Where there is nothing to fill, powder heaps up or runs out, for longer the more there is and for longer
-  // than usual.
-  if (!tooling.cavity.found) coarsen_until(sphere_steps / 2);
-  if (costs_at_most(sphere_steps)) return pilot;
-  pilot.pour.fill_height = kLeastPowder * scene.pour.fill_height;
-  coarsen_until(sphere_steps);
-  return pilot;
+PhaseCost Pilot::cost_of_all() const {
+  PhaseCost sum;
+  for (const PhaseCost& kind : cost) {
+    sum.wall_seconds += kind.wall_seconds;
+    sum.sphere_steps += kind.sphere_steps;
+    sum.search_seconds += kind.search_seconds;
+    sum.seconds += kind.seconds;
+  }
+  return sum;
 }
 
 Pilot run_pilot(const Scene& scene, const Tooling& tooling, int threads, double wall_limit) {
-  const Scene short_scene = pilot_scene(scene, tooling, kPilotSphereSteps);
-  Pilot pilot;
-  pilot.grain_diameter = short_scene.powder.grain_diameter;
-  pilot.fill_height = short_scene.pour.fill_height;
-  pilot.fall_time = fall_time(short_scene, tooling);
-  pilot.time_step = forecast(short_scene, tooling).time_step;
-  const auto phases = timeline(short_scene, tooling, pilot.rest);
-  const bool moves = occurs(PhaseKind::motion, phases) > 0;
-  PhaseKind kind = PhaseKind::fall;
-  Books books;
-  std::atomic<bool> stop{false};
-  Alarm alarm(kPatience * wall_limit, stop);
-  RunOptions options;
-  options.threads = threads;
-  options.show_progress = false;
-  const CheckpointFolder folder;
-  options.directory = folder.path;
-  options.stop = &stop;
-  options.snapshot = [&](const FillRun& run, const std::string&) {
-    const PhaseKind now = kind_of(run.schedule().stages(), run.schedule().state().steps);
-    books.book(run, kind, now != kind, pilot);
-    kind = now;
-    const PhaseCost& motion = pilot.of(PhaseKind::motion);
-    const bool motion_seen = !moves || motion.whole || motion.wall_seconds > kMotionAtLeast;
-    const bool runs_out = kind == PhaseKind::rest && !tooling.cavity.found;
-    if (run.wall_seconds() <= wall_limit || !motion_seen || runs_out) return;
-    const double may_take = longer_limit(wall_limit, scene, tooling, pilot);
-    alarm.put_off(may_take - run.wall_seconds() + wall_limit);
-    if (run.wall_seconds() > may_take) stop.store(true);
-  };
-  FillRun run(short_scene, tooling, options);
-  books.begin(run);
-  pilot.spheres = run.simulation().grains().size() * run.simulation().settings().shape.spheres();
-  try {
-    run.run();
-  } catch (const Interrupted&) {
-    pilot.stopped = "its time was over";
-  } catch (const engine::OutOfRange& error) {
-    pilot.stopped = error.what();
-  }
-  books.book(run, kind, run.schedule().finished(), pilot);
-  pilot.size = size_cost_if_sound(run.simulation());
-  for (const PhaseCost& cost : pilot.cost) pilot.wall_seconds += cost.wall_seconds;
-  const bool alike =
-      !tooling.cavity.found || 2 * forecast(short_scene, tooling).grains >= forecast(scene, tooling).grains;
-  note_rest_times(occurs(PhaseKind::rest, phases) == 1, alike, pilot);
-  return pilot;
+  const PilotLimits little{kScoutSphereSteps, kScoutTakes, kScoutTakes, true};
+  const Pilot scout = PilotRun(scene, tooling, little).run(threads);
+  double affordable = kScoutSphereSteps;
+  if (scout.cost_of_all().sphere_steps > 0)
+    affordable =
+        std::max(affordable, kShareOfLimit * wall_limit / scout.cost_of_all().seconds_per_sphere_step());
+  return PilotRun(scene, tooling, {affordable, wall_limit, kPatience * wall_limit, false}).run(threads);
 }
 
 }  // namespace diefill::process::plan

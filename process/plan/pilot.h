@@ -34,20 +34,17 @@ struct Pilot {
   SizeCost size;                            ///< measured on the powder as the run left it
 
   const PhaseCost& of(PhaseKind kind) const { return cost[static_cast<std::size_t>(kind)]; }
+  PhaseCost cost_of_all() const;
   /// s a sphere and step in a phase of this kind with as many spheres, searching `searches` times as often
-  /// and meeting tools `near_tools` times as often; a kind that was not seen costs what the dearest other
-  /// does.
+  /// and meeting tools `near_tools` times as often; a kind that was not seen costs what settling does.
   double seconds_per_sphere_step(PhaseKind kind, double in_spheres, double searches = 1,
                                  double near_tools = 1) const;
 };
 
-/// The scene with as much less and coarser powder as makes it cost at most `sphere_steps`, or as little as
-/// that still says something.
-Scene pilot_scene(const Scene& scene, const Tooling& tooling, double sphere_steps);
-
-/// Runs pilot_scene() for `wall_limit` s on `threads` threads, or up to three times as long where nothing has
-/// moved by then or powder still runs out with no cavity to fill; where the scene will take long, for a
-/// thirtieth of that, up to eight times the limit. `tooling` is that of the scene.
+/// Runs the scene with as much less and coarser powder (pilot_scene.h) as this machine should manage within
+/// `wall_limit` s, found out by a look of a second, on `threads` threads; up to three times as long where
+/// nothing has moved by then or powder still runs out with no cavity to fill; where the scene will take long,
+/// for a thirtieth of that, up to eight times the limit. `tooling` is that of the scene.
 Pilot run_pilot(const Scene& scene, const Tooling& tooling, int threads, double wall_limit);
 
 }  // namespace diefill::process::plan

@@ -6,6 +6,7 @@
 
 #include "process/plan/memory.h"
 #include "process/plan/pilot.h"
+#include "process/plan/pilot_scene.h"
 #include "process/run/material.h"
 #include "process/run/pour.h"
 #include "tests/process/plan_sample.h"
@@ -138,12 +139,13 @@ TEST(PlanForecast, ThePilotHasLessPowderOnlyWhereCoarserGrainsDoNotDo) {
   EXPECT_LE(plan::forecast(running_out, without_cavity).sphere_steps(), 0.45 * sphere_steps);
 }
 
-TEST(PlanForecast, AKindThePilotDidNotSeeCostsWhatTheDearestDoes) {
+TEST(PlanForecast, AKindThePilotDidNotSeeCostsWhatSettlingDoes) {
   Pilot pilot;
   EXPECT_EQ(pilot.seconds_per_sphere_step(PhaseKind::motion, 1e4), 0);
   pilot.cost[0] = {1, 1e8, 0.1, true};
-  pilot.cost[2] = {3, 1e8, 0.1, true};
+  pilot.cost[1] = {3, 1e8, 0.1, true};
   EXPECT_NEAR(pilot.seconds_per_sphere_step(PhaseKind::motion, 1e4), 3e-8, 1e-20);
+  EXPECT_NEAR(pilot.seconds_per_sphere_step(PhaseKind::rest, 1e4), 1e-8, 1e-20);
 }
 
 TEST(PlanForecast, WithinATimeTheFinestGrainsAreTakenThatFit) {
