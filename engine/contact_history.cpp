@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <numeric>
 
+#include "engine/shared_ranges.h"
+
 namespace diefill::engine {
 
 void ContactHistory::make_places() {
@@ -44,13 +46,10 @@ ContactHistory history_of(const std::vector<Block>& blocks, std::size_t width, s
     visit(blocks[b], [&](const Remembered& pair) { noted[b].push_back(pair); });
   });
   const auto for_all_by_sphere = [&](const auto& use) {
-    const auto threads = static_cast<std::size_t>(workers.threads());
-    workers.for_each(threads, [&](std::size_t share) {
-      const auto begin = static_cast<std::uint32_t>(spheres * share / threads);
-      const auto width_of_share = static_cast<std::uint32_t>(spheres * (share + 1) / threads) - begin;
+    in_shares(spheres, static_cast<std::size_t>(workers.threads()), workers, [&](Share share) {
       for (const auto& pairs : noted)
         for (const Remembered& pair : pairs)
-          if (pair.a - begin < width_of_share) use(pair);
+          if (share.has(pair.a)) use(pair);
     });
   };
   ContactHistory history(width, spheres);

@@ -1,8 +1,9 @@
 #include "engine/sphere_cells.h"
 
 #include <Eigen/Geometry>
-#include <algorithm>
 #include <numeric>
+
+#include "engine/shared_ranges.h"
 
 namespace diefill::engine {
 
@@ -13,14 +14,6 @@ namespace {
 constexpr double kCellsPerPoint = 8, kFewCells = 4096;
 /// Points that a thread takes at a time, and shares of the cells for each thread; they change no result.
 constexpr std::size_t kPointsAtATime = 16384, kSharesPerThread = 4;
-
-/// Calls use(begin, end, chunk) for chunks of [0, count).
-template <class Use>
-void in_chunks(std::size_t count, Workers& workers, const Use& use) {
-  workers.for_each((count + kPointsAtATime - 1) / kPointsAtATime, [&](std::size_t chunk) {
-    use(chunk * kPointsAtATime, std::min(count, (chunk + 1) * kPointsAtATime), chunk);
-  });
-}
 
 }  // namespace
 
@@ -35,7 +28,7 @@ void SphereCells::build(const SphereField& spheres, std::vector<std::uint32_t> m
   members_ = std::move(members);
   choose_cells(spheres, cell, workers);
   cell_.resize(members_.size());
-  in_chunks(members_.size(), workers, [&](std::size_t begin, std::size_t end, std::size_t) {
+  in_runs(members_.size(), kPointsAtATime, workers, [&](std::size_t begin, std::size_t end, std::size_t) {
     for (std::size_t k = begin; k < end; ++k) {
       const Eigen::Vector3i place = cell_of(spheres.position(members_[k]));
       cell_[k] = static_cast<std::uint32_t>(index_of(place[0], place[1], place[2]));
@@ -46,11 +39,11 @@ void SphereCells::build(const SphereField& spheres, std::vector<std::uint32_t> m
 
 /// Cells of at least `cell` (m) about all members, all of them empty.
 void SphereCells::choose_cells(const SphereField& spheres, double cell, Workers& workers) {
-  std::vector<Eigen::AlignedBox3d> boxes(members_.size() / kPointsAtATime + 1);
-  in_chunks(members_.size(), workers, [&](std::size_t begin, std::size_t end, std::size_t chunk) {
+  std::vector<Eigen::AlignedBox3d> boxes(runs_in(members_.size(), kPointsAtATime));
+  in_runs(members_.size(), kPointsAtATime, workers, [&](std::size_t begin, std::size_t end, std::size_t run) {
     Eigen::AlignedBox3d box;
     for (std::size_t k = begin; k < end; ++k) box.extend(eigen(spheres.position(members_[k])));
-    boxes[chunk] = box;
+    boxes[run] = box;
   });
   Eigen::AlignedBox3d box;
   for (const auto& part : boxes) box.extend(part);
@@ -71,11 +64,9 @@ template <class Use>
 void SphereCells::for_members_by_cell(Workers& workers, const Use& use) const {
   const std::size_t threads = static_cast<std::size_t>(workers.threads());
   const std::size_t shares = threads == 1 ? 1 : threads * kSharesPerThread;
-  workers.for_each(shares, [&](std::size_t share) {
-    const auto begin = static_cast<std::uint32_t>(cells() * share / shares);
-    const auto width = static_cast<std::uint32_t>(cells() * (share + 1) / shares) - begin;
+  in_shares(cells(), shares, workers, [&](Share share) {
     for (std::size_t k = 0; k < cell_.size(); ++k)
-      if (cell_[k] - begin < width) use(k);
+      if (share.has(cell_[k])) use(k);
   });
 }
 

@@ -1,8 +1,6 @@
 #include "engine/sphere_field.h"
 
-#include <algorithm>
-
-#include "engine/parallel.h"
+#include "engine/shared_ranges.h"
 
 namespace diefill::engine {
 
@@ -32,9 +30,8 @@ void SphereField::hold_places(Workers& workers) {
   if (spheres_per_grain == 1) return;
   constexpr std::size_t kGrainsAtATime = 2048;
   placed_.resize(real());
-  workers.for_each((grains + kGrainsAtATime - 1) / kGrainsAtATime, [&](std::size_t chunk) {
-    const std::size_t end = std::min(grains, (chunk + 1) * kGrainsAtATime);
-    for (std::size_t grain = chunk * kGrainsAtATime; grain < end; ++grain) {
+  in_runs(grains, kGrainsAtATime, workers, [&](std::size_t begin, std::size_t end, std::size_t) {
+    for (std::size_t grain = begin; grain < end; ++grain) {
       const Vector3 centre = grain_centre(grain);
       const Rotation to_laboratory = rotation_of(orientation(grain));
       for (std::size_t number = 0; number < spheres_per_grain; ++number)

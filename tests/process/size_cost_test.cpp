@@ -33,7 +33,7 @@ TEST(SizeCost, MultipliesThePilotsCosts) {
   pilot.cost[1] = {.wall_seconds = 3, .sphere_steps = 1e8, .seconds = 0.1, .whole = true};
   pilot.size = measured();
   EXPECT_NEAR(pilot.seconds_per_sphere_step(PhaseKind::motion, 1e6), 60e-9, 1e-18);
-  EXPECT_NEAR(pilot.seconds_per_sphere_step(PhaseKind::rest, 1e5), 45e-9, 1e-18);
+  EXPECT_NEAR(pilot.seconds_per_sphere_step(PhaseKind::motion, 1e5), 45e-9, 1e-18);
   // A third of it is searches, which cost three times as much there and come twice as often.
   pilot.cost[1].search_seconds = 1;
   EXPECT_NEAR(pilot.seconds_per_sphere_step(PhaseKind::motion, 1e6), (2 * 20e-9) + (3 * 10e-9), 1e-18);
