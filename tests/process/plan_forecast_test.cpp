@@ -133,6 +133,8 @@ TEST(PlanForecast, ThePilotHasLessPowderOnlyWhereCoarserGrainsDoNotDo) {
   // What runs out or heaps up does so for as long as there is powder: none is left out.
   Tooling without_cavity = planned.tooling;
   without_cavity.cavity = {};
+  const Scene heap = pilot_scene(planned.scene, without_cavity, sphere_steps);
+  EXPECT_EQ(heap.powder.grain_diameter, diameter);
   const Scene running_out = pilot_scene(planned.scene, without_cavity, 0.9 * sphere_steps);
   EXPECT_EQ(running_out.pour.fill_height, height);
   EXPECT_GT(running_out.powder.grain_diameter, diameter);
