@@ -34,7 +34,7 @@ struct Pilot {
   SizeCost size;                            ///< measured on the powder as the run left it
 
   const PhaseCost& of(PhaseKind kind) const { return cost[static_cast<std::size_t>(kind)]; }
-  PhaseCost cost_of_all() const;
+  PhaseCost cost_of_all() const;  ///< of all kinds together; never whole
   /// s a sphere and step in a phase of this kind with as many spheres, searching `searches` times as often
   /// and meeting tools `near_tools` times as often; a kind that was not seen costs what settling does.
   double seconds_per_sphere_step(PhaseKind kind, double in_spheres, double searches = 1,
