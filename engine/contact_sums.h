@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "engine/grains.h"
+#include "engine/look_ahead.h"
 #include "engine/transpose.h"
 
 namespace diefill::engine {
@@ -28,6 +29,7 @@ class ContactSums {
   void keep(std::vector<ContactSum>& sums) {
     with_numbers([&](auto numbers) {
       for (std::size_t k = 0; k < size_; ++k) {
+        if (k + kAhead < size_) fetch(k + kAhead);
         put(sums[k].first_half(), forces() + kVector * k);
         if constexpr (numbers > ContactSum::kForce) put(sums[k].second_half(), moments() + kVector * k);
         if constexpr (numbers > ContactSum::kMoment) loads()[k] = sums[k].rolling_load();
@@ -75,6 +77,7 @@ class ContactSums {
 
  private:
   static constexpr std::size_t kVector = 3;  ///< numbers of a force or moment
+  static constexpr std::size_t kAhead = kEntriesAhead<double> / kVector;
   static constexpr std::size_t kSpare = 1;  ///< behind each array, so that vectors are written four at a time
 
   std::size_t moments_begin() const { return kVector * size_ + kSpare; }

@@ -13,7 +13,6 @@ namespace diefill::engine {
 namespace {
 
 constexpr std::size_t kGrains = 16;  ///< grains worked on at a time
-constexpr std::size_t kAhead = 32;   ///< grains between those worked on and those whose memory is asked for
 using Scalars = Lanes<kGrains>;
 using Vectors = VectorLanes<kGrains>;
 
@@ -30,13 +29,8 @@ struct GrainLanes {
   void load(const Grains& grains, std::size_t first, std::size_t end, bool rotates) {
     begin = first;
     count = std::min(kGrains, end - first);
-    look_ahead<kGrains>(grains.velocity, first + kAhead);
-    look_ahead<kGrains>(grains.force, first + kAhead);
-    if (rotates) {
-      look_ahead<kGrains>(grains.spin, first + kAhead);
-      look_ahead<kGrains>(grains.torque, first + kAhead);
-      look_ahead<kGrains>(grains.orientation, first + kAhead);
-    }
+    look_ahead<kGrains>(first, grains.velocity, grains.force);
+    if (rotates) look_ahead<kGrains>(first, grains.spin, grains.torque, grains.orientation);
     for (std::size_t lane = 0; lane < groups(); ++lane) {
       const std::size_t k = grain(lane);
       velocity.set(lane, plain(grains.velocity[k]));
@@ -49,7 +43,7 @@ struct GrainLanes {
   }
   /// Positions are needed on the way to the end of the step only.
   void load_positions(const Grains& grains) {
-    look_ahead<kGrains>(grains.position, begin + kAhead);
+    look_ahead<kGrains>(begin, grains.position);
     for (std::size_t lane = 0; lane < groups(); ++lane)
       position.set(lane, plain(grains.position[grain(lane)]));
   }

@@ -2,6 +2,7 @@
 
 #include "engine/contact_kernel.h"
 #include "engine/grain_batch.h"
+#include "engine/look_ahead.h"
 #include "engine/pair_distances.h"
 #include "engine/pair_laws.h"
 #include "engine/vector_width.h"
@@ -165,6 +166,7 @@ class GrainLoop final : public PairLoop {
     std::uint32_t before = 0;  // pairs so far that touched in the last step
     const auto test = [&](std::size_t first, auto how_many) {
       const GrainPair* near = table.pair.data() + first;
+      look_ahead<kTested>(first, table.pair, table.touching);
       const Touches touches = test_some<kWide>(block, spheres, near, how_many, table.touching.data() + first);
       list_touching(near, touches, before, touching + count);
       // Batches are too short for the processor to see that what pairs remember is read in a row.

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "engine/look_ahead.h"
 #include "engine/pair_table.h"
 #include "engine/posed_grains.h"
 #include "engine/sphere_field.h"
@@ -62,7 +63,9 @@ class LocalSpheres {
   struct alignas(32) Centre {
     double value[4];
   };
-  static constexpr std::size_t kAhead = 16, kSpin = 4;
+  /// Partners, and own grains, that are asked for ahead.
+  static constexpr std::size_t kAhead = 16, kOwnAhead = kEntriesAhead<Eigen::Vector3d>;
+  static constexpr std::size_t kSpin = 4;
 
   /// Grains are their spheres.
   void take_single(const Block& block, const SphereField& spheres) {
@@ -81,7 +84,10 @@ class LocalSpheres {
         put_motion(k, spheres.motion(spheres.original(sphere)));
       }
     };
-    for (std::size_t k = 0; k < own; ++k) put_sphere(k, block.begin + k);
+    for (std::size_t k = 0; k < own; ++k) {
+      spheres.fetch(std::min(block.begin + k + kOwnAhead, last));
+      put_sphere(k, block.begin + k);
+    }
     for (std::size_t k = 0; k < partners; ++k) {
       // They lie anywhere: in a large bed in no cache.
       if (k + kAhead < partners) spheres.fetch(spheres.original(block.partners[k + kAhead]));
@@ -98,7 +104,7 @@ class LocalSpheres {
     };
     for (std::size_t k = 0; k < own; ++k) {
       const std::size_t grain = block.begin + k;
-      spheres.fetch(std::min(grain + kAhead, spheres.grains - 1));
+      spheres.fetch(std::min(grain + kOwnAhead, spheres.grains - 1));
       put_moved(k, spheres.motion(grain), spheres.grain_centre(grain));
     }
     for (std::size_t k = 0; k < block.seen.size(); ++k) {

@@ -175,8 +175,7 @@ void Simulation::advance_grains() {
 double Simulation::leeway(const Block& block) const {
   const Vector3 drifted = plain(Eigen::Vector3d(reference_.drift * (time_ - reference_.time)));
   const auto way = [&](std::size_t k) {
-    constexpr std::size_t kAhead = 32;
-    look_ahead<1>(reference_.position, k + kAhead);
+    look_ahead<1>(k, reference_.position);
     return plain(grains_.position[k]) - plain(reference_.position[k]) - drifted;
   };
   double least = std::numeric_limits<double>::infinity();

@@ -6,6 +6,8 @@
 #include <type_traits>
 #include <utility>
 
+#include "engine/look_ahead.h"
+
 namespace diefill::engine {
 
 namespace {
@@ -67,6 +69,8 @@ double SphereIntegrator::advance(Grains& grains, std::size_t begin, std::size_t 
   with_instructions(instructions_, [&] {
     for_groups(grains, begin, end, [&](const Factors& factors, std::size_t first, auto how_many) {
       const std::size_t count = how_many;
+      look_ahead<kSpheres>(first / 3, grains.position, grains.velocity, grains.force);
+      if (rotates_) look_ahead<kSpheres>(first / 3, grains.spin, grains.torque);
 #pragma GCC ivdep
       for (std::size_t k = 0; k < count; ++k) {
         const double gained = factors.velocity_per_force[k] * force[first + k];
@@ -110,6 +114,7 @@ double SphereIntegrator::kick(Grains& grains, std::size_t begin, std::size_t end
   for_groups(grains, begin, end, [&](const Factors& factors, std::size_t first, auto how_many) {
     const std::size_t count = how_many;
     const double* acting = contact_forces + (first - 3 * begin);
+    look_ahead<kSpheres>(first / 3, grains.velocity, grains.force);
 #pragma GCC ivdep
     for (std::size_t k = 0; k < count; ++k) {
       const double predicted = velocity[first + k];
@@ -132,6 +137,7 @@ void SphereIntegrator::kick_spin(Grains& grains, std::size_t begin, std::size_t 
   for_groups(grains, begin, end, [&](const Factors& factors, std::size_t first, auto how_many) {
     const std::size_t count = how_many;
     const double* acting = contact_moments + (first - 3 * begin);
+    look_ahead<kSpheres>(first / 3, grains.spin, grains.torque);
 #pragma GCC ivdep
     for (std::size_t k = 0; k < count; ++k) {
       spin[first + k] += 0.5 * factors.spin_per_torque[k] * (acting[k] - torque[first + k]);

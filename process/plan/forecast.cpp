@@ -56,12 +56,11 @@ Forecast forecast(const Scene& scene, const Tooling& tooling, const RestTimes& r
 
 Forecast forecast(const Scene& scene, const Tooling& tooling, const Pilot& pilot) {
   Forecast forecast = plan::forecast(scene, tooling, pilot.rest);
-  // Lists of near pairs serve until a grain has gone as far as they allow, a share of its size. Swift grains
-  // are allowed more, so that those count which begin to fall: they take a time that goes with the root of
-  // the way.
+  // Lists of near pairs serve until a grain has gone as far as they allow, a share of its size, and grains of
+  // any size move alike.
   const double speed_in_fall = pilot.fall_time > 0 ? fall_time(scene, tooling) / pilot.fall_time : 1;
   const double oftener = pilot.time_step > 0 ? forecast.time_step / pilot.time_step *
-                                                   std::sqrt(pilot.grain_diameter / forecast.grain_diameter)
+                                                   (pilot.grain_diameter / forecast.grain_diameter)
                                              : 1;
   // Grains that touch a wall are a layer as thick as one of them.
   const double near_tools = pilot.grain_diameter > 0 ? forecast.grain_diameter / pilot.grain_diameter : 1;

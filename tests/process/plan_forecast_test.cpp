@@ -97,10 +97,15 @@ TEST(PlanForecast, SearchesComeTheOftenerTheFinerGrainsAreAndTheFasterTheyFall) 
   pilot.time_step = bare.time_step;
   EXPECT_NEAR(*plan::forecast(planned.scene, planned.tooling, pilot).wall_seconds / bare.sphere_steps(), 3e-8,
               1e-14);
-  // Four times the grain in the same step: of three parts, two stay and one is doubled.
-  pilot.grain_diameter *= 4;
+  // Twice the grain in the same step: of three parts, two stay and one is doubled.
+  pilot.grain_diameter *= 2;
   EXPECT_NEAR(*plan::forecast(planned.scene, planned.tooling, pilot).wall_seconds / bare.sphere_steps(), 4e-8,
               1e-14);
+  // In proportion to the grains, steps do not change how often: a list is a share of a grain wide.
+  pilot.time_step *= 2;
+  EXPECT_NEAR(*plan::forecast(planned.scene, planned.tooling, pilot).wall_seconds / bare.sphere_steps(), 3e-8,
+              1e-14);
+  pilot.time_step /= 2;
   // Falling for half as long as well, the pilot's grains became half as fast.
   pilot.fall_time /= 2;
   const Forecast faster = plan::forecast(planned.scene, planned.tooling, pilot);
