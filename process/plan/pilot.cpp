@@ -201,7 +201,9 @@ double Pilot::seconds_per_sphere_step(PhaseKind kind, double in_spheres, double 
     // What is more than the same powder costs without tools is theirs.
     const double bare =
         size.points.empty() ? stepping : std::min(stepping, size.points.front().seconds_per_sphere_step);
-    return factor * bare + near_tools * (stepping - bare) + search_factor * search;
+    // Where the pilot has too little for its threads, that makes the tools' part dear as well.
+    const double tools = std::min(1.0, factor) * (stepping - bare);
+    return factor * bare + near_tools * tools + search_factor * search;
   };
   if (of(kind).sphere_steps > 0) return scaled(of(kind));
   return of(PhaseKind::fall).sphere_steps > 0 ? scaled(of(PhaseKind::fall)) : 0;

@@ -112,6 +112,30 @@ TEST(PlanForecast, SearchesComeTheOftenerTheFinerGrainsAreAndTheFasterTheyFall) 
   EXPECT_NEAR(faster.phases.front().wall_seconds / faster.phases.front().sphere_steps, 6e-8, 1e-14);
 }
 
+TEST(PlanForecast, TheShareOfGrainsThatTouchToolsFollowsTheirSizeAndHowHighPowderStands) {
+  const PlannedScene planned;
+  const Forecast bare = plan::forecast(planned.scene, planned.tooling);
+  Pilot pilot;
+  for (auto& cost : pilot.cost) cost = {3e-2, 1e6, 0.1, true, 0};
+  pilot.size.points = {{1e4, 1e-8, 1e-7}};  // two thirds of the cost are the tools'
+  pilot.spheres = 10'000;
+  pilot.grain_diameter = bare.grain_diameter;
+  pilot.fill_height = planned.scene.pour.fill_height;
+  const auto cost = [&] {
+    return *plan::forecast(planned.scene, planned.tooling, pilot).wall_seconds / bare.sphere_steps();
+  };
+  EXPECT_NEAR(cost(), 3e-8, 1e-14);
+  pilot.grain_diameter *= 2;
+  EXPECT_NEAR(cost(), 2e-8, 1e-14);
+  pilot.fill_height /= 3;
+  const Eigen::Vector3d sides = planned.scene.pour.upper - planned.scene.pour.lower;
+  const double height = planned.scene.pour.fill_height;
+  const auto bounds = [&](double h) {
+    return (sides.x() * sides.y() + 2 * h * (sides.x() + sides.y())) / (sides.x() * sides.y() * h);
+  };
+  EXPECT_NEAR(cost(), 1e-8 + 1e-8 * bounds(height) / bounds(height / 3), 1e-14);
+}
+
 TEST(PlanForecast, MemoryIsThatOfMeasuredRuns) {
   // Peaks of `diefill run` of shipped scenes: spheres, wall spheres, bytes.
   const double runs[][3] = {{53263, 219043, 598e6}, {27587, 82541, 565e6},  {30436, 154347, 588e6},

@@ -42,6 +42,10 @@ TEST(SizeCost, MultipliesThePilotsCosts) {
   pilot.cost[1].wall_seconds = 6;
   EXPECT_NEAR(pilot.seconds_per_sphere_step(PhaseKind::motion, 1e6, 1, 0.5),
               (2 * 30e-9) + (0.5 * 20e-9) + (3 * 10e-9), 1e-18);
+  // Where the pilot has too little powder for its threads, the tools' part is too dear as well.
+  pilot.spheres = 1000;
+  EXPECT_NEAR(pilot.seconds_per_sphere_step(PhaseKind::motion, 1e4, 1, 0.5),
+              (30e-9 + 0.5 * 20e-9) * 20 / 30 + 10e-9, 1e-18);
 }
 
 class SizeCostOf : public ::testing::TestWithParam<laboratory::RaceBed> {};
