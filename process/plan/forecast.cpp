@@ -11,6 +11,28 @@
 
 namespace diefill::process::plan {
 
+namespace {
+
+/// 1/m, floor and sides of powder poured so high (m) over its volume.
+double bounds_over_volume(const Scene& scene, double fill_height) {
+  double sum = 1 / fill_height;
+  for (std::size_t axis = 0; axis < 2; ++axis) {
+    const auto i = static_cast<Eigen::Index>(axis);
+    if (!scene.numerics.period[axis]) sum += 2 / (scene.pour.upper[i] - scene.pour.lower[i]);
+  }
+  return sum;
+}
+
+/// How many times as large a share of the scene's grains touches tools as of its pilot's: those that do are a
+/// layer as thick as one of them on what bounds the powder.
+double near_tools_over_pilot(const Scene& scene, const Pilot& pilot) {
+  if (pilot.grain_diameter <= 0 || pilot.fill_height <= 0) return 1;
+  return scene.powder.grain_diameter / pilot.grain_diameter *
+         bounds_over_volume(scene, scene.pour.fill_height) / bounds_over_volume(scene, pilot.fill_height);
+}
+
+}  // namespace
+
 double Forecast::steps() const {
   double sum = 0;
   for (const auto& phase : phases) sum += phase.steps;
@@ -54,28 +76,6 @@ Forecast forecast(const Scene& scene, const Tooling& tooling, const RestTimes& r
   return forecast;
 }
 
-namespace {
-
-/// 1/m, floor and sides of powder poured so high (m) over its volume.
-double bounds_over_volume(const Scene& scene, double fill_height) {
-  double sum = 1 / fill_height;
-  for (std::size_t axis = 0; axis < 2; ++axis) {
-    const auto i = static_cast<Eigen::Index>(axis);
-    if (!scene.numerics.period[axis]) sum += 2 / (scene.pour.upper[i] - scene.pour.lower[i]);
-  }
-  return sum;
-}
-
-/// How many times as large a share of the scene's grains touches tools as of its pilot's: those that do are a
-/// layer as thick as one of them on what bounds the powder.
-double touch_tools_more(const Scene& scene, const Pilot& pilot) {
-  if (pilot.grain_diameter <= 0 || pilot.fill_height <= 0) return 1;
-  return scene.powder.grain_diameter / pilot.grain_diameter *
-         bounds_over_volume(scene, scene.pour.fill_height) / bounds_over_volume(scene, pilot.fill_height);
-}
-
-}  // namespace
-
 Forecast forecast(const Scene& scene, const Tooling& tooling, const Pilot& pilot) {
   Forecast forecast = plan::forecast(scene, tooling, pilot.rest);
   // Lists of near pairs serve until a grain has gone as far as they allow, a share of its size, and grains of
@@ -84,7 +84,7 @@ Forecast forecast(const Scene& scene, const Tooling& tooling, const Pilot& pilot
   const double oftener = pilot.time_step > 0 ? forecast.time_step / pilot.time_step *
                                                    (pilot.grain_diameter / forecast.grain_diameter)
                                              : 1;
-  const double near_tools = touch_tools_more(scene, pilot);
+  const double near_tools = near_tools_over_pilot(scene, pilot);
   double sum = 0;
   for (auto& part : forecast.phases) {
     const double spheres = part.phase.share * static_cast<double>(forecast.spheres);
