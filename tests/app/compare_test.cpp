@@ -5,6 +5,7 @@
 #include <cstdlib>
 #include <thread>
 
+#include "project_paths.h"
 #include "tests/app/small_die.h"
 
 namespace diefill::app {

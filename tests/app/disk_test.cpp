@@ -3,6 +3,7 @@
 
 #include <cstdlib>
 
+#include "project_paths.h"
 #include "tests/app/small_die.h"
 
 namespace diefill::app {

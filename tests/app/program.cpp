@@ -10,6 +10,8 @@
 #include <cstdlib>
 #include <stdexcept>
 
+#include "project_paths.h"
+
 namespace diefill::app {
 
 namespace {

@@ -11,7 +11,7 @@ mkdir -p "$1/corpus" "$1/objects"
 out=$(cd "$1" && pwd)
 build=$(cd "$2" && pwd)
 flags="-std=c++20 -O1 -gline-tables-only -I$source -isystem /usr/include/eigen3 -isystem /usr/include/opencascade
--isystem /usr/include/lib3mf -DDIEFILL_SOURCE_DIR=\"$source\""
+-isystem /usr/include/lib3mf -I$build/tests/include"
 sanitizers=,address
 reading=tests/fuzz/read_in_process.cpp
 if [ "${3:-}" = children ]; then

@@ -4,6 +4,7 @@
 
 #include "geometry/mesh_import.h"
 #include "geometry/mesh_repair.h"
+#include "project_paths.h"
 #include "tests/geometry/broken_files.h"
 #include "tests/geometry/mesh_files.h"
 #include "tests/geometry/sample_meshes.h"

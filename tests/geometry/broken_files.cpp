@@ -5,6 +5,7 @@
 #include <functional>
 #include <limits>
 
+#include "project_paths.h"
 #include "tests/geometry/mesh_files.h"
 #include "tests/geometry/sample_meshes.h"
 #include "tests/support/temporary_folder.h"

@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "geometry/mesh_import.h"
+#include "project_paths.h"
 
 namespace diefill::geometry::sample {
 

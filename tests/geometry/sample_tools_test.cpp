@@ -8,6 +8,7 @@
 
 #include "geometry/mesh_check.h"
 #include "geometry/mesh_import.h"
+#include "project_paths.h"
 #include "tests/geometry/sample_tool_files.h"
 
 namespace diefill::geometry {

@@ -6,6 +6,7 @@
 #include "process/scene/powder_presets.h"
 #include "process/scene/scene.h"
 #include "process/scene/variants.h"
+#include "project_paths.h"
 #include "tests/process/scene_files.h"
 #include "tests/process/wrong_scene.h"
 #include "tests/support/temporary_folder.h"

@@ -7,6 +7,8 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "project_paths.h"
+
 namespace diefill::project {
 
 namespace {

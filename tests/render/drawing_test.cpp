@@ -2,6 +2,7 @@
 
 #include <cstdlib>
 
+#include "project_paths.h"
 #include "render/pictures.h"
 #include "tests/support/image_compare.h"
 

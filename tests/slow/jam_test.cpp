@@ -5,6 +5,7 @@
 #include "process/run/fill_run.h"
 #include "process/run/material.h"
 #include "process/run/tooling.h"
+#include "project_paths.h"
 #include "tests/support/scene_text.h"
 #include "tests/support/temporary_folder.h"
 

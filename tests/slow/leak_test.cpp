@@ -12,6 +12,7 @@
 #include "geometry/mesh_import.h"
 #include "geometry/solid_query.h"
 #include "geometry/wall_spheres.h"
+#include "project_paths.h"
 
 namespace diefill::process {
 namespace {
