@@ -52,6 +52,10 @@ std::string text_of(const std::string& file) {
   return text.str();
 }
 
+bool exists_beside(const std::string& file, const std::string& link) {
+  return std::filesystem::exists((std::filesystem::path(DIEFILL_SOURCE_DIR) / file).parent_path() / link);
+}
+
 std::vector<std::string> lines_of(const std::string& text) {
   std::vector<std::string> lines;
   std::istringstream stream(text);

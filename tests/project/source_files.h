@@ -12,6 +12,8 @@ std::vector<std::string> source_files();
 std::vector<std::string> written_files();
 
 std::string text_of(const std::string& file);
+/// Whether `link` leads to a file or folder, counted from the folder of `file`.
+bool exists_beside(const std::string& file, const std::string& link);
 /// Lines without their ends.
 std::vector<std::string> lines_of(const std::string& text);
 /// One below the other, to be shown.
