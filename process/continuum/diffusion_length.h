@@ -1,0 +1,25 @@
+// How readily powder flows sideways, as the kinematic model has it: the length B that takes the place of a
+// diffusivity, constant or growing towards the solid fraction of powder at rest.
+#pragma once
+
+#include <functional>
+
+namespace diefill::process::continuum {
+
+/// m, of the solid fraction. Throws std::domain_error where it has no meaning.
+using DiffusionLength = std::function<double(double)>;
+
+/// The same everywhere (Bierwisch 2009, Eq. 5.2).
+DiffusionLength constant_length(double length);
+
+/// B(n) of a powder whose solid fraction changes as it flows (Bierwisch 2009, Eqs. 5.5, 5.6).
+struct LengthOfFraction {
+  double smallest = 0.116e-3;  ///< m, B_0; nu D with nu = 0.0077 for other openings (Eq. 5.10)
+  double diverging = 0.353;    ///< n_div
+  double peak = 0.347;         ///< n_peak, below n_div: beyond it B falls again
+
+  /// m. Throws std::domain_error for fractions at which the formula would not be positive.
+  double operator()(double fraction) const;
+};
+
+}  // namespace diefill::process::continuum
