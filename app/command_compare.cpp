@@ -1,4 +1,3 @@
-#include <csignal>
 #include <cstdio>
 #include <thread>
 
@@ -8,6 +7,7 @@
 #include "app/exit_code.h"
 #include "app/output.h"
 #include "app/scene_choice.h"
+#include "app/stop_signals.h"
 #include "process/compare/collect.h"
 #include "process/compare/job_folder.h"
 #include "process/compare/run_jobs.h"
@@ -15,12 +15,6 @@
 namespace diefill::app {
 
 namespace {
-
-std::atomic<bool> stop_asked{false};
-
-void ask_to_stop(int) {
-  stop_asked.store(true);
-}
 
 struct CompareArguments {
   std::string scene, setting, out, export_to, collect_from;
@@ -79,7 +73,9 @@ results::JobList jobs_in(const std::filesystem::path& directory, const CompareAr
 
 int export_jobs(const CompareArguments& arguments) {
   const std::filesystem::path directory = arguments.export_to;
-  const auto list = jobs_in(directory, arguments, checked_variants(arguments));
+  const auto variants = checked_variants(arguments);
+  const OutputDirectory output(directory, {"tools"});
+  const auto list = jobs_in(directory, arguments, variants);
   write_output([&] { process::write_job_scripts(directory, list); });
   std::printf(
       "%zu runs in %s; copy it anywhere and there\n"
@@ -96,6 +92,7 @@ int compare(const CompareArguments& arguments) {
   const auto variants = checked_variants(arguments);
   const std::filesystem::path directory =
       arguments.out.empty() ? default_directory(arguments.scene) : std::filesystem::path(arguments.out);
+  const OutputDirectory output(directory, {"tools", "beginnings"});
   const auto list = jobs_in(directory, arguments, variants);
   process::JobOptions options;
   options.program = std::filesystem::read_symlink("/proc/self/exe");
@@ -103,9 +100,7 @@ int compare(const CompareArguments& arguments) {
   options.cores = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
   options.share_beginnings = true;
   options.show_progress = !arguments.quiet;
-  options.stop = &stop_asked;
-  std::signal(SIGINT, ask_to_stop);
-  std::signal(SIGTERM, ask_to_stop);
+  options.stop = &heed_stop_signals();
   process::run_jobs(directory, list, options);
   return gather(directory);
 }

@@ -1,13 +1,15 @@
-#include <csignal>
 #include <cstdio>
+#include <optional>
 #include <thread>
 
 #include "app/commands.h"
 #include "app/drawing.h"
+#include "app/earlier_run.h"
 #include "app/exit_code.h"
 #include "app/freed_memory.h"
 #include "app/output.h"
 #include "app/scene_choice.h"
+#include "app/stop_signals.h"
 #include "process/results/group_names.h"
 #include "process/results/probe_table.h"
 #include "process/results/result_file.h"
@@ -17,12 +19,6 @@
 namespace diefill::app {
 
 namespace {
-
-std::atomic<bool> stop_asked{false};
-
-void ask_to_stop(int) {
-  stop_asked.store(true);
-}
 
 struct RunArguments {
   std::string scene, directory, setting, beginnings;
@@ -65,10 +61,7 @@ void print_summary(const results::FillResult& result) {
   for (const auto& warning : result.warnings) std::printf("note: %s\n", warning.c_str());
 }
 
-int run(const RunArguments& arguments) {
-  const process::Scene scene = wanted_scene(arguments.scene, arguments.setting);
-  const auto tooling = prepared_tooling(scene, !arguments.quiet);
-
+process::RunOptions options_of(const RunArguments& arguments, const process::Scene& scene) {
   process::RunOptions options;
   options.directory = arguments.directory.empty() ? default_directory(scene.file)
                                                   : std::filesystem::path(arguments.directory);
@@ -78,7 +71,26 @@ int run(const RunArguments& arguments) {
   options.resume = arguments.resume;
   options.beginnings = arguments.beginnings;
   options.show_progress = !arguments.quiet;
-  options.stop = &stop_asked;
+  return options;
+}
+
+/// Says that numerics.max_time was over before the scene.
+int unfinished(const process::FillRun& fill) {
+  std::fprintf(stderr,
+               "diefill: %s: results are of what there is; with a larger max_time the same command with "
+               "--resume goes on\n",
+               fill.why_unfinished().c_str());
+  return kUnfinished;
+}
+
+int run(const RunArguments& arguments) {
+  const process::Scene scene = wanted_scene(arguments.scene, arguments.setting);
+  process::RunOptions options = options_of(arguments, scene);
+  std::optional<OutputDirectory> output;
+  // Before work that a second run would do in vain.
+  if (std::filesystem::exists(options.directory)) output.emplace(options.directory);
+  const auto tooling = prepared_tooling(scene, !arguments.quiet);
+  if (arguments.resume && is_finished(options.directory, scene, tooling)) return kDone;
   const auto folder = [&](const std::string& name) {
     return options.directory / "snapshots" / results::group_names({name}).front();
   };
@@ -90,11 +102,11 @@ int run(const RunArguments& arguments) {
     });
   };
   give_back_freed_memory();
+  options.stop = &heed_stop_signals();
   process::FillRun fill(scene, tooling, options);
-  std::signal(SIGINT, ask_to_stop);
-  std::signal(SIGTERM, ask_to_stop);
-  make_output_directory(options.directory);
+  if (!output) output.emplace(options.directory);
   if (!options.beginnings.empty()) make_output_directory(options.beginnings);
+  keep_earlier_results(options.directory, arguments.resume);
   fill.run();
 
   const auto result = process::assemble(scene, tooling, fill);
@@ -105,13 +117,14 @@ int run(const RunArguments& arguments) {
     results::write_probe_tables(options.directory, result);
     if (!arguments.no_pictures) pictures = draw(options.directory, result);
   });
-  std::filesystem::remove(process::checkpoint_file(options.directory));
+  const bool finished = fill.why_unfinished().empty();
+  if (finished) std::filesystem::remove(process::checkpoint_file(options.directory));
   print_summary(result);
   std::printf("results in %s: report.json, results.h5 (results.xdmf for ParaView)",
               options.directory.string().c_str());
   for (const auto& picture : pictures) std::printf(", %s", picture.filename().string().c_str());
   std::printf("\n");
-  return kDone;
+  return finished ? kDone : unfinished(fill);
 }
 
 }  // namespace
@@ -128,7 +141,8 @@ void add_run(CLI::App& program, Action& chosen) {
                    "threads (default: all cores); results do not depend on it")
       ->check(CLI::Range(1, 1024));
   add_setting(*command, arguments->setting);
-  command->add_flag("--resume", arguments->resume, "go on from the checkpoint in the results directory");
+  command->add_flag("--resume", arguments->resume,
+                    "go on from the checkpoint in the results directory; what is finished stays");
   command->add_option("--beginnings", arguments->beginnings,
                       "directory in which runs that begin alike leave that part for each other");
   command->add_flag("--no-pictures", arguments->no_pictures, "draw nothing; diefill map does it later");
@@ -140,7 +154,11 @@ void add_run(CLI::App& program, Action& chosen) {
       "  diefill run my_die.toml --setting quick                   a first look (diefill plan says what it "
       "is)\n"
       "  diefill run my_die.toml --out results/my_die --resume     after Ctrl-C or a crash\n"
-      "Exit codes: 0 done, 1 failed, 2 bad input, 3 the method's valid range was left, 130 stopped (can be "
+      "What an earlier run has left in the directory is kept in its folder previous-1, previous-2, ...\n"
+      "Exit codes: 0 done, 1 failed, 2 bad input, 3 the method's valid range was left, 4 unfinished: "
+      "numerics.max_time\n"
+      "was over before the scene (results of what there is; can be resumed with a larger one), 130 stopped "
+      "(can be\n"
       "resumed).");
   command->callback([arguments, &chosen] { chosen = [arguments] { return run(*arguments); }; });
 }

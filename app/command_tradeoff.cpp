@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <csignal>
 #include <cstdio>
 #include <thread>
 
@@ -9,6 +8,7 @@
 #include "app/drawing.h"
 #include "app/exit_code.h"
 #include "app/output.h"
+#include "app/stop_signals.h"
 #include "app/tradeoff_table.h"
 #include "process/results/tradeoff.h"
 #include "process/tradeoff/trade_off.h"
@@ -17,12 +17,6 @@
 namespace diefill::app {
 
 namespace {
-
-std::atomic<bool> stop_asked{false};
-
-void ask_to_stop(int) {
-  stop_asked.store(true);
-}
 
 struct TradeoffArguments {
   std::string scene, out, reference;
@@ -83,7 +77,6 @@ process::TradeoffOptions options_of(const TradeoffArguments& arguments) {
   options.jobs.threads = arguments.threads;
   options.jobs.pictures = false;
   options.jobs.show_progress = !arguments.quiet;
-  options.jobs.stop = &stop_asked;
   if (arguments.budget > 0) options.jobs.cpu_seconds = 60 * arguments.budget;
   return options;
 }
@@ -117,13 +110,12 @@ std::vector<std::string> write_all(const std::filesystem::path& directory,
 
 int trade_off(const TradeoffArguments& arguments) {
   const auto scene = process::read_scene(arguments.scene);
-  const auto options = options_of(arguments);
+  auto options = options_of(arguments);
   std::vector<process::KnobValues> knobs;
   for (const auto& text : arguments.vary) knobs.push_back(process::read_vary(text));
   auto plan = process::plan_tradeoff(scene, knobs, options);
-  make_output_directory(options.directory);
-  std::signal(SIGINT, ask_to_stop);
-  std::signal(SIGTERM, ask_to_stop);
+  const OutputDirectory output(options.directory, {"tools"});
+  options.jobs.stop = &heed_stop_signals();
   const auto tradeoff = process::trade_off(scene, std::move(plan), options);
   const auto written = write_all(options.directory, tradeoff);
   std::printf("%sin %s:", tradeoff_table(tradeoff).c_str(), options.directory.string().c_str());

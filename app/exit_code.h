@@ -8,9 +8,10 @@ namespace diefill::app {
 /// Exit codes of the program, for scripts.
 enum ExitCode : int {
   kDone = 0,
-  kFailed = 1,        ///< a full disk, a missing library: not the scene's fault
-  kBadInput = 2,      ///< the scene, the CAD or the command line
-  kOutOfRange = 3,    ///< the run left the method's valid range
+  kFailed = 1,      ///< a full disk, a missing library: not the scene's fault
+  kBadInput = 2,    ///< the scene, the CAD or the command line
+  kOutOfRange = 3,  ///< the run left the method's valid range
+  kUnfinished = 4,  ///< numerics.max_time was over before the scene: results of what there is, can be resumed
   kInterrupted = 130  ///< stopped by the user, can be resumed
 };
 

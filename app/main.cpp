@@ -3,6 +3,7 @@
 
 #include "app/commands.h"
 #include "app/exit_code.h"
+#include "app/output.h"
 #include "process/run/assemble.h"
 
 int main(int argc, char** argv) {
@@ -25,7 +26,10 @@ int main(int argc, char** argv) {
   try {
     program.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    return program.exit(error) == 0 ? diefill::app::kDone : diefill::app::kBadInput;
+    if (program.exit(error) != 0) return diefill::app::kBadInput;
+    return diefill::app::standard_output_is_whole() ? diefill::app::kDone : diefill::app::kFailed;
   }
-  return diefill::app::guarded(chosen);
+  const int code = diefill::app::guarded(chosen);
+  if (!diefill::app::standard_output_is_whole() && code == diefill::app::kDone) return diefill::app::kFailed;
+  return code;
 }

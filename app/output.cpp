@@ -3,9 +3,13 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <iostream>
 #include <stdexcept>
 #include <system_error>
 
+#include "process/results/atomic_file.h"
 #include "process/results/result_file.h"
 
 namespace diefill::app {
@@ -18,6 +22,33 @@ void make_output_directory(const std::filesystem::path& directory) {
   if (error)
     throw std::runtime_error("cannot write into " + directory.string() + ": " + error.message() +
                              "; name another directory with --out");
+}
+
+OutputDirectory::OutputDirectory(const std::filesystem::path& directory,
+                                 const std::vector<std::string>& folders) {
+  make_output_directory(directory);
+  try {
+    lock_ = std::make_unique<results::DirectoryLock>(directory);
+  } catch (const results::DirectoryInUse&) {
+    throw;
+  } catch (const results::ResultError& error) {
+    throw std::runtime_error(std::string(error.what()) + "; name another directory with --out");
+  }
+  if (!lock_->held())
+    std::fprintf(stderr, "note: the file system of %s knows no locks: let no second run write into it\n",
+                 directory.c_str());
+  results::remove_abandoned_files(directory);
+  for (const std::string& folder : folders) results::remove_abandoned_files(directory / folder);
+}
+
+bool standard_output_is_whole() {
+  errno = 0;
+  std::cout.flush();
+  const bool flushed = std::fflush(stdout) == 0;
+  if (flushed && std::ferror(stdout) == 0 && std::cout.good()) return true;
+  std::fprintf(stderr, "diefill: what was to be said could not be written to standard output%s%s\n",
+               errno == 0 ? "" : ": ", errno == 0 ? "" : std::strerror(errno));
+  return false;
 }
 
 void write_output(const std::function<void()>& write) {

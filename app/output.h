@@ -3,12 +3,33 @@
 
 #include <filesystem>
 #include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "process/results/directory_lock.h"
 
 namespace diefill::app {
 
 /// Makes the directory, with those above it, before hours are spent on what is to go there. Throws
 /// std::runtime_error, in one line, when it cannot be made or written to.
 void make_output_directory(const std::filesystem::path& directory);
+
+/// A directory made as above and this command's own for the life of this object; temporary files of killed
+/// runs are removed from it and its `folders`. Throws results::DirectoryInUse where another program writes
+/// into it.
+class OutputDirectory {
+ public:
+  explicit OutputDirectory(const std::filesystem::path& directory,
+                           const std::vector<std::string>& folders = {});
+
+ private:
+  std::unique_ptr<results::DirectoryLock> lock_;
+};
+
+/// Whether all that was written to standard output has got there; says on standard error, in one line, why
+/// not.
+bool standard_output_is_whole();
 
 /// Calls `write`. A results::ResultError of writing, as on a full disk, goes on as a std::runtime_error: not
 /// the scene's fault.

@@ -12,6 +12,7 @@
 #include "process/compare/child_process.h"
 #include "process/compare/job_folder.h"
 #include "process/results/atomic_file.h"
+#include "process/results/directory_lock.h"
 #include "process/results/job_cost.h"
 #include "process/run/fill_run.h"
 #include "process/run/progress.h"
@@ -84,6 +85,15 @@ class JobPool {
     return options_.cpu_seconds - spent_ - running;
   }
 
+  /// The run of a comparison that was killed may still be writing its checkpoint.
+  void wait_for_earlier_run(const fs::path& folder) const {
+    constexpr auto kPatience = std::chrono::seconds(60);
+    const auto start = Clock::now();
+    const auto stop_asked = [this] { return options_.stop != nullptr && options_.stop->load(); };
+    while (results::lock_holder(folder) && !stop_asked() && Clock::now() - start < kPatience)
+      ::usleep(kPause);
+  }
+
   void start_next() {
     const results::Job& job = *waiting_.front();
     waiting_.erase(waiting_.begin());
@@ -92,6 +102,7 @@ class JobPool {
       return;
     }
     const fs::path folder = directory_ / job.folder;
+    wait_for_earlier_run(folder);
     fs::remove(folder / kJobExitCode);
     const int threads =
         options_.threads > 0 ? options_.threads : std::max(1, options_.cores / options_.at_once);

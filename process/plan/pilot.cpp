@@ -148,6 +148,7 @@ class PilotRun {
     pilot_.spheres = run.simulation().grains().size() * run.simulation().settings().shape.spheres();
     try {
       run.run();
+      pilot_.stopped = run.why_unfinished();
     } catch (const Interrupted&) {
       pilot_.stopped = "its time was over";
     } catch (const engine::OutOfRange& error) {

@@ -6,7 +6,10 @@
 #include <atomic>
 #include <cerrno>
 #include <cstring>
+#include <optional>
+#include <regex>
 #include <string>
+#include <vector>
 
 #include "process/results/result_file.h"
 
@@ -91,6 +94,25 @@ void flush_directory(const fs::path& directory) {
   if (handle.valid()) ::fsync(handle.number());
 }
 
+/// The process that a temporary file is of, by its name: `<target>.<process>-<number>.tmp`; nothing for other
+/// files.
+std::optional<pid_t> writer_of(const std::string& name) {
+  static const std::regex temporary(R"(.+\.([0-9]{1,9})-[0-9]+\.tmp)");
+  std::smatch parts;
+  if (!std::regex_match(name, parts, temporary)) return std::nullopt;
+  return static_cast<pid_t>(std::stol(parts[1]));
+}
+
+/// Whether a process of this number runs the program that we are; numbers come again. One that may not be
+/// looked at counts as at work.
+bool is_at_work(pid_t process) {
+  if (process == ::getpid()) return false;  // we have just begun
+  std::error_code error;
+  const fs::path program = fs::read_symlink("/proc/" + std::to_string(process) + "/exe", error);
+  if (error) return error != std::errc::no_such_file_or_directory;
+  return program.filename() == fs::read_symlink("/proc/self/exe", error).filename();
+}
+
 void write_all(const fs::path& path, std::string_view text) {
   Descriptor file(::open(path.c_str(), O_WRONLY | O_TRUNC | O_CLOEXEC));
   if (!file.valid()) throw ResultError(std::strerror(errno));
@@ -119,6 +141,16 @@ void write_atomically(const fs::path& target, const std::function<void(const fs:
 
 void write_text_atomically(const fs::path& target, std::string_view text) {
   write_atomically(target, [text](const fs::path& path) { write_all(path, text); });
+}
+
+void remove_abandoned_files(const fs::path& directory) {
+  std::error_code ignored;
+  std::vector<fs::path> abandoned;
+  for (const auto& entry : fs::directory_iterator(directory, ignored)) {
+    const auto writer = writer_of(entry.path().filename().string());
+    if (writer && entry.is_regular_file(ignored) && !is_at_work(*writer)) abandoned.push_back(entry.path());
+  }
+  for (const fs::path& file : abandoned) fs::remove(file, ignored);
 }
 
 }  // namespace diefill::results

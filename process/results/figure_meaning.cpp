@@ -13,6 +13,7 @@ struct Meaning {
 };
 
 constexpr std::array kKnown = {
+    Meaning{"finished", "1", "1: the scene was over; 0: an earlier instant of it"},
     Meaning{"filled_mass_kg", "kg", "mass of the grains whose centre lies in the cavity"},
     Meaning{"grains", "1", "number of grains"},
     Meaning{"spheres", "1", "number of basic spheres of the powder"},

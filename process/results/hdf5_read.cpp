@@ -8,10 +8,23 @@ hid_t open(const std::filesystem::path& file) {
   if (!std::filesystem::is_regular_file(file, error))
     throw ResultError(file.string() +
                       ": no such results file; run the scene first or name another directory");
-  if (H5Fis_hdf5(file.c_str()) <= 0)
-    throw ResultError(file.string() + ": not an HDF5 file, or its beginning is damaged; run the scene again");
-  const hid_t id = H5Fopen(file.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
-  if (id < 0) throw ResultError(file.string() + ": damaged or cut short; run the scene again");
+  Hdf5Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
+  H5Pset_file_locking(access.id(), false, true);
+  const hid_t id = H5Fopen(file.c_str(), H5F_ACC_RDONLY, access.id());
+  if (id < 0)
+    throw ResultError(file.string() + ": not an HDF5 file, or damaged or cut short; run the scene again");
+  return id;
+}
+
+hid_t open_image(const std::filesystem::path& file, const std::string& bytes) {
+  constexpr std::size_t kGrowth = 4096;  // bytes; nothing is written
+  Hdf5Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
+  // HDF5 copies the bytes and leaves ours alone.
+  void* const image = const_cast<char*>(bytes.data());
+  const bool set = H5Pset_fapl_core(access.id(), kGrowth, false) >= 0 &&
+                   H5Pset_file_image(access.id(), image, bytes.size()) >= 0;
+  const hid_t id = set ? H5Fopen(file.c_str(), H5F_ACC_RDONLY, access.id()) : -1;
+  if (id < 0) throw ResultError(file.string() + ": HDF5 cannot open it; run the scene again");
   return id;
 }
 
@@ -30,6 +43,9 @@ bool is_text(hid_t type) {
 
 Hdf5Reader::Hdf5Reader(const std::filesystem::path& file)
     : file_name_(file.string()), file_(open(file), H5Fclose) {}
+
+Hdf5Reader::Hdf5Reader(const std::filesystem::path& file, const std::string& bytes)
+    : file_name_(file.string()), file_(open_image(file, bytes), H5Fclose) {}
 
 void Hdf5Reader::fail(const std::string& name, const std::string& what) const {
   throw ResultError(file_name_ + ": " + path_ + "/" + name + " " + what +

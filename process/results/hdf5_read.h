@@ -14,8 +14,10 @@ namespace diefill::results {
 /// Half of the pair that walks through the schema (schema.h); the other is Hdf5Writer. Throws ResultError.
 class Hdf5Reader {
  public:
-  /// Throws where the file is missing, damaged, or not one that HDF5 can open.
+  /// Throws where the file is missing, damaged, or not one that HDF5 can open. Takes no lock and heeds none.
   explicit Hdf5Reader(const std::filesystem::path& file);
+  /// The same of a file's bytes; `file` stands in messages.
+  Hdf5Reader(const std::filesystem::path& file, const std::string& bytes);
 
   void field(const std::string& name, double& value, const char*, const char*) { number(name, value); }
   void field(const std::string& name, std::uint64_t& value, const char*, const char*) { number(name, value); }

@@ -58,6 +58,10 @@ Json report(const FillResult& result) {
   json["title"] = result.title;
   json["strategy"] = result.strategy;
   json["powder"] = result.powder_name;
+  if (const auto finished = figures.find("finished"); finished != figures.end()) {
+    json["finished"] = finished->second != 0;
+    figures.erase(finished);
+  }
   take("filled_mass_kg");
   json["solid_fraction"] = summary(result.summary);
   for (const char* name : {"grains", "spheres", "wall_spheres", "steps", "time_step_s", "simulated_s",

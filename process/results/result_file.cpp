@@ -7,13 +7,16 @@
 #include "process/results/hdf5_write.h"
 #include "process/results/result_check.h"
 #include "process/results/schema.h"
+#include "process/results/sealed_file.h"
 #include "process/results/sphere_view.h"
+#include "process/results/unsealed_file.h"
 #include "process/results/xdmf.h"
 
 namespace diefill::results {
 namespace {
 
 constexpr const char* kFileName = "results.h5";
+constexpr const char* kSealed = "hash_at_end";  // attribute: the file ends in a hash of its contents
 
 void make_directory(const std::filesystem::path& directory) {
   std::error_code error;
@@ -39,6 +42,7 @@ std::string file_image(const FillResult& result) {
   Hdf5Writer file;
   file.file_attribute("format", kFormat);
   file.file_attribute("schema_version", kSchemaVersion);
+  file.file_attribute(kSealed, 1);
   file.file_attribute("program_version", result.program_version);
   file.file_attribute(
       "description",
@@ -49,8 +53,8 @@ std::string file_image(const FillResult& result) {
   return file.finish();
 }
 
-FillResult read_checked(const std::filesystem::path& path) {
-  Hdf5Reader file(path);
+/// Throws unless the file holds results of a version that can be read.
+void check_format(Hdf5Reader& file, const std::filesystem::path& path) {
   if (file.file_text("format") != kFormat)
     throw ResultError(path.string() + ": an HDF5 file, but not results of diefill; name another directory");
   const int version = file.file_number("schema_version");
@@ -59,8 +63,51 @@ FillResult read_checked(const std::filesystem::path& path) {
                       ", but this program reads versions " + std::to_string(kOldestSchemaVersion) + " to " +
                       std::to_string(kSchemaVersion) + "; run the scene again with this program");
   if (version < kSchemaVersion) file.allow_missing_lists();
+}
+
+FillResult described_in(Hdf5Reader& file, const std::filesystem::path& path) {
+  check_format(file, path);
   FillResult result;
   describe(file, result);
+  try {
+    check_lengths(result);
+  } catch (const ResultError& error) {
+    throw ResultError(path.string() + ": damaged: " + error.what() + "; run the scene again");
+  }
+  return result;
+}
+
+/// Results of an earlier version, which had no hash of their contents, as the image of a file that this
+/// version writes.
+std::string earlier_image(const std::filesystem::path& path) {
+  Hdf5Reader file(path);
+  check_format(file, path);
+  if (file.file_number(kSealed) == 1)
+    throw ResultError(path.string() +
+                      ": damaged or cut short: the hash of its contents, which stands at its "
+                      "end, is not there; run the scene again");
+  return file_image(described_in(file, path));
+}
+
+FillResult read_checked(const std::filesystem::path& path) {
+  if (std::error_code error; !std::filesystem::is_regular_file(path, error))
+    throw ResultError(path.string() +
+                      ": no such results file; run the scene first or name another directory");
+  if (ends_in_seal(path)) {
+    const auto contents = read_sealed(path);
+    if (!contents)
+      throw ResultError(path.string() +
+                        ": damaged: its contents are not those that were written (their hash "
+                        "is another); run the scene again");
+    Hdf5Reader file(path, *contents);
+    return described_in(file, path);
+  }
+  const std::string image = read_in_child(path, [&] { return earlier_image(path); });
+  Hdf5Reader file(path, image);
+  FillResult result = described_in(file, path);
+  result.warnings.emplace_back(
+      "these results are of an earlier version, which kept no hash of them: damage to single numbers would "
+      "go unnoticed");
   return result;
 }
 
@@ -69,16 +116,14 @@ FillResult read_checked(const std::filesystem::path& path) {
 void write_results(const std::filesystem::path& directory, const FillResult& result) {
   check_lengths(result);
   make_directory(directory);
-  write_text_atomically(directory / kFileName, file_image(result));
+  write_text_atomically(directory / kFileName, sealed(file_image(result)));
   write_text_atomically(directory / "results.xdmf", xdmf_text(result, kFileName));
 }
 
 FillResult read_results(const std::filesystem::path& directory) {
   const std::filesystem::path path = directory / kFileName;
   try {
-    FillResult result = read_checked(path);
-    check_lengths(result);
-    return result;
+    return read_checked(path);
   } catch (const std::bad_alloc&) {
     throw ResultError(path.string() + ": does not fit into memory or is damaged");
   } catch (const std::length_error&) {

@@ -132,6 +132,7 @@ void add_figures(const Scene& scene, results::FillResult& result, const Tooling&
   const auto& settings = simulation.settings();
   const auto grains = static_cast<double>(result.powder.id.size());
   auto& figures = result.figures;
+  figures["finished"] = run.schedule().finished() ? 1 : 0;
   figures["filled_mass_kg"] = filled_mass(result.powder, result.solid_fraction);
   figures["grains"] = grains;
   figures["spheres"] = grains * static_cast<double>(settings.shape.spheres());
@@ -242,6 +243,14 @@ std::vector<results::SectionPlane> wanted_sections(const Scene& scene) {
   return planes;
 }
 
+/// What stands behind the names of a scene that is not over, so that pages and pictures tell.
+std::string unfinished_mark(const FillRun& run) {
+  if (!run.ran_out_of_time()) return {};
+  char text[60];
+  std::snprintf(text, sizeof text, " (UNFINISHED, at t = %.4g s)", run.simulation().time());
+  return text;
+}
+
 std::string hexadecimal(std::uint64_t value) {
   char text[17];
   std::snprintf(text, sizeof text, "%016llx", static_cast<unsigned long long>(value));
@@ -314,8 +323,9 @@ void measure_fields(results::FillResult& result, const FieldRequest& request, in
 
 results::FillResult assemble(const Scene& scene, const Tooling& tooling, const FillRun& run) {
   results::FillResult result;
-  result.title = scene.title;
-  result.strategy = strategy_in_words(scene);
+  const std::string mark = unfinished_mark(run);
+  result.title = scene.title + mark;
+  result.strategy = strategy_in_words(scene) + mark;
   result.powder_name = scene.powder.name;
   result.scene_text = scene.text;
   result.program_version = program_version();

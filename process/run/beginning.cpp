@@ -8,6 +8,7 @@
 #include "process/machine/powder_inflow.h"
 #include "process/machine/step.h"
 #include "process/results/result_file.h"
+#include "process/scene/identity.h"
 #include "process/scene/scene_text.h"
 
 namespace diefill::process {
@@ -36,10 +37,8 @@ void drop_last_without_plan(toml::array& steps) {
 }
 
 /// The scene's text without what has no part in the run so far.
-std::string acting_text(const Scene& scene, const ScheduleState& schedule, double now) {
-  toml::table document = parse_scene_text(scene.text, scene.file);
-  document.erase("title");
-  document.erase("variant");
+std::string text_so_far(const Scene& scene, const ScheduleState& schedule, double now) {
+  toml::table document = acting_document(scene.text, scene.file);
   document.erase("snapshot");
   for (std::size_t k = 0; k < scene.steps.size(); ++k) {
     toml::table& step = *document["step"][k].as_table();
@@ -75,7 +74,7 @@ void add_tools(engine::Fnv1a& hash, const Tooling& tooling) {
 std::uint64_t beginning_hash(const Scene& scene, const Tooling& tooling, const RunFrame& frame,
                              const ScheduleState& schedule, double now) {
   engine::Fnv1a hash;
-  hash.add(acting_text(scene, schedule, now));
+  hash.add(text_so_far(scene, schedule, now));
   hash.add_number(scene.seed);
   add_tools(hash, tooling);
   hash.add_number(frame.time_step);

@@ -18,9 +18,10 @@ struct RunFrame {
   geometry::Box domain;  ///< m, grains beyond it leave the computation
 };
 
-/// Hash of all that has acted on a run up to `now` (s): the scene but for its title, its snapshots and for
-/// what steps do that have not begun, or begin at this very instant without having touched the powder; walls
-/// as they are laid; time step and domain. Runs of one hash are in the same state, bit for bit.
+/// Hash of all that has acted on a run up to `now` (s): the scene but for its title, its limits and
+/// intervals of computing (scene/identity.h), its snapshots and for what steps do that have not begun, or
+/// begin at this very instant without having touched the powder; walls as they are laid; time step and
+/// domain. Runs of one hash are in the same state, bit for bit.
 std::uint64_t beginning_hash(const Scene& scene, const Tooling& tooling, const RunFrame& frame,
                              const ScheduleState& schedule, double now);
 

@@ -5,12 +5,9 @@
 #include <cmath>
 #include <cstdio>
 
-#include "engine/fnv1a.h"
 #include "engine/pinched_grains.h"
 #include "process/machine/clear.h"
 #include "process/measure/cavity_position.h"
-#include "process/results/result_file.h"
-#include "process/run/beginning.h"
 #include "process/run/carried_powder.h"
 #include "process/run/die_frame.h"
 #include "process/run/economies.h"
@@ -83,57 +80,9 @@ FillRun::FillRun(const Scene& scene, const Tooling& tooling, const RunOptions& o
   probes_.begin(*simulation_);
 }
 
-void FillRun::start_or_resume() {
-  if (const auto own = own_checkpoint()) {
-    go_on_from(*own);
-    progress_.say("resuming at t = " + std::to_string(simulation_->time()) + " s");
-  } else if (const auto shared = shared_beginning()) {
-    go_on_from(*shared);
-    progress_.say("the first " + std::to_string(simulation_->time()) + " s are those of an earlier run");
-  } else if (options_.resume) {
-    progress_.say("no checkpoint in " + options_.directory.string() + ": starting from the beginning");
-  }
-}
-
-std::optional<Checkpoint> FillRun::own_checkpoint() const {
-  if (!options_.resume) return std::nullopt;
-  const auto path = checkpoint_file(options_.directory);
-  auto checkpoint = read_checkpoint(path);
-  if (checkpoint && checkpoint->scene_hash != scene_hash())
-    throw SceneError(path.string() + ": the checkpoint belongs to another scene or other CAD files than " +
-                     scene_.file.string() + "; run without --resume or name another directory");
-  return checkpoint;
-}
-
-std::optional<Checkpoint> FillRun::shared_beginning() const {
-  if (options_.beginnings.empty()) return std::nullopt;
-  auto beginning = latest_beginning(options_.beginnings, [this](const Checkpoint& other) {
-    const double now = other.simulation.time;
-    const auto schedule = with_steps(other.schedule, schedule_.stages().size());
-    return schedule && other.beginning_hash == beginning_hash(*schedule, now) &&
-           snapshots_.all_to_come(schedule_.stages(), schedule->steps, now);
-  });
-  // Those of the other scene are its own affair, and none of ours has been due.
-  if (beginning) beginning->snapshots = snapshots_.state();
-  return beginning;
-}
-
-void FillRun::go_on_from(const Checkpoint& checkpoint) {
-  schedule_.begin(*simulation_, checkpoint.schedule);
-  probes_.restore(checkpoint.probes);
-  snapshots_.restore(checkpoint.snapshots);
-  simulation_->restore(checkpoint.simulation);
-  left_ = GrainTally(checkpoint.grains_left);
-  sheared_ = GrainTally(checkpoint.grains_sheared);
-  leak_watch_.restore(checkpoint.grains_leaked);
-  earlier_wall_seconds_ = checkpoint.wall_seconds;
-  sphere_steps_ = checkpoint.sphere_steps;
-  instants_ = checkpoint.instants;
-}
-
 void FillRun::run() {
   start_or_resume();
-  while (!schedule_.finished()) {
+  while (!schedule_.finished() && !out_of_time()) {
     simulation_->step();
     sphere_steps_ += simulation_->grains().size() * simulation_->settings().shape.spheres();
     schedule_.observe(*simulation_);
@@ -141,9 +90,11 @@ void FillRun::run() {
     duties();
   }
   health_.check(*simulation_);
+  // The run may go on from here, where an unbroken one would not yet look.
+  if (!schedule_.finished()) write_checkpoint();
   look_for_lost_grains();
   // Kept until the results stand: measuring and drawing can then be tried again without simulating.
-  write_checkpoint();
+  if (schedule_.finished()) write_checkpoint();
 }
 
 void FillRun::duties() {
@@ -164,15 +115,7 @@ void FillRun::duties() {
     look_for_lost_grains();
   }
   if (step % kScheduleEvery == 0) show_progress();
-  if (scene_.numerics.max_time > 0 && simulation_->time() > scene_.numerics.max_time)
-    throw engine::OutOfRange("the scene was not over after numerics.max_time of " +
-                             std::to_string(scene_.numerics.max_time) + " s (on: " + schedule_.in_words() +
-                             "); raise it, or see why the powder does not come to rest");
-  if (options_.stop != nullptr && options_.stop->load()) {
-    write_checkpoint();
-    throw Interrupted("stopped at t = " + std::to_string(simulation_->time()) +
-                      " s; the same command with --resume goes on");
-  }
+  if (options_.stop != nullptr && options_.stop->load()) stop_with_checkpoint();
   if (stage_over || seconds_since(last_checkpoint_) > scene_.numerics.checkpoint_interval) write_checkpoint();
   if (stage_over && !schedule_.finished()) leave_beginning();
 }
@@ -304,45 +247,6 @@ std::size_t FillRun::place_of(std::uint64_t id) const {
   return static_cast<std::size_t>(std::find(ids.begin(), ids.end(), id) - ids.begin());
 }
 
-Checkpoint FillRun::checkpoint() const {
-  Checkpoint checkpoint;
-  checkpoint.scene_hash = scene_hash();
-  checkpoint.beginning_hash = beginning_hash(schedule_.state(), simulation_->time());
-  checkpoint.simulation = simulation_->snapshot();
-  checkpoint.schedule = schedule_.state();
-  checkpoint.probes = probes_.state();
-  checkpoint.snapshots = snapshots_.state();
-  checkpoint.grains_left = left_.by_kind();
-  checkpoint.grains_sheared = sheared_.by_kind();
-  checkpoint.grains_leaked = leak_watch_.grains();
-  checkpoint.wall_seconds = wall_seconds();
-  checkpoint.sphere_steps = sphere_steps_;
-  checkpoint.instants = instants_;
-  return checkpoint;
-}
-
-void FillRun::write_checkpoint() {
-  last_checkpoint_ = Clock::now();
-  keep([this] { process::write_checkpoint(checkpoint_file(options_.directory), checkpoint()); },
-       "no checkpoint written, the one before still stands");
-}
-
-void FillRun::leave_beginning() {
-  // Air flows through what the whole schedule makes of the tools.
-  if (options_.beginnings.empty() || scene_.suction) return;
-  keep([this] { process::leave_beginning(options_.beginnings, checkpoint()); },
-       "no beginning left for other runs, which will compute it themselves");
-}
-
-/// Writes; where that fails for want of room, a warning tells what is so `otherwise`, and the run goes on.
-void FillRun::keep(const std::function<void()>& write, const std::string& otherwise) {
-  try {
-    write();
-  } catch (const results::ResultError& error) {
-    progress_.say("warning: " + otherwise + ": " + error.what());
-  }
-}
-
 void FillRun::show_progress() {
   const double now = simulation_->time(), left = schedule_.time_left(now, kSettlingGuess);
   char rate[96], doing[160];
@@ -358,24 +262,14 @@ double FillRun::wall_seconds() const {
 
 std::vector<std::string> FillRun::warnings() const {
   std::vector<std::string> all = warnings_;
+  if (ran_out_of_time())
+    all.insert(all.begin(), "unfinished: " + why_unfinished() + "; all figures are of this instant");
   for (auto& economy : economies_in_words(scene_, *simulation_, sphere_steps_))
     all.push_back(std::move(economy));
   all.insert(all.end(), health_.warnings().begin(), health_.warnings().end());
   if (sheared_.grains() > 0) all.push_back(shear_warning());
   if (auto leak = leak_watch_.warning(grains_poured())) all.push_back(std::move(*leak));
   return all;
-}
-
-std::uint64_t FillRun::scene_hash() const {
-  engine::Fnv1a hash;
-  hash.add(scene_.text);
-  for (const Tool& tool : tooling_.tools) hash.add(tool.file_hash);
-  return hash.value();
-}
-
-std::uint64_t FillRun::beginning_hash(const ScheduleState& schedule, double now) const {
-  return process::beginning_hash(scene_, tooling_, {simulation_->settings().time_step, domain_}, schedule,
-                                 now);
 }
 
 }  // namespace diefill::process

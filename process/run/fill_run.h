@@ -38,7 +38,7 @@ struct RunOptions {
   std::function<void(const FillRun&, const std::string&)> snapshot;
 };
 
-/// The user stopped the run; a checkpoint has been written.
+/// The user stopped the run; a checkpoint has been written, unless the message says otherwise.
 struct Interrupted : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
@@ -49,9 +49,14 @@ class FillRun {
   /// Throws SceneError for a scene that cannot be run, or a checkpoint that belongs to another scene.
   FillRun(const Scene& scene, const Tooling& tooling, const RunOptions& options);
 
-  /// Runs to the end. Throws engine::OutOfRange when the method's range is left (the last good checkpoint
-  /// stands), Interrupted when asked to stop.
+  /// Runs to the end, or until numerics.max_time is over; the state then lies in a checkpoint. Throws
+  /// engine::OutOfRange when the method's range is left (the last good checkpoint stands), Interrupted when
+  /// asked to stop.
   void run();
+  /// Whether numerics.max_time was over before the scene.
+  bool ran_out_of_time() const { return !schedule_.finished() && out_of_time(); }
+  /// Why the scene is not over, in words; empty once it is.
+  std::string why_unfinished() const;
 
   const engine::Simulation& simulation() const { return *simulation_; }
   const Schedule& schedule() const { return schedule_; }
@@ -85,9 +90,11 @@ class FillRun {
   void look_for_lost_grains();
   void keep_instant();
   Checkpoint checkpoint() const;
-  void write_checkpoint();
+  bool write_checkpoint();
+  [[noreturn]] void stop_with_checkpoint();
+  bool out_of_time() const;
   void leave_beginning();
-  void keep(const std::function<void()>& write, const std::string& otherwise);
+  bool keep(const std::function<void()>& write, const std::string& otherwise);
   void show_progress();
   std::uint64_t scene_hash() const;
   std::uint64_t beginning_hash(const ScheduleState& schedule, double now) const;

@@ -53,7 +53,10 @@ TellProgress Progress::listener() {
 }
 
 void Progress::say(const std::string& line) {
-  if (!wanted_) return;
+  if (wanted_) warn(line);
+}
+
+void Progress::warn(const std::string& line) {
   clear_bar();
   std::fprintf(stderr, "%s\n", line.c_str());
 }

@@ -28,6 +28,8 @@ class Progress {
   TellProgress listener();
   /// A line that stays.
   void say(const std::string& line);
+  /// The same, where no progress is wanted too: what must not go unnoticed.
+  void warn(const std::string& line);
 
  private:
   using Clock = std::chrono::steady_clock;

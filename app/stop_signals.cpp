@@ -1,0 +1,29 @@
+#include "app/stop_signals.h"
+
+#include <csignal>
+
+namespace diefill::app {
+namespace {
+
+std::atomic<bool> stop_asked{false};
+
+void ask_to_stop(int) {
+  stop_asked.store(true);
+}
+
+bool is_ignored(int signal) {
+  struct sigaction now {};
+  return ::sigaction(signal, nullptr, &now) == 0 && now.sa_handler == SIG_IGN;
+}
+
+}  // namespace
+
+const std::atomic<bool>& heed_stop_signals() {
+  // A shell has what runs in the background ignore SIGINT, by which a comparison stops its runs.
+  for (const int signal : {SIGINT, SIGTERM}) std::signal(signal, ask_to_stop);
+  for (const int signal : {SIGHUP, SIGPIPE, SIGXFSZ, SIGXCPU})
+    if (!is_ignored(signal)) std::signal(signal, ask_to_stop);
+  return stop_asked;
+}
+
+}  // namespace diefill::app

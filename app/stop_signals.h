@@ -1,0 +1,13 @@
+// Signals that ask the program to stop: work under way then leaves a checkpoint first.
+#pragma once
+
+#include <atomic>
+
+namespace diefill::app {
+
+/// From now on Ctrl-C and what else asks a program to stop (SIGTERM, SIGHUP, SIGPIPE, SIGXFSZ, SIGXCPU) set
+/// the flag that this returns. Those that the program was started to ignore, as by nohup, stay ignored, but
+/// for SIGINT and SIGTERM.
+const std::atomic<bool>& heed_stop_signals();
+
+}  // namespace diefill::app

@@ -1,0 +1,41 @@
+// One writer a directory: two runs into one directory would each take the other's results for its own.
+#pragma once
+
+#include <sys/types.h>
+
+#include <filesystem>
+#include <optional>
+
+#include "process/results/result_file.h"
+
+namespace diefill::results {
+
+/// Another program is writing into the directory. The message is one line for people.
+struct DirectoryInUse : ResultError {
+  using ResultError::ResultError;
+};
+
+/// A directory locked for the life of this object, against other processes. The lock (fcntl, which network
+/// mounts know as well) is of the file `.lock` in it, and goes with the process, however that ends; a file
+/// that a killed process has left means nothing. Reading needs no lock.
+class DirectoryLock {
+ public:
+  /// Throws DirectoryInUse where another process holds the lock, ResultError where no file can be made.
+  explicit DirectoryLock(const std::filesystem::path& directory);
+  ~DirectoryLock();
+  DirectoryLock(const DirectoryLock&) = delete;
+  DirectoryLock& operator=(const DirectoryLock&) = delete;
+
+  /// False where the file system knows no locks.
+  bool held() const { return held_; }
+
+ private:
+  std::filesystem::path path_;
+  int file_ = -1;
+  bool held_ = true;
+};
+
+/// The process that has locked the directory, 0 where it is on another machine; nothing where none has.
+std::optional<pid_t> lock_holder(const std::filesystem::path& directory);
+
+}  // namespace diefill::results

@@ -1,0 +1,23 @@
+// A hash of a file's contents at its end: whether they are what was written is known before any of them is
+// believed.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace diefill::results {
+
+/// The contents with their hash (FNV-1a, 64 bits: any single changed byte changes it) in one line of text
+/// behind them.
+std::string sealed(std::string contents);
+
+/// Whether the file ends in such a line.
+bool ends_in_seal(const std::filesystem::path& file);
+
+/// The contents of a sealed file without the hash; nothing where they are not what was written. Throws
+/// ResultError where the file cannot be read.
+std::optional<std::string> read_sealed(const std::filesystem::path& file);
+
+}  // namespace diefill::results

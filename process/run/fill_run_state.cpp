@@ -1,0 +1,137 @@
+// How a run keeps its state and goes on from what was kept.
+#include "process/results/result_file.h"
+#include "process/run/beginning.h"
+#include "process/run/fill_run.h"
+#include "process/scene/identity.h"
+#include "process/scene/units.h"
+
+namespace diefill::process {
+
+void FillRun::start_or_resume() {
+  if (const auto own = own_checkpoint()) {
+    go_on_from(*own);
+    progress_.say("resuming at t = " + std::to_string(simulation_->time()) + " s");
+  } else if (const auto shared = shared_beginning()) {
+    go_on_from(*shared);
+    progress_.say("the first " + std::to_string(simulation_->time()) + " s are those of an earlier run");
+  } else if (options_.resume) {
+    progress_.say("no checkpoint in " + options_.directory.string() + ": starting from the beginning");
+  }
+}
+
+std::optional<Checkpoint> FillRun::own_checkpoint() const {
+  if (!options_.resume) return std::nullopt;
+  const auto path = checkpoint_file(options_.directory);
+  auto checkpoint = read_checkpoint(path);
+  if (checkpoint && checkpoint->scene_hash != scene_hash())
+    throw SceneError(path.string() + ": the checkpoint belongs to another scene or other CAD files than " +
+                     scene_.file.string() +
+                     "; run without --resume, which keeps it aside, or name another directory");
+  return checkpoint;
+}
+
+std::optional<Checkpoint> FillRun::shared_beginning() const {
+  if (options_.beginnings.empty()) return std::nullopt;
+  auto beginning = latest_beginning(options_.beginnings, [this](const Checkpoint& other) {
+    const double now = other.simulation.time;
+    const auto schedule = with_steps(other.schedule, schedule_.stages().size());
+    return schedule && other.beginning_hash == beginning_hash(*schedule, now) &&
+           snapshots_.all_to_come(schedule_.stages(), schedule->steps, now);
+  });
+  // Those of the other scene are its own affair, and none of ours has been due.
+  if (beginning) beginning->snapshots = snapshots_.state();
+  return beginning;
+}
+
+void FillRun::go_on_from(const Checkpoint& checkpoint) {
+  schedule_.begin(*simulation_, checkpoint.schedule);
+  probes_.restore(checkpoint.probes);
+  snapshots_.restore(checkpoint.snapshots);
+  simulation_->restore(checkpoint.simulation);
+  left_ = GrainTally(checkpoint.grains_left);
+  sheared_ = GrainTally(checkpoint.grains_sheared);
+  leak_watch_.restore(checkpoint.grains_leaked);
+  earlier_wall_seconds_ = checkpoint.wall_seconds;
+  sphere_steps_ = checkpoint.sphere_steps;
+  instants_ = checkpoint.instants;
+}
+
+Checkpoint FillRun::checkpoint() const {
+  Checkpoint checkpoint;
+  checkpoint.scene_hash = scene_hash();
+  checkpoint.beginning_hash = beginning_hash(schedule_.state(), simulation_->time());
+  checkpoint.simulation = simulation_->snapshot();
+  checkpoint.schedule = schedule_.state();
+  checkpoint.probes = probes_.state();
+  checkpoint.snapshots = snapshots_.state();
+  checkpoint.grains_left = left_.by_kind();
+  checkpoint.grains_sheared = sheared_.by_kind();
+  checkpoint.grains_leaked = leak_watch_.grains();
+  checkpoint.wall_seconds = wall_seconds();
+  checkpoint.sphere_steps = sphere_steps_;
+  checkpoint.instants = instants_;
+  return checkpoint;
+}
+
+bool FillRun::write_checkpoint() {
+  last_checkpoint_ = std::chrono::steady_clock::now();
+  return keep([this] { process::write_checkpoint(checkpoint_file(options_.directory), checkpoint()); },
+              "no checkpoint written, the one before still stands");
+}
+
+void FillRun::stop_with_checkpoint() {
+  const bool kept = write_checkpoint();
+  const std::string stopped = "stopped at t = " + std::to_string(simulation_->time()) + " s";
+  if (kept) throw Interrupted(stopped + "; the same command with --resume goes on");
+  if (std::filesystem::exists(checkpoint_file(options_.directory)))
+    throw Interrupted(stopped +
+                      " without room for a checkpoint; the same command with --resume goes on from "
+                      "the one before");
+  throw Interrupted(stopped + " without room for a checkpoint: what was computed is lost");
+}
+
+void FillRun::leave_beginning() {
+  // Air flows through what the whole schedule makes of the tools.
+  if (options_.beginnings.empty() || scene_.suction) return;
+  keep([this] { process::leave_beginning(options_.beginnings, checkpoint()); },
+       "no beginning left for other runs, which will compute it themselves");
+}
+
+/// Writes; where that fails for want of room, a warning tells what is so `otherwise`, and the run goes on.
+/// True if it was written.
+bool FillRun::keep(const std::function<void()>& write, const std::string& otherwise) {
+  try {
+    write();
+    return true;
+  } catch (const results::ResultError& error) {
+    progress_.warn("warning: " + otherwise + ": " + error.what());
+    return false;
+  }
+}
+
+std::uint64_t FillRun::scene_hash() const {
+  std::vector<std::string> tools;
+  for (const Tool& tool : tooling_.tools) tools.push_back(tool.file_hash);
+  return scene_identity(scene_.text, scene_.file, tools);
+}
+
+bool FillRun::out_of_time() const {
+  return scene_.numerics.max_time > 0 && simulation_->time() > scene_.numerics.max_time;
+}
+
+std::string FillRun::why_unfinished() const {
+  if (schedule_.finished()) return {};
+  std::string why = "the scene was not over ";
+  if (out_of_time())
+    why += "after numerics.max_time of " + number_in_words(scene_.numerics.max_time) + " s";
+  else
+    why += "at t = " + number_in_words(simulation_->time()) + " s";
+  return why + " (on: " + schedule_.in_words() + ')';
+}
+
+std::uint64_t FillRun::beginning_hash(const ScheduleState& schedule, double now) const {
+  return process::beginning_hash(scene_, tooling_, {simulation_->settings().time_step, domain_}, schedule,
+                                 now);
+}
+
+}  // namespace diefill::process
