@@ -1,12 +1,34 @@
+#include <cmath>
 #include <cstdio>
 
 #include "app/commands.h"
 #include "app/exit_code.h"
+#include "process/results/cavity_rows.h"
+#include "process/results/no_value.h"
 #include "process/results/result_file.h"
 
 namespace diefill::app {
 
 namespace {
+
+std::string exact(double value) {
+  char text[40];
+  std::snprintf(text, sizeof text, "%.10g", value);
+  return text;
+}
+
+void print_solid_fraction(const results::FillResult& result) {
+  const auto& summary = result.summary;
+  if (!std::isfinite(summary.mean)) {
+    std::printf("solid_fraction: no value: %s\n", results::reason_for(result, "solid_fraction").c_str());
+    return;
+  }
+  std::printf(
+      "solid_fraction: mean %.6g, arithmetic_mean %.6g, std %.6g, min %.6g, max %.6g, cv %.6g over %llu "
+      "grains\n",
+      summary.mean, summary.arithmetic_mean, summary.std, summary.min, summary.max, summary.cv,
+      static_cast<unsigned long long>(summary.grains));
+}
 
 int info(const std::string& directory) {
   const auto result = results::read_results(directory);
@@ -14,13 +36,16 @@ int info(const std::string& directory) {
               result.title.c_str(), result.strategy.c_str(), result.powder_name.c_str(),
               result.program_version.c_str(), static_cast<unsigned long long>(result.seed),
               result.state_hash.c_str());
-  for (const auto& [name, value] : result.figures) std::printf("%s: %.10g\n", name.c_str(), value);
-  const auto& summary = result.summary;
-  std::printf(
-      "solid_fraction: mean %.6g, arithmetic_mean %.6g, std %.6g, min %.6g, max %.6g, cv %.6g over %llu "
-      "grains\n",
-      summary.mean, summary.arithmetic_mean, summary.std, summary.min, summary.max, summary.cv,
-      static_cast<unsigned long long>(summary.grains));
+  for (const auto& row : results::cavity_rows(result))
+    if (!row.verdict.empty()) std::printf("cavity %d: %s\n", row.number, row.verdict.c_str());
+  for (const auto& [name, value] : result.figures) {
+    const std::string reason = results::reason_for(result, name);
+    if (std::isfinite(value) || reason.empty())
+      std::printf("%s: %s\n", name.c_str(), std::isfinite(value) ? exact(value).c_str() : "no value");
+    else
+      std::printf("%s: no value: %s\n", name.c_str(), reason.c_str());
+  }
+  print_solid_fraction(result);
   for (const auto& [phase, seconds] : result.phase_seconds)
     std::printf("seconds in %s: %.3f\n", phase.c_str(), seconds);
   for (const auto& tool : result.tools)

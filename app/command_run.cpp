@@ -8,6 +8,7 @@
 #include "app/exit_code.h"
 #include "app/freed_memory.h"
 #include "app/output.h"
+#include "app/run_summary.h"
 #include "app/scene_choice.h"
 #include "app/stop_signals.h"
 #include "process/results/group_names.h"
@@ -36,19 +37,7 @@ std::filesystem::path default_directory(const std::filesystem::path& scene) {
 void print_summary(const results::FillResult& result) {
   const auto& figures = result.figures;
   std::printf("%s: %s\n", result.title.c_str(), result.strategy.c_str());
-  if (result.cavity.volume > 0 && result.summary.grains == 0)
-    std::printf(
-        "filled mass %.4g g, too shallow for a solid fraction: no grain lies two diameters deep in the "
-        "cavity\n",
-        1e3 * figures.at("filled_mass_kg"));
-  else if (result.cavity.volume > 0)
-    std::printf(
-        "filled mass %.4g g, solid fraction in the cavity %.3f (standard deviation %.3f, %.3f to %.3f)\n",
-        1e3 * figures.at("filled_mass_kg"), result.summary.mean, result.summary.std, result.summary.min,
-        result.summary.max);
-  else
-    std::printf("no cavity; %.0f grains (%.4g g) left the tools\n", figures.at("grains_left"),
-                1e3 * figures.at("mass_left_kg"));
+  std::printf("%s", filling_in_words(result).c_str());
   std::printf(
       "%.0f grains of d = %s, %.0f steps of %.3g s, %.3g s of powder time in %s, %.2f million "
       "sphere-steps/s\n",

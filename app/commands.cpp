@@ -6,6 +6,7 @@ void add_commands(CLI::App& program, Action& chosen) {
   add_run(program, chosen);
   add_check(program, chosen);
   add_plan(program, chosen);
+  add_powders(program, chosen);
   add_compare(program, chosen);
   add_tradeoff(program, chosen);
   add_map(program, chosen);

@@ -22,6 +22,7 @@ void add_compare(CLI::App& program, Action& chosen);
 void add_tradeoff(CLI::App& program, Action& chosen);
 void add_lab(CLI::App& program, Action& chosen);
 void add_plan(CLI::App& program, Action& chosen);
+void add_powders(CLI::App& program, Action& chosen);
 
 /// Adds all commands.
 void add_commands(CLI::App& program, Action& chosen);

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
+#include <optional>
+
+#include "process/results/rounding.h"
 
 namespace diefill::app {
 
@@ -18,43 +20,48 @@ std::string left(const std::string& text, std::size_t width) {
   return text.size() >= width ? text : text + std::string(width - text.size(), ' ');
 }
 
-/// Decimals that show the scatter with two digits, or the value with four where the scatter is not known.
-int decimals_for(const results::ComparedMeasure& measure) {
-  double least = 0, largest = 0;
-  for (const auto& value : measure.values) {
-    if (value.scatter > 0) least = least > 0 ? std::min(least, value.scatter) : value.scatter;
-    if (std::isfinite(value.mean)) largest = std::max(largest, std::abs(value.mean));
-  }
-  const double shown = least > 0 ? least / 10 : largest / 1000;
-  return shown > 0 ? std::clamp(static_cast<int>(std::ceil(-std::log10(shown))), 0, 6) : 2;
+constexpr int kDigitsWithoutScatter = 3;
+
+/// Decimals of rows whose scatter is not known: those of the row that scatters most; nothing where none does.
+std::optional<int> fewest_decimals(const results::ComparedMeasure& measure) {
+  std::optional<int> fewest;
+  for (const auto& value : measure.values)
+    if (value.scatter > 0) {
+      const int own = results::decimals_of_scatter(value.scatter);
+      fewest = fewest ? std::min(*fewest, own) : own;
+    }
+  return fewest;
 }
 
-std::string number(double value, int decimals, bool with_sign = false) {
+/// A number with the decimals that `scatter` leaves.
+std::string number(double value, double scatter, std::optional<int> otherwise) {
   if (!std::isfinite(value)) return "-";
-  char text[48];
-  std::snprintf(text, sizeof text, with_sign ? "%+.*f" : "%.*f", decimals, value);
-  return text;
+  if (scatter > 0) return results::at_decimals(value, std::min(9, results::decimals_of_scatter(scatter)));
+  return otherwise ? results::at_decimals(value, *otherwise)
+                   : results::in_significant_digits(value, kDigitsWithoutScatter);
 }
 
-std::string difference(const results::ComparedValue& value, int decimals) {
+std::string difference(const results::ComparedValue& value, std::optional<int> otherwise) {
   using results::Verdict;
   if (value.verdict == Verdict::reference || value.verdict == Verdict::missing)
     return results::in_words(value.verdict);
-  if (value.verdict == Verdict::none) return "none (within +-" + number(value.interval, decimals) + ')';
-  const std::string shown = number(value.difference, decimals, true);
+  const std::string interval = number(value.interval, value.interval, otherwise);
+  if (value.verdict == Verdict::none) return "none (within +-" + interval + ')';
+  const std::string shown =
+      (value.difference >= 0 ? "+" : "") + number(value.difference, value.interval, otherwise);
   if (value.verdict == Verdict::scatter_unknown) return shown + " (scatter unknown)";
-  return shown + " +- " + number(value.interval, decimals);
+  return shown + " +- " + interval;
 }
 
 std::string block(const results::ComparedMeasure& measure, const std::vector<std::string>& variants,
                   std::size_t width) {
-  const int decimals = decimals_for(measure);
+  const std::optional<int> otherwise = fewest_decimals(measure);
   std::string text = measure.name + (measure.unit == "1" ? "" : ", " + measure.unit) + '\n';
   for (std::size_t k = 0; k < variants.size(); ++k) {
     const auto& value = measure.values[k];
-    text += "  " + left(variants[k], width) + right(number(value.mean, decimals), 12) +
-            right(number(value.scatter, decimals), 11) + right(std::to_string(value.seeds), 7) + "  " +
-            difference(value, decimals) + '\n';
+    text += "  " + left(variants[k], width) + right(number(value.mean, value.scatter, otherwise), 12) +
+            right(number(value.scatter, value.scatter, otherwise), 11) +
+            right(std::to_string(value.seeds), 7) + "  " + difference(value, otherwise) + '\n';
   }
   return text;
 }

@@ -119,7 +119,7 @@ QString note_text(const results::Field2D& field, const FieldStyle& style, const 
   QString note;
   const auto add = [&note](const QString& part) { note += (note.isEmpty() ? "" : "; ") + part; };
   if (std::isfinite(bar.mark))
-    add(QStringLiteral("▸ mean %1")
+    add(QStringLiteral("▸ mean over the map's cells %1")
             .arg(QString::fromStdString(tick_label(bar.mark, bar.range.length() / 100))));
   if (field.averaging_width > 0)
     add(QStringLiteral("Gaussian average, σ = %1 mm").arg(field.averaging_width * 1e3, 0, 'g', 3));

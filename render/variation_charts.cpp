@@ -44,7 +44,7 @@ Chart histogram_chart(const std::vector<Named<results::Histogram>>& histograms, 
   chart.y.label = "Share of grains [%]";
   chart.y.lower = 0;
   for (const auto& [name, histogram] : histograms) {
-    const QString summary = QStringLiteral("mean %1, standard deviation %2, %3 grains")
+    const QString summary = QStringLiteral("mean over these grains %1, standard deviation %2, %3 grains")
                                 .arg(histogram.mean, 0, 'g', 3)
                                 .arg(histogram.std, 0, 'g', 2)
                                 .arg(histogram.grains);

@@ -6,8 +6,11 @@ namespace diefill::process {
 
 const std::vector<MeasureOfComparison>& compared_measures() {
   static const std::vector<MeasureOfComparison> all = {
-      {"filled_mass_kg", "filled mass", "g", 1e3, 0},
-      {"solid_fraction_mean", "solid fraction", "1", 1, 0},
+      {"expected_mass_kg", "mass of the real powder in the cavity", "g", 1e3, 0},
+      {"estimated_mass_kg", "mass of the real powder in the cavity, estimated", "g", 1e3, 0},
+      {"fill_ratio", "fill ratio of a die full at apparent density", "1", 1, 0},
+      {"filled_mass_kg", "filled mass of model powder", "g", 1e3, 0},
+      {"solid_fraction_mean", "mean solid fraction", "1", 1, 0},
       {"solid_fraction_field_std", "standard deviation of the averaged solid fraction", "1", 1, 0},
       {"solid_fraction_std", "standard deviation over single grains", "1", 1, 0},
       {"solid_fraction_top_minus_bottom", "solid fraction, top less bottom third", "1", 1, 0},

@@ -47,6 +47,10 @@ results::SectionField plane_section(const results::PowderState& powder,
 /// Throws std::invalid_argument for no ring.
 results::Profile fill_level(const results::PowderState& powder, const results::CavityState& cavity, int bins);
 
+/// The same of any cavity along the shoe's travel: against the way (mm) from the end of the cavity's box
+/// where the shoe first arrives, in slices about 2 d wide.
+results::Profile level_along_travel(const results::PowderState& powder, const results::CavityState& cavity);
+
 /// Mass (kg) of the grains whose centre lies in the cavity.
 double filled_mass(const results::PowderState& powder, const results::GrainSolidFraction& fraction);
 
@@ -76,6 +80,11 @@ results::Profile sector_filling(const results::PowderState& powder,
 /// Mean of a map over its first coordinate where it has values, against its second; NaN where fewer than half
 /// of the nodes have one. Takes a map that ends where it began (azimuth 0 and 360 deg) once.
 results::Profile height_profile(const results::Field2D& map);
+
+/// Solid fraction over height (mm above the floor) of any cavity: solid_fraction_profile of its grains.
+results::Profile height_profile(const results::PowderState& powder,
+                                const results::GrainSolidFraction& fraction,
+                                const results::CavityState& cavity, double averaging_width);
 
 /// Largest less smallest over the mean of a profile's values; NaN where it has none.
 double relative_range(const results::Profile& profile);

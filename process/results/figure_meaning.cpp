@@ -28,10 +28,16 @@ constexpr std::array kKnown = {
     Meaning{"shoe_speed_m_s", "m/s", "speed of the shoe while it moves, median"},
     Meaning{"fill_density_kg_m3", "kg/m^3", "mass of model powder in the cavity over the cavity's volume"},
     Meaning{"model_apparent_density_kg_m3", "kg/m^3", "density of the model powder left outside the cavity"},
-    Meaning{"apparent_density_kg_m3", "kg/m^3", "apparent density of the real powder, as weighed"},
-    Meaning{"fill_ratio", "1", "fill density over the model powder's apparent density"},
+    Meaning{"apparent_density_kg_m3", "kg/m^3", "apparent density of the real powder"},
+    Meaning{"apparent_density_is_estimate", "1",
+            "0: as weighed; 1: the bed's solid fraction times the metal's density"},
+    Meaning{"fill_ratio", "1", "mass in the cavity over that of a die full at apparent density"},
+    Meaning{"full_die_mass_kg", "kg", "real powder in a die full at apparent density"},
+    Meaning{"estimated_mass_kg", "kg", "solid volume in the cavity times the metal's density"},
+    Meaning{"cavity_solid_fraction", "1", "solid fraction of the cavity: all powder in it over its volume"},
+    Meaning{"bulk_solid_fraction", "1", "solid fraction of all settled powder, in the cavity or not"},
     Meaning{"expected_fill_density_kg_m3", "kg/m^3", "fill ratio times the real powder's apparent density"},
-    Meaning{"expected_mass_kg", "kg", "expected fill density times the cavity's volume"},
+    Meaning{"expected_mass_kg", "kg", "real powder in the cavity: fill ratio times the full die's mass"},
     Meaning{"azimuthal_variation", "1", "range over mean of the filled fraction of 12 sectors"},
     Meaning{"axial_variation", "1", "range over mean of the solid fraction over height"},
     Meaning{"energy_balance_error", "1", "energy unaccounted for, relative to the energy turned over"},
@@ -74,9 +80,19 @@ constexpr std::array kEndings = {
     Meaning{"_N", "N", kUnknown},
 };
 
+/// "fill_ratio" of "cavity_2_fill_ratio"; other names as they are.
+std::string without_cavity(const std::string& name) {
+  constexpr std::string_view kCavity = "cavity_";
+  if (!name.starts_with(kCavity)) return name;
+  const std::size_t number = name.find_first_not_of("0123456789", kCavity.size());
+  const bool numbered = number != std::string::npos && number > kCavity.size() && name[number] == '_';
+  return numbered ? name.substr(number + 1) : name;
+}
+
 }  // namespace
 
-std::pair<const char*, const char*> figure_meaning(const std::string& name) {
+std::pair<const char*, const char*> figure_meaning(const std::string& full_name) {
+  const std::string name = without_cavity(full_name);
   for (const Meaning& known : kKnown)
     if (known.name == name) return {known.unit, known.description};
   for (const Meaning& ending : kEndings)

@@ -2,8 +2,10 @@
 #include <nlohmann/json.hpp>
 
 #include "process/results/atomic_file.h"
+#include "process/results/cavity_rows.h"
 #include "process/results/figure_meaning.h"
 #include "process/results/json_numbers.h"
+#include "process/results/no_value.h"
 #include "process/results/result_file.h"
 
 namespace diefill::results {
@@ -43,6 +45,36 @@ std::map<std::string, double> all_figures(const FillResult& result) {
   return figures;
 }
 
+/// What each cavity holds, for a die with several.
+Json cavities(const std::vector<CavityRow>& rows) {
+  Json list = Json::array();
+  for (const CavityRow& row : rows)
+    list.push_back({{"number", row.number},
+                    {"x_m", json_number(row.place.x())},
+                    {"y_m", json_number(row.place.y())},
+                    {"volume_m3", json_number(row.volume)},
+                    {"mass_kg", json_number(row.mass)},
+                    {"mass_is_estimate", row.estimate},
+                    {"full_die_mass_kg", json_number(row.full_mass)},
+                    {"fill_ratio", json_number(row.fill_ratio)},
+                    {"fill_height_m", json_number(row.fill_height)},
+                    {"depth_m", json_number(row.depth)},
+                    {"solid_fraction", json_number(row.solid_fraction)},
+                    {"solid_fraction_std", json_number(row.std)},
+                    {"grains", row.grains},
+                    {"verdict", row.verdict}});
+  return list;
+}
+
+/// Why figures without a value have none, by their names.
+Json reasons(const FillResult& result) {
+  Json json = Json::object();
+  for (const Topic& topic : result.topics)
+    if (topic.topic == kNoValueTopic)
+      for (std::size_t k = 0; k < topic.name.size(); ++k) json[topic.name[k]] = topic.text[k];
+  return json;
+}
+
 Json profile(const Profile& curve) {
   return {{"quantity", curve.quantity}, {"unit", curve.unit},         {"x_name", curve.x_name},
           {"x_unit", curve.x_unit},     {"x", json_numbers(curve.x)}, {"y", json_numbers(curve.y)}};
@@ -62,6 +94,8 @@ Json report(const FillResult& result) {
     json["finished"] = finished->second != 0;
     figures.erase(finished);
   }
+  const auto rows = cavity_rows(result);
+  if (!rows.empty() && !rows.front().verdict.empty()) json["verdict"] = rows.front().verdict;
   take("filled_mass_kg");
   json["solid_fraction"] = summary(result.summary);
   for (const char* name : {"grains", "spheres", "wall_spheres", "steps", "time_step_s", "simulated_s",
@@ -78,6 +112,8 @@ Json report(const FillResult& result) {
   for (const auto& [phase, seconds] : result.phase_seconds)
     json["phase_seconds"][phase] = json_number(seconds);
   for (const auto& [name, value] : figures) json.emplace(name, figure(name, value));
+  if (rows.size() > 1) json["cavities"] = cavities(rows);
+  if (const Json why = reasons(result); !why.empty()) json["no_value"] = why;
   for (const Profile& curve : result.profiles)
     if (curve.quantity == "fill level")
       json["fill_level"] = profile(curve);

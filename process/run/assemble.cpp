@@ -7,13 +7,13 @@
 #include <limits>
 #include <numbers>
 
-#include "process/measure/figures.h"
 #include "process/measure/heap_slope.h"
 #include "process/measure/measure.h"
 #include "process/measure/segregation.h"
 #include "process/run/die_frame.h"
 #include "process/run/half_model.h"
-#include "process/run/other_cavities.h"
+#include "process/run/margin_warnings.h"
+#include "process/run/measure_cavities.h"
 #include "process/run/powder_state.h"
 #include "process/run/topics.h"
 
@@ -179,54 +179,6 @@ void add_figures(const Scene& scene, results::FillResult& result, const Tooling&
     result.phase_seconds[engine::kPhaseNames[phase]] = simulation.timers().seconds()[phase];
 }
 
-/// m/s: of the shoe while it moves, the median over its steps, which leaves out how it starts and stops; NaN
-/// where no shoe moves.
-double shoe_speed(const Scene& scene) {
-  constexpr int kInstants = 1000;
-  std::vector<double> speeds;
-  for (const auto& step : scene.steps) {
-    const auto moved = step->tools();
-    const bool shoe = std::any_of(scene.tools.begin(), scene.tools.end(), [&](const ToolSpec& tool) {
-      return tool.role == ToolRole::shoe && std::find(moved.begin(), moved.end(), tool.name) != moved.end();
-    });
-    if (!shoe || !step->duration()) continue;
-    for (int n = 1; n < kInstants; ++n) {
-      const double speed = step->motion(*step->duration() * n / kInstants).velocity.head<2>().norm();
-      if (speed > 0) speeds.push_back(speed);
-    }
-  }
-  if (speeds.empty()) return std::numeric_limits<double>::quiet_NaN();
-  const auto middle = speeds.begin() + static_cast<std::ptrdiff_t>(speeds.size() / 2);
-  std::nth_element(speeds.begin(), middle, speeds.end());
-  return *middle;
-}
-
-/// Figures that powder metallurgy speaks of. Model powder has no real density, so that it is the fill ratio,
-/// in which density cancels, that carries over to the real powder (Bierwisch 2009, Eq. 4.2).
-void add_filling_figures(results::FillResult& result, const Scene& scene) {
-  auto& figures = result.figures;
-  const auto& powder = result.powder;
-  const double density = powder.grain_mass / powder.grain_solid_volume;
-  const double bed = bed_solid_fraction(powder, result.solid_fraction);
-  figures["shoe_speed_m_s"] = shoe_speed(scene);
-  figures["coarse_graining_factor"] = coarse_graining_factor(scene.powder);
-  figures["model_apparent_density_kg_m3"] = bed * density;
-  if (scene.powder.apparent_density > 0) figures["apparent_density_kg_m3"] = scene.powder.apparent_density;
-  if (!(result.cavity.volume > 0)) return;
-  const double fill_density = figures["filled_mass_kg"] / result.cavity.volume;
-  figures["fill_density_kg_m3"] = fill_density;
-  figures["fill_ratio"] = fill_density / (bed * density);
-  if (scene.powder.apparent_density > 0) {
-    figures["expected_fill_density_kg_m3"] = figures["fill_ratio"] * scene.powder.apparent_density;
-    figures["expected_mass_kg"] = figures["expected_fill_density_kg_m3"] * result.cavity.volume;
-  }
-  for (const auto& profile : result.profiles) {
-    if (profile.quantity == "filled fraction") figures["azimuthal_variation"] = relative_range(profile);
-    if (profile.quantity == "solid fraction" && profile.x_name == "height")
-      figures["axial_variation"] = relative_range(profile);
-  }
-}
-
 std::vector<results::ToolCheck> tool_checks(const Tooling& tooling) {
   std::vector<results::ToolCheck> checks;
   for (const Tool& tool : tooling.tools)
@@ -313,6 +265,9 @@ void measure_fields(results::FillResult& result, const FieldRequest& request, in
     result.profiles.push_back(sector_filling(result.powder, result.solid_fraction, result.cavity, kSectors));
     result.profiles.push_back(height_profile(result.maps.back()));
     for (auto& profile : size_profiles(result)) result.profiles.push_back(std::move(profile));
+  } else if (result.cavity.volume > 0) {
+    result.profiles.push_back(level_along_travel(result.powder, result.cavity));
+    result.profiles.push_back(height_profile(result.powder, result.solid_fraction, result.cavity, width));
   }
   auto planes = request.sections;
   if (planes.empty()) planes.push_back(default_section(result));
@@ -354,13 +309,11 @@ results::FillResult assemble(const Scene& scene, const Tooling& tooling, const F
   for (const auto& warning : run.warnings()) result.warnings.push_back(warning);
   for (auto& warning : moved_die(die, tooling.tools[tooling.die].spec.name))
     result.warnings.push_back(std::move(warning));
-  measure_fields(result, {scene.measure.averaging_width, wanted_sections(scene)}, scene.measure.azimuth_bins);
-  add_filling_figures(result, scene);
-  add_other_cavities(result, tooling.other_cavities);
   result.tool_checks = tool_checks(tooling);
   result.stages = run.schedule().past();
   result.topics = topics(scene, run);
-  measure_figures(result);
+  measure_cavities(result, scene, tooling, wanted_sections(scene));
+  for (auto& line : margin_warnings(result)) result.warnings.push_back(std::move(line));
   for (const HeapSpec& heap : scene.measure.heaps) {
     const double slope = heap_slope(result.powder, heap.from, heap.to);
     if (std::isfinite(slope)) result.figures[heap_figure(heap.name)] = slope;

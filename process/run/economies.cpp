@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdio>
 
+#include "process/scene/powder_presets.h"
 #include "process/scene/units.h"
 
 namespace diefill::process {
@@ -32,6 +33,7 @@ std::vector<std::string> economies_in_words(const Scene& scene, const engine::Si
   if (scene.economy.carry_beyond)
     lines.push_back("powder in the shoe farther than " + number_in_words(1e3 * *scene.economy.carry_beyond) +
                     " mm from a cavity was carried along as a block: " + left_out(simulation, sphere_steps));
+  if (const std::string limit = preset_warning(scene.powder); !limit.empty()) lines.push_back(limit);
   return lines;
 }
 

@@ -10,8 +10,8 @@
 
 namespace diefill::process {
 
-/// A line for each economy of the scene that is not there by default. `sphere_steps`: spheres times steps of
-/// the run, those left out included.
+/// A line for each economy of the scene that is not there by default, and one for a preset that is not fit
+/// for fillings. `sphere_steps`: spheres times steps of the run, those left out included.
 std::vector<std::string> economies_in_words(const Scene& scene, const engine::Simulation& simulation,
                                             std::uint64_t sphere_steps);
 

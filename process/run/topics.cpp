@@ -48,9 +48,9 @@ results::Topic powder_topic(const Scene& scene) {
   const double fine = powder.grain_diameter / coarse_graining_factor(powder);
   results::Topic topic{"powder", {}, {}};
   state(topic, "Powder", powder.name);
-  state(topic, "Apparent density of the real powder",
-        powder.apparent_density > 0 ? with_number("%.4g kg/m\u00b3", powder.apparent_density)
-                                    : "not known here; powder.apparent_density in the scene states it");
+  if (powder.apparent_density > 0)
+    state(topic, "Apparent density of the real powder",
+          with_number("%.4g kg/m\u00b3", powder.apparent_density));
   state(topic, "Grain model", model_in_words(powder.model));
   state(topic, "Calibrated grain size", with_number("%.4g mm", 1e3 * fine));
   state(topic, "Grain size as simulated",

@@ -8,8 +8,26 @@
 
 namespace diefill::process {
 
-/// Names of all presets, as a scene spells them.
+/// Names of all presets, as a scene spells them, those that fill dies first.
 std::vector<std::string> preset_names();
+
+/// What a preset is for, in words.
+struct PresetUse {
+  std::string name;
+  std::string use;        ///< what it may be used for
+  std::string limits;     ///< where it is known to be off
+  std::string fitted_to;  ///< the experiment that its parameters come from
+};
+
+/// In the order of preset_names().
+std::vector<PresetUse> preset_uses();
+
+/// kg/m^3, of the metal that a preset's powder is made of, which is iron: the tabulated grain masses make
+/// model grains lighter. 0 for powders of one's own, and where the scene gives the mass of a grain.
+double preset_solid_density(const PowderSpec& powder);
+
+/// One line against a preset that is not fit for fillings; empty for all others.
+std::string preset_warning(const PowderSpec& powder);
 
 /// The preset of that name, at its reference grain size. Throws std::invalid_argument for another name.
 PowderSpec powder_preset(const std::string& name);

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <limits>
 
-#include "render/report/critical_speed.h"
 #include "render/report/pictures_of.h"
+#include "render/report/speed_series.h"
 #include "render/ticks.h"
 
 namespace diefill::render::report {
@@ -19,10 +19,15 @@ struct Column {
   const char* figure;
   double factor;
 };
-constexpr std::array kColumns = {
-    Column{"Fill ratio", "fill_ratio", 1}, Column{"Azimuthal variation [%]", "azimuthal_variation", 100},
-    Column{"Axial variation [%]", "axial_variation", 100}, Column{"Filled mass [g]", "filled_mass_kg", 1e3},
-    Column{"Fill density [kg/m³]", "fill_density_kg_m3", 1}};
+constexpr std::array kColumns = {Column{"Mass of the real powder [g]", "expected_mass_kg", 1e3},
+                                 Column{"The same, estimated [g]", "estimated_mass_kg", 1e3},
+                                 Column{"Fill ratio", "fill_ratio", 1},
+                                 Column{"Fill height [mm]", "fill_height_mm", 1},
+                                 Column{"Cycle time [s]", "cycle_time_s", 1},
+                                 Column{"Azimuthal variation [%]", "azimuthal_variation", 100},
+                                 Column{"Axial variation [%]", "axial_variation", 100},
+                                 Column{"Mass of model powder [g]", "filled_mass_kg", 1e3},
+                                 Column{"Fill density of model powder [kg/m³]", "fill_density_kg_m3", 1}};
 
 Scatter scaled(Scatter value, double factor) {
   value.mean *= factor;
@@ -72,7 +77,7 @@ Section ranking(const std::vector<Strategy>& strategies) {
   Table table{
       std::string(merit.words) + "; ± is the standard deviation over seeds", {"Strategy", "Runs"}, {}, true};
   for (const auto& column : kColumns) table.header.emplace_back(column.name);
-  table.header.emplace_back("Solid fraction");
+  table.header.emplace_back("Mean solid fraction");
   for (const Strategy* strategy : ranked(strategies, merit)) {
     std::vector<std::string> row = {strategy->name, std::to_string(strategy->runs.size())};
     for (const auto& column : kColumns)
@@ -80,6 +85,7 @@ Section ranking(const std::vector<Strategy>& strategies) {
     row.push_back(as_text(strategy->solid_fraction(), 3));
     table.rows.push_back(row);
   }
+  leave_out_empty_columns(table);
   section.blocks.emplace_back(table);
   const bool single = std::any_of(strategies.begin(), strategies.end(),
                                   [](const Strategy& strategy) { return strategy.runs.size() < 2; });
@@ -188,60 +194,6 @@ Section curves(const std::vector<Strategy>& strategies) {
   return section;
 }
 
-Chart speed_chart(const std::vector<Strategy>& strategies, const CriticalSpeed& critical) {
-  Chart chart;
-  chart.title = "Fill ratio over shoe speed";
-  chart.x.label = "Shoe speed [m/s]";
-  chart.y.label = "Fill ratio [–]";
-  Curve found{"runs", {}, {}, CurveStyle::kMarkers, {}};
-  double fastest = 0;
-  for (const auto& strategy : strategies) {
-    const Scatter ratio = strategy.of("fill_ratio");
-    found.x.push_back(strategy.of("shoe_speed_m_s").mean);
-    found.y.push_back(ratio.mean);
-    found.y_error.push_back(std::isfinite(ratio.deviation) ? ratio.deviation : 0);
-    fastest = std::max(fastest, found.x.back());
-  }
-  chart.curves.push_back(found);
-  chart.x.lower = 0;
-  chart.y.lower = 0;
-  if (!std::isfinite(critical.speed) || critical.speed >= fastest) return chart;
-  Curve fit{"(v_c / v)^n", {}, {}, CurveStyle::kLine, {}};
-  constexpr int kNodes = 60;
-  for (int n = 0; n <= kNodes; ++n) {
-    fit.x.push_back(critical.speed + (fastest - critical.speed) * n / kNodes);
-    fit.y.push_back(std::pow(critical.speed / fit.x.back(), critical.exponent));
-  }
-  chart.curves.push_back(fit);
-  return chart;
-}
-
-Section speed_section(const std::vector<Strategy>& strategies) {
-  Section section{"Critical shoe speed", 1, {}};
-  std::vector<double> speed, ratio;
-  for (const auto& strategy : strategies) {
-    speed.push_back(strategy.of("shoe_speed_m_s").mean);
-    ratio.push_back(strategy.of("fill_ratio").mean);
-  }
-  const CriticalSpeed critical = critical_speed(speed, ratio);
-  if (std::isfinite(critical.speed))
-    section.blocks.emplace_back(Paragraph{
-        "Fill ratio 1 is reached up to about v_c = " + with_unit(critical.speed, "m/s", 2) +
-        ": fill ratio = (v_c / v)^n with n = " + in_digits(critical.exponent, 2) + ", from " +
-        std::to_string(critical.points) +
-        " speeds with incomplete filling (Sinka, Schneider and Cocks 2004)." +
-        (critical.points == 2 ? " Two speeds give a first estimate only: the curve passes through both."
-                              : "")});
-  else
-    section.blocks.emplace_back(
-        Paragraph{"No critical speed can be told from these runs: at least two speeds with "
-                  "incomplete filling (fill ratio below 0.98) are needed, the faster one with less."});
-  section.blocks.emplace_back(
-      Figures{{chart_picture(speed_chart(strategies, critical),
-                             "Fill ratio of every speed; bars: standard deviation over seeds.")}});
-  return section;
-}
-
 /// Lines of one scene that the other does not have.
 std::string lines_missing(const std::vector<std::string>& from, std::vector<std::string> of) {
   std::string text;
@@ -277,6 +229,8 @@ Section differences(const std::vector<Strategy>& strategies) {
     scenes.rows.push_back(
         {strategies[n].name, lines_missing(reference, lines), lines_missing(lines, reference)});
   }
+  leave_out_empty_columns(figures);
+  leave_out_empty_columns(scenes);
   section.blocks.emplace_back(figures);
   section.blocks.emplace_back(scenes);
   return section;
@@ -284,21 +238,23 @@ Section differences(const std::vector<Strategy>& strategies) {
 
 Section scatter_section(const std::vector<Strategy>& strategies) {
   Section section{"Single runs", 1, {}};
-  Table table{
-      "",
-      {"Run", "Seed", "Filled mass [g]", "Fill ratio", "Solid fraction", "Off its strategy's mean mass [%]"},
-      {},
-      true};
+  Table table{"",
+              {"Run", "Seed", "Mass of the real powder [g]", "Mass of model powder [g]", "Fill ratio",
+               "Mean solid fraction", "Off its strategy's mean mass [%]"},
+              {},
+              true};
   for (const auto& strategy : strategies) {
     const double mean = strategy.of("filled_mass_kg").mean;
     for (const Run* run : strategy.runs) {
       const double mass = figure(run->result, "filled_mass_kg");
-      table.rows.push_back({run->name, std::to_string(run->result.seed), in_digits(1e3 * mass),
-                            in_digits(figure(run->result, "fill_ratio"), 3),
+      table.rows.push_back({run->name, std::to_string(run->result.seed),
+                            in_digits(1e3 * figure(run->result, "expected_mass_kg"), 3),
+                            in_digits(1e3 * mass), in_digits(figure(run->result, "fill_ratio"), 3),
                             in_digits(run->result.summary.mean, 3),
                             strategy.runs.size() > 1 ? in_digits(100 * (mass / mean - 1), 2) : "–"});
     }
   }
+  leave_out_empty_columns(table);
   section.blocks.emplace_back(table);
   return section;
 }

@@ -1,8 +1,11 @@
 #include "render/report/numbers.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <limits>
+
+#include "process/results/rounding.h"
 
 namespace diefill::render::report {
 namespace {
@@ -65,7 +68,19 @@ Scatter scatter(const std::vector<double>& values) {
 
 std::string as_text(const Scatter& scatter, int digits) {
   if (scatter.count < 2) return in_digits(scatter.mean, digits);
-  return in_digits(scatter.mean, digits) + " ± " + in_digits(scatter.deviation, 2);
+  return results::with_scatter(scatter.mean, scatter.deviation, digits);
+}
+
+void leave_out_empty_columns(Table& table) {
+  for (std::size_t column = table.header.size(); column-- > 0;) {
+    const bool empty =
+        !table.rows.empty() && std::all_of(table.rows.begin(), table.rows.end(),
+                                           [&](const auto& row) { return row[column] == kNone; });
+    if (!empty) continue;
+    const auto at = static_cast<std::ptrdiff_t>(column);
+    table.header.erase(table.header.begin() + at);
+    for (auto& row : table.rows) row.erase(row.begin() + at);
+  }
 }
 
 }  // namespace diefill::render::report

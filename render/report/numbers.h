@@ -4,6 +4,7 @@
 #include <string>
 
 #include "process/results/fill_result.h"
+#include "render/report/document.h"
 
 namespace diefill::render::report {
 
@@ -26,7 +27,10 @@ struct Scatter {
 };
 Scatter scatter(const std::vector<double>& values);
 
-/// "0.312 ± 0.004", or the mean alone where there is one value.
+/// "0.312 ± 0.004" with the digits that the deviation leaves, or the mean alone where there is one value.
 std::string as_text(const Scatter& scatter, int digits = 4);
+
+/// Takes away the columns in which no row has anything to say ("–").
+void leave_out_empty_columns(Table& table);
 
 }  // namespace diefill::render::report

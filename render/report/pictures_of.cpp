@@ -51,7 +51,7 @@ std::string caption_of(const std::string& picture, bool ring) {
   if (picture == "section") return "Solid fraction in a plane section.";
   if (picture == "snapshot")
     return "Powder and tools at the end, cut open; grains coloured by solid fraction.";
-  if (picture == "fill_level") return "Height of the powder surface over azimuth.";
+  if (picture == "fill_level") return "Height of the powder surface above the cavity's floor.";
   std::string words = picture;
   std::replace(words.begin(), words.end(), '_', ' ');
   words.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(words.front())));

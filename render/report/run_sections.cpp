@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "process/results/margins.h"
+#include "render/report/filling_section.h"
 #include "render/report/numbers.h"
 #include "render/report/pictures_of.h"
 #include "render/report/versions.h"
@@ -20,37 +22,6 @@ void add_row(Table& table, const std::string& name, double value, const std::str
   if (std::isfinite(value)) table.rows.push_back({name, with_unit(value, unit, digits)});
 }
 
-Section results_section(const FillResult& result) {
-  Section section{"Results", 1, {}};
-  const auto value = [&](const char* name) { return figure(result, name); };
-  Table table;
-  add_row(table, "Filled mass of model powder", 1e3 * value("filled_mass_kg"), "g");
-  add_row(table, "Fill density of model powder", value("fill_density_kg_m3"), "kg/m³");
-  add_row(table, "Apparent density of model powder (left outside the cavity)",
-          value("model_apparent_density_kg_m3"), "kg/m³");
-  add_row(table, "Fill ratio: fill density over apparent density", value("fill_ratio"), "", 3);
-  add_row(table, "Apparent density of the real powder", value("apparent_density_kg_m3"), "kg/m³");
-  add_row(table, "Fill density of the real powder: fill ratio times its apparent density",
-          value("expected_fill_density_kg_m3"), "kg/m³", 3);
-  add_row(table, "Mass of the real powder in the cavity", 1e3 * value("expected_mass_kg"), "g", 3);
-  add_row(table, "Solid fraction, mean", result.summary.mean, "", 3);
-  add_row(table, "Solid fraction, standard deviation over grains", result.summary.std, "", 2);
-  add_row(table, "Solid fraction, lowest and highest grain", result.summary.min, "", 3);
-  if (std::isfinite(result.summary.min)) table.rows.back()[1] += " to " + in_digits(result.summary.max, 3);
-  add_row(table, "Azimuthal variation: range over mean of the filled fraction, 12 sectors",
-          100 * value("azimuthal_variation"), "%", 3);
-  add_row(table, "Axial variation: range over mean of the solid fraction over height",
-          100 * value("axial_variation"), "%", 3);
-  add_row(table, "Grains that left the tools", value("grains_left"), "");
-  section.blocks.emplace_back(table);
-  if (std::isfinite(value("fill_ratio")))
-    section.blocks.emplace_back(Paragraph{
-        "Model grains do not have the density of the real metal. Masses and densities of model powder serve "
-        "to "
-        "compare runs; the fill ratio, in which density cancels, carries over to the real powder."});
-  return section;
-}
-
 /// The first picture, which is the map that decides, in full width; the others side by side.
 Section pictures_section(const FillResult& result) {
   std::vector<Figure> figures = pictures_of(result);
@@ -66,6 +37,9 @@ Section warnings_section(const FillResult& result) {
   Section section{"Warnings", 1, {}};
   for (const auto& warning : result.warnings)
     if (!warning.empty()) section.blocks.emplace_back(Paragraph{warning, true});
+  for (const auto& line : results::exceeded_in_words(result))
+    if (std::find(result.warnings.begin(), result.warnings.end(), line) == result.warnings.end())
+      section.blocks.emplace_back(Paragraph{line, true});
   if (section.blocks.empty()) section.blocks.emplace_back(Paragraph{"The run gave no warning."});
   return section;
 }
@@ -168,22 +142,22 @@ Section topics_section(const FillResult& result, const std::string& title,
 
 Section stability_section(const FillResult& result) {
   Section section{"Stability margins", 1, {}};
-  const auto value = [&](const char* name) { return figure(result, name); };
   Table table{"", {"Quantity", "Found", "Limit", "Share of the limit"}, {}, true};
-  const auto add = [&](const char* name, double found, double limit) {
-    if (!std::isfinite(found)) return;
-    table.rows.push_back({name, in_digits(found, 3), in_digits(limit, 3),
-                          std::isfinite(limit) ? in_digits(100 * found / limit, 2) + " %" : "–"});
-  };
-  add("Time step over critical time step", value("time_step_fraction"), 1);
-  add("Deepest overlap of grains over the spheres' radius", value("deepest_overlap_ratio"),
-      value("overlap_limit_ratio"));
-  add("Deepest overlap with walls over the spheres' radius", value("deepest_wall_overlap_ratio"),
-      value("wall_overlap_limit_ratio"));
-  add("Energy unaccounted for over energy turned over", value("energy_balance_error"),
-      value("energy_error_limit"));
+  for (const auto& margin : results::margins(result)) {
+    const std::string limit = std::isfinite(margin.limit)
+                                  ? (margin.either_side ? "±" : "at most ") + in_digits(margin.limit, 3)
+                                  : "–";
+    table.rows.push_back({margin.name, in_digits(margin.found, 3), limit,
+                          std::isfinite(margin.limit) ? in_digits(100 * margin.share(), 2) + " %" : "–"});
+    if (margin.exceeded()) table.rows.back().back() += ", beyond it";
+  }
   section.blocks.emplace_back(table);
-  section.blocks.emplace_back(Paragraph{"A run that passes one of these limits stops and gives no results."});
+  for (const auto& line : results::exceeded_in_words(result))
+    section.blocks.emplace_back(Paragraph{line, true});
+  section.blocks.emplace_back(Paragraph{
+      "A run that passes one of these limits upwards stops and gives no results. Energy counts either way: "
+      "what "
+      "is lost with nothing to explain it is as wrong as what is gained; the run ends, with a warning."});
   return section;
 }
 
@@ -223,7 +197,7 @@ Section versions_section(const FillResult& result) {
 
 std::vector<Section> run_sections(const FillResult& result, int level) {
   std::vector<Section> sections = {
-      results_section(result),
+      filling_section(result),
       warnings_section(result),
       pictures_section(result),
       strategy_section(result),

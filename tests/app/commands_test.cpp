@@ -9,7 +9,7 @@
 namespace diefill::app {
 namespace {
 
-const char* const kCommands[] = {"run", "check", "map", "info", "bench"};
+const char* const kCommands[] = {"run", "check", "map", "info", "powders", "bench"};
 
 TEST(CommandLine, HelpShowsAnExampleOfEveryCommand) {
   for (const std::string command : kCommands) {

@@ -85,7 +85,7 @@ TEST(Compare, RunsAllVariantsAndSeedsAndSaysWhatDiffers) {
 
   EXPECT_NE(outcome.out.find("difference from \"quick\""), std::string::npos) << outcome.out;
   EXPECT_NE(outcome.out.find("  " + staying + ' '), std::string::npos) << outcome.out;  // whole
-  EXPECT_NE(outcome.out.find("filled mass, g\n"), std::string::npos) << outcome.out;
+  EXPECT_NE(outcome.out.find("filled mass of model powder, g\n"), std::string::npos) << outcome.out;
   EXPECT_EQ(contents(die.out() / "comparison.png").substr(0, 8), "\x89PNG\r\n\x1a\n");
   const std::string table = contents(die.out() / "comparison.csv");
   EXPECT_EQ(table.substr(0, table.find('\n')),

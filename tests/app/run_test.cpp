@@ -68,8 +68,8 @@ TEST(Run, WritesResultsReportAndPicturesAndSaysSo) {
   const SmallDie die;
   const Outcome outcome = die.run();
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
-  const std::vector<std::string> expected = {"density_map.png", "report.json", "results.h5",
-                                             "results.xdmf",    "section.png", "snapshot.png"};
+  const std::vector<std::string> expected = {"density_map.png", "fill_level.png", "report.json", "results.h5",
+                                             "results.xdmf",    "section.png",    "snapshot.png"};
   EXPECT_EQ(SmallDie::files_in(die.out()), expected);  // no checkpoint, no temporary files
   for (const char* picture : {"density_map.png", "section.png", "snapshot.png"}) {
     EXPECT_EQ(contents(die.out() / picture).substr(0, 8), "\x89PNG\r\n\x1a\n") << picture;

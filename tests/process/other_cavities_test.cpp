@@ -7,6 +7,8 @@
 
 #include "process/measure/choose_cavity.h"
 #include "process/measure/measure.h"
+#include "process/results/cavity_rows.h"
+#include "process/results/no_value.h"
 #include "process/run/tooling.h"
 
 namespace diefill::process {
@@ -22,35 +24,45 @@ geometry::Cavity box_cavity(double x) {
   return cavity;
 }
 
-/// Columns of six grains in boxes at x = 0 (two columns) and x = 0.02 (one), each cell eight times its grain.
+constexpr std::size_t kInFirst = 48, kInSecond = 30;
+
+/// Columns of six grains in boxes at x = 0 (eight columns) and x = 0.02 (five), each cell eight times its
+/// grain.
 results::FillResult filled_boxes() {
   results::FillResult result;
   result.powder.grain_diameter = 1e-3;
   result.powder.grain_mass = 2e-6;
   result.powder.grain_solid_volume = 1e-9;
   for (const double x : {0.003, 0.007, 0.025})
-    for (int k = 0; k < 6; ++k) result.powder.position.emplace_back(x, 0.005, -0.0095 + 1e-3 * k);
+    for (int column = 0; column < (x < 0.01 ? 4 : 5); ++column)
+      for (int k = 0; k < 6; ++k)
+        result.powder.position.emplace_back(x, 0.001 + 0.0017 * column, -0.0095 + 1e-3 * k);
   const std::size_t grains = result.powder.position.size();
   result.solid_fraction.solid_fraction.assign(grains, 0.125);
   result.solid_fraction.cell_volume.assign(grains, 8e-9);
   result.solid_fraction.open.assign(grains, 0);
   result.solid_fraction.in_cavity.assign(grains, 0);
-  std::fill_n(result.solid_fraction.in_cavity.begin(), 12, 1);
+  std::fill_n(result.solid_fraction.in_cavity.begin(), kInFirst, 1);
   return result;
 }
 
 TEST(OtherCavities, TellWhatTheyHold) {
   results::FillResult result = filled_boxes();
   add_other_cavities(result, {box_cavity(0.02)});
-  EXPECT_NEAR(result.figures.at("cavity_2_filled_mass_kg"), 6 * 2e-6, 1e-18);
+  EXPECT_NEAR(result.figures.at("cavity_2_filled_mass_kg"), kInSecond * 2e-6, 1e-18);
   EXPECT_NEAR(result.figures.at("cavity_2_solid_fraction"), 0.125, 1e-12);
   EXPECT_EQ(result.figures.at("cavity_2_volume_m3"), 1e-6);
   ASSERT_EQ(result.warnings.size(), 1U);
   EXPECT_NE(result.warnings[0].find("2 cavities"), std::string::npos);
-  EXPECT_NE(result.warnings[0].find("(25.0, 5.0) mm"), std::string::npos);
+  const auto rows = results::cavity_rows(result);
+  EXPECT_TRUE(rows.empty());  // the first has no volume here
+  result.cavity.volume = 1e-6;
+  ASSERT_EQ(results::cavity_rows(result).size(), 2U);
+  EXPECT_NEAR(results::cavity_rows(result)[1].place.x(), 0.025, 1e-12);
+  EXPECT_NEAR(results::cavity_rows(result)[1].solid_fraction, 0.125, 1e-12);
   // Figures of the cavity that maps are of stay as they are.
   EXPECT_EQ(std::count(result.solid_fraction.in_cavity.begin(), result.solid_fraction.in_cavity.end(), 1),
-            12);
+            kInFirst);
 }
 
 TEST(OtherCavities, CanBeChosenForMapsAndSummary) {
@@ -58,8 +70,10 @@ TEST(OtherCavities, CanBeChosenForMapsAndSummary) {
   result.title = "Twin die";
   result.cavity.lower_corner = {0, 0, -0.01};
   result.cavity.upper_corner = {0.01, 0.01, 0};
-  for (std::size_t k = 12; k < 18; ++k) result.solid_fraction.solid_fraction[k] = 0.25;
-  for (std::size_t k = 12; k < 18; ++k) result.solid_fraction.cell_volume[k] = 4e-9;
+  for (std::size_t k = kInFirst; k < kInFirst + kInSecond; ++k) {
+    result.solid_fraction.solid_fraction[k] = 0.25;
+    result.solid_fraction.cell_volume[k] = 4e-9;
+  }
   add_other_cavities(result, {box_cavity(0.02)});
   const double figure = result.figures.at("cavity_2_solid_fraction");
 
@@ -70,9 +84,9 @@ TEST(OtherCavities, CanBeChosenForMapsAndSummary) {
   EXPECT_EQ(result.title, "Twin die, cavity 2");
   EXPECT_EQ(result.cavity.lower_corner.x(), 0.02);
   EXPECT_EQ(result.solid_fraction.in_cavity[0], 0);
-  EXPECT_EQ(result.solid_fraction.in_cavity[12], 1);
+  EXPECT_EQ(result.solid_fraction.in_cavity[kInFirst], 1);
   EXPECT_EQ(result.summary.mean, figure);
-  EXPECT_NEAR(filled_mass(result.powder, result.solid_fraction), 6 * 2e-6, 1e-18);
+  EXPECT_NEAR(filled_mass(result.powder, result.solid_fraction), kInSecond * 2e-6, 1e-18);
 }
 
 TEST(OtherCavities, ThatTheDieDoesNotHaveCannotBeChosen) {
@@ -93,6 +107,25 @@ TEST(OtherCavities, CountInWhatMotionsAndPlansTakeForTheCavity) {
   EXPECT_EQ(all.narrowest_width, 4e-3);
   EXPECT_EQ(all.box.lower.x(), 0);
   EXPECT_EQ(all.box.upper.x(), 0.03);
+}
+
+TEST(OtherCavities, AreMeasuredAsTheFirstAndKeepItsFigures) {
+  results::FillResult result = filled_boxes();
+  result.cavity.volume = 1e-6;
+  result.figures["fill_ratio"] = 0.9;
+  result.maps.emplace_back();
+  add_other_cavities(result, {box_cavity(0.02)}, [](results::FillResult& other) {
+    other.figures["fill_ratio"] = 0.7;
+    other.maps.push_back({"solid fraction", "", "", "", "", {}, {}, {}, 0});
+    results::add_statement(other, results::kVerdictTopic, results::verdict_name(1), "70 % full");
+    results::give_no_value(other, "fill_height_mm", "why");
+  });
+  EXPECT_EQ(result.figures.at("fill_ratio"), 0.9);
+  EXPECT_EQ(result.figures.at("cavity_2_fill_ratio"), 0.7);
+  EXPECT_EQ(results::cavity_rows(result).at(1).verdict, "70 % full");
+  EXPECT_EQ(results::reason_for(result, "cavity_2_fill_height_mm"), "why");
+  ASSERT_EQ(result.maps.size(), 2U);
+  EXPECT_EQ(result.maps[1].quantity, "solid fraction, cavity 2");
 }
 
 TEST(OtherCavities, OneCavityIsNotWorthAWord) {

@@ -10,6 +10,7 @@
 #include "render/report/critical_speed.h"
 #include "render/report/html.h"
 #include "render/report/pdf.h"
+#include "render/report/run_sections.h"
 #include "render/report/strategies.h"
 #include "render/report/timeline.h"
 #include "tests/render/drawing_test.h"
@@ -72,6 +73,68 @@ TEST(CriticalSpeed, IsNotToldFromTooLittle) {
   EXPECT_TRUE(std::isnan(critical_speed({0.2, 0.2}, {0.8, 0.9}).speed));    // one speed
   EXPECT_TRUE(std::isnan(critical_speed({0.1, 0.2}, {0.5, 0.6}).speed));    // rising
   EXPECT_TRUE(std::isnan(critical_speed({0.1, 0.2}, {kNone, 0.6}).speed));  // unknown
+}
+
+TEST(CriticalSpeed, HasAnIntervalFromResidualsOrFromTheScatterOverSeeds) {
+  const auto exact =
+      critical_speed({0.1, 0.3, 0.4, 0.6},
+                     {1.02, std::pow(0.25 / 0.3, 1.3), std::pow(0.25 / 0.4, 1.3), std::pow(0.25 / 0.6, 1.3)});
+  EXPECT_NEAR(exact.lower, 0.25, 1e-9);
+  EXPECT_NEAR(exact.upper, 0.25, 1e-9);
+  EXPECT_EQ(exact.fastest_full, 0.1);
+  EXPECT_EQ(exact.slowest_incomplete, 0.3);
+  const auto noisy = critical_speed({0.2, 0.3, 0.4, 0.6}, {0.93, 0.75, 0.62, 0.42});
+  EXPECT_LT(noisy.lower, noisy.speed);
+  EXPECT_GT(noisy.upper, noisy.speed);
+  EXPECT_TRUE(std::isnan(critical_speed({0.2, 0.4}, {0.9, 0.6}).lower));
+  // Two points: the zero is u1 + (u2 - u1) w1 / (w1 - w2), moved by the first alone as its derivative says.
+  const double w1 = std::log(0.9), w2 = std::log(0.6), span = std::log(2.0);
+  const auto seeds = critical_speed({0.2, 0.4}, {0.9, 0.6}, {0.009, 0});
+  const double by_first = span * -w2 / ((w1 - w2) * (w1 - w2)) * 0.01;
+  EXPECT_NEAR(std::log(seeds.upper / seeds.speed), 1.96 * by_first, 1e-9);
+}
+
+TEST(CriticalSpeed, IsNotExtrapolatedFarAndNeverInSilence) {
+  const auto far = critical_speed({0.4, 0.8}, {0.5, 0.4});
+  EXPECT_TRUE(far.too_far);
+  EXPECT_TRUE(std::isnan(far.speed));
+  EXPECT_NE(in_words(far).find("The critical speed is not given: it would lie"), std::string::npos);
+  const auto near = critical_speed({0.2, 0.4}, {0.8, 0.5});
+  EXPECT_FALSE(near.too_far);
+  EXPECT_GT(near.extrapolation, 1.2);
+  EXPECT_NE(in_words(near).find("extrapolated 1.4 times beyond"), std::string::npos) << in_words(near);
+  const auto among = critical_speed({0.1, 0.3, 0.4}, {0.99, 0.8, 0.6});
+  EXPECT_EQ(among.extrapolation, 1);
+  EXPECT_EQ(in_words(among).find("extrapolated"), std::string::npos);
+  EXPECT_NE(in_words(among).find("full up to 0.1 m/s"), std::string::npos) << in_words(among);
+}
+
+TEST(CriticalSpeed, CountsADieOf98PerCentAsFull) {
+  const auto critical = critical_speed({0.1, 0.2, 0.3}, {0.98, 0.9, 0.7});
+  EXPECT_EQ(critical.points, 2);
+  EXPECT_EQ(critical.fastest_full, 0.1);
+}
+
+TEST(Tables, LeaveOutColumnsThatNoRowHas) {
+  Table table{"", {"a", "b", "c"}, {{"1", "–", "2"}, {"–", "–", "3"}}};
+  leave_out_empty_columns(table);
+  EXPECT_EQ(table.header, (std::vector<std::string>{"a", "c"}));
+  EXPECT_EQ(table.rows[1], (std::vector<std::string>{"–", "3"}));
+}
+
+TEST_F(ReportDrawing, EnergyLostIsNoNegativeShareAndNoSilence) {
+  results::FillResult result;
+  result.figures = {{"energy_balance_error", -0.097}, {"energy_error_limit", 0.05}};
+  std::string page;
+  Document document{"", "", {}};
+  for (const auto& section : run_sections(result, 1))
+    if (section.title == "Warnings" || section.title == "Stability margins")
+      document.sections.push_back(section);
+  page = html_page(document);
+  EXPECT_EQ(page.find("-194"), std::string::npos);
+  EXPECT_NE(page.find("±0.05"), std::string::npos);
+  EXPECT_NE(page.find("beyond it"), std::string::npos);
+  EXPECT_EQ(page.find("The run gave no warning"), std::string::npos);
 }
 
 TEST(Strategies, RunsThatDifferInTheSeedAloneAreOne) {

@@ -1,0 +1,118 @@
+#include "app/run_summary.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <limits>
+
+#include "process/results/cavity_rows.h"
+#include "process/results/no_value.h"
+#include "process/results/rounding.h"
+
+namespace diefill::app {
+
+namespace {
+
+using results::CavityRow;
+
+double figure(const results::FillResult& result, const char* name) {
+  const auto found = result.figures.find(name);
+  return found == result.figures.end() ? std::numeric_limits<double>::quiet_NaN() : found->second;
+}
+
+std::string millimetres(double length) {
+  return std::isfinite(length) ? results::at_decimals(1e3 * length, 1) : "-";
+}
+
+/// "0.31 +- 0.05": terminals need not know more than ASCII.
+std::string with_scatter(double value, double scatter) {
+  std::string text = results::with_scatter(value, scatter);
+  const std::string sign = "±";
+  if (const auto place = text.find(sign); place != std::string::npos) text.replace(place, sign.size(), "+-");
+  return text;
+}
+
+/// Columns padded to their widest cell.
+std::string table(const std::vector<std::vector<std::string>>& rows) {
+  std::vector<std::size_t> width(rows.front().size(), 0);
+  for (const auto& row : rows)
+    for (std::size_t k = 0; k < row.size(); ++k) width[k] = std::max(width[k], row[k].size());
+  std::string text;
+  for (const auto& row : rows) {
+    std::string line = " ";
+    for (std::size_t k = 0; k < row.size(); ++k)
+      line += std::string(width[k] - row[k].size() + 2, ' ') + row[k];
+    text += line + '\n';
+  }
+  return text;
+}
+
+std::string cavity_table(const std::vector<CavityRow>& rows) {
+  std::vector<std::vector<std::string>> cells = {{"cavity", "place, mm", "volume, cm3", "mass", "full die",
+                                                  "full, %", "fill height, mm", "solid fraction"}};
+  for (const CavityRow& row : rows) {
+    const auto shown = [](double value, double factor) {
+      return std::isfinite(value) ? results::in_significant_digits(factor * value, 3) : std::string("-");
+    };
+    const std::string fraction = with_scatter(row.solid_fraction, row.std);
+    cells.push_back(
+        {std::to_string(row.number),
+         results::at_decimals(1e3 * row.place.x(), 1) + ", " + results::at_decimals(1e3 * row.place.y(), 1),
+         shown(row.volume, 1e6), std::isfinite(row.mass) ? mass_of(row) : "-",
+         std::isfinite(row.full_mass) ? results::mass_in_words(row.full_mass) : "-",
+         std::isfinite(row.fill_ratio) ? results::at_decimals(100 * row.fill_ratio, 0) : "-",
+         millimetres(row.fill_height) + " of " + millimetres(row.depth),
+         fraction.empty() ? "too few grains" : fraction});
+  }
+  return table(cells);
+}
+
+/// What the mass rests on.
+std::string apparent_density(const results::FillResult& result) {
+  const double density = 1e-3 * figure(result, "apparent_density_kg_m3");
+  if (!std::isfinite(density))
+    return "apparent density " + results::reason_for(result, "apparent_density_kg_m3");
+  if (figure(result, "apparent_density_is_estimate") > 0)
+    return "apparent density about " + results::in_significant_digits(density, 2) +
+           " g/cm3, estimated: solid fraction of the powder in the shoe times the density of its metal; give "
+           "powder.apparent_density";
+  return "apparent density " + results::in_significant_digits(density, 3) + " g/cm3";
+}
+
+std::string mean_solid_fraction(const results::FillResult& result) {
+  const auto& summary = result.summary;
+  if (!std::isfinite(summary.mean)) {
+    const std::string reason = results::reason_for(result, "solid_fraction");
+    return "mean solid fraction: not given" + (reason.empty() ? std::string() : ", " + reason) + '\n';
+  }
+  return "mean solid fraction " + with_scatter(summary.mean, summary.std) + " (standard deviation over " +
+         std::to_string(summary.grains) + " single grains two diameters below the surface)\n";
+}
+
+}  // namespace
+
+std::string filling_in_words(const results::FillResult& result) {
+  const auto rows = results::cavity_rows(result);
+  if (rows.empty()) {
+    char text[120];
+    std::snprintf(text, sizeof text, "no cavity; %.0f grains (%.4g g) left the tools\n",
+                  figure(result, "grains_left"), 1e3 * figure(result, "mass_left_kg"));
+    return text;
+  }
+  std::string text;
+  for (const CavityRow& row : rows)
+    text += (rows.size() > 1 ? "cavity " + std::to_string(row.number) + ": " : "") + row.verdict + '\n';
+  if (rows.size() > 1) text += cavity_table(rows);
+  const CavityRow& first = rows.front();
+  text += "mass of real powder " + (std::isfinite(first.mass) ? mass_of(first) : "not known");
+  if (rows.size() > 1) text += " in cavity 1";
+  if (std::isfinite(first.fill_ratio))
+    text +=
+        ", fill ratio " + results::at_decimals(first.fill_ratio, 2) + " of a die full at apparent density";
+  text += ", fill height " + millimetres(first.fill_height) + " of " + millimetres(first.depth) + " mm";
+  if (const double cycle = figure(result, "cycle_time_s"); cycle > 0)
+    text += ", cycle time " + results::in_significant_digits(cycle, 3) + " s";
+  return text + "; " + apparent_density(result) + '\n' + mean_solid_fraction(result);
+}
+
+}  // namespace diefill::app

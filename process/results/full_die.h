@@ -1,0 +1,17 @@
+// From which fill ratio on a die counts as full.
+#pragma once
+
+#include <cmath>
+
+namespace diefill::results {
+
+/// Fill ratio of a die that counts as full: what weighing and levelling leave uncertain is no underfilling.
+inline constexpr double kFullDie = 0.98;
+
+/// True for a ratio that reads as 0.98 or more with two decimals, so that what is printed and what is said
+/// agree.
+inline bool is_full(double fill_ratio) {
+  return std::round(100 * fill_ratio) >= std::round(100 * kFullDie);
+}
+
+}  // namespace diefill::results

@@ -1,0 +1,62 @@
+#include "process/results/margins.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "process/results/rounding.h"
+
+namespace diefill::results {
+namespace {
+
+constexpr const char* kEnergy = "Energy unaccounted for over energy turned over";
+
+double figure(const FillResult& result, const char* name) {
+  const auto found = result.figures.find(name);
+  return found == result.figures.end() ? std::numeric_limits<double>::quiet_NaN() : found->second;
+}
+
+std::string percent(double share) {
+  return in_significant_digits(100 * share, 2) + " %";
+}
+
+}  // namespace
+
+double Margin::share() const {
+  return std::max(0.0, either_side ? std::abs(found) / limit : found / limit);
+}
+
+std::vector<Margin> margins(const FillResult& result) {
+  const auto value = [&](const char* name) { return figure(result, name); };
+  std::vector<Margin> all = {
+      {"Time step over critical time step", value("time_step_fraction"), 1},
+      {"Deepest overlap of grains over the spheres' radius", value("deepest_overlap_ratio"),
+       value("overlap_limit_ratio")},
+      {"Deepest overlap with walls over the spheres' radius", value("deepest_wall_overlap_ratio"),
+       value("wall_overlap_limit_ratio")},
+      // Energy from nowhere and energy gone nowhere are the same fault of the integration.
+      {kEnergy, value("energy_balance_error"), value("energy_error_limit"), true}};
+  std::erase_if(all, [](const Margin& margin) { return !std::isfinite(margin.found); });
+  return all;
+}
+
+std::vector<std::string> exceeded_in_words(const FillResult& result) {
+  std::vector<std::string> lines;
+  for (const Margin& margin : margins(result)) {
+    if (!margin.exceeded()) continue;
+    if (margin.name == kEnergy)
+      lines.push_back("energy balance: " + percent(std::abs(margin.found)) +
+                      " of the energy turned over was " + (margin.found < 0 ? "lost" : "gained") +
+                      " with nothing to explain it, beyond the limit of " + percent(margin.limit) +
+                      " either way: do not decide from this run; take a shorter time step "
+                      "(numerics.time_step_fraction) and compare");
+    else
+      lines.push_back(margin.name + " reached " + in_significant_digits(margin.found, 3) +
+                      ", beyond the limit of " + in_significant_digits(margin.limit, 3) +
+                      ": do not decide from this run; take a shorter time step "
+                      "(numerics.time_step_fraction) and compare");
+  }
+  return lines;
+}
+
+}  // namespace diefill::results

@@ -1,0 +1,26 @@
+// Why a figure of a run has no value, in the words of its report.
+#pragma once
+
+#include <string>
+
+#include "process/results/fill_result.h"
+
+namespace diefill::results {
+
+/// Topic under which results keep the reasons.
+inline constexpr const char* kNoValueTopic = "no value";
+
+/// Takes a figure's value away (NaN) and says why; a reason that stands already is kept.
+void give_no_value(FillResult& result, const std::string& figure, const std::string& reason);
+
+/// Why `figure` has no value ("solid_fraction" for the summary); empty where nothing is known of it.
+std::string reason_for(const FillResult& result, const std::string& figure);
+
+/// The statement `name` of a topic; empty where there is none.
+std::string statement(const FillResult& result, const std::string& topic, const std::string& name);
+
+/// Adds a statement to a topic, which is made where it is missing.
+void add_statement(FillResult& result, const std::string& topic, const std::string& name,
+                   const std::string& text);
+
+}  // namespace diefill::results

@@ -1,0 +1,28 @@
+#include "process/run/margin_warnings.h"
+
+#include <cstdio>
+
+#include "engine/health.h"
+#include "process/results/margins.h"
+
+namespace diefill::process {
+
+std::vector<std::string> margin_warnings(const results::FillResult& result) {
+  auto lines = results::exceeded_in_words(result);
+  const engine::HealthLimits limits;
+  const auto error = result.figures.find("energy_balance_error");
+  if (error == result.figures.end()) return lines;
+  const double lost = -error->second;
+  if (lost > limits.comfortable_energy_error && lost <= limits.energy_error) {
+    char text[200];
+    std::snprintf(
+        text, sizeof text,
+        "energy balance: %.1f %% of the energy turned over was lost with nothing to explain it; up to "
+        "%.1f %% either way is comfortable",
+        100 * lost, 100 * limits.comfortable_energy_error);
+    lines.emplace_back(text);
+  }
+  return lines;
+}
+
+}  // namespace diefill::process

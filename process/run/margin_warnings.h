@@ -1,0 +1,15 @@
+// Warnings about limits of the method that a finished run has passed or come near.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "process/results/fill_result.h"
+
+namespace diefill::process {
+
+/// A line for every limit exceeded (results/margins.h), and one where energy was lost beyond what is
+/// comfortable: of energy gained the run itself has warned.
+std::vector<std::string> margin_warnings(const results::FillResult& result);
+
+}  // namespace diefill::process
