@@ -26,7 +26,7 @@ Json number_or_null(const std::optional<double>& number) {
 void print_table(const std::vector<plan::VariantForecast>& variants) {
   std::size_t width = 8;
   for (const auto& variant : variants)
-    width = std::max(width, std::min(kWidestColumn, letters_in(variant.name)));
+    width = std::max(width, std::min(kWidestName, letters_in(variant.name)));
   std::printf("\n%s%10s%10s%13s%11s%12s%14s\n", padded("variant", width).c_str(), "spheres", "steps",
               "simulated, s", "shared, s", "memory, MB", "wall time");
   for (const auto& variant : variants)

@@ -10,8 +10,14 @@ namespace diefill::app {
 
 namespace {
 
+constexpr std::size_t kWidestColumn = 48;  ///< of names; longer ones push the numbers on
+
 std::string right(const std::string& text, std::size_t width) {
   return text.size() >= width ? text : std::string(width - text.size(), ' ') + text;
+}
+
+std::string left(const std::string& text, std::size_t width) {
+  return padded(text, width);
 }
 
 /// Decimals that show the scatter with two digits, or the value with four where the scatter is not known.
@@ -48,7 +54,7 @@ std::string block(const results::ComparedMeasure& measure, const std::vector<std
   std::string text = measure.name + (measure.unit == "1" ? "" : ", " + measure.unit) + '\n';
   for (std::size_t k = 0; k < variants.size(); ++k) {
     const auto& value = measure.values[k];
-    text += "  " + padded(variants[k], width) + right(number(value.mean, decimals), 12) +
+    text += "  " + left(variants[k], width) + right(number(value.mean, decimals), 12) +
             right(number(value.scatter, decimals), 11) + right(std::to_string(value.seeds), 7) + "  " +
             difference(value, decimals) + '\n';
   }
@@ -71,9 +77,8 @@ std::string comparison_table(const results::Comparison& comparison) {
   std::size_t width = 8;
   for (const auto& variant : comparison.variants)
     width = std::max(width, std::min(kWidestColumn, letters_in(variant)));
-  std::string text = comparison.title + "\n  " + padded("", width) + right("mean", 12) +
-                     right("scatter", 11) + right("seeds", 7) + "  difference from \"" +
-                     comparison.variants.front() + "\"\n";
+  std::string text = comparison.title + "\n  " + left("", width) + right("mean", 12) + right("scatter", 11) +
+                     right("seeds", 7) + "  difference from \"" + comparison.variants.front() + "\"\n";
   for (const auto& measure : comparison.measures) text += block(measure, comparison.variants, width);
   return text + runs_without_result(comparison) + results::statistics_in_words() + '\n';
 }

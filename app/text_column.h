@@ -6,7 +6,7 @@
 
 namespace diefill::app {
 
-inline constexpr std::size_t kWidestColumn = 48;  ///< letters; longer names push the numbers on
+inline constexpr std::size_t kWidestName = 48;  ///< letters; longer names push the numbers on
 
 /// Letters of a UTF-8 text: bytes that begin one.
 inline std::size_t letters_in(const std::string& text) {
