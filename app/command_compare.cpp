@@ -5,11 +5,13 @@
 #include "app/comparison_table.h"
 #include "app/drawing.h"
 #include "app/exit_code.h"
+#include "app/kept_notes.h"
 #include "app/output.h"
 #include "app/scene_choice.h"
 #include "app/stop_signals.h"
 #include "process/compare/collect.h"
 #include "process/compare/job_folder.h"
+#include "process/compare/kept_aside.h"
 #include "process/compare/run_jobs.h"
 
 namespace diefill::app {
@@ -44,6 +46,7 @@ int gather(const std::filesystem::path& directory) {
   const auto comparison = process::collect(directory);
   std::vector<std::filesystem::path> written = {"comparison.json", "comparison.csv"};
   write_output([&] {
+    say_what_is_kept(process::keep_earlier_tables(directory, comparison));
     results::write_comparison(directory, comparison);
     for (const auto& picture : draw(directory, comparison)) written.push_back(picture.filename());
   });
@@ -56,7 +59,9 @@ int gather(const std::filesystem::path& directory) {
 std::vector<process::Variant> checked_variants(const CompareArguments& arguments) {
   if (arguments.scene.empty())
     throw process::SceneError("SCENE: a scene file is needed, or --collect with a directory of runs");
-  return wanted_variants(arguments.scene, arguments.setting);
+  auto variants = wanted_variants(arguments.scene, arguments.setting);
+  process::check_seeds(variants, arguments.seeds);
+  return variants;
 }
 
 /// Writes the jobs into `directory`.
@@ -66,7 +71,7 @@ results::JobList jobs_in(const std::filesystem::path& directory, const CompareAr
   results::JobList list;
   write_output([&] {
     const std::string title = process::read_scene(arguments.scene).title;
-    list = process::write_jobs(directory, title, variants, arguments.seeds);
+    list = process::write_jobs(directory, {title, variants, arguments.seeds, {}}, say_note);
   });
   return list;
 }
@@ -76,7 +81,7 @@ int export_jobs(const CompareArguments& arguments) {
   const auto variants = checked_variants(arguments);
   const OutputDirectory output(directory, {"tools"});
   const auto list = jobs_in(directory, arguments, variants);
-  write_output([&] { process::write_job_scripts(directory, list); });
+  write_output([&] { process::write_job_scripts(directory, list, say_note); });
   std::printf(
       "%zu runs in %s; copy it anywhere and there\n"
       "  sbatch slurm.sh                                 on a Slurm cluster\n"

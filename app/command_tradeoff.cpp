@@ -7,10 +7,13 @@
 #include "app/commands.h"
 #include "app/drawing.h"
 #include "app/exit_code.h"
+#include "app/kept_notes.h"
 #include "app/output.h"
 #include "app/stop_signals.h"
 #include "app/tradeoff_table.h"
+#include "process/compare/kept_aside.h"
 #include "process/results/tradeoff.h"
+#include "process/scene/folder_names.h"
 #include "process/tradeoff/trade_off.h"
 #include "render/tradeoff_chart.h"
 
@@ -45,13 +48,20 @@ std::pair<std::string, double> read_target(const std::string& text) {
                             "\", NAME=NUMBER is needed, in the unit of the CSV, such as filled_mass=12.5");
 }
 
+/// A word as a shell takes it.
+std::string quoted(const std::string& word) {
+  std::string text = "'";
+  for (const char letter : word) text += letter == '\'' ? std::string("'\\''") : std::string(1, letter);
+  return text + '\'';
+}
+
 /// The command as one would type it again.
 std::string command_in_words(const TradeoffArguments& arguments) {
   std::string words = "diefill tradeoff " + arguments.scene;
-  for (const auto& vary : arguments.vary) words += " --vary '" + vary + '\'';
+  for (const auto& vary : arguments.vary) words += " --vary " + quoted(vary);
   if (arguments.variants) words += " --variants";
-  for (const auto& target : arguments.targets) words += " --target '" + target + '\'';
-  if (!arguments.reference.empty()) words += " --reference '" + arguments.reference + '\'';
+  for (const auto& target : arguments.targets) words += " --target " + quoted(target);
+  if (!arguments.reference.empty()) words += " --reference " + quoted(arguments.reference);
   char text[100];
   std::snprintf(text, sizeof text, " --seeds %d --tolerance %g", arguments.seeds, arguments.tolerance);
   words += text;
@@ -72,6 +82,7 @@ process::TradeoffOptions options_of(const TradeoffArguments& arguments) {
   options.reference = arguments.reference;
   options.variants = arguments.variants;
   options.command = command_in_words(arguments);
+  options.say = say_note;
   options.jobs.program = std::filesystem::read_symlink("/proc/self/exe");
   options.jobs.at_once = arguments.jobs;
   options.jobs.threads = arguments.threads;
@@ -81,9 +92,13 @@ process::TradeoffOptions options_of(const TradeoffArguments& arguments) {
   return options;
 }
 
-/// File name of a knob's chart; other letters than those of names become '_'.
-std::string chart_name(const std::string& knob) {
-  return "knob_" + process::folder_of_name(knob) + ".png";
+/// File names of the knobs' charts.
+std::vector<std::string> chart_names(const results::Tradeoff& tradeoff) {
+  std::vector<std::string> names;
+  for (const auto& knob : tradeoff.knobs) names.push_back(knob.name);
+  names = process::folder_names(names);
+  for (std::string& name : names) name = "knob_" + name + ".png";
+  return names;
 }
 
 bool any_result(const results::Tradeoff& tradeoff) {
@@ -95,14 +110,16 @@ std::vector<std::string> write_all(const std::filesystem::path& directory,
                                    const results::Tradeoff& tradeoff) {
   std::vector<std::string> written = {"tradeoff.csv", "tradeoff.json"};
   write_output([&] {
+    say_what_is_kept(process::keep_earlier_tables(directory, tradeoff));
     results::write_tradeoff(directory, tradeoff);
     if (!any_result(tradeoff)) return;
     set_up_drawing();
     render::draw_tradeoff(directory / "tradeoff.png", tradeoff);
     written.emplace_back("tradeoff.png");
-    for (const auto& knob : tradeoff.knobs) {
-      render::draw_knob(directory / chart_name(knob.name), tradeoff, knob);
-      written.push_back(chart_name(knob.name));
+    const auto charts = chart_names(tradeoff);
+    for (std::size_t k = 0; k < charts.size(); ++k) {
+      render::draw_knob(directory / charts[k], tradeoff, tradeoff.knobs[k]);
+      written.push_back(charts[k]);
     }
   });
   return written;

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/pilot_report.h"
+#include "app/text_column.h"
 #include "process/run/progress.h"
 
 namespace diefill::app {
@@ -23,12 +24,13 @@ Json number_or_null(const std::optional<double>& number) {
 }
 
 void print_table(const std::vector<plan::VariantForecast>& variants) {
-  int width = 8;
-  for (const auto& variant : variants) width = std::max(width, static_cast<int>(variant.name.size()));
-  std::printf("\n%-*s%10s%10s%13s%11s%12s%14s\n", width, "variant", "spheres", "steps", "simulated, s",
-              "shared, s", "memory, MB", "wall time");
+  std::size_t width = 8;
   for (const auto& variant : variants)
-    std::printf("%-*s%10zu%10.0f%13.3g%11.3g%12.0f%14s\n", width, variant.name.c_str(),
+    width = std::max(width, std::min(kWidestName, letters_in(variant.name)));
+  std::printf("\n%s%10s%10s%13s%11s%12s%14s\n", padded("variant", width).c_str(), "spheres", "steps",
+              "simulated, s", "shared, s", "memory, MB", "wall time");
+  for (const auto& variant : variants)
+    std::printf("%s%10zu%10.0f%13.3g%11.3g%12.0f%14s\n", padded(variant.name, width).c_str(),
                 variant.forecast.spheres, variant.forecast.steps(), variant.forecast.seconds(),
                 variant.shared_seconds, 1e-6 * variant.forecast.memory,
                 time_in_words(variant.wall_seconds).c_str());

@@ -6,6 +6,8 @@
 
 #include "process/results/rounding.h"
 
+#include "app/text_column.h"
+
 namespace diefill::app {
 
 namespace {
@@ -17,7 +19,7 @@ std::string right(const std::string& text, std::size_t width) {
 }
 
 std::string left(const std::string& text, std::size_t width) {
-  return text.size() >= width ? text : text + std::string(width - text.size(), ' ');
+  return padded(text, width);
 }
 
 constexpr int kDigitsWithoutScatter = 3;
@@ -81,7 +83,7 @@ std::string runs_without_result(const results::Comparison& comparison) {
 std::string comparison_table(const results::Comparison& comparison) {
   std::size_t width = 8;
   for (const auto& variant : comparison.variants)
-    width = std::max(width, std::min(kWidestColumn, variant.size()));
+    width = std::max(width, std::min(kWidestColumn, letters_in(variant)));
   std::string text = comparison.title + "\n  " + left("", width) + right("mean", 12) + right("scatter", 11) +
                      right("seeds", 7) + "  difference from \"" + comparison.variants.front() + "\"\n";
   for (const auto& measure : comparison.measures) text += block(measure, comparison.variants, width);

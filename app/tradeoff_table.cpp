@@ -4,6 +4,8 @@
 #include <cmath>
 #include <cstdio>
 
+#include "app/text_column.h"
+
 namespace diefill::app {
 
 namespace {
@@ -18,10 +20,10 @@ std::string number(double value, const char* format) {
 std::string line(const std::string& name, std::size_t width, const std::string& core,
                  const std::string& per_second, const std::string& memory, const std::string& error,
                  const std::string& rest) {
-  char text[400];
-  std::snprintf(text, sizeof text, "%-*s %10s %12s %9s %9s  ", static_cast<int>(width), name.c_str(),
-                core.c_str(), per_second.c_str(), memory.c_str(), error.c_str());
-  std::string whole = text + rest;
+  char numbers[200];
+  std::snprintf(numbers, sizeof numbers, " %10s %12s %9s %9s  ", core.c_str(), per_second.c_str(),
+                memory.c_str(), error.c_str());
+  std::string whole = padded(name, width) + numbers + rest;
   whole.erase(whole.find_last_not_of(' ') + 1);
   return whole + '\n';
 }
@@ -52,7 +54,8 @@ std::vector<const results::TradeoffPoint*> cheapest_first(const results::Tradeof
 std::string tradeoff_table(const results::Tradeoff& tradeoff) {
   constexpr double kMebibyte = 1024.0 * 1024.0;
   std::size_t width = 7;
-  for (const auto& point : tradeoff.points) width = std::max(width, point.name.size());
+  for (const auto& point : tradeoff.points)
+    width = std::max(width, std::min(kWidestName, letters_in(point.name)));
   std::string text =
       tradeoff.title + '\n' + line("setting", width, "core s", "core s per s", "MiB", "error %", "");
   for (const auto* point : cheapest_first(tradeoff))

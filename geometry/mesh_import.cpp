@@ -13,6 +13,7 @@
 #include "geometry/lie_apart.h"
 #include "geometry/point_grid.h"
 #include "geometry/read_binary_stl.h"
+#include "geometry/referred_files.h"
 
 namespace diefill::geometry {
 
@@ -174,9 +175,16 @@ Mesh import_mesh(const std::filesystem::path& file, double metres_per_unit) {
 std::string file_hash(const std::filesystem::path& file) {
   // FNV-1a, 64 bit (Fowler, Noll and Vo; RFC 9923).
   std::uint64_t hash = 0xcbf29ce484222325U;
-  for (const char byte : read_cad_file(file)) {
-    hash ^= static_cast<unsigned char>(byte);
-    hash *= 0x100000001b3U;
+  const auto add = [&](const std::string& bytes) {
+    for (const char byte : bytes) {
+      hash ^= static_cast<unsigned char>(byte);
+      hash *= 0x100000001b3U;
+    }
+  };
+  add(read_cad_file(file));
+  for (const auto& referred : referred_files(file)) {
+    add(referred.generic_string());
+    add(read_cad_file(file.parent_path() / referred));
   }
   std::ostringstream text;
   text << std::hex << std::setw(16) << std::setfill('0') << hash;

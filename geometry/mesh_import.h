@@ -42,8 +42,8 @@ ImportedPart import_part(const std::filesystem::path& file, const ImportOptions&
 /// Everything in `file`, whose coordinates are in units of `metres_per_unit` (0.001 for mm), as one mesh.
 Mesh import_mesh(const std::filesystem::path& file, double metres_per_unit);
 
-/// Hash of the bytes of a file, as 16 hexadecimal digits, so that results can name the CAD they were made
-/// with. Throws MeshError when the file cannot be read.
+/// Hash of the bytes of a file and of those that it refers to (referred_files.h), as 16 hexadecimal digits,
+/// so that results can name the CAD they were made with. Throws MeshError when a file cannot be read.
 std::string file_hash(const std::filesystem::path& file);
 
 }  // namespace diefill::geometry

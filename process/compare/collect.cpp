@@ -34,6 +34,8 @@ results::ComparedRun compared_run(const std::filesystem::path& directory, const 
   run.reason = state.reason;
   run.exit_code = state.exit_code;
   run.state = state.stage == JobState::Stage::open ? "not finished" : "failed";
+  if (!std::filesystem::exists(directory / job.folder))
+    run.reason = "its folder " + job.folder + " is missing";
   if (state.stage != JobState::Stage::finished) return run;
   try {
     const auto result = results::read_results(directory / job.folder);
@@ -42,7 +44,7 @@ results::ComparedRun compared_run(const std::filesystem::path& directory, const 
     if (const auto* field = compared_field(result)) fields.push_back(*field);
   } catch (const results::ResultError& error) {
     run.state = "failed";
-    run.reason = error.what();
+    run.reason = error.what() + std::string("; move its folder away and it can be run again");
     run.exit_code = 1;
   }
   return run;

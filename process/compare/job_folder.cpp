@@ -1,51 +1,109 @@
 #include "process/compare/job_folder.h"
 
+#include <algorithm>
 #include <fstream>
 #include <iterator>
+#include <optional>
 #include <sstream>
 
-#include "geometry/mesh_import.h"
+#include "process/compare/copied_files.h"
+#include "process/compare/kept_aside.h"
 #include "process/results/atomic_file.h"
-#include "process/results/job_cost.h"
 #include "process/results/result_file.h"
 #include "process/run/checkpoint.h"
+#include "process/scene/identity.h"
 
 namespace diefill::process {
 namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* kToolFolder = "tools";
-
 std::string contents_or_nothing(const fs::path& file) {
   std::ifstream stream(file, std::ios::binary);
   return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
 }
 
-void make_folder(const fs::path& folder) {
-  std::error_code error;
-  fs::create_directories(folder, error);
-  if (error) throw results::ResultError("cannot make " + folder.string() + ": " + error.message());
+/// The scene's text with copied files named by the hash in their names alone, not by how they were called.
+std::string with_hashes(std::string text) {
+  constexpr std::size_t kDigits = 16;
+  const std::string start = "../../tools/";
+  for (std::size_t at = text.find(start); at != std::string::npos; at = text.find(start, at)) {
+    at += start.size();
+    const std::size_t end = std::min(text.size(), text.find_first_of("'\"/\n", at));
+    const std::size_t dash = text.rfind('-', end - 1);
+    if (dash == std::string::npos || dash < at || dash + kDigits >= end) continue;
+    if (text.find_first_not_of("0123456789abcdef", dash + 1) >= dash + 1 + kDigits) text.erase(at, dash - at);
+  }
+  return text;
 }
 
-/// Copies the CAD file unless it is there; gives its name in `tools`. Contents name it, so that two files of
-/// one name do not clash, and a scene names other files as soon as their contents are others.
-std::string copied_tool(const fs::path& directory, const fs::path& file) {
-  const std::string name = file.stem().string() + '-' + geometry::file_hash(file) + file.extension().string();
-  const fs::path copy = directory / kToolFolder / name;
-  if (!fs::exists(copy)) results::write_text_atomically(copy, contents_or_nothing(file));
-  return name;
+/// Whether two scenes of a job's folder ask for the same computation.
+bool ask_for_the_same(const std::string& a, const std::string& b, const fs::path& file) {
+  try {
+    return scene_identity(with_hashes(a), file, {}) == scene_identity(with_hashes(b), file, {});
+  } catch (const SceneError&) {
+    return false;
+  }
 }
 
-/// Makes the job's scene file; results of another scene go.
-void write_scene(const fs::path& folder, const std::string& text) {
+/// Makes the job's scene file. Where the folder holds another computation, it is set aside, and its new path
+/// given.
+std::optional<fs::path> write_scene(const fs::path& folder, const std::string& text) {
+  const fs::path scene = folder / kJobScene;
+  const std::string before = contents_or_nothing(scene);
+  if (before == text) return std::nullopt;
+  std::optional<fs::path> aside;
+  if (fs::exists(folder) && !ask_for_the_same(before, text, scene)) {
+    if (!fs::is_empty(folder)) aside = set_one_aside(folder);
+  } else if (fs::exists(folder)) {
+    // A limit of its computing may be another: what failed before is tried again.
+    const fs::path code = folder / kJobExitCode;
+    if (contents_or_nothing(code) != "0\n") fs::remove(code);
+  }
   make_folder(folder);
-  if (contents_or_nothing(folder / kJobScene) == text) return;
-  for (const char* outdated :
-       {"report.json", "results.h5", "results.xdmf", kJobExitCode, kJobLog, results::kJobCost})
-    fs::remove(folder / outdated);
-  fs::remove(checkpoint_file(folder));
-  results::write_text_atomically(folder / kJobScene, text);
+  results::write_text_atomically(scene, text);
+  return aside;
+}
+
+/// The list that lies there. One that cannot be read is set aside.
+results::JobList earlier_list(const fs::path& directory, const Say& say) {
+  if (!fs::exists(results::job_list_file(directory))) return {};
+  try {
+    return results::read_job_list(directory);
+  } catch (const results::ResultError& error) {
+    const fs::path aside = set_one_aside(results::job_list_file(directory));
+    if (say) say("note: " + std::string(error.what()) + "; it is kept as " + aside.filename().string());
+    return {};
+  }
+}
+
+/// Whether something has been computed there.
+bool holds_work(const fs::path& folder) {
+  for (const char* name : {"report.json", "results.h5", "checkpoint.bin"})
+    if (fs::exists(folder / name)) return true;
+  return false;
+}
+
+/// The first few, and how many more.
+std::string listed(const std::vector<std::string>& words) {
+  constexpr std::size_t kShown = 6;
+  std::string text;
+  for (std::size_t k = 0; k < std::min(kShown, words.size()); ++k) text += (k == 0 ? "" : ", ") + words[k];
+  if (words.size() > kShown) text += " and " + std::to_string(words.size() - kShown) + " more";
+  return text;
+}
+
+/// Folders with results that the earlier list names and the new one does not.
+std::vector<std::string> left_out(const fs::path& directory, const results::JobList& earlier,
+                                  const results::JobList& now, const std::vector<std::string>& later) {
+  std::vector<std::string> folders;
+  for (const results::Job& job : earlier.jobs) {
+    const auto same = [&](const results::Job& other) { return other.folder == job.folder; };
+    if (std::any_of(now.jobs.begin(), now.jobs.end(), same)) continue;
+    if (std::find(later.begin(), later.end(), job.variant) != later.end()) continue;
+    if (holds_work(directory / job.folder)) folders.push_back(job.folder);
+  }
+  return folders;
 }
 
 /// What the run said last, without the program's name.
@@ -68,22 +126,41 @@ int exit_code_in(const fs::path& file) {
 
 }  // namespace
 
-results::JobList write_jobs(const fs::path& directory, const std::string& title,
-                            const std::vector<Variant>& variants, int seeds) {
-  make_folder(directory / kToolFolder);
+void check_seeds(const std::vector<Variant>& variants, int seeds) {
+  constexpr std::uint64_t kLargest = INT64_MAX;  // that TOML knows
+  const auto more = static_cast<std::uint64_t>(seeds - 1);
+  for (const Variant& variant : variants)
+    if (variant.scene.seed > kLargest - more)
+      throw SceneError(variant.scene.file.string() + ": seed: found " + std::to_string(variant.scene.seed) +
+                       " in \"" + variant.name + "\", " + std::to_string(seeds) +
+                       " seeds counted up from there go beyond the largest, " + std::to_string(kLargest) +
+                       "; give a smaller seed or fewer with --seeds");
+}
+
+results::JobList write_jobs(const fs::path& directory, const WantedJobs& wanted, const Say& say) {
+  check_seeds(wanted.variants, wanted.seeds);
+  const results::JobList earlier = earlier_list(directory, say);
+  CopiedFiles copies(directory);
+  const auto elsewhere = [&](const fs::path& file) { return "../../" + copies.copy(file); };
   results::JobList list;
-  list.title = title;
-  for (const Variant& variant : variants) list.variants.push_back(variant.name);
-  for (int k = 0; k < seeds; ++k)
-    for (const Variant& variant : variants) {
+  list.title = wanted.title;
+  std::vector<std::string> aside;
+  for (const Variant& variant : wanted.variants) list.variants.push_back(variant.name);
+  for (int k = 0; k < wanted.seeds; ++k)
+    for (const Variant& variant : wanted.variants) {
       const std::uint64_t seed = variant.scene.seed + static_cast<std::uint64_t>(k);
       const std::string folder = variant.folder + "/seed-" + std::to_string(seed);
-      std::vector<std::string> files;
-      for (const ToolSpec& tool : variant.scene.tools)
-        files.push_back(std::string("../../") + kToolFolder + '/' + copied_tool(directory, tool.file));
-      write_scene(directory / folder, scene_text_with(variant.scene, seed, files));
+      if (const auto kept = write_scene(directory / folder, scene_text_with(variant.scene, seed, elsewhere)))
+        aside.push_back(folder + " as " + kept->filename().string());
       list.jobs.push_back({variant.name, seed, folder});
     }
+  const auto missing = left_out(directory, earlier, list, wanted.later);
+  if (say && !aside.empty())
+    say("note: in " + directory.string() +
+        ", runs of another scene than today's are kept aside: " + listed(aside));
+  if (say && !missing.empty())
+    say("note: in " + directory.string() +
+        ", earlier runs are in the list no more and stay where they are: " + listed(missing));
   results::write_job_list(directory, list);
   return list;
 }

@@ -1,7 +1,10 @@
-// The runs of a comparison as folders that stand alone: a scene file each, CAD files copied beside them.
+// The runs of a comparison as folders that stand alone: a scene file each, the files it needs copied beside
+// them.
 #pragma once
 
 #include <filesystem>
+#include <functional>
+#include <string>
 #include <vector>
 
 #include "process/results/job_list.h"
@@ -9,16 +12,32 @@
 
 namespace diefill::process {
 
-/// Writes into `directory`: `<variant>/seed-<k>/scene.toml` for `seeds` seeds of each variant, counted up
-/// from the variant's own; the CAD files into `tools/`, named after their contents; and jobs.json. Jobs are
-/// listed seed by seed, so that all variants have their first result early. A folder whose scene or CAD has
-/// changed loses its results and checkpoint; all others keep them. Throws results::ResultError.
-results::JobList write_jobs(const std::filesystem::path& directory, const std::string& title,
-                            const std::vector<Variant>& variants, int seeds);
+/// What is said on the way, a line at a time; nothing: nobody listens.
+using Say = std::function<void(const std::string&)>;
+
+/// What is to be run, each variant with `seeds` seeds counted up from its own.
+struct WantedJobs {
+  std::string title;  ///< of the scene
+  std::vector<Variant> variants;
+  int seeds = 1;
+  /// Names of variants that are run later: that they are not among these is nothing to speak of.
+  std::vector<std::string> later;
+};
+
+/// Throws SceneError where a seed would be larger than a scene can state.
+void check_seeds(const std::vector<Variant>& variants, int seeds);
+
+/// Writes into `directory`: `<variant>/seed-<k>/scene.toml` for every job; the files that scenes name into
+/// `tools/` (copied_files.h); and jobs.json. Jobs are listed seed by seed, so that all variants have their
+/// first result early. A folder whose scene asks for another computation now (scene/identity.h) is kept as
+/// `seed-<k>-previous-<n>`, with all that is in it; that, and results that are in the list no more, is said.
+/// Throws results::ResultError, and SceneError as check_seeds does.
+results::JobList write_jobs(const std::filesystem::path& directory, const WantedJobs& wanted, const Say& say);
 
 /// Writes what runs the jobs elsewhere: jobs.txt, one command line each; run_here.sh, which runs several at a
-/// time; and slurm.sh, an array job. Throws results::ResultError.
-void write_job_scripts(const std::filesystem::path& directory, const results::JobList& list);
+/// time; and slurm.sh, an array job. Those of other contents are set aside, and that is said. Throws
+/// results::ResultError.
+void write_job_scripts(const std::filesystem::path& directory, const results::JobList& list, const Say& say);
 
 /// How far a job has come.
 struct JobState {

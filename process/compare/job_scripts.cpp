@@ -1,18 +1,25 @@
+#include <fstream>
+#include <iterator>
+#include <optional>
+
 #include "process/compare/job_folder.h"
+#include "process/compare/kept_aside.h"
 #include "process/results/atomic_file.h"
 #include "process/results/result_file.h"
 
 namespace diefill::process {
 namespace {
 
+namespace fs = std::filesystem;
+
 /// One line for a shell in the comparison's directory. It does nothing for a run that is finished; one that
-/// was stopped leaves no exit code and stays open.
+/// was stopped leaves no exit code and stays open. Folders' names need no quotes (scene/folder_names.h).
 std::string command_line(const results::Job& job) {
-  const std::string folder = job.folder + '/';
-  return "[ -e " + folder + "report.json ] && [ ! -e " + folder + "checkpoint.bin ] && exit 0; " +
-         "\"${DIEFILL:-diefill}\" run " + folder + kJobScene + " --out " + job.folder +
-         " --resume --threads \"${DIEFILL_THREADS:-1}\" >> " + folder + kJobLog + " 2>&1; " +
-         "code=$?; [ $code -ge 128 ] || echo $code > " + folder + kJobExitCode + "; exit $code";
+  const std::string folder = job.folder + '/', code = folder + kJobExitCode;
+  return "[ -e " + folder + "report.json ] && [ ! -e " + folder + "checkpoint.bin ] && [ \"$(cat " + code +
+         " 2>/dev/null || echo 0)\" = 0 ] && exit 0; rm -f " + code + "; \"${DIEFILL:-diefill}\" run " +
+         folder + kJobScene + " --out " + job.folder + " --resume --threads \"${DIEFILL_THREADS:-1}\" >> " +
+         folder + kJobLog + " 2>&1; code=$?; [ $code -ge 128 ] || echo $code > " + code + "; exit $code";
 }
 
 std::string here_script() {
@@ -34,21 +41,31 @@ cd "${SLURM_SUBMIT_DIR:-.}" && sed -n "${SLURM_ARRAY_TASK_ID}p" jobs.txt | sh
 )";
 }
 
-void write_script(const std::filesystem::path& file, const std::string& text) {
+/// Writes the file. One of other contents, which somebody may have made their own, is set aside; gives its
+/// name.
+std::optional<std::string> write_file(const fs::path& file, const std::string& text, bool runs) {
+  std::ifstream stream(file, std::ios::binary);
+  const std::string before{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
+  if (before == text) return std::nullopt;
+  std::optional<std::string> aside;
+  if (fs::exists(file)) aside = file.filename().string() + " as " + set_one_aside(file).filename().string();
   results::write_text_atomically(file, text);
-  using Permissions = std::filesystem::perms;
-  std::filesystem::permissions(file, Permissions::owner_exec | Permissions::group_exec,
-                               std::filesystem::perm_options::add);
+  using Permissions = fs::perms;
+  if (runs) fs::permissions(file, Permissions::owner_exec | Permissions::group_exec, fs::perm_options::add);
+  return aside;
 }
 
 }  // namespace
 
-void write_job_scripts(const std::filesystem::path& directory, const results::JobList& list) {
-  std::string lines;
+void write_job_scripts(const fs::path& directory, const results::JobList& list, const Say& say) {
+  std::string lines, kept;
   for (const results::Job& job : list.jobs) lines += command_line(job) + '\n';
-  results::write_text_atomically(directory / "jobs.txt", lines);
-  write_script(directory / "run_here.sh", here_script());
-  write_script(directory / "slurm.sh", slurm_script(list.jobs.size()));
+  for (const auto& aside : {write_file(directory / "jobs.txt", lines, false),
+                            write_file(directory / "run_here.sh", here_script(), true),
+                            write_file(directory / "slurm.sh", slurm_script(list.jobs.size()), true)})
+    if (aside) kept += (kept.empty() ? "" : ", ") + *aside;
+  if (say && !kept.empty())
+    say("note: in " + directory.string() + ", earlier job scripts are kept aside: " + kept);
 }
 
 }  // namespace diefill::process

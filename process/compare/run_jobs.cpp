@@ -8,6 +8,7 @@
 #include <cstdlib>
 #include <fstream>
 #include <memory>
+#include <regex>
 
 #include "process/compare/child_process.h"
 #include "process/compare/job_folder.h"
@@ -37,6 +38,18 @@ double share_in(const fs::path& log) {
   for (std::string line; std::getline(file, line);)
     if (line.find(" %  t = ") != std::string::npos) share = std::atof(line.c_str()) / 100;
   return share;
+}
+
+/// Removes what runs have left for each other (run/beginning.h), and the folder with it. What else lies there
+/// is not ours and stays.
+void remove_beginnings(const fs::path& folder) {
+  static const std::regex ours(R"([0-9a-f]{16}\.bin(\..*\.tmp)?)");
+  std::error_code error;
+  std::vector<fs::path> files;
+  for (const auto& entry : fs::directory_iterator(folder, error))
+    if (std::regex_match(entry.path().filename().string(), ours)) files.push_back(entry.path());
+  for (const fs::path& file : files) fs::remove(file, error);
+  fs::remove(folder, error);
 }
 
 struct RunningJob {
@@ -70,7 +83,7 @@ class JobPool {
       if (left() <= 0) end_early();
       show();
     }
-    fs::remove_all(directory_ / kBeginnings);
+    remove_beginnings(directory_ / kBeginnings);
   }
 
  private:

@@ -11,9 +11,10 @@ namespace diefill::results {
 JobCost read_job_cost(const std::filesystem::path& folder) {
   std::ifstream file(folder / kJobCost);
   const auto json = nlohmann::json::parse(file, nullptr, false);
-  if (!json.is_object()) return {};
-  return {json.value("cpu_seconds", 0.0), json.value("wall_seconds", 0.0),
-          json.value("peak_memory_bytes", 0.0)};
+  const auto number = [&](const char* key) {
+    return json.is_object() && json.contains(key) && json[key].is_number() ? json[key].get<double>() : 0.0;
+  };
+  return {number("cpu_seconds"), number("wall_seconds"), number("peak_memory_bytes")};
 }
 
 void add_job_cost(const std::filesystem::path& folder, const JobCost& attempt) {

@@ -12,10 +12,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-std::filesystem::path list_file(const std::filesystem::path& directory) {
-  return directory / "jobs.json";
-}
-
 JobList from_json(const Json& json) {
   JobList list;
   list.title = json.at("title");
@@ -24,11 +20,20 @@ JobList from_json(const Json& json) {
     list.jobs.push_back({entry.at("variant"), entry.at("seed"), entry.at("folder")});
     const auto known = std::find(list.variants.begin(), list.variants.end(), list.jobs.back().variant);
     if (known == list.variants.end()) throw std::invalid_argument("a job of an unknown variant");
+    // Elsewhere a list could send its reader to files that are no runs of it.
+    const std::filesystem::path folder = list.jobs.back().folder;
+    if (folder.empty() || folder.is_absolute() || folder.lexically_normal().begin()->string() == "..")
+      throw std::invalid_argument("a job outside the list's directory");
   }
+  if (list.variants.empty()) throw std::invalid_argument("no variant");
   return list;
 }
 
 }  // namespace
+
+std::filesystem::path job_list_file(const std::filesystem::path& directory) {
+  return directory / "jobs.json";
+}
 
 void write_job_list(const std::filesystem::path& directory, const JobList& list) {
   Json json;
@@ -38,11 +43,11 @@ void write_job_list(const std::filesystem::path& directory, const JobList& list)
   for (const Job& job : list.jobs)
     json["jobs"].push_back({{"variant", job.variant}, {"seed", job.seed}, {"folder", job.folder}});
   const std::string text = json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
-  write_text_atomically(list_file(directory), text);
+  write_text_atomically(job_list_file(directory), text);
 }
 
 JobList read_job_list(const std::filesystem::path& directory) {
-  const auto path = list_file(directory);
+  const auto path = job_list_file(directory);
   std::ifstream file(path);
   if (!file)
     throw ResultError(path.string() +

@@ -22,6 +22,9 @@ struct JobList {
   std::vector<Job> jobs;
 };
 
+/// `directory`/jobs.json.
+std::filesystem::path job_list_file(const std::filesystem::path& directory);
+
 /// Writes `directory`/jobs.json whole or not at all. Throws ResultError.
 void write_job_list(const std::filesystem::path& directory, const JobList& list);
 

@@ -5,6 +5,7 @@
 #include <cstdio>
 
 #include "engine/fnv1a.h"
+#include "geometry/mesh_import.h"
 #include "process/machine/powder_inflow.h"
 #include "process/machine/step.h"
 #include "process/results/result_file.h"
@@ -31,6 +32,12 @@ toml::table plan_of(const toml::table& step) {
   return plan;
 }
 
+/// What the table that a step follows holds is what acts, not how its file is called.
+void name_by_contents(toml::table& step, const fs::path& scene) {
+  const auto file = step["file"].value_exact<std::string>();
+  if (file) step.insert_or_assign("file", geometry::file_hash(scene.parent_path() / *file));
+}
+
 /// Scenes may have more or fewer steps at the end, as long as nothing of them counts yet.
 void drop_last_without_plan(toml::array& steps) {
   while (!steps.empty() && steps.back().as_table()->empty()) steps.pop_back();
@@ -43,7 +50,10 @@ std::string text_so_far(const Scene& scene, const ScheduleState& schedule, doubl
   for (std::size_t k = 0; k < scene.steps.size(); ++k) {
     toml::table& step = *document["step"][k].as_table();
     // The first stage is the settling before the scene's own steps.
-    if (!has_acted(*scene.steps[k], schedule.steps[k + 1], now)) step = plan_of(step);
+    if (!has_acted(*scene.steps[k], schedule.steps[k + 1], now))
+      step = plan_of(step);
+    else
+      name_by_contents(step, scene.file);
   }
   if (toml::array* steps = document["step"].as_array()) drop_last_without_plan(*steps);
   return scene_text_of(document);

@@ -3,9 +3,9 @@
 #include <toml++/toml.h>
 
 #include <algorithm>
-#include <cctype>
 #include <sstream>
 
+#include "process/scene/folder_names.h"
 #include "process/scene/nearest_key.h"
 #include "process/scene/scene_text.h"
 #include "process/scene/sections.h"
@@ -99,20 +99,61 @@ void merge(toml::table& into, toml::table& changes, const std::filesystem::path&
   }
 }
 
+/// Whether a code point (UTF-8, `bytes` long) is seen as what it is: no control character, no other line
+/// break, nothing that turns the direction of what stands around it.
+bool is_printable(const std::string& text, std::size_t start, std::size_t bytes) {
+  const std::string letter = text.substr(start, bytes);
+  const auto first = static_cast<unsigned char>(letter.front());
+  if (bytes == 1) return first >= 0x20 && first != 0x7f;
+  if (first == 0xc2 && static_cast<unsigned char>(letter[1]) < 0xa0) return false;
+  for (const char* unfit : {"\u2028", "\u2029", "\u202a", "\u202b", "\u202c", "\u202d", "\u202e", "\u2066",
+                            "\u2067", "\u2068", "\u2069"})
+    if (letter == unfit) return false;
+  return true;
+}
+
+bool all_printable(const std::string& text) {
+  for (std::size_t start = 0; start < text.size();) {
+    std::size_t end = start + 1;
+    while (end < text.size() && (static_cast<unsigned char>(text[end]) & 0xc0U) == 0x80U) ++end;
+    if (!is_printable(text, start, end - start)) return false;
+    start = end;
+  }
+  return true;
+}
+
+/// Any text that can be seen: folders are made of it by folder_names.
+std::string variant_name(TableReader& table) {
+  constexpr std::size_t kLongest = 1000;  // bytes; it stands in every line of a table
+  const std::string example = "slow shoe";
+  std::string name = table.required_text("name", example);
+  if (name.find_first_not_of(" \t") == std::string::npos || !all_printable(name))
+    table.reject("name", "a name of printable characters in one line is needed, such as \"" + example + '"');
+  if (name.size() > kLongest)
+    table.reject("name", "a name of at most " + std::to_string(kLongest) + " bytes is allowed, such as \"" +
+                             example + '"');
+  return name;
+}
+
 /// Names and folders of all variants, in their order.
 std::vector<Variant> named_variants(const toml::table& document, const std::filesystem::path& file) {
-  std::vector<Variant> variants;
-  for (TableReader& table : TableReader(document, file, "").tables("variant")) {
-    Variant variant;
-    variant.name = table.required_name("name", "slow shoe");
-    variant.folder = folder_of_name(variant.name);
-    for (const Variant& other : variants)
-      if (other.folder == variant.folder)
-        table.reject("name",
-                     "the earlier variant \"" + other.name +
-                         "\" would have the same folder for its results; give each a name of its own");
+  std::vector<std::string> names;
+  auto tables = TableReader(document, file, "").tables("variant");
+  for (TableReader& table : tables) {
+    const std::string name = variant_name(table);
+    if (std::find(names.begin(), names.end(), name) != names.end())
+      table.reject("name", "an earlier variant has this name; give each a name of its own");
     if (table.has("variant")) table.reject("variant", "a variant holds no variants; write [[variant]]");
-    variants.push_back(std::move(variant));
+    names.push_back(name);
+  }
+  const auto folders = folder_names(names);
+  std::vector<Variant> variants;
+  for (std::size_t k = 0; k < names.size(); ++k) {
+    if (std::find(folders.begin(), folders.begin() + static_cast<std::ptrdiff_t>(k), folders[k]) !=
+        folders.begin() + static_cast<std::ptrdiff_t>(k))
+      tables[k].reject("name",
+                       "an earlier variant would have the same folder for its results; choose another");
+    variants.push_back({names[k], folders[k], {}});
   }
   return variants;
 }
@@ -173,17 +214,6 @@ Scene variant_scene(const std::string& text, const std::filesystem::path& file, 
 
 }  // namespace
 
-std::string folder_of_name(const std::string& name) {
-  std::string folder;
-  for (const char letter : name) {
-    const bool plain =
-        std::isalnum(static_cast<unsigned char>(letter)) != 0 || letter == '-' || letter == '.';
-    folder += plain ? letter : '_';
-  }
-  const bool taken = folder == "tools" || folder.find_first_not_of('.') == std::string::npos;
-  return taken ? '_' + folder : folder;
-}
-
 std::vector<Variant> read_variants(const std::filesystem::path& file) {
   const std::string text = load_scene_text(file);
   Scene as_it_is = parse_scene(text, file);
@@ -220,11 +250,16 @@ std::optional<std::string> value_at(const std::string& text, const std::filesyst
   return written.str();
 }
 
-std::string scene_text_with(const Scene& scene, std::uint64_t seed, const std::vector<std::string>& files) {
+std::string scene_text_with(const Scene& scene, std::uint64_t seed,
+                            const std::function<std::string(const std::filesystem::path&)>& elsewhere) {
   toml::table document = parse_scene_text(scene.text, scene.file);
   document.insert_or_assign("seed", static_cast<std::int64_t>(seed));
-  toml::array& tools = *document["tool"].as_array();
-  for (std::size_t k = 0; k < files.size(); ++k) tools[k].as_table()->insert_or_assign("file", files[k]);
+  for (const char* list : {"tool", "step"})
+    if (toml::array* entries = document[list].as_array())
+      for (toml::node& entry : *entries)
+        if (toml::table* table = entry.as_table())
+          if (const auto file = (*table)["file"].value_exact<std::string>())
+            table->insert_or_assign("file", elsewhere(scene.file.parent_path() / *file));
   return as_comment(chosen_in(scene.text)) + scene_text_of(document);
 }
 

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -14,7 +15,7 @@ namespace diefill::process {
 /// One way of filling, to be compared with others.
 struct Variant {
   std::string name;    ///< as the scene gives it
-  std::string folder;  ///< the name as letters that suit folders and command lines; once in a scene
+  std::string folder;  ///< of its results (folder_names.h); once in a scene
   Scene scene;         ///< changes applied; `text` is a scene file of its own without variants
 };
 
@@ -43,12 +44,10 @@ Scene changed_scene(const std::string& text, const std::filesystem::path& file, 
 std::optional<std::string> value_at(const std::string& text, const std::filesystem::path& file,
                                     const std::string& key);
 
-/// A name as letters that suit folders and command lines.
-std::string folder_of_name(const std::string& name);
-
-/// The scene file's text of `scene` (one of read_variants) with this seed and, tool by tool, these files in
-/// place of its own. File names are written as given; what a setting chose stays said at its top
-/// (process/scene/setting.h).
-std::string scene_text_with(const Scene& scene, std::uint64_t seed, const std::vector<std::string>& files);
+/// The scene file's text of `scene` (one of read_variants) with this seed. Where it names a file, CAD of a
+/// tool or the table that a step follows, it has what `elsewhere` gives for its path, as given. What a
+/// setting chose stays said at its top (process/scene/setting.h).
+std::string scene_text_with(const Scene& scene, std::uint64_t seed,
+                            const std::function<std::string(const std::filesystem::path&)>& elsewhere);
 
 }  // namespace diefill::process

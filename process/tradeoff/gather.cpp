@@ -48,9 +48,13 @@ Runs read_runs(const std::filesystem::path& directory, const Setting& setting, i
   for (const results::Job& job : jobs_of(setting, seeds)) {
     const JobState state = state_of(directory, job);
     if (state.stage == JobState::Stage::failed) runs.failure = state.reason;
-    if (state.stage == JobState::Stage::finished)
+    if (state.stage != JobState::Stage::finished) continue;
+    try {
       add_run(runs, quantities, results::read_job_cost(directory / job.folder),
               results::read_results(directory / job.folder));
+    } catch (const results::ResultError& damaged) {
+      runs.failure = damaged.what();
+    }
   }
   return runs;
 }
@@ -122,8 +126,12 @@ std::vector<results::Field2D> fields_of(const std::filesystem::path& directory, 
   std::vector<results::Field2D> fields;
   for (const results::Job& job : jobs_of(setting, seeds)) {
     if (state_of(directory, job).stage != JobState::Stage::finished) continue;
-    const auto result = results::read_results(directory / job.folder);
-    if (const auto* field = compared_field(result)) fields.push_back(*field);
+    try {
+      const auto result = results::read_results(directory / job.folder);
+      if (const auto* field = compared_field(result)) fields.push_back(*field);
+    } catch (const results::ResultError&) {
+      continue;  // told of by read_runs
+    }
   }
   return fields;
 }

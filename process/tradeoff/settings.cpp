@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <regex>
 
+#include "process/scene/folder_names.h"
 #include "process/tradeoff/knob_registry.h"
 #include "process/tradeoff/work_estimate.h"
 
@@ -114,6 +115,13 @@ std::vector<Setting> settings_of_variants(const Scene& scene) {
   return settings;
 }
 
+void give_folders(std::vector<Setting>& settings) {
+  std::vector<std::string> names = {kCombined};
+  for (const Setting& setting : settings) names.push_back(setting.name);
+  const auto folders = folder_names(names);
+  for (std::size_t k = 0; k < settings.size(); ++k) settings[k].variant.folder = folders[k + 1];
+}
+
 std::vector<Setting> one_at_a_time(const Scene& scene, const std::vector<KnobValues>& knobs, bool strict) {
   std::vector<Setting> settings = {setting_with(scene, kBase, kBase, {})};
   if (!settings.front().refused.empty())
@@ -125,7 +133,7 @@ std::vector<Setting> one_at_a_time(const Scene& scene, const std::vector<KnobVal
       const std::string name = knob.name + '=' + value;
       Setting setting = setting_with(scene, name, knob.sign + ' ' + value, {{knob, value}});
       if (strict && !setting.refused.empty()) throw SceneError("--vary " + name + ": " + setting.refused);
-      const auto same = [&](const Setting& other) { return other.variant.folder == setting.variant.folder; };
+      const auto same = [&](const Setting& other) { return other.name == setting.name; };
       if (std::any_of(settings.begin(), settings.end(), same))
         throw SceneError("--vary " + name + ": this setting is asked for twice; name each value once");
       settings.push_back(std::move(setting));

@@ -32,7 +32,8 @@ struct Setting {
   std::string refused;  ///< why the scene cannot be run with it; empty: it can
 };
 
-inline constexpr const char* kBase = "base";  ///< name of the scene as it stands
+inline constexpr const char* kBase = "base";          ///< name of the scene as it stands
+inline constexpr const char* kCombined = "combined";  ///< name of all worthwhile knobs turned together
 
 /// `scene` with these knobs turned from where it stands.
 Setting setting_with(const Scene& scene, const std::string& name, const std::string& label,
@@ -42,9 +43,12 @@ Setting setting_with(const Scene& scene, const std::string& name, const std::str
 /// does, and for a scene without variants.
 std::vector<Setting> settings_of_variants(const Scene& scene);
 
+/// Gives every setting a folder of its own among these and that of kCombined (scene/folder_names.h).
+void give_folders(std::vector<Setting>& settings);
+
 /// The base, and every knob at every value that is not the scene's own. A value that the scene refuses is an
 /// error with `strict` (SceneError, naming knob and value) and else a setting that says why. Throws
-/// SceneError for two settings of one name.
+/// SceneError for two settings of one name. Folders are left to give_folders.
 std::vector<Setting> one_at_a_time(const Scene& scene, const std::vector<KnobValues>& knobs, bool strict);
 
 }  // namespace diefill::process

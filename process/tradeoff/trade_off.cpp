@@ -4,7 +4,6 @@
 #include <cmath>
 #include <optional>
 
-#include "process/compare/job_folder.h"
 #include "process/results/job_cost.h"
 #include "process/run/progress.h"
 #include "process/scene/nearest_key.h"
@@ -15,7 +14,6 @@
 namespace diefill::process {
 namespace {
 
-constexpr const char* kCombined = "combined";
 constexpr double kWorthwhile = 0.97;  // of the base's cost: a knob that saves less is left where it is
 
 void refuse_unknown(const std::string& what, const std::string& word, const std::vector<std::string>& known) {
@@ -60,6 +58,13 @@ std::optional<double> predicted_cost(const std::filesystem::path& directory,
   return predicted;
 }
 
+std::vector<Variant> variants_of(const std::vector<Setting>& settings) {
+  std::vector<Variant> variants;
+  for (const Setting& setting : settings)
+    if (setting.refused.empty()) variants.push_back(setting.variant);
+  return variants;
+}
+
 /// Runs what is not finished, cheap settings first and all of them with one seed before any with the next.
 void run_settings(const std::string& title, const std::vector<Setting>& settings,
                   const TradeoffOptions& options) {
@@ -68,9 +73,8 @@ void run_settings(const std::string& title, const std::vector<Setting>& settings
     if (setting.refused.empty()) order.push_back(setting);
   std::stable_sort(order.begin(), order.end(),
                    [](const Setting& a, const Setting& b) { return a.work < b.work; });
-  std::vector<Variant> variants;
-  for (const Setting& setting : order) variants.push_back(setting.variant);
-  const results::JobList list = write_jobs(options.directory, title, variants, options.seeds);
+  const results::JobList list =
+      write_jobs(options.directory, {title, variants_of(order), options.seeds, {kCombined}}, options.say);
   JobOptions jobs = options.jobs;
   jobs.starts = [&](const results::Job& job, double left) {
     const auto cost =
@@ -146,7 +150,7 @@ void add_remarks(results::Tradeoff& tradeoff, const TradeoffOptions& options) {
 
 void add_variants(const Scene& scene, std::vector<Setting>& settings) {
   for (Setting& setting : settings_of_variants(scene)) {
-    const auto same = [&](const Setting& other) { return other.variant.folder == setting.variant.folder; };
+    const auto same = [&](const Setting& other) { return other.name == setting.name; };
     if (std::any_of(settings.begin(), settings.end(), same) || setting.name == kCombined)
       throw SceneError(scene.file.string() + ": --variants: variant \"" + setting.name +
                        "\" has the name of another setting; give it one of its own");
@@ -173,7 +177,9 @@ TradeoffPlan plan_tradeoff(const Scene& scene, const std::vector<KnobValues>& kn
   plan.knobs = strict ? knobs : usual_knobs(scene);
   plan.settings = one_at_a_time(scene, plan.knobs, strict);
   if (options.variants) add_variants(scene, plan.settings);
+  give_folders(plan.settings);
   check_words(scene, plan.settings, options);
+  check_seeds(variants_of(plan.settings), options.seeds);
   return plan;
 }
 

@@ -4,6 +4,7 @@
 
 #include <map>
 
+#include "process/compare/job_folder.h"
 #include "process/compare/run_jobs.h"
 #include "process/results/tradeoff.h"
 #include "process/tradeoff/settings.h"
@@ -19,6 +20,7 @@ struct TradeoffOptions {
   JobOptions jobs;        ///< with the budget as `cpu_seconds`; `starts` is set here
   bool variants = false;  ///< the scene's variants are settings too
   std::string command;    ///< for the record
+  Say say;                ///< told what earlier runs are kept aside
 };
 
 /// What is to be tried of a scene.
@@ -28,8 +30,8 @@ struct TradeoffPlan {
 };
 
 /// The knobs with these values, usual_knobs where there are none nor variants, and their settings. Throws
-/// SceneError for values that the scene refuses (usual ones are noted in their setting), and for unknown
-/// names in `options`.
+/// SceneError for values that the scene refuses (usual ones are noted in their setting), for unknown names in
+/// `options` and for seeds beyond the largest.
 TradeoffPlan plan_tradeoff(const Scene& scene, const std::vector<KnobValues>& knobs,
                            const TradeoffOptions& options);
 

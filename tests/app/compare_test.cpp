@@ -303,5 +303,91 @@ TEST(ExportedJobs, StandAloneAndGatherToTheSameComparison) {
   EXPECT_EQ(contents(elsewhere / "comparison.json"), contents(die.out() / "comparison.json"));
 }
 
+/// Names that files, shells, tables or earlier versions of the program stumble over.
+const std::vector<std::string> kOddNames = {"beginnings", "comparison.json",
+                                            "-0.1 m/s, \"fast\"; $(touch oops)"};
+
+/// The small die with variants of odd names, which wait and do nothing else.
+void add_odd_variants(const SmallDie& die) {
+  std::string text = contents(die.scene());
+  int milliseconds = 0;
+  for (const auto& name : kOddNames)
+    text += "\n[[variant]]\nname = '" + name + "'\n[[variant.step]]\nkind = \"wait\"\nduration = \"" +
+            std::to_string(++milliseconds) + " ms\"\n";
+  die.write("scene.toml", text);
+}
+
+TEST(Compare, TakesVariantsOfAnyNameAndLosesNothingOfThem) {
+  const SmallDie die;
+  add_odd_variants(die);
+  const std::vector<std::string> command = {"compare", die.scene().string(), "--out", die.out().string()};
+  const Outcome outcome = run_program(command);
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  const auto comparison = comparison_of(die.out());
+  EXPECT_EQ(comparison.at("variants"), kOddNames);
+  const std::string table = contents(die.out() / "comparison.csv");
+  EXPECT_NE(table.find("\n\"-0.1 m/s, \"\"fast\"\"; $(touch oops)\","), std::string::npos) << table;
+  std::vector<nlohmann::json> reports;
+  for (const auto& run : comparison.at("runs")) {
+    EXPECT_EQ(run.at("state"), "finished");
+    reports.push_back(report_in(die.out() / run.at("folder").get<std::string>()));
+  }
+  EXPECT_FALSE(std::filesystem::exists(die.out() / "beginnings"));
+
+  die.exchange("Small die, one passage", "Another title");
+  const Outcome again = run_program(command);
+  ASSERT_EQ(again.exit_code, 0) << again.err;
+  EXPECT_NE(again.err.find("3 of 3 runs stand already"), std::string::npos) << again.err;
+  EXPECT_EQ(again.err.find("kept"), std::string::npos) << again.err;
+  EXPECT_EQ(comparison_of(die.out()).at("title"), "Another title");
+  std::size_t k = 0;
+  for (const auto& run : comparison.at("runs"))
+    EXPECT_EQ(report_in(die.out() / run.at("folder").get<std::string>()), reports[k++]);
+}
+
+TEST(ExportedJobs, OfAnyNameRunAndAreGathered) {
+  const SmallDie die;
+  add_odd_variants(die);
+  const auto jobs = die.folder() / "jobs with 'blanks'";
+  const std::vector<std::string> command = {"compare", die.scene().string(), "--export-jobs", jobs.string()};
+  ASSERT_EQ(run_program(command).exit_code, 0);
+  const std::string shell =
+      std::string("export DIEFILL=") + DIEFILL_PROGRAM + " && \"" + jobs.string() + "/run_here.sh\" 2";
+  EXPECT_EQ(std::system(shell.c_str()), 0);
+  EXPECT_FALSE(std::filesystem::exists(jobs / "oops"));
+  const Outcome gathered = run_program({"compare", "--collect", jobs.string()});
+  EXPECT_EQ(gathered.exit_code, 0) << gathered.err << gathered.out;
+  const auto before = comparison_of(jobs);
+  EXPECT_EQ(before.at("variants"), kOddNames);
+
+  // Jobs of another scene in the same place: what stands there is kept and told of.
+  die.exchange("duration = \"1 ms\"", "duration = \"4 ms\"");
+  const Outcome other = run_program(command);
+  EXPECT_EQ(other.exit_code, 0);
+  EXPECT_NE(other.err.find("kept aside: "), std::string::npos) << other.err;
+  const std::string folder = before.at("runs").at(0).at("folder");
+  EXPECT_TRUE(std::filesystem::exists(jobs / (folder + "-previous-1") / "results.h5"));
+  std::filesystem::remove_all(jobs / before.at("runs").at(1).at("folder").get<std::string>());
+  const Outcome less = run_program({"compare", "--collect", jobs.string()});
+  EXPECT_EQ(less.exit_code, 1);
+  EXPECT_NE(less.out.find("\"comparison.json\", seed 1: not finished: its folder"), std::string::npos)
+      << less.out;
+  EXPECT_NE(less.err.find("are kept in"), std::string::npos) << less.err;
+  EXPECT_EQ(comparison_of(jobs / "previous-1"), before);
+}
+
+TEST(Compare, RefusesSeedsBeyondTheLargest) {
+  const SmallDie die;
+  die.exchange("seed = 1", "seed = 9223372036854775807");
+  for (const std::string target : {"--out", "--export-jobs"}) {
+    const Outcome outcome =
+        run_program({"compare", die.scene().string(), "--seeds", "2", target, die.out().string()});
+    EXPECT_EQ(outcome.exit_code, 2);
+    EXPECT_EQ(outcome.complaints(), 1U) << outcome.err;
+    EXPECT_NE(outcome.err.find("found 9223372036854775807"), std::string::npos) << outcome.err;
+    EXPECT_FALSE(std::filesystem::exists(die.out()));
+  }
+}
+
 }  // namespace
 }  // namespace diefill::app

@@ -100,6 +100,17 @@ TEST_F(Beginning, IsAnotherWhereScenesDifferInWhatHasActed) {
   EXPECT_NE(hash_with("32 Hz", "20 Hz"), hash());
 }
 
+TEST_F(Beginning, IsAnotherWhereTheTableThatAStepHasFollowedHoldsOtherPoints) {
+  const auto of_table = [&](const std::string& name, const std::string& point) {
+    std::ofstream(folder_.path() / name) << "time s,x mm\n0,0\n" << point << '\n';
+    return hash_with("kind = \"passage\"\ntool = \"shoe\"\nvelocity = \"0.2 m/s\"\ndirection = \"-x\"",
+                     "kind = \"table\"\ntool = \"shoe\"\nfile = \"" + name + '"');
+  };
+  const std::uint64_t before = of_table("motion.csv", "0.1,1");
+  EXPECT_EQ(of_table("renamed.csv", "0.1,1"), before);
+  EXPECT_NE(of_table("motion.csv", "0.1,2"), before);
+}
+
 TEST_F(Beginning, IsAnotherWhereTheNextStepMayHaveBegunEarlier) {
   schedule_.steps[2].started = -1;
   EXPECT_NE(hash_with("duration = \"1 s\"", "duration = \"1 s\"\nstart = { at = \"0.2 s\" }"), hash());

@@ -139,8 +139,11 @@ TEST(Variants, AreScenesOfTheirOwn) {
   const auto file =
       folder.write(faultless_scene() + "\n[[variant]]\nname = \"slow\"\nstep.1.velocity = \"0.02 m/s\"\n");
   const auto variant = read_variants(file).front();
+  const auto elsewhere = [](const std::filesystem::path& there) {
+    return there.filename() == "die.stl" ? "shoe.stl" : "die.stl";
+  };
   const Scene alone =
-      parse_scene(scene_text_with(variant.scene, 12, {"shoe.stl", "die.stl"}), folder.path() / "alone.toml");
+      parse_scene(scene_text_with(variant.scene, 12, elsewhere), folder.path() / "alone.toml");
   EXPECT_EQ(alone.seed, 12U);
   EXPECT_EQ(alone.tools[0].file.filename(), "shoe.stl");
   EXPECT_EQ(alone.tools[1].file.filename(), "die.stl");
@@ -170,8 +173,12 @@ TEST(WrongVariants, NameTheLineTheVariantAndTheNearestKey) {
 
 TEST(WrongVariants, NeedNamesOfTheirOwn) {
   expect_parts(complaint_about("[[variant]]\nseed = 2\n"), {"variant.name", "this must be given"});
-  expect_parts(complaint_about("[[variant]]\nname = \"a/b\"\n"), {"variant.name", "without a slash"});
-  expect_parts(complaint_about("[[variant]]\nname = \"a b\"\n[[variant]]\nname = \"a_b\"\n"),
+  for (const char* unseen : {"", "   ", "two\\nlines", "\\u0007", "\\u0085", "\\u2028", "\\u202e"})
+    expect_parts(complaint_about(std::string("[[variant]]\nname = \"") + unseen + "\"\n"),
+                 {"variant.name", "printable characters"});
+  expect_parts(complaint_about("[[variant]]\nname = \"" + std::string(1001, 'n') + "\"\n"),
+               {"variant.name", "at most 1000 bytes"});
+  expect_parts(complaint_about("[[variant]]\nname = \"a b\"\n[[variant]]\nname = \"a b\"\n"),
                {"variant.name", "\"a b\"", "a name of its own"});
   expect_parts(complaint_about("variant = 3\n"), {"variant"});
 }

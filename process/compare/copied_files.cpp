@@ -1,0 +1,53 @@
+#include "process/compare/copied_files.h"
+
+#include <fstream>
+#include <iterator>
+
+#include "geometry/mesh_import.h"
+#include "geometry/referred_files.h"
+#include "process/compare/kept_aside.h"
+#include "process/results/atomic_file.h"
+#include "process/results/result_file.h"
+#include "process/scene/folder_names.h"
+
+namespace diefill::process {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kFolder = "tools";
+
+std::string contents(const fs::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  if (!stream) throw results::ResultError("cannot copy " + file.string() + ": it cannot be read");
+  return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
+}
+
+/// Copies `file` as `copy` unless that is there already, byte for byte.
+void copy_whole(const fs::path& file, const fs::path& copy) {
+  const std::string bytes = contents(file);
+  if (fs::exists(copy) && contents(copy) == bytes) return;
+  make_folder(copy.parent_path());
+  results::write_text_atomically(copy, bytes);
+}
+
+}  // namespace
+
+CopiedFiles::CopiedFiles(const fs::path& directory) : directory_(directory) {
+  make_folder(directory / kFolder);
+}
+
+std::string CopiedFiles::copy(const fs::path& file) {
+  const auto known = copied_.find(file);
+  if (known != copied_.end()) return known->second;
+  const auto referred = geometry::referred_files(file);
+  const std::string name = folder_of_name(file.stem().string()) + '-' + geometry::file_hash(file);
+  const fs::path target = referred.empty() ? fs::path(kFolder) / (name + file.extension().string())
+                                           : fs::path(kFolder) / name / file.filename();
+  copy_whole(file, directory_ / target);
+  for (const fs::path& other : referred)
+    copy_whole(file.parent_path() / other, directory_ / target.parent_path() / other);
+  return copied_[file] = target.generic_string();
+}
+
+}  // namespace diefill::process

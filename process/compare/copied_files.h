@@ -1,0 +1,26 @@
+// The files that scenes need, copied beside the runs of a comparison so that these stand alone.
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <string>
+
+namespace diefill::process {
+
+/// Copies of CAD files and tables of motions in `tools` of a directory. Contents name them: two files of one
+/// name do not clash, and a scene names other files as soon as their contents are others. What a CAD file
+/// refers to (geometry/referred_files.h) goes with it, in a folder of its own.
+class CopiedFiles {
+ public:
+  /// Throws results::ResultError where `tools` cannot be made.
+  explicit CopiedFiles(const std::filesystem::path& directory);
+
+  /// Copies the file unless it is there; gives its path relative to `directory`. Throws results::ResultError.
+  std::string copy(const std::filesystem::path& file);
+
+ private:
+  std::filesystem::path directory_;
+  std::map<std::filesystem::path, std::string> copied_;
+};
+
+}  // namespace diefill::process
