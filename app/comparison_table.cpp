@@ -49,8 +49,8 @@ std::string difference(const results::ComparedValue& value, std::optional<int> o
     return results::in_words(value.verdict);
   const std::string interval = number(value.interval, value.interval, otherwise);
   if (value.verdict == Verdict::none) return "none (within +-" + interval + ')';
-  const std::string shown =
-      (value.difference >= 0 ? "+" : "") + number(value.difference, value.interval, otherwise);
+  std::string shown = value.difference >= 0 ? "+" : "";
+  shown += number(value.difference, value.interval, otherwise);
   if (value.verdict == Verdict::scatter_unknown) return shown + " (scatter unknown)";
   return shown + " +- " + interval;
 }

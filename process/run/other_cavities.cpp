@@ -58,19 +58,10 @@ void add_words(results::FillResult& result, const OfCavity& measured, int number
                                topic.text[n]);
 }
 
-void add_fields(results::FillResult& result, OfCavity& measured, int number) {
-  const std::string name = results::verdict_name(number);
-  for (auto& map : measured.maps) {
-    if (result.maps.empty()) break;  // the first map is taken for that of the largest cavity
-    map.quantity += ", " + name;
-    result.maps.push_back(std::move(map));
-  }
-  for (auto& section : measured.sections) {
-    section.plane.name = name + ", " + section.plane.name;
-    result.sections.push_back(std::move(section));
-  }
+/// Profiles only: maps are drawn anew of whichever cavity is asked for.
+void add_profiles(results::FillResult& result, OfCavity& measured, int number) {
   for (auto& profile : measured.profiles) {
-    profile.quantity += ", " + name;
+    profile.quantity += ", " + results::verdict_name(number);
     result.profiles.push_back(std::move(profile));
   }
 }
@@ -95,7 +86,7 @@ void add_other_cavities(results::FillResult& result, const std::vector<geometry:
     exchange(result, other);
     add_figures(result, other, number);
     add_words(result, other, number);
-    add_fields(result, other, number);
+    add_profiles(result, other, number);
     result.other_cavities.push_back(std::move(other.cavity));
   }
   if (!others.empty())

@@ -113,10 +113,10 @@ TEST(OtherCavities, AreMeasuredAsTheFirstAndKeepItsFigures) {
   results::FillResult result = filled_boxes();
   result.cavity.volume = 1e-6;
   result.figures["fill_ratio"] = 0.9;
-  result.maps.emplace_back();
   add_other_cavities(result, {box_cavity(0.02)}, [](results::FillResult& other) {
     other.figures["fill_ratio"] = 0.7;
-    other.maps.push_back({"solid fraction", "", "", "", "", {}, {}, {}, 0});
+    other.maps.emplace_back();
+    other.profiles.push_back({"fill level", "mm", "", "", {}, {}});
     results::add_statement(other, results::kVerdictTopic, results::verdict_name(1), "70 % full");
     results::give_no_value(other, "fill_height_mm", "why");
   });
@@ -124,8 +124,9 @@ TEST(OtherCavities, AreMeasuredAsTheFirstAndKeepItsFigures) {
   EXPECT_EQ(result.figures.at("cavity_2_fill_ratio"), 0.7);
   EXPECT_EQ(results::cavity_rows(result).at(1).verdict, "70 % full");
   EXPECT_EQ(results::reason_for(result, "cavity_2_fill_height_mm"), "why");
-  ASSERT_EQ(result.maps.size(), 2U);
-  EXPECT_EQ(result.maps[1].quantity, "solid fraction, cavity 2");
+  EXPECT_TRUE(result.maps.empty());
+  ASSERT_EQ(result.profiles.size(), 1U);
+  EXPECT_EQ(result.profiles[0].quantity, "fill level, cavity 2");
 }
 
 TEST(OtherCavities, OneCavityIsNotWorthAWord) {
