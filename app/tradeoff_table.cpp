@@ -34,7 +34,8 @@ std::string marks(const results::Tradeoff& tradeoff, const results::TradeoffPoin
   for (const auto& quantity : tradeoff.quantities)
     if (std::ranges::find(point.beyond, quantity.key) != point.beyond.end())
       words += (words.empty() ? "off: " : ", off: ") + quantity.name;
-  if (point.state != "finished") words = point.state;
+  if (point.state != "finished") return point.state;
+  if (!point.reason.empty()) words += words.empty() ? "failed with a seed" : ", failed with a seed";
   return words;
 }
 

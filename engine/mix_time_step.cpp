@@ -1,9 +1,9 @@
 #include "engine/mix_time_step.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
+#include "engine/law_probe.h"
 #include "engine/pair_laws.h"
 #include "engine/time_step.h"
 
@@ -24,31 +24,50 @@ double overlap_of_energy(const laws::GeneralContactLaw& law, double energy, doub
   return high;
 }
 
-/// s, 2 sqrt(m / k), without limit where there is no stiffness.
-double oscillator(double mass, double stiffness) {
-  return stiffness > 0 ? 2 * std::sqrt(mass / stiffness) : kNoLimit;
-}
+/// Two grains of a mix that meet, or a grain and a wall.
+class MeetingPair {
+ public:
+  MeetingPair(const KindTable& kinds, const GrainMix& mix, KindNumber i, KindNumber j)
+      : law_(law_of_kinds(kinds, mix, i, j)),
+        probe_(laws::law_between(mix.laws, kinds.material(i), kinds.material(j)), mix.scaling,
+               {kinds.shape(i).sphere_radius, kinds.shape(j).sphere_radius, kinds.shape(i).mass,
+                kinds.shape(j).mass}),
+        radius_(std::min(kinds.shape(i).sphere_radius, kinds.shape(j).sphere_radius)),
+        mass_(laws::PairProperties::reduced(kinds.shape(i).mass, kinds.shape(j).mass)),
+        meeting_(reduced(masses_of(kinds.shape(i)), masses_of(kinds.shape(j)))),
+        packed_(half_of_smaller(masses_of(kinds.shape(i)), masses_of(kinds.shape(j)))) {}
+  MeetingPair(const KindTable& kinds, const GrainMix& mix, KindNumber i, const MixWall& wall)
+      : law_(law_with_wall(kinds, mix, i, wall.material, wall.sphere_radius)),
+        probe_(laws::law_between(mix.laws, kinds.material(i), wall.material), mix.scaling,
+               {kinds.shape(i).sphere_radius, wall.sphere_radius, kinds.shape(i).mass, kNoLimit}),
+        radius_(kinds.shape(i).sphere_radius),
+        mass_(kinds.shape(i).mass),
+        meeting_(masses_of(kinds.shape(i))),
+        packed_(meeting_) {}
 
-/// s, at `overlap` (m), of one contact on which `mobile_mass` (kg) moves, and of kContactsPerGrain at a tenth
-/// of the overlap on a grain of `lightest` (kg).
-double shortest_at(const laws::GeneralContactLaw& law, double overlap, double mobile_mass, double lightest) {
-  const double damping = law.damping(overlap);
-  const double impact = oscillator(mobile_mass, law.stiffness(overlap));
-  const double damper = damping > 0 ? 2 * mobile_mass / damping : kNoLimit;
-  const double packed = oscillator(lightest, 2 * kContactsPerGrain * law.stiffness(0.1 * overlap));
-  return std::min({impact, damper, packed});
-}
+  /// m, of the smaller sphere.
+  double radius() const { return radius_; }
 
-/// The same at an impact at `impact_speed` (m/s) of effective mass `mass` (kg).
-double shortest(const laws::GeneralContactLaw& law, double radius, double mass, double mobile_mass,
-                double lightest, double impact_speed) {
-  const double overlap = overlap_of_energy(law, 0.5 * mass * impact_speed * impact_speed, radius);
-  return shortest_at(law, overlap, mobile_mass, lightest);
-}
+  /// s, at `overlap` (m), of one contact, and of kContactsPerGrain at a tenth of the overlap on the smaller
+  /// grain, whose springs count alone, as in time_step.h.
+  double shortest_at(double overlap) const {
+    ContactSprings packed = probe_.springs(0.1 * overlap);
+    packed.damping = packed.sliding_damping = 0;
+    return std::min(step_limit(probe_.springs(overlap), meeting_, 1),
+                    step_limit(packed, packed_, kContactsPerGrain));
+  }
+  /// s, the same at an impact at `speed` (m/s).
+  double shortest(double speed) const {
+    const double energy = 0.5 * mass_ * speed * speed + probe_.energy_of_approach();
+    return std::min(shortest_at(overlap_of_energy(law_, energy, radius_)), crossing_time(probe_, mass_));
+  }
 
-double mobile_mass_of(const GrainShape& shape) {
-  return shape.mass / mobility(shape);
-}
+ private:
+  laws::GeneralContactLaw law_;
+  LawProbe probe_;
+  double radius_, mass_;
+  ContactMasses meeting_, packed_;
+};
 
 /// The kinds with moments of inertia as torques balance with.
 KindTable moving_kinds(const GrainMix& mix) {
@@ -64,20 +83,10 @@ double critical_time_step(const GrainMix& mix, const std::vector<MixWall>& walls
   const auto count = static_cast<KindNumber>(kinds.size());
   double critical = kNoLimit;
   for (KindNumber i = 0; i < count; ++i) {
-    const GrainShape& one = kinds.shape(i);
-    const double mobile = mobile_mass_of(one);
-    for (KindNumber j = i; j < count; ++j) {
-      const GrainShape& other = kinds.shape(j);
-      const double radius = std::min(one.sphere_radius, other.sphere_radius);
-      const double other_mobile = mobile_mass_of(other);
-      critical = std::min(critical, shortest(law_of_kinds(kinds, mix, i, j), radius,
-                                             laws::PairProperties::reduced(one.mass, other.mass),
-                                             laws::PairProperties::reduced(mobile, other_mobile),
-                                             std::min(mobile, other_mobile), impact_speed));
-    }
+    for (KindNumber j = i; j < count; ++j)
+      critical = std::min(critical, MeetingPair(kinds, mix, i, j).shortest(impact_speed));
     for (const auto& wall : walls)
-      critical = std::min(critical, shortest(law_with_wall(kinds, mix, i, wall.material, wall.sphere_radius),
-                                             one.sphere_radius, one.mass, mobile, kNoLimit, impact_speed));
+      critical = std::min(critical, MeetingPair(kinds, mix, i, wall).shortest(impact_speed));
   }
   return critical;
 }
@@ -88,13 +97,8 @@ double critical_time_step_at_overlap(const GrainMix& mix, double overlap, double
   double critical = kNoLimit;
   for (KindNumber i = 0; i < count; ++i)
     for (KindNumber j = i; j < count; ++j) {
-      const GrainShape &one = kinds.shape(i), &other = kinds.shape(j);
-      const double radius = std::min(one.sphere_radius, other.sphere_radius);
-      const double mobile = mobile_mass_of(one), other_mobile = mobile_mass_of(other);
-      critical = std::min(
-          critical,
-          shortest_at(law_of_kinds(kinds, mix, i, j), std::min(overlap, overlap_over_radius * radius),
-                      laws::PairProperties::reduced(mobile, other_mobile), std::min(mobile, other_mobile)));
+      const MeetingPair pair(kinds, mix, i, j);
+      critical = std::min(critical, pair.shortest_at(std::min(overlap, overlap_over_radius * pair.radius())));
     }
   return critical;
 }

@@ -12,10 +12,12 @@ struct MixWall {
 };
 
 /// Critical time step (s) of `mix` at impacts of `impact_speed` (m/s): the smallest over all pairs of kinds,
-/// and of kinds with `walls`, of 2 sqrt(m_eff / k) and 2 m_eff / c at the overlap of the impact, and, among
-/// grains, 2 sqrt(m / (2 Z k)) of the lighter one at a tenth of that overlap: the limits of
-/// critical_time_step() in time_step.h, with k and c from the law of the pair and masses lightened by
-/// mobility(). Where forces are scaled, mobility is that of the moments of inertia that torques balance with.
+/// and of kinds with `walls`, of the limits of critical_time_step() in general_time_step.h, with the springs
+/// and dampers of the pair's own law. One contact acts on the reduced masses of the pair at the overlap of
+/// the impact, and so does the attraction; of kContactsPerGrain contacts at a tenth of that overlap the
+/// springs alone, on half of the smaller grain, as if it lay among grains of its own size. So it is never
+/// above that of the smallest grains among themselves. Where forces are scaled, moments of inertia are those
+/// that torques balance with.
 /// Throws what making the laws throws.
 double critical_time_step(const GrainMix& mix, const std::vector<MixWall>& walls, double impact_speed);
 

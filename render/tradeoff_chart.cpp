@@ -20,7 +20,8 @@ using results::TradeoffPoint;
 constexpr double kWidth = 1600, kHeight = 1060, kMargin = 36, kRightMargin = 64;
 constexpr double kLegendRow = 46;
 constexpr double kRadius = 11, kStarRadius = 24;
-const QColor kFloorColour(232, 232, 226), kPoint(120, 130, 145), kFront(0, 114, 178), kChosen(213, 94, 0);
+const QColor kFloorColour(232, 232, 226), kPoint(120, 130, 145), kFront(0, 114, 178), kChosen(213, 94, 0),
+    kFailed(90, 90, 90);
 
 struct Drawn {
   std::vector<std::size_t> points;
@@ -73,6 +74,11 @@ Axis logarithmic_axis(const QString& label, const Interval& range) {
   return {label, range, decade_ticks(range), true};
 }
 
+/// Some runs of the setting are finished and some have failed.
+bool failed_with_a_seed(const TradeoffPoint& point) {
+  return point.seeds > 0 && !point.reason.empty();
+}
+
 QPolygonF star(const QPointF& centre, double radius) {
   QPolygonF outline;
   for (int k = 0; k < 10; ++k) {
@@ -87,6 +93,11 @@ void draw_mark(QPainter& painter, const QPointF& at, const TradeoffPoint& point)
   if (point.recommended) {
     painter.setBrush(kChosen);
     painter.drawPolygon(star(at, kStarRadius));
+  } else if (!point.reason.empty()) {
+    constexpr double kArm = 0.85 * kRadius;
+    painter.setPen(QPen(kFailed, 5, Qt::SolidLine, Qt::FlatCap));
+    painter.drawLine(at - QPointF(kArm, kArm), at + QPointF(kArm, kArm));
+    painter.drawLine(at - QPointF(kArm, -kArm), at + QPointF(kArm, -kArm));
   } else if (point.beyond.empty()) {
     painter.setBrush(point.pareto ? kFront : kPoint);
     painter.drawEllipse(at, kRadius, kRadius);
@@ -115,11 +126,15 @@ LegendEntry mark_entry(const QString& text, const TradeoffPoint& point) {
 }
 
 std::vector<LegendEntry> legend_of(const Tradeoff& tradeoff) {
-  TradeoffPoint chosen, reference, front, off;
+  TradeoffPoint chosen, reference, front, off, failed;
   chosen.recommended = reference.reference = front.pareto = true;
   off.beyond = {"some quantity"};
-  std::vector<LegendEntry> entries = {
-      mark_entry(QStringLiteral("take this one"), chosen),
+  failed.reason = "some reason";
+  const auto any = [&](const auto& is) { return std::ranges::any_of(tradeoff.points, is); };
+  std::vector<LegendEntry> entries;
+  if (any([](const TradeoffPoint& point) { return point.recommended; }))
+    entries.push_back(mark_entry(QStringLiteral("take this one"), chosen));
+  const std::vector<LegendEntry> always = {
       {QStringLiteral("none cheaper and better"),
        [front](QPainter& painter, const QPointF& at) {
          painter.setPen(QPen(kFront, 3));
@@ -128,8 +143,11 @@ std::vector<LegendEntry> legend_of(const Tradeoff& tradeoff) {
        }},
       mark_entry(QStringLiteral("reference"), reference),
   };
-  if (std::ranges::any_of(tradeoff.points, [](const TradeoffPoint& point) { return !point.beyond.empty(); }))
+  entries.insert(entries.end(), always.begin(), always.end());
+  if (any([](const TradeoffPoint& point) { return !point.beyond.empty(); }))
     entries.push_back(mark_entry(QStringLiteral("off in some quantity"), off));
+  if (any([](const TradeoffPoint& point) { return failed_with_a_seed(point); }))
+    entries.push_back(mark_entry(QStringLiteral("failed with a seed"), failed));
   if (tradeoff.floor > 0)
     entries.push_back({QStringLiteral("scatter over seeds"), [](QPainter& painter, const QPointF& at) {
                          painter.setPen(Qt::NoPen);
@@ -276,7 +294,7 @@ QString note_of(const Tradeoff& tradeoff, bool some_below) {
   QString missing;
   for (const TradeoffPoint& point : tradeoff.points) {
     if (point.reference) names += QStringLiteral("; against \"%1\"").arg(QString::fromStdString(point.label));
-    if (point.state == "failed")
+    if (point.state == "failed" || failed_with_a_seed(point))
       missing += (missing.isEmpty() ? "" : ", ") + QString::fromStdString(point.label);
   }
   if (!missing.isEmpty()) names += QStringLiteral("; failed: ") + missing;

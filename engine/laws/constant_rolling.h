@@ -1,9 +1,16 @@
 // Rolling resistance by a constant directional torque: opposes the relative spin with a strength that does
 // not depend on speed (Hu 2024, Eq. 2.51; Kottlan 2018, Eq. 23).
+//
+// As printed the torque does not fade with the spin: in a grain at rest it turns round from step to step, and
+// what it then seems to take out the grain keeps. Here it turns round by degrees: in every step it changes,
+// against the relative spin, by a sixteenth of what would stop the spin of the pair within that step, up to
+// the printed size. It is the printed torque but for the few steps after a start or a reversal, in which the
+// pair rolls by 16 |torque| dt^2 / I; at rest it holds what has to be held and stores no more than an
+// elastic spring does. Springs add up over a grain's contacts: the step is too long for them where the shares
+// of a grain's contacts come to 2, which takes 32 of them (STABILITY.md, rolling resistance).
 #pragma once
 
 #include <cmath>
-#include <limits>
 
 #include "engine/laws/parameter_check.h"
 #include "engine/laws/parts.h"
@@ -11,39 +18,37 @@
 
 namespace diefill::engine::laws {
 
-/// The torque does not fade with the spin, so a grain at rest chatters. The cap, torque < spin inertia / dt,
-/// holds it below what would stop the relative spin of the pair within one time step, so that it never turns
-/// it round. Uncapped: infinite inertia.
-inline double capped_inertia(bool capped, const PairProperties& pair) {
-  return capped ? pair.effective_inertia() : std::numeric_limits<double>::infinity();
-}
+/// Of the torque that stops the relative spin of a pair within one step.
+inline constexpr double kShareOfStopping = 1.0 / 16;
 
-/// Torque over relative spin in N m s, at most inertia / dt.
-inline double torque_per_spin(double torque, double spin, double inertia, double time_step) {
-  const double free = torque / (spin > 0 ? spin : 1.0);
-  const double cap = inertia / time_step;
-  return free < cap ? free : cap;
+/// N m s, torque gained in a step over the relative spin; nothing where no time passes.
+inline double torque_gained(double inertia, double time_step) {
+  return time_step > 0 ? kShareOfStopping * inertia / time_step : 0.0;
 }
 
 /// mu_r R* load against the relative spin in the contact plane (Hu 2024, Eq. 2.51).
 struct LoadRolling {
   struct Parameters {
     double rolling_friction = 0;  ///< mu_r
-    bool capped = false;
     void check() const { require_range("rolling friction coefficient", rolling_friction, 0); }
     Parameters similar(double) const { return *this; }
   };
-  static constexpr int kMemory = 0;
+  static constexpr int kMemory = 3;  ///< torque on i, N m
+  /// The spring is as stiff as the time step allows: it asks for none.
+  static constexpr bool kFollowsTimeStep = true;
   double arm;      ///< m, mu_r R*
-  double inertia;  ///< kg m^2, reduced; infinite: no cap
+  double inertia;  ///< kg m^2, reduced
 
   LoadRolling(const Parameters& given, const PairProperties& pair)
-      : arm(given.rolling_friction * pair.effective_radius()), inertia(capped_inertia(given.capped, pair)) {}
+      : arm(given.rolling_friction * pair.effective_radius()), inertia(pair.effective_inertia()) {}
 
-  Vector3 torque(double*, Vector3 normal, Vector3 relative_spin, double, StaticForce, double load,
+  Vector3 torque(double* memory, Vector3 normal, Vector3 relative_spin, double, StaticForce, double load,
                  double time_step) const {
-    const Vector3 rolling = in_plane(relative_spin, normal);
-    return -torque_per_spin(arm * load, length(rolling), inertia, time_step) * rolling;
+    const Vector3 trial =
+        in_plane(load_vector(memory) - torque_gained(inertia, time_step) * relative_spin, normal);
+    const Vector3 couple = shortening(length(trial), arm * load) * trial;
+    store_vector(memory, couple);
+    return couple;
   }
 };
 
@@ -54,27 +59,28 @@ struct ElasticRolling {
     double rolling_friction = 0;  ///< mu_roll
     double stiffness = 100;       ///< N/m, k_1 of the normal spring
     bool harmonic_mean = false;   ///< length 2 R_ij as printed instead of R_ij
-    bool capped = false;
     void check() const {
       require_range("rolling friction coefficient", rolling_friction, 0);
       require_positive("stiffness", stiffness);
     }
-    Parameters similar(double l) const { return {rolling_friction, l * stiffness, harmonic_mean, capped}; }
+    Parameters similar(double l) const { return {rolling_friction, l * stiffness, harmonic_mean}; }
   };
-  static constexpr int kMemory = 0;
+  static constexpr int kMemory = 3;  ///< torque on i before its part along the normal is left out, N m
+  static constexpr bool kFollowsTimeStep = true;
   double coefficient;  ///< N, mu_roll k_1 R
-  double inertia;      ///< kg m^2, reduced; infinite: no cap
+  double inertia;      ///< kg m^2, reduced
 
   ElasticRolling(const Parameters& given, const PairProperties& pair)
       : coefficient(given.rolling_friction * given.stiffness * pair.effective_radius() *
                     (given.harmonic_mean ? 2 : 1)),
-        inertia(capped_inertia(given.capped, pair)) {}
+        inertia(pair.effective_inertia()) {}
 
-  Vector3 torque(double*, Vector3 normal, Vector3 relative_spin, double root_overlap, StaticForce, double,
-                 double time_step) const {
-    const double torque = coefficient * root_overlap * root_overlap;
-    return -torque_per_spin(torque, length(relative_spin), inertia, time_step) *
-           in_plane(relative_spin, normal);
+  Vector3 torque(double* memory, Vector3 normal, Vector3 relative_spin, double root_overlap, StaticForce,
+                 double, double time_step) const {
+    const Vector3 trial = load_vector(memory) - torque_gained(inertia, time_step) * relative_spin;
+    const Vector3 whole = shortening(length(trial), coefficient * root_overlap * root_overlap) * trial;
+    store_vector(memory, whole);
+    return in_plane(whole, normal);
   }
 };
 

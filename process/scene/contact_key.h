@@ -17,6 +17,7 @@ struct ContactKey {
   std::string of_powder;  ///< key of [powder] that gives the value where this one is left out; empty: none
   std::function<void(TableReader&, const PowderSpec&, Parameters&)> read;
   std::function<std::string(const Parameters&)> shown;  ///< such as "modulus 5e+06 Pa"
+  std::string example = {};  ///< value in a scene, where the key has no value of its own
 };
 
 /// Whether a key must be given.
@@ -25,6 +26,11 @@ enum class Need {
   optional,  ///< the part has a default
   linked     ///< another part gives it where it is missing: not a number until then
 };
+
+/// Whether a part that stands alone cannot do without the key.
+inline bool wanted(Need need) {
+  return need != Need::optional;
+}
 
 /// A rule with the SI unit that values are shown in.
 struct ContactQuantity {
@@ -48,7 +54,8 @@ ContactKey<Parameters> quantity_key(std::string name, double Parameters::*member
             need == Need::linked ? std::numeric_limits<double>::quiet_NaN() : parameters.*member;
         parameters.*member = table.quantity(name, quantity.rule).value_or(absent);
       },
-      [=](const Parameters& parameters) { return shown_quantity(name, parameters.*member, quantity.unit); }};
+      [=](const Parameters& parameters) { return shown_quantity(name, parameters.*member, quantity.unit); },
+      wanted(need) ? '"' + std::string(quantity.rule.example) + '"' : ""};
 }
 
 /// A key that holds a bare number.
@@ -62,7 +69,8 @@ ContactKey<Parameters> number_key(std::string name, double Parameters::*member, 
                 need == Need::linked ? std::numeric_limits<double>::quiet_NaN() : parameters.*member;
             parameters.*member = table.number(name, rule).value_or(absent);
           },
-          [=](const Parameters& parameters) { return name + ' ' + number_in_words(parameters.*member); }};
+          [=](const Parameters& parameters) { return name + ' ' + number_in_words(parameters.*member); },
+          wanted(need) ? std::string(rule.example) : ""};
 }
 
 /// A key that is true or false.
@@ -73,6 +81,13 @@ ContactKey<Parameters> flag_key(std::string name, bool Parameters::*member) {
             parameters.*member = table.flag(name).value_or(parameters.*member);
           },
           [=](const Parameters& parameters) { return (parameters.*member ? std::string() : "no ") + name; }};
+}
+
+/// A flag that older scenes have and that does nothing any more: it is read, and not shown.
+template <class Parameters>
+ContactKey<Parameters> flag_without_effect(std::string name) {
+  return {name, "", [=](TableReader& table, const PowderSpec&, Parameters&) { table.flag(name); },
+          [](const Parameters&) { return std::string(); }};
 }
 
 /// A key that chooses among words.

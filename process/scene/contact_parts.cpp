@@ -34,6 +34,10 @@ ContactPart<Parameters> entry(const std::string& name,
   using Own = typename Part::Parameters;
   ContactPart<Parameters> part;
   part.name = name;
+  part.example = "{ law = \"" + name + '"';
+  for (const auto& key : keys)
+    if (!key.example.empty()) part.example += ", " + key.name + " = " + key.example;
+  part.example += " }";
   for (const auto& key : keys)
     if (!key.of_powder.empty()) part.of_powder.push_back(key.of_powder);
   part.read = [keys](TableReader& table, const PowderSpec& powder) {
@@ -44,7 +48,9 @@ ContactPart<Parameters> entry(const std::string& name,
   part.in_words = [name, keys](const Parameters& parameters) {
     const Own* own = parameters.template of<Part>();
     std::string values;
-    for (const auto& key : keys) values += (values.empty() ? " (" : ", ") + key.shown(*own);
+    for (const auto& key : keys)
+      if (const std::string shown = key.shown(*own); !shown.empty())
+        values += (values.empty() ? " (" : ", ") + shown;
     return name + values + (values.empty() ? "" : ")");
   };
   return part;
@@ -160,12 +166,12 @@ const ContactParts<AnyRolling::Parameters>& rolling_parts() {
       rolling<FreeRolling>("none", {}),
       rolling<LoadRolling>(
           "CDT", {number_key("rolling_friction", &LoadRolling::Parameters::rolling_friction, kFriction),
-                  flag_key("capped", &LoadRolling::Parameters::capped)}),
+                  flag_without_effect<LoadRolling::Parameters>("capped")}),
       rolling<ElasticRolling>(
           "elastic CDT",
           {number_key("rolling_friction", &ElasticRolling::Parameters::rolling_friction, kFriction),
            flag_key("harmonic_mean", &ElasticRolling::Parameters::harmonic_mean),
-           flag_key("capped", &ElasticRolling::Parameters::capped)}),
+           flag_without_effect<ElasticRolling::Parameters>("capped")}),
       rolling<Epsd2Rolling>(
           "EPSD2",
           {number_key("rolling_friction", &Epsd2Rolling::Parameters::rolling_friction, kFriction),

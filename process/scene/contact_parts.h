@@ -20,6 +20,9 @@ struct ContactPart {
   /// Reads all its keys but `law`; linked ones that are missing are not numbers.
   std::function<Parameters(TableReader&, const PowderSpec&)> read;
   std::function<std::string(const Parameters&)> in_words;  ///< name and values
+  /// As a scene may name it, such as { law = "Mindlin", friction = 0.5, shear_modulus = "5 MPa" }: with the
+  /// keys that have no value of their own, also those that another part may give.
+  std::string example;
 };
 
 template <class Parameters>

@@ -122,7 +122,44 @@ std::string advice_for(const Tradeoff& tradeoff, const TradeoffPoint& chosen,
   return words + '.';
 }
 
+double widest_floor(const Tradeoff& tradeoff) {
+  return std::max(kWidestFloor, tradeoff.tolerance);
+}
+
+/// Why nothing is recommended where seeds scatter too much, and how many would do.
+std::string what_is_missing(const Tradeoff& tradeoff) {
+  const double widest = widest_floor(tradeoff);
+  std::string worst;
+  double floor = 0;
+  std::uint64_t seeds = 0;
+  bool enough = true;
+  for (std::size_t q = 0; q < tradeoff.quantities.size(); ++q) {
+    const TradeoffQuantity& quantity = tradeoff.quantities[q];
+    if (!quantity.decides || !(quantity.floor > widest)) continue;
+    const auto values = values_of(tradeoff, q);
+    const auto settings = static_cast<std::size_t>(
+        std::count_if(values.begin(), values.end(), [](const auto& value) { return value.seeds > 0; }));
+    const std::uint64_t needed =
+        seeds_for(pooled_scatter(values, scale_of(tradeoff, quantity)), settings, widest, quantity.is_target);
+    enough = enough && needed > 0;
+    seeds = std::max(seeds, needed);
+    if (!(quantity.floor > floor)) continue;
+    floor = quantity.floor;
+    worst = quantity.name;
+  }
+  std::string words = "No setting is recommended: another seed changes results by up to " + percent(floor) +
+                      " (" + worst + "), and settings that differ by less than " + percent(widest) +
+                      " cannot be told apart; ";
+  return words + (enough ? "about " + std::to_string(seeds) + " seeds of each would do: --seeds " +
+                               std::to_string(seeds) + '.'
+                         : "a thousand seeds of each would not do: take finer grains or more powder.");
+}
+
 void recommend(Tradeoff& tradeoff, std::size_t reference) {
+  if (!tells_apart(tradeoff)) {
+    tradeoff.advice = what_is_missing(tradeoff);
+    return;
+  }
   TradeoffPoint* chosen = nullptr;
   for (TradeoffPoint& point : tradeoff.points)
     if (is_acceptable(point) && (chosen == nullptr || point.core_seconds < chosen->core_seconds))
@@ -156,6 +193,15 @@ double error_floor(const PooledScatter& pooled, std::uint64_t seeds, bool target
   return t * pooled.scatter * std::sqrt((target ? 1.0 : 2.0) / static_cast<double>(seeds));
 }
 
+std::uint64_t seeds_for(const PooledScatter& pooled, std::size_t settings, double wanted, bool target) {
+  constexpr std::uint64_t kMost = 1000;
+  for (std::uint64_t seeds = 2; seeds <= kMost; ++seeds) {
+    const double freedom = static_cast<double>(settings) * static_cast<double>(seeds - 1);
+    if (error_floor({pooled.scatter, freedom}, seeds, target) <= wanted) return seeds;
+  }
+  return 0;
+}
+
 std::vector<std::size_t> pareto_front(const std::vector<double>& cost, const std::vector<double>& error) {
   std::vector<std::size_t> order;
   for (std::size_t k = 0; k < cost.size(); ++k)
@@ -171,15 +217,24 @@ std::vector<std::size_t> pareto_front(const std::vector<double>& cost, const std
 
 std::size_t reference_setting(const std::vector<TradeoffPoint>& points, const std::vector<int>& finer) {
   std::size_t best = points.size();
-  for (std::size_t k = 0; k < points.size(); ++k) {
-    if (points[k].seeds == 0 || (!points[k].changes.empty() && finer[k] <= 0)) continue;
-    if (best == points.size() || points[k].core_seconds > points[best].core_seconds) best = k;
-  }
+  const auto better = [&](const TradeoffPoint& point) {
+    if (best == points.size()) return true;
+    const bool sound = point.reason.empty(), best_is_sound = points[best].reason.empty();
+    return sound != best_is_sound ? sound : point.core_seconds > points[best].core_seconds;
+  };
+  for (std::size_t k = 0; k < points.size(); ++k)
+    if (points[k].seeds > 0 && (points[k].changes.empty() || finer[k] > 0) && better(points[k])) best = k;
   return best;
 }
 
 bool is_acceptable(const TradeoffPoint& point) {
   return point.reason.empty() && std::isfinite(point.error) && point.beyond.empty();
+}
+
+bool tells_apart(const Tradeoff& tradeoff) {
+  const double widest = widest_floor(tradeoff);
+  return std::none_of(tradeoff.quantities.begin(), tradeoff.quantities.end(),
+                      [&](const auto& quantity) { return quantity.decides && quantity.floor > widest; });
 }
 
 void evaluate(Tradeoff& tradeoff, std::size_t reference) {
@@ -196,7 +251,7 @@ void evaluate(Tradeoff& tradeoff, std::size_t reference) {
   for (TradeoffPoint& point : tradeoff.points) {
     set_errors(tradeoff, point);
     cost.push_back(point.core_seconds);
-    error.push_back(point.error);
+    error.push_back(point.reason.empty() ? point.error : kNone);  // what fails is no choice
   }
   for (const std::size_t k : pareto_front(cost, error)) tradeoff.points[k].pareto = true;
   recommend(tradeoff, reference);

@@ -19,22 +19,36 @@ PooledScatter pooled_scatter(const std::vector<results::TradeoffValue>& values, 
 /// / seeds). NaN where the scatter is not known.
 double error_floor(const PooledScatter& pooled, std::uint64_t seeds, bool target);
 
+/// Widest floor, a fraction, within which a setting is still recommended where the tolerance is smaller: what
+/// scatters more cannot tell settings apart.
+inline constexpr double kWidestFloor = 0.1;
+
+/// Least number of seeds, as many for each of `settings` settings, at which the floor of this scatter is at
+/// most `wanted`; 0 where a thousand are not enough or the scatter is not known.
+std::uint64_t seeds_for(const PooledScatter& pooled, std::size_t settings, double wanted, bool target);
+
 /// Indices of the points that no other beats: none costs less (or as much) with a smaller (or as small)
 /// error. Cheapest first; points with a NaN stay out; of equal points the first is on it.
 std::vector<std::size_t> pareto_front(const std::vector<double>& cost, const std::vector<double>& error);
 
 /// Index of the reference setting: the costliest of those that are the base or nothing but finer than it
-/// (`finer` > 0) and have results; of the settings' number where none has any.
+/// (`finer` > 0) and have results, of those without a failed run where there are such; the number of settings
+/// where none has results.
 std::size_t reference_setting(const std::vector<results::TradeoffPoint>& points,
                               const std::vector<int>& finer);
 
 /// Fills in everything that follows from the values: references (those of point `reference` unless targets),
 /// scatter and floors, errors, what is beyond its limit, Pareto front, and the recommendation: the cheapest
-/// setting that is acceptable.
+/// setting that is acceptable. A setting with a failed run is neither on the front nor recommended. Where
+/// seeds scatter too much (tells_apart()) nothing is, and the advice says how many seeds would do.
 void evaluate(results::Tradeoff& tradeoff, std::size_t reference);
 
 /// Whether none of the setting's runs failed, its error is known, and every quantity that decides is within
 /// the larger of its own floor and the tolerance. Asks for an evaluated setting.
 bool is_acceptable(const results::TradeoffPoint& point);
+
+/// Whether no quantity that decides has a floor above both kWidestFloor and the tolerance. Asks for an
+/// evaluated tradeoff.
+bool tells_apart(const results::Tradeoff& tradeoff);
 
 }  // namespace diefill::process

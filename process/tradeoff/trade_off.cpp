@@ -102,6 +102,7 @@ std::optional<Setting> combination(const Scene& scene, results::Tradeoff tradeof
                                    const std::vector<KnobValues>& knobs, double tolerance) {
   tradeoff.tolerance = tolerance;
   evaluate(tradeoff, 0);
+  if (!tells_apart(tradeoff)) return std::nullopt;
   std::vector<std::pair<Knob, std::string>> turned;
   for (const results::KnobRow& row : tradeoff.knobs) {
     double cheapest = kWorthwhile * tradeoff.points.front().core_seconds;

@@ -76,6 +76,18 @@ TEST(GeneralTimeStep, FollowsTheStiffestSpringWhicheverItIs) {
   EXPECT_NEAR(critical_time_step_at_overlap(shape, both(law), kOverlap), rolling, 1e-4 * rolling);
 }
 
+// A constant torque is as stiff as the step allows: it asks for none of its own.
+TEST(GeneralTimeStep, ConstantTorqueAsksForNoStep) {
+  const GrainShape shape = model_b(kRadius, kMass);
+  LawParameters law;
+  law.normal = LinearNormal::Parameters{500};
+  const double plain = critical_time_step(shape, both(law), 0.5);
+  law.rolling = LoadRolling::Parameters{.rolling_friction = 1};
+  EXPECT_EQ(critical_time_step(shape, both(law), 0.5), plain);
+  law.rolling = ElasticRolling::Parameters{.rolling_friction = 1, .stiffness = 500};
+  EXPECT_EQ(critical_time_step(shape, both(law), 0.5), plain);
+}
+
 TEST(GeneralTimeStep, LudingsUnloadingSpringAndStifferWallsCount) {
   const GrainShape shape = model_a(kRadius, kMass);
   LawParameters law;

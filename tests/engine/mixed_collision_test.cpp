@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "engine/coarse_graining/scaled_up_particle.h"
+#include "engine/general_time_step.h"
 #include "engine/mix_time_step.h"
 #include "engine/pair_laws.h"
 #include "engine/time_step.h"
@@ -146,6 +147,26 @@ TEST(MixTimeStep, IsSetByTheSmallestGrainsAndByTheStiffestLaw) {
       law.law.normal = laws::HertzMindlinNormal::Parameters{.modulus = 100 * kModulus};
   EXPECT_LT(critical_time_step(mix, {}, 0.5), 0.5 * both);
   EXPECT_LE(critical_time_step(mix, {{"steel", 1e-4}}, 0.5), critical_time_step(mix, {}, 0.5));
+}
+
+// Springs of friction and rolling and attraction count as they do among grains of one size.
+TEST(MixTimeStep, IsNeverAboveThatOfTheSmallestGrainsAlone) {
+  std::vector<laws::LawParameters> all(1, hertz());
+  all.back().friction = laws::MindlinFriction::Parameters{.shear_modulus = kModulus, .friction = 0.5};
+  all.push_back(hertz());
+  all.back().rolling =
+      laws::Epsd2Rolling::Parameters{.rolling_friction = 0.5, .shear_modulus = 20 * kModulus};
+  for (const auto& named : laws::laws_of_the_sources()) all.push_back(named.law);
+  for (const auto& law : all) {
+    laws::LawParameters walls = law;
+    walls.attraction = {};
+    const auto mix = mix_of({0.2, 1, 3}, law, law, walls);
+    const double infinite = std::numeric_limits<double>::infinity();
+    const double both = critical_time_step(mix, {{"steel", infinite}}, 0.5);
+    const double alone = critical_time_step(mix.kinds.front().shape, GeneralContact{law, walls, {}}, 0.5);
+    EXPECT_LE(both, alone * (1 + 1e-6));
+    EXPECT_GT(both, 0.4 * alone);
+  }
 }
 
 TEST(MixTimeStep, GrowsWithTheScaleOfScaledUpParticles) {

@@ -123,11 +123,10 @@ TEST(Evaluation, RecommendsTheCheapestWithinTheToleranceOrTheFloor) {
 }
 
 TEST(Evaluation, EveryQuantityIsHeldAgainstItsOwnScatter) {
-  // Mass scatters by a tenth, spread (over the mass) by a thousandth: 3 % of the mass mean nothing where 3 %
-  // of the mass in the spread do.
-  Tradeoff tradeoff =
-      with_quantities({point("base", 10, {100, 10}, 10, 2), point("heavy", 4, {103, 10}, 10, 2),
-                       point("uneven", 2, {101, 13}, 10, 2)});
+  // Mass scatters by 3 %, spread (over the mass) by a thousandth: 3 % of the mass mean nothing where 3 % of
+  // the mass in the spread do.
+  Tradeoff tradeoff = with_quantities({point("base", 10, {100, 10}, 3, 2), point("heavy", 4, {103, 10}, 3, 2),
+                                       point("uneven", 2, {101, 13}, 3, 2)});
   for (auto& each : tradeoff.points) each.values[1].scatter = 0.1;
   evaluate(tradeoff, 0);
   EXPECT_LT(tradeoff.points[2].error, tradeoff.floor);
@@ -176,6 +175,61 @@ TEST(Evaluation, ASettingWithAFailedRunIsNotRecommended) {
   evaluate(tradeoff, 0);
   EXPECT_FALSE(tradeoff.points[1].recommended);
   EXPECT_TRUE(tradeoff.points[0].recommended);
+}
+
+TEST(Evaluation, ASettingWithAFailedRunIsNotOnTheFrontEither) {
+  Tradeoff tradeoff = with_quantities(
+      {point("base", 10, {101, 4}), point("quick", 2, {100, 4}), point("fine", 40, {100, 4})});
+  evaluate(tradeoff, 2);
+  EXPECT_TRUE(tradeoff.points[1].pareto);
+  EXPECT_FALSE(tradeoff.points[0].pareto);
+  tradeoff.points[1].reason = "energy grew";
+  evaluate(tradeoff, 2);
+  EXPECT_FALSE(tradeoff.points[1].pareto);
+  EXPECT_TRUE(tradeoff.points[0].pareto);
+  EXPECT_TRUE(tradeoff.points[2].pareto);
+  EXPECT_EQ(tradeoff.points[1].error, 0);  // what its other runs came to is told all the same
+}
+
+TEST(Reference, HasNoFailedRunWhereAnotherWillDo) {
+  std::vector<TradeoffPoint> points = {point("base", 10, {1, 1}), point("fine", 30, {1, 1}),
+                                       point("finer", 90, {1, 1})};
+  points[2].reason = "energy grew";
+  EXPECT_EQ(reference_setting(points, {0, 1, 1}), 1U);
+  points[0].reason = points[1].reason = "energy grew";
+  EXPECT_EQ(reference_setting(points, {0, 1, 1}), 2U);
+}
+
+TEST(SeedsFor, AreTheFewestWhoseFloorIsNarrowEnough) {
+  const PooledScatter pooled{0.09, 3};
+  const std::uint64_t seeds = seeds_for(pooled, 3, 0.1, false);
+  const auto floor = [&](std::uint64_t n) {
+    return error_floor({0.09, 3.0 * static_cast<double>(n - 1)}, n, false);
+  };
+  EXPECT_LE(floor(seeds), 0.1);
+  EXPECT_GT(floor(seeds - 1), 0.1);
+  EXPECT_EQ(seeds, 8U);
+  EXPECT_LT(seeds_for(pooled, 3, 0.1, true), seeds);
+  EXPECT_EQ(seeds_for({kNone, 0}, 3, 0.1, false), 0U);
+  EXPECT_EQ(seeds_for({100, 3}, 3, 0.1, false), 0U);
+}
+
+TEST(Evaluation, RecommendsNothingWhereSeedsScatterTooMuchAndSaysWhatIsMissing) {
+  // Two seeds of three settings, 9 % each: t_{0.975, 3} = 3.182446, floor 28.6 %.
+  Tradeoff tradeoff = with_quantities({point("base", 10, {100, 10}, 9, 2), point("quick", 4, {103, 10}, 9, 2),
+                                       point("crude", 2, {120, 10}, 9, 2)});
+  tradeoff.tolerance = 0.02;
+  evaluate(tradeoff, 0);
+  EXPECT_NEAR(tradeoff.floor, 3.182446 * 0.09, 1e-7);
+  for (const auto& each : tradeoff.points) EXPECT_FALSE(each.recommended) << each.name;
+  EXPECT_EQ(tradeoff.advice,
+            "No setting is recommended: another seed changes results by up to 29 % (mass), and settings that "
+            "differ by less than 10 % cannot be told apart; about 8 seeds of each would do: --seeds 8.");
+  EXPECT_FALSE(tells_apart(tradeoff));
+  // Who accepts more than the scatter is told what to take.
+  tradeoff.tolerance = 0.3;
+  evaluate(tradeoff, 0);
+  EXPECT_TRUE(tradeoff.points[2].recommended);
 }
 
 TEST(Evaluation, NothingFinishedIsSaid) {

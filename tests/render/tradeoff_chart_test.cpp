@@ -92,6 +92,17 @@ TEST_F(TradeoffCharts, WhatIsBeyondTheScatterOfAQuantityIsHollow) {
   EXPECT_FALSE(close_to(pixel_at(picture.image, picture.places[3]), {255, 255, 255}, 2));
 }
 
+TEST_F(TradeoffCharts, WhatFailedWithASeedIsACross) {
+  Tradeoff tradeoff = crowded();
+  tradeoff.points[1].reason = "energy grew by 6 %";
+  const auto picture = compose_tradeoff(tradeoff);
+  keep(picture.image, "tradeoff_failed.png");
+  const QPointF at = picture.places[1];
+  EXPECT_TRUE(close_to(pixel_at(picture.image, at), {90, 90, 90}, 4));
+  EXPECT_TRUE(close_to(pixel_at(picture.image, at + QPointF(6, 6)), {90, 90, 90}, 30));
+  EXPECT_TRUE(close_to(pixel_at(picture.image, at + QPointF(0, 8)), {255, 255, 255}, 2));
+}
+
 TEST_F(TradeoffCharts, TheFloorIsShadedAndNothingAboveIt) {
   const auto picture = compose_tradeoff(crowded());
   const double left = picture.plot.rect.left() + 4;

@@ -36,7 +36,7 @@ laws::AnyRolling::Parameters epsd2(double rolling_friction) {
 }
 
 laws::AnyRolling::Parameters constant_torque(double rolling_friction) {
-  return laws::LoadRolling::Parameters{rolling_friction, true};
+  return laws::LoadRolling::Parameters{rolling_friction};
 }
 
 /// Quick: all powder in a twentieth of the time, twenty times as densely.

@@ -36,8 +36,10 @@ TEST(ConstantTorque, RollingBallStopsAfterThePredictedDistance) {
   const double weight = sphere_mass(kRadius, 1000) * kGravity;
   LawParameters law{.normal = LinearNormal::Parameters{.stiffness = 10},
                     .damping = ConstantDamping::Parameters{.coefficient = 2e-5},
-                    .friction = CundallFriction::Parameters{.tangential = 50, .friction = 0.8}};
-  law.rolling = LoadRolling::Parameters{.rolling_friction = friction, .capped = true};
+                    // With a dashpot: the ball ends on this spring, and would rock on it.
+                    .friction = LudingFriction::Parameters{
+                        .stiffness = 2, .damping = 2e-4, .static_friction = 0.8, .dynamic_friction = 0.8}};
+  law.rolling = LoadRolling::Parameters{.rolling_friction = friction};
   reference::AllPairs<GeneralLaw> pairs(
       {.time_step = 2e-6, .gravity = {0, 0, -kGravity}, .arm = reference::Arm::surface}, {},
       [&](const PairProperties& pair) { return make_law(law, pair); });
@@ -53,46 +55,69 @@ TEST(ConstantTorque, RollingBallStopsAfterThePredictedDistance) {
   EXPECT_LT(std::abs(pairs.balls[0].velocity.x), 1e-3 * speed);
 }
 
-TEST(ConstantTorque, CapNeverTurnsTheSpinRoundAndFreeTorqueChatters) {
+/// N m, what a pair that has turned against each other at `spin` (rad/s) for `steps` steps resists with.
+template <class Part>
+Vector3 torque_after(const Part& part, int steps, Vector3 spin, double load, double step) {
+  double memory[3] = {};
+  Vector3 torque;
+  for (int k = 0; k < steps; ++k) torque = part.torque(memory, kUp, spin, kRoot, {}, load, step);
+  return torque;
+}
+
+TEST(ConstantTorque, IsThePrintedOneButForTheFirstSteps) {
   const double load = 1e-5, step = 1e-6;
   const auto pair = sphere_on_wall(kRadius);
-  const double chatter = 0.1 * load * kRadius * step / pair.effective_inertia();
-  for (const bool capped : {true, false}) {
-    const LoadRolling part({.rolling_friction = 0.1, .capped = capped}, pair);
-    double memory = 0, spin = 10.3 * chatter, least = kInfinite;
-    for (int k = 0; k < 50; ++k) {
-      const double torque = part.torque(&memory, kUp, {0, spin, 0}, kRoot, {}, load, step).y;
-      spin += step * torque / pair.effective_inertia();
-      least = std::min(least, spin);
+  const LoadRolling part({.rolling_friction = 0.1}, pair);
+  const double printed = 0.1 * load * kRadius, change = printed * step / pair.effective_inertia();
+  // A spin that the torque would stop in four steps: it is there after four, a sixteenth of what would stop
+  // the spin in each.
+  const Vector3 spin{0, 4 * change, 0};
+  EXPECT_NEAR(torque_after(part, 1, spin, load, step).y, -printed / 4, 1e-12 * printed);
+  for (const int steps : {4, 5, 1000})
+    EXPECT_NEAR(torque_after(part, steps, spin, load, step).y, -printed, 1e-12 * printed);
+  // A slow one rolls as far before it is.
+  EXPECT_NEAR(torque_after(part, 8, {0, change, 0}, load, step).y, -printed / 2, 1e-12 * printed);
+  EXPECT_NEAR(torque_after(part, 17, {0, change, 0}, load, step).y, -printed, 1e-12 * printed);
+}
+
+TEST(ConstantTorque, TakesEnergyOutOfEveryTurnToAndFro) {
+  const double load = 1e-5, step = 1e-6;
+  const auto pair = sphere_on_wall(kRadius);
+  const double change = 0.1 * load * kRadius * step / pair.effective_inertia();
+  for (const double fastest : {0.1, 1.0, 10.0, 1000.0}) {
+    const LoadRolling part({.rolling_friction = 0.1}, pair);
+    double memory[3] = {}, work = 0;
+    for (int k = 0; k < 4000; ++k) {
+      const Vector3 spin{fastest * change * std::sin(k * std::numbers::pi / 100), 0, 0};
+      work += dot(part.torque(memory, kUp, spin, kRoot, {}, load, step), spin);
     }
-    if (capped) {
-      EXPECT_NEAR(least, 0, 1e-9 * chatter);
-      EXPECT_GE(least, -1e-12 * chatter);
-    } else {
-      EXPECT_NEAR(least, -0.7 * chatter, 1e-6 * chatter);
-    }
+    EXPECT_LT(work, 0) << fastest;
   }
 }
 
 TEST(ConstantTorque, LeavesTorsionAlone) {
   const LoadRolling part({.rolling_friction = 0.1}, spheres(kRadius, kRadius));
-  const Vector3 torque = part.torque(nullptr, kUp, {0, 0, 5}, kRoot, {}, 1e-5, 1e-6);
-  EXPECT_EQ(length(torque), 0);
-  const Vector3 tilted = part.torque(nullptr, kUp, {3, 4, 100}, kRoot, {}, 1e-5, 1e-6);
+  EXPECT_EQ(length(torque_after(part, 100, {0, 0, 5}, 1e-5, 1e-6)), 0);
+  const Vector3 tilted = torque_after(part, 100, {3, 4, 100}, 1e-5, 1e-6);
   EXPECT_NEAR(length(tilted), 0.1 * 1e-5 * kRadius / 2, 1e-20);
   EXPECT_EQ(tilted.z, 0);
-  EXPECT_NEAR(tilted.x / tilted.y, 0.75, 1e-14);
+  EXPECT_NEAR(tilted.x / tilted.y, 0.75, 1e-13);
+}
+
+TEST(ConstantTorque, IsNoneWhereNoTimePasses) {
+  const LoadRolling part({.rolling_friction = 0.1}, spheres(kRadius, kRadius));
+  EXPECT_EQ(length(torque_after(part, 3, {3, 4, 0}, 1e-5, 0)), 0);
 }
 
 TEST(ElasticProductTorque, IsThatOfTheOverlapNotTheForce) {
   const ElasticRolling part({.rolling_friction = 0.1, .stiffness = 150}, spheres(kRadius, kRadius));
   const double full = 0.1 * 150 * kOverlap * kRadius / 2;
-  EXPECT_NEAR(part.torque(nullptr, kUp, {7, 0, 0}, kRoot, {}, 0, 1e-6).x, -full, 1e-14 * full);
+  EXPECT_NEAR(torque_after(part, 1000, {7, 0, 0}, 0, 1e-6).x, -full, 1e-14 * full);
   // The part along the normal is taken off after the direction is made (Kottlan 2018, Eq. 23).
-  EXPECT_NEAR(part.torque(nullptr, kUp, {3, 0, 4}, kRoot, {}, 0, 1e-6).x, -0.6 * full, 1e-14 * full);
+  EXPECT_NEAR(torque_after(part, 1000, {3, 0, 4}, 0, 1e-6).x, -0.6 * full, 1e-12 * full);
   const ElasticRolling printed({.rolling_friction = 0.1, .stiffness = 150, .harmonic_mean = true},
                                spheres(kRadius, kRadius));
-  EXPECT_NEAR(printed.torque(nullptr, kUp, {7, 0, 0}, kRoot, {}, 0, 1e-6).x, -2 * full, 1e-14 * full);
+  EXPECT_NEAR(torque_after(printed, 1000, {7, 0, 0}, 0, 1e-6).x, -2 * full, 1e-14 * full);
 }
 
 TEST(Epsd2, SmallRockingNeverDecays) {

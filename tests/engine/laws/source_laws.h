@@ -21,7 +21,7 @@ inline std::vector<NamedLaw> laws_of_the_sources() {
   LawParameters bierwisch{.normal = BierwischNormal::Parameters{.work_of_adhesion = 0.02}};
   bierwisch.damping = BierwischDamping::Parameters{.damping = 3};
   bierwisch.friction = CundallFriction::Parameters{.tangential = 100, .friction = 0.3};
-  bierwisch.rolling = LoadRolling::Parameters{.rolling_friction = 0.1, .capped = true};
+  bierwisch.rolling = LoadRolling::Parameters{.rolling_friction = 0.1};
 
   LawParameters hu{.normal = HertzMindlinNormal::Parameters{.modulus = modulus}};
   hu.damping = RestitutionDamping::Parameters{.restitution = 0.3, .modulus = modulus};
@@ -36,7 +36,7 @@ inline std::vector<NamedLaw> laws_of_the_sources() {
   kottlan.damping = LinearRestitutionDamping::Parameters{.restitution = 0.65, .stiffness = 150};
   kottlan.friction = LudingFriction::Parameters{
       .stiffness = 90, .damping = 1e-4, .static_friction = 0.7, .dynamic_friction = 0.5};
-  kottlan.rolling = ElasticRolling::Parameters{.rolling_friction = 0.1, .stiffness = 150, .capped = true};
+  kottlan.rolling = ElasticRolling::Parameters{.rolling_friction = 0.1, .stiffness = 150};
   kottlan.attraction = VanDerWaals::Parameters{.hamaker = 5e-18};
   LawParameters luding = kottlan;
   luding.rolling = LudingRolling::Parameters{

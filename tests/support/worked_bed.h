@@ -1,0 +1,90 @@
+// A bed of spheres that is poured, shaken and discharged, and what its energy balance says after each.
+#pragma once
+
+#include <cmath>
+#include <numbers>
+#include <random>
+
+#include "engine/health.h"
+#include "engine/simulation.h"
+#include "process/run/material.h"
+
+namespace diefill::support {
+
+/// How much is poured, and for how long it is worked on.
+struct BedWork {
+  int across = 4, layers = 3;
+  double pour = 0.08, shake = 0.05, discharge = 0.05;  ///< s
+};
+
+/// Energy gained without work that explains it over what was turned over, as engine::Health has it.
+struct EnergyGained {
+  double poured = 0, shaken = 0, discharged = 0;
+  double most() const { return std::max({poured, shaken, discharged}); }
+};
+
+/// A floor of wall spheres of `radius` (m) from x = `left` to `right` (m), twice as wide in y as `half` (m).
+inline engine::WallBodySpec plate(const std::string& name, double radius, double left, double right,
+                                  double half) {
+  engine::WallBodySpec body;
+  body.name = name;
+  body.sphere_radius = radius;
+  const double spacing = 1.6 * radius;
+  for (double x = left; x < right; x += spacing)
+    for (double y = -half; y < half; y += spacing) body.centres.push_back({x, y, -radius});
+  return body;
+}
+
+/// Spheres on a loose lattice above two plates side by side, periodic in x and y. Both plates shake up and
+/// down and to and fro at 40 Hz, up to three times as hard as gravity pulls; then one of them drops.
+inline EnergyGained gained_by(engine::SimulationSettings settings, const BedWork& work) {
+  const double radius = settings.shape.sphere_radius, spacing = 2.1 * radius, width = work.across * spacing;
+  settings.period = {width, width};
+  const double end_of_shaking = work.pour + work.shake;
+  const auto shaking = [=](double time) {
+    engine::BodyMotion motion;
+    if (time < work.pour || time > end_of_shaking) return motion;
+    const double rate = 2 * std::numbers::pi * 40, amplitude = 0.2 * radius,
+                 phase = rate * (time - work.pour);
+    const Eigen::Vector3d way(amplitude, 0, amplitude);
+    motion.translation = std::sin(phase) * way;
+    motion.velocity = rate * std::cos(phase) * way;
+    return motion;
+  };
+  const auto dropping = [=](double time) {
+    engine::BodyMotion motion = shaking(time);
+    if (time <= end_of_shaking) return motion;
+    motion.velocity = {0, 0, -1};
+    motion.translation = (time - end_of_shaking) * motion.velocity;
+    return motion;
+  };
+  auto shelf = plate("shelf", 0.5 * radius, -width, 0, width),
+       gate = plate("gate", 0.5 * radius, 0, width, width);
+  shelf.motion = shaking;
+  gate.motion = dropping;
+  engine::Simulation simulation(settings, {shelf, gate});
+  std::mt19937_64 random(2);
+  std::uniform_real_distribution<double> shift(-0.05 * radius, 0.05 * radius);
+  std::vector<engine::NewGrain> grains(static_cast<std::size_t>(work.across * work.across * work.layers));
+  for (std::size_t k = 0; k < grains.size(); ++k) {
+    const int n = static_cast<int>(k), across = work.across;
+    grains[k].position =
+        spacing * Eigen::Vector3d(n % across - 0.5 * across, n / across % across - 0.5 * across,
+                                  n / across / across + 0.6) +
+        Eigen::Vector3d(shift(random), shift(random), shift(random));
+  }
+  simulation.add_grains(grains);
+  engine::Health health;
+  const auto until = [&](double time) {
+    while (simulation.time() < time) simulation.step();
+    health.check(simulation);
+    return simulation.energy_balance_error();
+  };
+  EnergyGained gained;
+  gained.poured = until(work.pour);
+  gained.shaken = until(end_of_shaking);
+  gained.discharged = until(end_of_shaking + work.discharge);
+  return gained;
+}
+
+}  // namespace diefill::support
