@@ -115,20 +115,31 @@ TEST(Compare, KeepsWhatStandsAndRunsAgainWhatHasChanged) {
 
 TEST(Compare, RecordsARunThatLeavesTheValidRangeAndGoesOn) {
   const SmallDie die;
-  add_variants(die, "\n[[variant]]\nname = \"in no time\"\nnumerics.max_time = \"5 ms\"\n");
+  add_variants(die,
+               "\n[[variant]]\nname = \"too soft\"\npowder.reduced_modulus = \"1e4 Pa\"\npour.fill_height = "
+               "\"9 mm\"\n");
   const Outcome outcome = run_program(compare_arguments(die));
   EXPECT_EQ(outcome.exit_code, 3) << outcome.err;
-  EXPECT_NE(outcome.out.find("\"in no time\", seed 1: failed: the scene was not over"), std::string::npos)
-      << outcome.out;
+  EXPECT_NE(outcome.out.find("\"too soft\", seed 1: failed: "), std::string::npos) << outcome.out;
   const auto comparison = comparison_of(die.out());
   const auto& failed = comparison.at("runs").at(2);
   EXPECT_EQ(failed.at("state"), "failed");
   EXPECT_EQ(failed.at("exit_code"), 3);
-  EXPECT_NE(failed.at("reason").get<std::string>().find("max_time"), std::string::npos);
-  EXPECT_EQ(value_in(comparison, "filled_mass_kg", "in no time").at("verdict"), "no value");
+  EXPECT_NE(failed.at("reason").get<std::string>().find("overlap"), std::string::npos);
+  EXPECT_EQ(value_in(comparison, "filled_mass_kg", "too soft").at("verdict"), "no value");
   EXPECT_EQ(value_in(comparison, "filled_mass_kg", "quick").at("seeds"), 1);
   // It would fail again in the same way: it is not tried a second time, and still told of.
   EXPECT_EQ(run_program(compare_arguments(die)).exit_code, 3);
+}
+
+TEST(Compare, ARunWhoseTimeIsOverIsNoResultYet) {
+  const SmallDie die;
+  die.exchange("[numerics]", "[numerics]\nmax_time = \"5 ms\"");
+  const Outcome outcome = run_program(compare_arguments(die));
+  EXPECT_EQ(outcome.exit_code, 1) << outcome.err;
+  EXPECT_NE(outcome.out.find("failed: the scene was not over after numerics.max_time"), std::string::npos)
+      << outcome.out;
+  EXPECT_EQ(comparison_of(die.out()).at("runs").at(0).at("exit_code"), 4);
 }
 
 TEST(Compare, ChecksEveryVariantBeforeAnythingRuns) {

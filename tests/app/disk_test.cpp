@@ -9,7 +9,7 @@
 namespace diefill::app {
 namespace {
 
-TEST(FullDisk, LeavesEarlierResultsAndLetsTheRunBeFinishedLater) {
+TEST(FullDisk, KeepsEarlierResultsAndLetsTheRunBeFinishedLater) {
   constexpr std::size_t kRoom = 150000;  // bytes: enough for a checkpoint, not for the results
   const SmallDie die;
   die.exchange("velocity = \"0.1 m/s\"", "velocity = \"0.2 m/s\"");
@@ -23,18 +23,17 @@ TEST(FullDisk, LeavesEarlierResultsAndLetsTheRunBeFinishedLater) {
   ASSERT_GT(std::filesystem::file_size(die.out() / "results.h5"), kRoom);
   const Outcome outcome = run_program(die.run_arguments({"--quiet"}), {die.folder(), kRoom});
   EXPECT_EQ(outcome.exit_code, 1);
-  EXPECT_EQ(outcome.complaints(), 1U) << outcome.err;
+  EXPECT_EQ(outcome.complaints(), 2U) << outcome.err;  // where the earlier results are, and the error
   EXPECT_NE(outcome.err.find("cannot write " + (die.out() / "results.h5").string()), std::string::npos)
       << outcome.err;
+  const auto kept = die.out() / "previous-1";
   for (std::size_t k = 0; k < files.size(); ++k)
-    EXPECT_TRUE(contents(die.out() / files[k]) == before[k]) << files[k];
-  EXPECT_EQ(run_program({"info", die.out().string()}).exit_code, 0);
+    EXPECT_TRUE(contents(kept / files[k]) == before[k]) << files[k];
+  EXPECT_EQ(run_program({"info", kept.string()}).exit_code, 0);
   // Only the checkpoint is new, and nothing is left half written.
-  std::filesystem::rename(die.out() / "checkpoint.bin", die.folder() / "checkpoint.bin");
-  EXPECT_EQ(SmallDie::files_in(die.out()), files);
+  EXPECT_EQ(SmallDie::files_in(die.out()), (std::vector<std::string>{"checkpoint.bin", "previous-1"}));
 
   // With room again the run is finished from there, and another seed has given another packing.
-  std::filesystem::rename(die.folder() / "checkpoint.bin", die.out() / "checkpoint.bin");
   const Outcome resumed = die.run({"--resume"});
   EXPECT_EQ(resumed.exit_code, 0) << resumed.err;
   EXPECT_NE(die.report().at("state_hash"), state_before);

@@ -22,12 +22,6 @@ TEST(ValidRange, GrainsThatAreTooSoftStopTheRun) {
   expect_stop(die, {"overlap", "reduced_modulus"});
 }
 
-TEST(ValidRange, ASceneThatDoesNotEndInTimeStopsTheRun) {
-  const SmallDie die;
-  die.exchange("[numerics]", "[numerics]\nmax_time = \"5 ms\"");
-  expect_stop(die, {"numerics.max_time of 0.005"});
-}
-
 TEST(ValidRange, AStepOfTwiceTheMeasuredLimitStopsTheRun) {
   const SmallDie die;
   die.exchange("time_step_fraction = 0.15", "time_step_fraction = 1.0");

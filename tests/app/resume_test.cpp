@@ -84,8 +84,8 @@ TEST(Resume, EndsAsTheUnbrokenRunAfterStopsAndKills) {
 }
 
 // Whatever the moment: while it starts, pours, steps, writes a checkpoint, measures or draws.
-TEST(Resume, EndsAsTheUnbrokenRunAfterTwentyKillsAtRandomMoments) {
-  constexpr int kKills = 20;
+TEST(Resume, EndsAsTheUnbrokenRunAfter25KillsAtRandomMoments) {
+  constexpr int kKills = 25;
   const SmallDie die, other;
   for (const SmallDie* each : {&die, &other})
     each->exchange("velocity = \"0.1 m/s\"", "velocity = \"0.2 m/s\"");
