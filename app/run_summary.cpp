@@ -59,7 +59,7 @@ std::string cavity_table(const std::vector<CavityRow>& rows) {
         {std::to_string(row.number),
          results::at_decimals(1e3 * row.place.x(), 1) + ", " + results::at_decimals(1e3 * row.place.y(), 1),
          shown(row.volume, 1e6), std::isfinite(row.mass) ? mass_of(row) : "-",
-         std::isfinite(row.full_mass) ? results::mass_in_words(row.full_mass) : "-",
+         std::isfinite(row.full_mass) ? results::mass_in_words(row.full_mass, row.estimate ? 2 : 3) : "-",
          std::isfinite(row.fill_ratio) ? results::at_decimals(100 * row.fill_ratio, 0) : "-",
          millimetres(row.fill_height) + " of " + millimetres(row.depth),
          fraction.empty() ? "too few grains" : fraction});

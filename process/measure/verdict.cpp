@@ -57,19 +57,17 @@ std::string percent(double ratio) {
 std::string filling(const results::FillResult& result) {
   const double ratio = value(result, "fill_ratio"), mass = value(result, "expected_mass_kg");
   const bool guessed = value(result, "apparent_density_is_estimate") > 0;
-  const auto grams = [&](double kilograms) {
-    return guessed ? "about " + results::mass_in_words(kilograms, 2) : results::mass_in_words(kilograms);
-  };
+  const int digits = guessed ? 2 : 3;
+  const std::string holds = (guessed ? "about " : "") + results::mass_in_words(mass, digits);
+  const std::string full = results::mass_in_words(value(result, "full_die_mass_kg"), digits);
   if (!std::isfinite(ratio)) {
     const double guess = value(result, "estimated_mass_kg");
     return (std::isfinite(guess) ? "holds about " + results::mass_in_words(guess, 2) + "; " : std::string()) +
            "how full is not known: " + results::reason_for(result, "fill_ratio");
   }
   if (results::is_full(ratio))
-    return "full (" + percent(ratio) + "): " + grams(mass) + ", where a die full at apparent density holds " +
-           grams(value(result, "full_die_mass_kg"));
-  return percent(ratio) + " full: " + grams(mass) + " of the " + grams(value(result, "full_die_mass_kg")) +
-         " of a die full at apparent density";
+    return "full (" + percent(ratio) + "): " + holds + ", where a die full at apparent density holds " + full;
+  return percent(ratio) + " full: " + holds + " of the " + full + " of a die full at apparent density";
 }
 
 /// The part where the profile "fill level" stands lowest; empty where it is level.

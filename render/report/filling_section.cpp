@@ -18,13 +18,24 @@ void add_row(Table& table, const std::string& name, double value, const std::str
   if (std::isfinite(value)) table.rows.push_back({name, with_unit(value, unit, digits)});
 }
 
+std::string full_mass_of(const CavityRow& row) {
+  return row.estimate ? "about " + results::mass_in_words(row.full_mass, 2)
+                      : results::mass_in_words(row.full_mass);
+}
+
+/// Densities that follow from an estimate, to two digits: "about 2400 kg/m³".
+std::string about(double density) {
+  return "about " + results::at_decimals(density, 1 - static_cast<int>(std::floor(std::log10(density)))) +
+         " kg/m³";
+}
+
 /// Masses, ratio and height of the first cavity.
 Table mass_table(const FillResult& result, const CavityRow& row) {
   const auto value = [&](const char* name) { return figure(result, name); };
   Table table;
   if (std::isfinite(row.mass)) table.rows.push_back({"Mass of the real powder in the cavity", mass_of(row)});
   if (std::isfinite(row.full_mass))
-    table.rows.push_back({"A die full at apparent density holds", results::mass_in_words(row.full_mass)});
+    table.rows.push_back({"A die full at apparent density holds", full_mass_of(row)});
   add_row(table, "Fill ratio: mass over that of the full die", row.fill_ratio, "", 2);
   if (std::isfinite(row.fill_height))
     table.rows.push_back(
@@ -38,13 +49,16 @@ Table mass_table(const FillResult& result, const CavityRow& row) {
     if (!reason.empty()) table.rows.push_back({name, reason});
   } else if (value("apparent_density_is_estimate") > 0) {
     table.rows.push_back(
-        {name, "about " + with_unit(apparent, "kg/m³", 2) +
-                   ", estimated: solid fraction of the powder in the shoe times the density of "
-                   "its metal (powder.apparent_density gives the weighed one)"});
+        {name, about(apparent) + ", estimated: solid fraction of the powder in the shoe times the density of "
+                                 "its metal (powder.apparent_density gives the weighed one)"});
   } else {
     add_row(table, name, apparent, "kg/m³");
   }
-  add_row(table, "Fill density of the real powder", value("expected_fill_density_kg_m3"), "kg/m³", 3);
+  const double density = value("expected_fill_density_kg_m3");
+  if (row.estimate && density > 0)
+    table.rows.push_back({"Fill density of the real powder", about(density)});
+  else
+    add_row(table, "Fill density of the real powder", density, "kg/m³", 3);
   return table;
 }
 
@@ -92,7 +106,7 @@ Table cavity_table(const std::vector<CavityRow>& rows) {
     table.rows.push_back({std::to_string(row.number),
                           in_digits(1e3 * row.place.x(), 3) + ", " + in_digits(1e3 * row.place.y(), 3),
                           in_digits(1e6 * row.volume, 3), or_none(mass_of(row)),
-                          std::isfinite(row.full_mass) ? results::mass_in_words(row.full_mass) : "–",
+                          std::isfinite(row.full_mass) ? full_mass_of(row) : "–",
                           in_digits(row.fill_ratio, 2), in_digits(1e3 * row.fill_height, 3),
                           in_digits(1e3 * row.depth, 3),
                           or_none(results::with_scatter(row.solid_fraction, row.std)), row.verdict});

@@ -15,7 +15,7 @@ TEST(Rounding, DigitsFollowTheScatter) {
   EXPECT_EQ(with_scatter(0.31184, 0.0123), "0.312 ± 0.012");
   EXPECT_EQ(with_scatter(3.4567, 0.0296), "3.46 ± 0.03");
   EXPECT_EQ(with_scatter(1234.5, 21), "1234 ± 21");
-  EXPECT_EQ(with_scatter(-0.0004, 0.002), "0.000 ± 0.002");
+  EXPECT_EQ(with_scatter(-0.0004, 0.02), "0.000 ± 0.020");
 }
 
 TEST(Rounding, ValuesWithoutScatterKeepAFewDigits) {
