@@ -11,6 +11,7 @@ using namespace engine::laws;
 constexpr ContactQuantity
     kModulus = {{Dimension::pressure, "5 MPa", "1e3 Pa", "1e12 Pa"}, "Pa"},
     kStiffness = {{Dimension::work_of_adhesion, "100 N/m", "1e-6 N/m", "1e9 N/m"}, "N/m"},
+    kUnloading = {{Dimension::work_of_adhesion, "500 N/m", "1e-6 N/m", "1e9 N/m"}, "N/m"},
     kLimb = {{Dimension::work_of_adhesion, "50 N/m", "0 N/m", "1e9 N/m"}, "N/m"},
     kSurfaceEnergy = {{Dimension::work_of_adhesion, "0.01 J/m^2", "0 J/m^2", "10 J/m^2"}, "J/m^2"},
     kDashpot = {{Dimension::mass_rate, "1e-3 N s/m", "0 N s/m", "1e6 N s/m"}, "N s/m"},
@@ -113,7 +114,7 @@ const ContactParts<AnyNormal::Parameters>& normal_parts() {
                            {quantity_key("stiffness", &LinearNormal::Parameters::stiffness, kStiffness)}),
       normal<LudingNormal>(
           "Luding", {quantity_key("loading_stiffness", &Luding::loading, kStiffness),
-                     quantity_key("unloading_stiffness", &Luding::unloading, kStiffness),
+                     quantity_key("unloading_stiffness", &Luding::unloading, kUnloading),
                      quantity_key("cohesion_stiffness", &Luding::cohesion, kLimb, Need::optional),
                      number_key("plasticity_depth", &Luding::plasticity_depth, kDepth, Need::optional)}),
   };

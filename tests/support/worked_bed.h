@@ -14,29 +14,32 @@ namespace diefill::support {
 /// How much is poured, and for how long it is worked on.
 struct BedWork {
   int across = 4, layers = 3;
-  double pour = 0.08, shake = 0.05, discharge = 0.05;  ///< s
+  double pour = 0.12, shake = 0.05, discharge = 0.05;  ///< s; whole periods of shaking
 };
 
 /// Energy gained without work that explains it over what was turned over, as engine::Health has it.
 struct EnergyGained {
   double poured = 0, shaken = 0, discharged = 0;
-  double most() const { return std::max({poured, shaken, discharged}); }
+  double at_rest = 0;  ///< part of `poured`: in the last third of that time
 };
 
-/// A floor of wall spheres of `radius` (m) from x = `left` to `right` (m), twice as wide in y as `half` (m).
-inline engine::WallBodySpec plate(const std::string& name, double radius, double left, double right,
-                                  double half) {
+/// Half of a floor of wall spheres of `radius` (m) that repeats with `width` (m) along x and y and reaches
+/// beyond the period by as much again: the half with x above zero, or the other one.
+inline engine::WallBodySpec half_floor(const std::string& name, double radius, double width, bool above) {
   engine::WallBodySpec body;
   body.name = name;
   body.sphere_radius = radius;
-  const double spacing = 1.6 * radius;
-  for (double x = left; x < right; x += spacing)
-    for (double y = -half; y < half; y += spacing) body.centres.push_back({x, y, -radius});
+  const int half = static_cast<int>(std::ceil(0.5 * width / (1.6 * radius)));
+  const double spacing = 0.5 * width / half;
+  for (int i = -2 * half; i < 2 * half; ++i)
+    for (int j = -2 * half; j < 2 * half; ++j)
+      if (((i + 4 * half) % (2 * half) < half) == above)
+        body.centres.push_back({(i + 0.5) * spacing, (j + 0.5) * spacing, -radius});
   return body;
 }
 
-/// Spheres on a loose lattice above two plates side by side, periodic in x and y. Both plates shake up and
-/// down and to and fro at 40 Hz, up to three times as hard as gravity pulls; then one of them drops.
+/// Spheres on a loose lattice above a floor in two halves, periodic in x and y. Both halves shake up and
+/// down and to and fro at 40 Hz, up to 1.6 times as hard as gravity pulls; then one of them drops.
 inline EnergyGained gained_by(engine::SimulationSettings settings, const BedWork& work) {
   const double radius = settings.shape.sphere_radius, spacing = 2.1 * radius, width = work.across * spacing;
   settings.period = {width, width};
@@ -44,11 +47,11 @@ inline EnergyGained gained_by(engine::SimulationSettings settings, const BedWork
   const auto shaking = [=](double time) {
     engine::BodyMotion motion;
     if (time < work.pour || time > end_of_shaking) return motion;
-    const double rate = 2 * std::numbers::pi * 40, amplitude = 0.2 * radius,
+    const double rate = 2 * std::numbers::pi * 40, amplitude = 0.1 * radius,
                  phase = rate * (time - work.pour);
     const Eigen::Vector3d way(amplitude, 0, amplitude);
-    motion.translation = std::sin(phase) * way;
-    motion.velocity = rate * std::cos(phase) * way;
+    motion.translation = (1 - std::cos(phase)) * way;
+    motion.velocity = rate * std::sin(phase) * way;
     return motion;
   };
   const auto dropping = [=](double time) {
@@ -58,8 +61,8 @@ inline EnergyGained gained_by(engine::SimulationSettings settings, const BedWork
     motion.translation = (time - end_of_shaking) * motion.velocity;
     return motion;
   };
-  auto shelf = plate("shelf", 0.5 * radius, -width, 0, width),
-       gate = plate("gate", 0.5 * radius, 0, width, width);
+  auto shelf = half_floor("shelf", 0.5 * radius, width, false),
+       gate = half_floor("gate", 0.5 * radius, width, true);
   shelf.motion = shaking;
   gate.motion = dropping;
   engine::Simulation simulation(settings, {shelf, gate});
@@ -81,7 +84,9 @@ inline EnergyGained gained_by(engine::SimulationSettings settings, const BedWork
     return simulation.energy_balance_error();
   };
   EnergyGained gained;
+  const double settled = until(2 * work.pour / 3);
   gained.poured = until(work.pour);
+  gained.at_rest = gained.poured - settled;
   gained.shaken = until(end_of_shaking);
   gained.discharged = until(end_of_shaking + work.discharge);
   return gained;
