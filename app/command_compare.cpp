@@ -62,7 +62,9 @@ int gather(const std::filesystem::path& directory) {
 std::vector<process::Variant> checked_variants(const CompareArguments& arguments) {
   if (arguments.scene.empty())
     throw process::SceneError("SCENE: a scene file is needed, or --collect with a directory of runs");
-  return wanted_variants(arguments.scene, arguments.setting);
+  auto variants = wanted_variants(arguments.scene, arguments.setting);
+  for (const auto& variant : variants) refuse_seeds_beyond(variant.scene, arguments.seeds);
+  return variants;
 }
 
 /// Writes the jobs into `directory`.

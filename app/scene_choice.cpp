@@ -1,10 +1,13 @@
 #include "app/scene_choice.h"
 
+#include <cstdint>
 #include <cstdio>
+#include <limits>
 #include <optional>
 
 #include "process/plan/setting.h"
 #include "process/plan/variant_setting.h"
+#include "process/run/foreseen_work.h"
 #include "process/run/material.h"
 
 namespace diefill::app {
@@ -26,13 +29,18 @@ process::Scene wanted_scene(const std::string& file, const std::string& setting)
   std::optional<process::Setting> wanted;
   if (!setting.empty()) wanted = process::setting_named(setting);
   auto scene = process::plan::settled_scene(process::read_scene(file), wanted);
+  process::refuse_endless(scene);
   say_what_was_chosen(scene);
   return scene;
 }
 
 std::vector<process::Variant> wanted_variants(const std::string& file, const std::string& setting) {
   auto variants = process::read_variants(file);
-  if (setting.empty()) return variants;
+  if (setting.empty()) {
+    for (const auto& variant : variants)
+      if (!process::setting_of(variant.scene)) process::refuse_endless(variant.scene);
+    return variants;
+  }
   variants = process::plan::with_setting(std::move(variants), process::setting_named(setting));
   std::vector<std::string> said;
   for (const auto& variant : variants) {
@@ -43,6 +51,16 @@ std::vector<process::Variant> wanted_variants(const std::string& file, const std
     said = chosen;
   }
   return variants;
+}
+
+void refuse_seeds_beyond(const process::Scene& scene, int seeds) {
+  constexpr auto kLast = static_cast<std::uint64_t>(std::numeric_limits<std::int64_t>::max());
+  const auto more = static_cast<std::uint64_t>(seeds - 1);
+  if (scene.seed <= kLast - more) return;
+  throw process::SceneError(scene.file.string() + ": seed: found " + std::to_string(scene.seed) + ", and " +
+                            std::to_string(seeds) + " seeds counted up from it pass " +
+                            std::to_string(kLast) + ", the largest; give one from 0 to " +
+                            std::to_string(kLast - more));
 }
 
 process::Tooling prepared_tooling(const process::Scene& scene, bool show_progress) {

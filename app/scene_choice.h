@@ -24,6 +24,10 @@ process::Scene wanted_scene(const std::string& file, const std::string& setting)
 /// it chose is said, once where it is the same. Throws process::SceneError.
 std::vector<process::Variant> wanted_variants(const std::string& file, const std::string& setting);
 
+/// Throws process::SceneError where `seeds` seeds counted up from the scene's pass the largest that a scene
+/// file can hold.
+void refuse_seeds_beyond(const process::Scene& scene, int seeds);
+
 /// The scene's tools, ready to be filled; how far that is is shown where wanted. Throws process::SceneError
 /// or geometry::MeshError.
 process::Tooling prepared_tooling(const process::Scene& scene, bool show_progress);
