@@ -10,8 +10,12 @@
 #include "app/bench_trace.h"
 #include "app/commands.h"
 #include "app/exit_code.h"
+#include "app/finite_number.h"
 #include "app/freed_memory.h"
 #include "process/laboratory/race_bed.h"
+#include "process/run/foreseen_work.h"
+#include "process/scene/scene_error.h"
+#include "process/scene/units.h"
 
 namespace diefill::app {
 
@@ -105,17 +109,41 @@ void print(const nlohmann::ordered_json& figures) {
   }
 }
 
-int bench(const BenchOptions& options) {
+/// Refuses a bed that does not fit into memory or steps that nobody waits for. `grains` of --state; 0: a bed
+/// is made.
+void refuse_endless(const BenchOptions& options, RaceBed kind, std::size_t grains) {
+  constexpr double kSpheresOfClump = 7;
+  const double copies = options.copies * static_cast<double>(options.copies);
+  const double spheres =
+      options.state ? static_cast<double>(grains) * copies * (kind == RaceBed::clumps ? kSpheresOfClump : 1)
+                    : static_cast<double>(options.spheres);
+  const std::string bed = "bench: " + process::number_in_words(spheres) + " spheres";
+  process::refuse_memory(bed, spheres, 0, 0, "take fewer (--spheres, --copies)");
+  const double sphere_steps = spheres * options.steps;
+  if (sphere_steps > process::kMostSphereSteps)
+    throw process::SceneError(bed + " over " + std::to_string(options.steps) + " steps are " +
+                              process::number_in_words(sphere_steps) + " sphere-steps, " +
+                              process::number_in_words(process::kMostSphereSteps) +
+                              " at most are allowed; take fewer (--steps)");
+}
+
+/// The bed that the options ask for.
+process::laboratory::RaceBedState wanted_bed(const BenchOptions& options) {
   const RaceBed kind = options.bed == "spheres" ? RaceBed::spheres : RaceBed::clumps;
+  if (!options.state) {
+    refuse_endless(options, kind, 0);
+    return process::laboratory::loose_race_bed(kind, options.spheres);
+  }
+  const auto bed = read_race_bed(kind, *options.state, 1e-3 * options.width);
+  refuse_endless(options, kind, bed.grains.size());
+  return side_by_side(bed, options.copies);
+}
+
+int bench(const BenchOptions& options) {
   give_back_freed_memory();
   const double before = resident_bytes();
   std::optional<engine::Simulation> simulation;
-  {
-    const auto bed = options.state ? side_by_side(read_race_bed(kind, *options.state, 1e-3 * options.width),
-                                                  options.copies)
-                                   : process::laboratory::loose_race_bed(kind, options.spheres);
-    simulation.emplace(assembled(bed, options.threads));
-  }
+  simulation.emplace(assembled(wanted_bed(options), options.threads));
   if (options.trace) {
     trace(*simulation, options.steps, options.every, *options.trace);
     return kDone;
@@ -144,6 +172,7 @@ void add_bench(CLI::App& program, Action& chosen) {
       ->check(CLI::ExistingFile);
   command->add_option("--width", options->width, "side in mm of the periodic box of --state")
       ->check(CLI::Range(1.0, 1000.0))
+      ->check(finite_number())
       ->needs("--state");
   command
       ->add_option("--copies", options->copies,

@@ -9,6 +9,7 @@
 #include "app/output.h"
 #include "app/scene_choice.h"
 #include "process/run/fill_run.h"
+#include "process/run/impact_speed.h"
 #include "process/run/law_terms.h"
 #include "process/run/material.h"
 #include "process/run/pour.h"
@@ -48,22 +49,60 @@ void refuse_unusable(const CheckArguments& arguments, const process::Scene& scen
   for (const auto& tool : tooling.tools) process::refuse_unusable(scene, tool);
 }
 
-void print_simulation(const process::Scene& scene, const process::Tooling& tooling,
-                      const process::FillRun& run) {
+/// What is to be simulated.
+struct Foreseen {
+  std::size_t grains = 0;
+  engine::SimulationSettings settings;
+  double critical_step = 0, seconds = 0;
+  std::vector<std::string> warnings;
+};
+
+/// As the run begins it: every grain is placed, and none may touch a tool.
+Foreseen placed(const process::Scene& scene, const process::Tooling& tooling) {
+  process::RunOptions options;
+  options.threads = 1;
+  options.show_progress = false;
+  const process::FillRun run(scene, tooling, options);
   const auto& simulation = run.simulation();
+  return {simulation.grains().size(), simulation.settings(), run.critical_time_step(),
+          run.schedule().time_left(0, 0), run.warnings()};
+}
+
+/// The same of so many grains that to place them would take a gigabyte.
+Foreseen counted(const process::Scene& scene, const process::Tooling& tooling) {
+  const double impact = process::foreseen_impact_speed(scene, tooling);
+  Foreseen foreseen;
+  foreseen.settings = process::engine_settings(scene, impact);
+  foreseen.grains = process::grains_to_pour(scene, foreseen.settings.shape);
+  foreseen.critical_step = process::critical_time_step(foreseen.settings, impact);
+  foreseen.seconds = process::Schedule(scene, tooling, scene.powder.grain_diameter).time_left(0, 0);
+  foreseen.warnings.emplace_back(
+      "so many grains are counted here, not placed; whether one touches a tool is seen as the run begins");
+  return foreseen;
+}
+
+Foreseen foreseen_of(const process::Scene& scene, const process::Tooling& tooling) {
+  constexpr std::size_t kMostPlaced = 1000000;  // spheres
+  const auto shape = process::engine_settings(scene, 1.0).shape;
+  const bool few = process::grains_to_pour(scene, shape) * shape.spheres() <= kMostPlaced;
+  return few ? placed(scene, tooling) : counted(scene, tooling);
+}
+
+void print_simulation(const process::Scene& scene, const process::Tooling& tooling,
+                      const Foreseen& foreseen) {
+  const auto& settings = foreseen.settings;
   std::printf("powder: %s, %zu grains of d = %.4g mm, %zu spheres; %zu wall spheres\n",
-              scene.powder.name.c_str(), simulation.grains().size(), 1e3 * scene.powder.grain_diameter,
-              simulation.grains().size() * simulation.settings().shape.spheres(), tooling.wall_spheres());
+              scene.powder.name.c_str(), foreseen.grains, 1e3 * scene.powder.grain_diameter,
+              foreseen.grains * settings.shape.spheres(), tooling.wall_spheres());
   if (!scene.powder.sizes.empty())
     std::printf("sizes: %s; d is that of mean mass\n", scene.powder.sizes_in_words.c_str());
-  std::printf("time step: %.3g s, %.2f of the critical %.3g s\n", simulation.settings().time_step,
-              simulation.settings().time_step / run.critical_time_step(), run.critical_time_step());
-  std::printf("laws in use: %s\n",
-              process::joined(process::law_terms(scene, simulation.settings()).used).c_str());
+  std::printf("time step: %.3g s, %.2f of the critical %.3g s\n", settings.time_step,
+              settings.time_step / foreseen.critical_step, foreseen.critical_step);
+  std::printf("laws in use: %s\n", process::joined(process::law_terms(scene, settings).used).c_str());
   std::printf("strategy: %s, %.3g s and the time to come to rest\n",
-              process::strategy_in_words(scene).c_str(), run.schedule().time_left(0, 0));
+              process::strategy_in_words(scene).c_str(), foreseen.seconds);
   for (const auto& remark : tooling.remarks()) std::printf("note: %s\n", remark.c_str());
-  for (const auto& warning : run.warnings()) std::printf("note: %s\n", warning.c_str());
+  for (const auto& warning : foreseen.warnings) std::printf("note: %s\n", warning.c_str());
 }
 
 int check(const CheckArguments& arguments) {
@@ -71,10 +110,7 @@ int check(const CheckArguments& arguments) {
   if (arguments.json || !arguments.picture.empty()) refuse_unusable(arguments, scene);
   const double sphere = process::smallest_sphere(process::engine_settings(scene, 1.0));
   const auto tooling = prepared_tooling(scene, true);
-  process::RunOptions options;
-  options.threads = 1;
-  options.show_progress = false;
-  const process::FillRun run(scene, tooling, options);
+  const auto foreseen = foreseen_of(scene, tooling);
   const auto diagnosis = process::diagnose(scene, tooling, sphere);
 
   draw_picture(arguments.picture, scene, tooling, diagnosis);
@@ -85,7 +121,7 @@ int check(const CheckArguments& arguments) {
   for (std::size_t k = 0; k < tooling.tools.size(); ++k) print_tool(tooling.tools[k], &diagnosis.symmetry[k]);
   print_pairs(diagnosis);
   print_cavities(tooling);
-  print_simulation(scene, tooling, run);
+  print_simulation(scene, tooling, foreseen);
   if (!arguments.picture.empty()) std::printf("picture: %s\n", arguments.picture.c_str());
   return kDone;
 }

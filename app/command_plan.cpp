@@ -8,6 +8,7 @@
 #include "app/commands.h"
 #include "app/comparison_plan_report.h"
 #include "app/exit_code.h"
+#include "app/finite_number.h"
 #include "app/freed_memory.h"
 #include "app/plan_report.h"
 #include "app/scene_choice.h"
@@ -111,12 +112,14 @@ void add_plan(CLI::App& program, Action& chosen) {
   auto* minutes = command
                       ->add_option("--minutes", arguments->minutes,
                                    "pick the finest grains that fit this wall-clock time")
-                      ->check(CLI::Range(0.01, 1e6));
+                      ->check(CLI::Range(0.01, 1e6))
+                      ->check(finite_number());
   auto* error =
       command
           ->add_option("--error", arguments->error,
                        "pick the cheapest setting whose measured error is at most this share, such as 0.05")
-          ->check(CLI::Range(1e-6, 1.0));
+          ->check(CLI::Range(1e-6, 1.0))
+          ->check(finite_number());
   command->add_option("--threads", arguments->threads, "threads of the run to come (default: all cores)")
       ->check(CLI::Range(1, 1024));
   command->add_flag("--no-benchmark", arguments->no_benchmark, "no pilot run; wall times are then not known");

@@ -7,13 +7,16 @@
 #include "app/commands.h"
 #include "app/drawing.h"
 #include "app/exit_code.h"
+#include "app/finite_number.h"
 #include "app/kept_notes.h"
 #include "app/output.h"
 #include "app/stop_signals.h"
 #include "app/tradeoff_table.h"
 #include "process/compare/kept_aside.h"
 #include "process/results/tradeoff.h"
+#include "process/run/foreseen_work.h"
 #include "process/scene/folder_names.h"
+#include "process/scene/setting.h"
 #include "process/tradeoff/trade_off.h"
 #include "render/tradeoff_chart.h"
 
@@ -127,6 +130,7 @@ std::vector<std::string> write_all(const std::filesystem::path& directory,
 
 int trade_off(const TradeoffArguments& arguments) {
   const auto scene = process::read_scene(arguments.scene);
+  if (!process::setting_of(scene)) process::refuse_endless(scene);
   auto options = options_of(arguments);
   std::vector<process::KnobValues> knobs;
   for (const auto& text : arguments.vary) knobs.push_back(process::read_vary(text));
@@ -158,11 +162,13 @@ void add_options(CLI::App& command, TradeoffArguments& arguments) {
           "--budget", arguments.budget,
           "core minutes of processor time for all runs together, those of earlier calls included (default: "
           "no limit)")
-      ->check(CLI::PositiveNumber);
+      ->check(CLI::PositiveNumber)
+      ->check(finite_number());
   command
       .add_option("--tolerance", arguments.tolerance,
                   "error in percent that is accepted where the scatter over seeds is smaller (default: 2)")
-      ->check(CLI::Range(0.0, 100.0));
+      ->check(CLI::Range(0.0, 100.0))
+      ->check(finite_number());
   command
       .add_option("--target", arguments.targets,
                   "NAME=VALUE: hold a quantity (its key in tradeoff.json) against a published value")

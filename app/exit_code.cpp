@@ -9,13 +9,16 @@
 #include "process/results/result_file.h"
 #include "process/run/fill_run.h"
 #include "process/scene/scene_error.h"
+#include "process/scene/shown_value.h"
 
 namespace diefill::app {
 
 namespace {
 
 int complain(const char* message, ExitCode code) {
-  std::fprintf(stderr, "diefill: %s\n", message);
+  // Texts from files and file names may hold anything; a line is what a terminal or a log can show.
+  constexpr std::size_t kLongest = 3000;
+  std::fprintf(stderr, "diefill: %s\n", process::one_line(message, kLongest).c_str());
   return code;
 }
 

@@ -5,12 +5,27 @@
 #include "app/exit_code.h"
 #include "app/output.h"
 #include "process/run/assemble.h"
+#include "process/scene/shown_value.h"
+
+namespace {
+
+/// What is wrong with the words of the command line, on one line.
+std::string in_one_line(const CLI::App* program, const CLI::Error& error) {
+  constexpr std::size_t kLongest = 600;
+  std::string command = "diefill";
+  for (const CLI::App* chosen : program->get_subcommands()) command += ' ' + chosen->get_name();
+  return "diefill: " + diefill::process::one_line(error.what(), kLongest) + "; " + command +
+         " --help says what it takes\n";
+}
+
+}  // namespace
 
 int main(int argc, char** argv) {
   CLI::App program(
       "diefill predicts how powder fills a die: density maps from CAD tools and a short scene file.");
   program.set_version_flag("--version", diefill::process::program_version());
   program.require_subcommand(1);
+  program.failure_message(in_one_line);
   program.footer(
       "Examples:\n"
       "  diefill check sample_tools/narrow_ring/fill.toml     is the tooling usable, what would be "

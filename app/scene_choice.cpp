@@ -5,6 +5,7 @@
 
 #include "process/plan/setting.h"
 #include "process/plan/variant_setting.h"
+#include "process/run/foreseen_work.h"
 #include "process/run/material.h"
 
 namespace diefill::app {
@@ -26,13 +27,18 @@ process::Scene wanted_scene(const std::string& file, const std::string& setting)
   std::optional<process::Setting> wanted;
   if (!setting.empty()) wanted = process::setting_named(setting);
   auto scene = process::plan::settled_scene(process::read_scene(file), wanted);
+  process::refuse_endless(scene);
   say_what_was_chosen(scene);
   return scene;
 }
 
 std::vector<process::Variant> wanted_variants(const std::string& file, const std::string& setting) {
   auto variants = process::read_variants(file);
-  if (setting.empty()) return variants;
+  if (setting.empty()) {
+    for (const auto& variant : variants)
+      if (!process::setting_of(variant.scene)) process::refuse_endless(variant.scene);
+    return variants;
+  }
   variants = process::plan::with_setting(std::move(variants), process::setting_named(setting));
   std::vector<std::string> said;
   for (const auto& variant : variants) {

@@ -54,9 +54,17 @@ class LayerFlood {
 
 }  // namespace
 
+// What scatters loses no height on its way: to rise beyond the grid is to rise to its top, however high tools
+// that are shaken hard would throw it.
+std::int32_t ReachFlood::climb_in(const VoxelGrid& grid, double climb, bool scatters) {
+  const double quarters = std::ceil(kVoxel * climb / grid.edge);
+  const double enough = kVoxel * (scatters ? grid.counts.z() : 4 * grid.counts.sum());
+  return static_cast<std::int32_t>(std::min(quarters, enough));
+}
+
 ReachFlood::ReachFlood(const VoxelGrid& grid, double climb, bool scatters)
     : grid_(grid),
-      climb_(static_cast<std::int32_t>(std::ceil(kVoxel * climb / grid.edge))),
+      climb_(climb_in(grid, climb, scatters)),
       loss_(scatters ? 0 : kLossOfHeap),
       ceiling_(grid.counts.z() - 1),
       heads_(grid.size(), kNone),

@@ -45,6 +45,7 @@ class ReachFlood {
     return heads_[grid_.index(voxel.x(), voxel.y(), voxel.z())];
   }
   std::int32_t highest_head(int layer) const { return kVoxel * layer + climb_; }
+  static std::int32_t climb_in(const VoxelGrid& grid, double climb, bool scatters);
   void place(const Box& box);
   void drop_falling();
   int holding_layer(const Box& box, const std::vector<std::uint8_t>& blocked) const;

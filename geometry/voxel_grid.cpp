@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdio>
 #include <optional>
 
 #include "geometry/all_cores.h"
@@ -11,6 +12,8 @@
 
 namespace diefill::geometry {
 namespace {
+
+constexpr double kMostVoxels = 2e8;  // a flood of them takes some two gigabytes
 
 struct Crossing {
   std::size_t row;
@@ -121,6 +124,14 @@ bool starts_before(const SolidRows::Row& one, const SolidRows::Row& other) {
 
 VoxelGrid VoxelGrid::over(const Box& box, double edge) {
   const Eigen::Vector3d voxels = box.size() / edge;
+  if (!(voxels.cwiseMax(1).prod() <= kMostVoxels)) {
+    char text[200];
+    std::snprintf(text, sizeof text,
+                  "the space of %.4g x %.4g x %.4g mm that tools and powder take up is too large to be "
+                  "searched in steps of %.3g mm; see whether a position or a motion has the wrong unit",
+                  1e3 * box.size()[0], 1e3 * box.size()[1], 1e3 * box.size()[2], 1e3 * edge);
+    throw MeshError(text);
+  }
   return {box.lower, edge, (voxels.array() - 1e-9).ceil().max(1).cast<int>().matrix()};
 }
 

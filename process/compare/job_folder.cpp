@@ -132,9 +132,9 @@ void check_seeds(const std::vector<Variant>& variants, int seeds) {
   for (const Variant& variant : variants)
     if (variant.scene.seed > kLargest - more)
       throw SceneError(variant.scene.file.string() + ": seed: found " + std::to_string(variant.scene.seed) +
-                       " in \"" + variant.name + "\", " + std::to_string(seeds) +
-                       " seeds counted up from there go beyond the largest, " + std::to_string(kLargest) +
-                       "; give a smaller seed or fewer with --seeds");
+                       ", and " + std::to_string(seeds) + " seeds counted up from it pass " +
+                       std::to_string(kLargest) + ", the largest; give one from 0 to " +
+                       std::to_string(kLargest - more));
 }
 
 results::JobList write_jobs(const fs::path& directory, const WantedJobs& wanted, const Say& say) {

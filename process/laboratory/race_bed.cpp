@@ -23,14 +23,21 @@ double mass_of_sphere(double radius) {
 
 /// Lines of a plain or gzip file.
 std::vector<std::string> lines_of(const std::filesystem::path& path) {
+  constexpr std::size_t kMostLines = 20'000'000;
+  std::error_code error;
+  if (!std::filesystem::is_regular_file(path, error))
+    throw results::ResultError(path.string() + ": no regular file; name a CSV file, plain or gzip");
   gzFile file = gzopen(path.c_str(), "rb");
   if (!file) throw results::ResultError(path.string() + ": cannot be opened");
   std::vector<std::string> lines;
   std::array<char, 4096> buffer;
-  while (gzgets(file, buffer.data(), static_cast<int>(buffer.size()))) lines.emplace_back(buffer.data());
+  while (lines.size() <= kMostLines && gzgets(file, buffer.data(), static_cast<int>(buffer.size())))
+    lines.emplace_back(buffer.data());
   int problem = 0;
   gzerror(file, &problem);
   gzclose(file);
+  if (lines.size() > kMostLines)
+    throw results::ResultError(path.string() + ": more than " + std::to_string(kMostLines) + " lines");
   if (problem != Z_OK && problem != Z_STREAM_END)
     throw results::ResultError(path.string() + ": broken gzip file");
   return lines;

@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "process/machine/moving_tool.h"
+#include "process/scene/numbers_apart.h"
 
 namespace diefill::process {
 namespace {
@@ -23,7 +24,8 @@ Swelling read_swelling(TableReader& table, double ramp) {
   swelling.ramp = table.quantity("ramp", kRamp).value_or(ramp);
   swelling.duration = table.quantity("duration", kDuration);
   if (swelling.duration && *swelling.duration < 2 * swelling.ramp)
-    table.reject("duration", "its two ramps alone take " + number_in_words(2 * swelling.ramp) +
+    table.reject("duration", "its two ramps alone take " +
+                                 numbers_apart(2 * swelling.ramp, *swelling.duration).first +
                                  " s; give a longer duration or a shorter ramp");
   return swelling;
 }

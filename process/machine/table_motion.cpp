@@ -1,11 +1,13 @@
 #include "process/machine/table_motion.h"
 
 #include <algorithm>
-#include <fstream>
 #include <sstream>
+#include <string_view>
 
 #include "process/machine/moving_tool.h"
 #include "process/scene/scene_error.h"
+#include "process/scene/shown_value.h"
+#include "process/scene/text_file.h"
 
 namespace diefill::process {
 namespace {
@@ -22,6 +24,8 @@ std::vector<std::string> cells_of(const std::string& line) {
   for (std::string cell; std::getline(stream, cell, ',');) cells.push_back(trimmed(cell));
   return cells;
 }
+
+constexpr std::size_t kMostPoints = 100000;
 
 /// A column: -1 for time, else which of x, y, z, angle.
 struct Column {
@@ -43,7 +47,7 @@ Column column_of(const std::string& heading, const std::string& place) {
   const std::vector<std::string> names = {"time", "x", "y", "z", "angle"};
   const auto found = std::find(names.begin(), names.end(), name);
   if (found == names.end() || trimmed(unit).empty())
-    throw SceneError(place + ": found column \"" + heading +
+    throw SceneError(place + ": found column \"" + one_line(heading) +
                      "\"; allowed are time, x, y, z and angle, each with its unit, such as \"x mm\"");
   return {static_cast<int>(found - names.begin()) - 1, trimmed(unit)};
 }
@@ -61,7 +65,7 @@ void add_point(MotionTable& table, const std::vector<Column>& columns, const std
     try {
       value = parse_quantity(cells[k] + ' ' + columns[k].unit, dimension_of(columns[k]));
     } catch (const UnitError& error) {
-      throw SceneError(place + ": found \"" + cells[k] + "\", " + error.what());
+      throw SceneError(place + ": found \"" + one_line(cells[k]) + "\", " + error.what());
     }
     (columns[k].quantity < 0 ? time : position[columns[k].quantity]) = value;
   }
@@ -74,12 +78,23 @@ void add_point(MotionTable& table, const std::vector<Column>& columns, const std
   table.position.push_back(position);
 }
 
+/// The table as text; a byte order mark, as spreadsheets write it, is none of it.
+std::string motion_text(const std::filesystem::path& file, const std::string& where) {
+  constexpr std::size_t kLargest = 16U << 20U;  // bytes
+  constexpr std::string_view kMark = "\xEF\xBB\xBF";
+  try {
+    std::string text =
+        load_text_file(file, {"motion table", "a motion is a CSV text of times and places", kLargest});
+    return text.starts_with(kMark) ? text.substr(kMark.size()) : text;
+  } catch (const std::runtime_error& reason) {
+    throw SceneError(where + ": found \"" + file.string() + "\": " + reason.what() + "; name a CSV file");
+  }
+}
+
 }  // namespace
 
 MotionTable read_motion_table(const std::filesystem::path& file, const std::string& where) {
-  std::ifstream stream(file);
-  if (!stream)
-    throw SceneError(where + ": found \"" + file.string() + "\", which cannot be read; name a CSV file");
+  std::istringstream stream(motion_text(file, where));
   MotionTable table;
   std::vector<Column> columns;
   int number = 0;
@@ -88,6 +103,9 @@ MotionTable read_motion_table(const std::filesystem::path& file, const std::stri
     if (trimmed(line).empty()) continue;
     if (!columns.empty()) {
       add_point(table, columns, line, place);
+      if (table.time.size() > kMostPoints)
+        throw SceneError(place + ": found more than " + std::to_string(kMostPoints) +
+                         " points; leave out those that lie on a smooth way");
       continue;
     }
     for (const auto& heading : cells_of(line)) columns.push_back(column_of(heading, place));

@@ -1,7 +1,6 @@
 #include "process/run/material.h"
 
 #include <algorithm>
-#include <cstdio>
 #include <limits>
 
 #include "engine/coarse_graining/bierwisch.h"
@@ -12,6 +11,7 @@
 #include "process/run/mixed_powder.h"
 #include "process/run/tool_surface.h"
 #include "process/scene/contact_spec.h"
+#include "process/scene/numbers_apart.h"
 
 namespace diefill::process {
 
@@ -151,13 +151,10 @@ double chosen_time_step(const Scene& scene, const engine::SimulationSettings& se
     return std::min(fraction * critical, wedged_time_step(scene, settings));
   }
   if (*numerics.time_step < critical) return *numerics.time_step;
-  char text[200];
-  std::snprintf(text, sizeof text,
-                ": numerics.time_step: found %.3g s, which is above the critical step of %.3g s for this "
-                "powder; give a "
-                "shorter one or leave the key out",
-                *numerics.time_step, critical);
-  throw SceneError(scene.file.string() + text);
+  const auto [found, longest] = numbers_apart(*numerics.time_step, critical);
+  throw SceneError(scene.file.string() + ": numerics.time_step: found " + found +
+                   " s, which is above the critical step of " + longest +
+                   " s for this powder; give a shorter one or leave the key out");
 }
 
 /// Puts the laws for steps of `time_step` (s) into the settings, where they are not those of a powder of one

@@ -67,6 +67,8 @@ void Progress::clear_bar() {
 }
 
 std::string duration_in_words(double seconds) {
+  constexpr double kYears = 1000 * 365.25 * 86400;
+  if (!(seconds < kYears)) return "more than 1000 years";
   char text[64];
   const auto whole = static_cast<long>(seconds + 0.5);
   if (whole >= 3600)

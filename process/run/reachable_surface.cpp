@@ -142,6 +142,11 @@ ReachableSurface::ReachableSurface(const Scene& scene, const Tooling& tooling, d
   constexpr double kMostVoxels = 2e7;
   request.voxel = std::max(0.25 * grain_diameter, std::cbrt(extent.prod() / kMostVoxels));
   request.voxel = std::clamp(request.voxel, 1e-5, 5e-4);
+  // Wider where tools are far apart: powder does not come through openings half a grain wide.
+  constexpr double kManyVoxels = 1e8;
+  const double for_many = std::cbrt(tooling.standing.size().prod() / kManyVoxels);
+  if (for_many > request.voxel)
+    request.voxel = std::max(request.voxel, std::min(for_many, 0.5 * grain_diameter));
   const double thrown = throw_height(scene, tooling);
   request.scatters = thrown > kThrown * grain_diameter;
   request.climb = 2 * grain_diameter + (request.scatters ? thrown : 0);
@@ -180,7 +185,11 @@ ReachableSurface::ReachableSurface(const Scene& scene, const Tooling& tooling, d
     }
     request.solids.push_back(solid);
   }
-  reach_ = std::make_unique<geometry::Reach>(request);
+  try {
+    reach_ = std::make_unique<geometry::Reach>(request);
+  } catch (const geometry::MeshError& error) {
+    throw SceneError(scene.file.string() + ": " + error.what());
+  }
 }
 
 bool ReachableSurface::operator()(std::size_t tool, const Eigen::Vector3d& point,

@@ -10,6 +10,7 @@
 
 #include "process/run/carried_powder.h"
 #include "process/run/cover_progress.h"
+#include "process/run/foreseen_work.h"
 #include "process/run/half_model.h"
 #include "process/run/periodic_tool.h"
 #include "process/run/reachable_surface.h"
@@ -301,6 +302,7 @@ Tooling read_tooling(const Scene& scene, const TellProgress& tell) {
     tooling.other_cavities.assign(cavities.begin() + 1, cavities.end());
   }
   prepare_steps(scene, tooling, true);
+  refuse_endless_schedule(scene, tooling);
   tooling.mirror = scene.economy.mirror;
   refuse_asymmetry(scene, tooling);
   carried_powder(scene, tooling);  // said now, before long work, where it cannot be
@@ -310,9 +312,14 @@ Tooling read_tooling(const Scene& scene, const TellProgress& tell) {
 
 Tooling build_tooling(const Scene& scene, double smallest_radius, double grain_diameter,
                       const TellProgress& tell) {
+  refuse_endless(scene);
   Tooling tooling = read_tooling(scene, tell);
   tell(kToolsFit, "seeing where powder can come");
   const ReachableSurface reachable(scene, tooling, grain_diameter);
+  const auto needs_wall = [&](std::size_t tool, const Eigen::Vector3d& point, const Eigen::Vector3d& normal) {
+    return !scene.economy.skip_far_walls || reachable(tool, point, normal);
+  };
+  refuse_too_many_wall_spheres(scene, tooling, needs_wall);
   std::vector<CoverProgress::Part> parts;
   for (const Tool& tool : tooling.tools)
     parts.push_back({tool.spec.name, static_cast<double>(tool.mesh.triangles.size())});
@@ -324,7 +331,7 @@ Tooling build_tooling(const Scene& scene, double smallest_radius, double grain_d
       return cover(
           scene, tooling.tools[k], grain_diameter,
           [&, k](const Eigen::Vector3d& point, const Eigen::Vector3d& normal) {
-            return !scene.economy.skip_far_walls || reachable(k, point, normal);
+            return needs_wall(k, point, normal);
           },
           [&, k](double share) { progress.done(k, share); });
     }));

@@ -36,9 +36,11 @@ std::size_t edit_distance(const std::string& a, const std::string& b) {
 std::optional<std::string> nearest_key(const std::string& word, const std::vector<std::string>& known) {
   std::optional<std::string> nearest;
   std::size_t least = 0;
+  constexpr std::size_t kLongest = 200;  // letters; the distance takes the product of both lengths in time
   for (const std::string& candidate : known) {
-    const std::size_t distance = edit_distance(word, candidate);
     const std::size_t longer = std::max(word.size(), candidate.size());
+    if (longer > kLongest) continue;
+    const std::size_t distance = edit_distance(word, candidate);
     if (distance > 2 && 3 * distance > longer) continue;
     if (2 * distance >= longer) continue;
     if (!nearest || distance < least) {

@@ -3,8 +3,10 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "engine/grain_shape.h"
+#include "process/scene/numbers_apart.h"
 
 namespace diefill::process {
 namespace {
@@ -16,6 +18,15 @@ constexpr double kPeriodOverDiameter = 4;
 std::string millimetres(double length) {
   return number_in_words(length * 1e3) + " mm";
 }
+
+/// Two lengths that differ, with so many digits that they do so in words.
+std::pair<std::string, std::string> millimetres_apart(double one, double other) {
+  const auto words = numbers_apart(1e3 * one, 1e3 * other);
+  return {words.first + " mm", words.second + " mm"};
+}
+
+/// Limits are met by what is written with the last digit that counts.
+constexpr double kRounding = 1e-9;
 
 double solid_volume(const PowderSpec& powder) {
   const double radius = powder.sphere_radius, mass = powder.grain_mass;
@@ -41,9 +52,9 @@ void check_box(const TableReader& table, const PourSpec& pour, const PowderSpec&
       table.reject("to", "the box is empty along " + along + ": to (" + millimetres(to) +
                              ") must be more than from (" + millimetres(from) + ")");
     }
-    if (to - from < largest_grain(powder)) {
-      table.reject("to", "along " + along + " the box measures " + millimetres(to - from) +
-                             ", less than one grain of " + millimetres(largest_grain(powder)) +
+    if (to - from < largest_grain(powder) * (1 - kRounding)) {
+      const auto [box, grain] = millimetres_apart(to - from, largest_grain(powder));
+      table.reject("to", "along " + along + " the box measures " + box + ", less than one grain of " + grain +
                              "; widen it or choose a smaller powder.grain_diameter");
     }
   }
@@ -58,9 +69,9 @@ void check_box_within_period(const TableReader& table, const PourSpec& pour, con
     for (const char* key : {"from", "to"}) {
       const double value = (std::string(key) == "from" ? pour.lower : pour.upper)[index];
       if (std::abs(value) <= half + slack) continue;
-      table.reject(key, std::string("along ") + axes[axis] + " the box reaches " + millimetres(value) +
-                            ", but numerics.periodic leaves only -" + millimetres(half) + " to " +
-                            millimetres(half));
+      const auto [reach, allowed] = millimetres_apart(std::abs(value), half);
+      table.reject(key, std::string("along ") + axes[axis] + " the box reaches " + (value < 0 ? "-" : "") +
+                            reach + ", but numerics.periodic leaves only -" + allowed + " to " + allowed);
     }
   }
 }
@@ -77,33 +88,36 @@ void check_density(const TableReader& table, const PowderSpec& powder) {
 
 void check_coarsening(const TableReader& table, const PowderSpec& powder) {
   const double factor = coarse_graining_factor(powder);
-  if (factor >= kFinest && factor <= kCoarsest) return;
+  if (factor >= kFinest * (1 - kRounding) && factor <= kCoarsest * (1 + kRounding)) return;
   const double own = powder.grain_diameter / factor;
-  if (!powder.sizes.empty())
-    table.reject("sizes", "the grain of mean mass has " + millimetres(powder.grain_diameter) + ", " +
-                              millimetres(kFinest * own) + " to " + millimetres(kCoarsest * own) +
-                              " is allowed, 0.1 to 20 times the powder's own " + millimetres(own) +
-                              "; beyond that coarse graining does not hold");
-  table.reject("grain_diameter", millimetres(kFinest * own) + " to " + millimetres(kCoarsest * own) +
-                                     " is allowed, 0.1 to 20 times the powder's own " + millimetres(own) +
-                                     "; beyond that coarse graining does not hold");
+  const double broken = (factor < kFinest ? kFinest : kCoarsest) * own;
+  const auto [found, allowed] = millimetres_apart(powder.grain_diameter, broken);
+  const std::string least = factor < kFinest ? allowed : millimetres(kFinest * own),
+                    most = factor < kFinest ? millimetres(kCoarsest * own) : allowed;
+  const std::string rule = least + " to " + most + " is allowed, 0.1 to 20 times the powder's own " +
+                           millimetres(own) + "; beyond that coarse graining does not hold";
+  if (!powder.sizes.empty()) table.reject("sizes", "the grain of mean mass has " + found + ", " + rule);
+  table.reject("grain_diameter", "the grains have " + found + ", " + rule);
 }
 
 void check_wall_is_tight(const TableReader& table, double sphere_radius, double spacing,
                          const PowderSpec& powder) {
-  const double hole = (spacing / std::numbers::sqrt2 - 1) * sphere_radius;
+  const auto hole_at = [&](double distance) { return (distance / std::numbers::sqrt2 - 1) * sphere_radius; };
+  const double hole = hole_at(spacing);
   const double sphere = smallest_grain(powder) / diameter_over_radius(powder.model);
-  if (hole < sphere) return;
+  const auto fits = [&](double distance) { return hole_at(distance) < sphere; };
+  if (fits(spacing)) return;
   table.reject("spacing", "wall spheres of radius " + millimetres(sphere_radius) +
                               " so far apart let spheres of radius " + millimetres(hole) +
                               " through, and the powder's have " + millimetres(sphere) +
-                              "; use a smaller spacing, such as 1.6");
+                              "; use a smaller spacing, such as " +
+                              (spacing > 1.6 && fits(1.6) ? "1.6" : "1.4"));
 }
 
 void check_period(const TableReader& table, const std::string& key, double period, const PowderSpec& powder) {
   const double least = kPeriodOverDiameter * largest_grain(powder);
-  if (period >= least) return;
-  table.reject(key, "at least " + millimetres(least) +
+  if (period >= least * (1 - kRounding)) return;
+  table.reject(key, "at least " + millimetres_apart(least, period).first +
                         " is allowed, four grain diameters, so that no grain meets its own image");
 }
 
@@ -111,8 +125,8 @@ void check_pour(const TableReader& table, const PourSpec& pour, const PowderSpec
                 const NumericsSpec& numerics) {
   check_box(table, pour, powder);
   const double height = pour.upper.z() - pour.lower.z();
-  if (pour.fill_height > height) {
-    table.reject("fill_height", "the pour box is only " + millimetres(height) +
+  if (pour.fill_height > height * (1 + kRounding)) {
+    table.reject("fill_height", "the pour box is only " + millimetres_apart(height, pour.fill_height).first +
                                     " high; raise to[z] or lower the fill height");
   }
   check_box_within_period(table, pour, numerics);
@@ -121,7 +135,7 @@ void check_pour(const TableReader& table, const PourSpec& pour, const PowderSpec
   const double lattice = pour.lattice_constant > 0 ? pour.lattice_constant : kClosestOfItself;
   if (lattice < least * (1 - 1e-12)) {
     table.reject("lattice_constant",
-                 "at least " + number_in_words(least) +
+                 "at least " + numbers_apart(least, lattice).first +
                      " is allowed, 1 + 2 random_offset, so that no grains overlap at the start");
   }
 }

@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "process/scene/contact_spec.h"
+#include "process/scene/numbers_apart.h"
 #include "process/scene/plausibility.h"
 #include "process/scene/sections.h"
 #include "process/scene/setting.h"
@@ -39,7 +40,8 @@ SizeCutOffs read_cut_offs(TableReader& table) {
   cut_offs.smallest = table.quantity("smallest", kDiameter).value_or(cut_offs.smallest);
   cut_offs.largest = table.quantity("largest", kDiameter).value_or(cut_offs.largest);
   if (cut_offs.smallest >= cut_offs.largest)
-    table.reject("largest", "it must be more than smallest, which is " + millimetres(cut_offs.smallest));
+    table.reject("largest", "it must be more than smallest, which is " +
+                                numbers_apart(1e3 * cut_offs.smallest, 1e3 * cut_offs.largest).first + " mm");
   return cut_offs;
 }
 
@@ -143,11 +145,11 @@ void read_sizes(TableReader& powder_table, PowderSpec& powder) {
   }
   const double widest = classes.back().diameter / classes.front().diameter;
   if (widest > kWidest * (1 + 1e-9))
-    table->reject("distribution", "the largest grains (" + millimetres(classes.back().diameter) + ") are " +
-                                      number_in_words(widest) + " times as large as the smallest (" +
-                                      millimetres(classes.front().diameter) + "), up to " +
-                                      number_in_words(kWidest) +
-                                      " times is allowed; give smallest and largest");
+    table->reject("distribution",
+                  "the largest grains (" + millimetres(classes.back().diameter) + ") are " +
+                      numbers_apart(widest, kWidest).first + " times as large as the smallest (" +
+                      millimetres(classes.front().diameter) + "), up to " + number_in_words(kWidest) +
+                      " times is allowed; give smallest and largest");
   powder.grain_diameter = diameter_of_mean_mass(classes);
   if (classes.size() == 1) return;  // of one size after all
   powder.sizes_in_words = in_words(*table, shape, classes);

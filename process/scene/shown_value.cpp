@@ -5,7 +5,10 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
-#include <sstream>
+#include <cstdint>
+#include <cstdio>
+
+#include "process/scene/utf8.h"
 
 namespace diefill::process {
 namespace {
@@ -15,6 +18,32 @@ std::string shortest(double value) {
   std::array<char, 40> buffer{};
   const auto [end, error] = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value);
   return error == std::errc() ? std::string(buffer.data(), end) : std::to_string(value);
+}
+
+/// Control characters, line separators, and what reverses, joins or hides text.
+bool shows_as_it_stands(std::uint32_t code) {
+  const auto between = [code](std::uint32_t first, std::uint32_t last) {
+    return code >= first && code <= last;
+  };
+  return !(code < 0x20 || between(0x7F, 0x9F) || code == 0xAD || code == 0x61C || code == 0x200B ||
+           between(0x200E, 0x200F) || between(0x2028, 0x202E) || between(0x2060, 0x206F) || code == 0xFEFF ||
+           between(0xFFF0, 0xFFFB) || between(0xE0000, 0xE0FFF));
+}
+
+/// As TOML writes it.
+std::string escaped(std::uint32_t code) {
+  if (code == '\n') return "\\n";
+  if (code == '\r') return "\\r";
+  if (code == '\t') return "\\t";
+  std::array<char, 16> text{};
+  std::snprintf(text.data(), text.size(), code > 0xFFFF ? "\\U%08X" : "\\u%04X", static_cast<unsigned>(code));
+  return text.data();
+}
+
+std::string escaped_byte(unsigned char byte) {
+  std::array<char, 8> text{};
+  std::snprintf(text.data(), text.size(), "\\x%02X", static_cast<unsigned>(byte));
+  return text.data();
 }
 
 /// A point or axis as it was written; longer lists and lists of tables by their length.
@@ -31,17 +60,31 @@ std::string shown_list(const toml::array& list) {
 
 }  // namespace
 
+bool is_printable(std::string_view text) {
+  while (!text.empty()) {
+    const auto character = utf8_character(text);
+    if (!character || !shows_as_it_stands(character->code)) return false;
+    text.remove_prefix(character->length);
+  }
+  return true;
+}
+
+std::string printable(std::string_view text) {
+  return one_line(text, std::string_view::npos);
+}
+
 std::string one_line(std::string_view text, std::size_t longest) {
   std::string line;
-  for (const char letter : text) {
-    if (line.size() >= longest) {
-      // Cut before a character of several bytes, never within it.
-      while (!line.empty() && (static_cast<unsigned char>(line.back()) & 0xC0U) == 0x80U) line.pop_back();
-      if (!line.empty() && static_cast<unsigned char>(line.back()) >= 0xC0U) line.pop_back();
-      return line + "...";
-    }
-    const auto code = static_cast<unsigned char>(letter);
-    line += code < 0x20U || code == 0x7FU ? ' ' : letter;
+  while (!text.empty()) {
+    const auto character = utf8_character(text);
+    const std::size_t length = character ? character->length : 1;
+    const bool plain = character && shows_as_it_stands(character->code);
+    const std::string shown = plain       ? std::string(text.substr(0, length))
+                              : character ? escaped(character->code)
+                                          : escaped_byte(static_cast<unsigned char>(text.front()));
+    if (shown.size() > longest || line.size() > longest - shown.size()) return line + "...";
+    line += shown;
+    text.remove_prefix(length);
   }
   return line;
 }

@@ -27,8 +27,30 @@ std::string allowed_range(std::string_view least, bool above, std::string_view m
   return words + " is allowed";
 }
 
+/// To what rounding makes of a limit that is written in another unit.
 bool within(double value, double least, bool above, double most) {
-  return (above ? value > least : value >= least) && value <= most;
+  constexpr double kRounding = 1e-12;
+  return (above ? value > least : value >= least - kRounding * std::abs(least)) &&
+         value <= most + kRounding * std::abs(most);
+}
+
+/// Lists longer than any scene's would be gone through for minutes.
+constexpr std::size_t kMostEntries = 1000, kLongestName = 100;
+/// Names that a message lists before it says how many more there are.
+constexpr std::size_t kMostListed = 20;
+
+void refuse_long(const toml::array& list, const std::string& where) {
+  if (list.size() <= kMostEntries) return;
+  throw SceneError(where + ": found a list of " + std::to_string(list.size()) + ", up to " +
+                   std::to_string(kMostEntries) + " are allowed");
+}
+
+std::string listed(const std::vector<std::string>& words, const std::string& last) {
+  std::string list;
+  for (std::size_t i = 0; i < words.size() && i < kMostListed; ++i)
+    list += (i == 0 ? "\"" : i + 1 == words.size() ? last + '"' : ", \"") + one_line(words[i]) + '"';
+  if (words.size() > kMostListed) list += " and " + std::to_string(words.size() - kMostListed) + " more";
+  return list;
 }
 
 constexpr std::string_view kAxes = "xyz";
@@ -50,7 +72,7 @@ int TableReader::line() const {
 }
 
 std::string TableReader::full_key(const std::string& key) const {
-  return path_.empty() ? key : path_ + '.' + key;
+  return one_line(path_.empty() ? key : path_ + '.' + key, 120);
 }
 
 const toml::node* TableReader::find(const std::string& key) {
@@ -88,7 +110,7 @@ void TableReader::require(const std::string& key, const std::string& example) {
   }
   const auto meant = nearest_key(key, present);
   throw SceneError(where(key) + ": found nothing, this must be given, such as " + example +
-                   (meant ? " (is \"" + *meant + "\" a slip of the pen for it?)" : ""));
+                   (meant ? " (\"" + *meant + "\" stands there: did you mean \"" + key + "\"?)" : ""));
 }
 
 double TableReader::checked_quantity(const toml::node& node, const std::string& key,
@@ -147,8 +169,9 @@ std::optional<std::int64_t> TableReader::integer(const std::string& key, std::in
   if (node == nullptr) return std::nullopt;
   const auto value = node->value_exact<std::int64_t>();
   if (!value || *value < least || *value > most) {
-    const std::string end = most == INT64_MAX ? " up" : " to " + std::to_string(most);
-    reject_node(*node, key, "a whole number from " + std::to_string(least) + end + " is needed");
+    reject_node(
+        *node, key,
+        "a whole number from " + std::to_string(least) + " to " + std::to_string(most) + " is needed");
   }
   return value;
 }
@@ -166,6 +189,8 @@ std::optional<std::string> TableReader::text(const std::string& key) {
   if (node == nullptr) return std::nullopt;
   const auto value = node->value_exact<std::string>();
   if (!value) reject_node(*node, key, "a text in quotes is needed");
+  if (!is_printable(*value))
+    reject_node(*node, key, "a text on one line without line ends and other control characters is needed");
   return value;
 }
 
@@ -176,10 +201,12 @@ std::string TableReader::required_text(const std::string& key, const std::string
 
 std::string TableReader::required_name(const std::string& key, const std::string& example) {
   std::string name = required_text(key, example);
-  const auto unfit = [](char letter) { return letter == '/' || static_cast<unsigned char>(letter) < ' '; };
-  if (name.empty() || std::any_of(name.begin(), name.end(), unfit)) {
+  if (name.empty() || name.find('/') != std::string::npos) {
     reject(key, "a name of one or more letters without a slash is needed, such as \"" + example + '"');
   }
+  if (name.size() > kLongestName)
+    reject(key, "a name of " + std::to_string(name.size()) + " bytes, up to " + std::to_string(kLongestName) +
+                    " are allowed: files and columns are named after it");
   return name;
 }
 
@@ -190,6 +217,7 @@ std::vector<std::string> TableReader::texts(const std::string& key, const std::s
   const std::string needed = "a text or a list of texts is needed, such as [\"" + example + "\"]";
   const toml::array* list = node->as_array();
   if (list == nullptr || list->empty()) reject_node(*node, key, needed);
+  refuse_long(*list, where(key));
   std::vector<std::string> values;
   for (const toml::node& element : *list) {
     const auto text = element.value_exact<std::string>();
@@ -205,6 +233,7 @@ std::vector<double> TableReader::quantities(const std::string& key, const Quanti
   const toml::array* list = node->as_array();
   if (list == nullptr || list->empty())
     reject_node(*node, key, "a list is needed, such as [\"" + std::string(rule.example) + "\"]");
+  refuse_long(*list, where(key));
   std::vector<double> values;
   for (const toml::node& element : *list) values.push_back(checked_quantity(element, key, rule));
   return values;
@@ -263,12 +292,9 @@ std::optional<std::size_t> TableReader::chosen(const std::string& key,
   if (!value) return std::nullopt;
   const auto match = std::find(words.begin(), words.end(), *value);
   if (match != words.end()) return static_cast<std::size_t>(match - words.begin());
-  std::string allowed = "allowed is ";
-  for (std::size_t i = 0; i < words.size(); ++i) {
-    allowed += (i == 0 ? "\"" : i + 1 == words.size() ? " or \"" : ", \"") + words[i] + '"';
-  }
   const auto meant = nearest_key(*value, words);
-  reject(key, allowed + (meant ? "; did you mean \"" + *meant + "\"?" : ""));
+  reject(key, "allowed is " + listed(words, " or ") +
+                  (meant ? "; did you mean \"" + one_line(*meant) + "\"?" : ""));
 }
 
 std::optional<TableReader> TableReader::table(const std::string& key) {
@@ -296,6 +322,7 @@ std::vector<TableReader> TableReader::tables(const std::string& key) {
   const std::string needed =
       "a list of tables is needed: write " + header + " with double brackets above the keys of each";
   if (list == nullptr) reject_node(*node, key, needed);
+  refuse_long(*list, where(key));
   for (const toml::node& element : *list) {
     if (!element.is_table()) reject_node(element, key, needed);
     readers.emplace_back(*element.as_table(), file_, full_key(key));

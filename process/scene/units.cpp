@@ -1,13 +1,13 @@
 #include "process/scene/units.h"
 
-#include <udunits2.h>
-
 #include <array>
 #include <charconv>
 #include <cmath>
-#include <cstdarg>
 #include <cstdio>
 #include <memory>
+
+#include "process/scene/shown_value.h"
+#include "process/scene/unit_text.h"
 
 namespace diefill::process {
 namespace {
@@ -45,39 +45,33 @@ const DimensionEntry& entry(Dimension dimension) {
   throw std::logic_error("a dimension without an entry in kDimensions");
 }
 
-struct FreeUnit {
-  void operator()(ut_unit* unit) const { ut_free(unit); }
-};
-struct FreeSystem {
-  void operator()(ut_system* system) const { ut_free_system(system); }
-};
 struct FreeConverter {
   void operator()(cv_converter* converter) const { cv_free(converter); }
 };
-using Unit = std::unique_ptr<ut_unit, FreeUnit>;
-
-/// udunits2 reports on stderr by itself; a wrong unit is the user's to hear of once, in our own words.
-int say_nothing(const char*, va_list) {
-  return 0;
-}
-
-ut_system* units() {
-  static const std::unique_ptr<ut_system, FreeSystem> system = [] {
-    ut_set_error_message_handler(say_nothing);
-    std::unique_ptr<ut_system, FreeSystem> made(ut_read_xml(nullptr));
-    if (!made)
-      throw std::runtime_error("the database of units of udunits2 cannot be read; install libudunits2-data");
-    const Unit degree(ut_parse(made.get(), "degree", UT_UTF8));
-    ut_map_name_to_unit("deg", UT_UTF8, degree.get());
-    return made;
-  }();
-  return system.get();
-}
 
 std::string_view trimmed(std::string_view text) {
   const std::size_t first = text.find_first_not_of(" \t");
   if (first == std::string_view::npos) return {};
   return text.substr(first, text.find_last_not_of(" \t") - first + 1);
+}
+
+/// "2820" of "2 820 um": digits in groups of three, as many write thousands. Empty for anything else.
+std::string joined_thousands(std::string_view text) {
+  std::string digits;
+  std::size_t group = 0;
+  for (const char letter : text) {
+    const bool digit = letter >= '0' && letter <= '9';
+    if (!digit && letter != ' ') break;
+    if (digit) {
+      digits += letter;
+      ++group;
+    } else if (group > 3 || (digits.size() > group && group != 3)) {
+      return {};
+    } else {
+      group = 0;
+    }
+  }
+  return group == 0 || group == 3 ? digits : "";
 }
 
 struct Split {
@@ -98,15 +92,30 @@ Split split(std::string_view text, const std::string& needed) {
   std::string_view rest(end, static_cast<std::size_t>(text.data() + text.size() - end));
   if (!rest.empty() && rest.front() == ',') throw UnitError("write a decimal point, not a comma; " + needed);
   result.unit = trimmed(rest);
+  if (!result.unit.empty() && result.unit.front() >= '0' && result.unit.front() <= '9') {
+    const std::string joined = joined_thousands(text);
+    if (joined.size() > 3) throw UnitError("write the number without blanks, as " + joined + "; " + needed);
+  }
   return result;
 }
 
-/// Only an equal dimension will do: udunits2 itself would also turn Hz into s, being reciprocal.
-bool same_dimension(const ut_unit* unit, const ut_unit* wanted) {
-  const Unit quotient(ut_divide(unit, wanted));
-  const Unit one(ut_get_dimensionless_unit_one(units()));
-  return quotient && ut_are_convertible(unit, wanted) != 0 &&
-         ut_are_convertible(quotient.get(), one.get()) != 0;
+/// Only an equal dimension will do: udunits2 itself would also turn Hz into s, being reciprocal, and rpm into
+/// Hz, taking an angle for a number.
+bool same_dimension(const ParsedUnit& given, const ut_unit* wanted) {
+  const Unit quotient(ut_divide(given.unit.get(), wanted));
+  const Unit one(ut_get_dimensionless_unit_one(unit_system()));
+  if (!quotient || ut_are_convertible(given.unit.get(), wanted) == 0 ||
+      ut_are_convertible(quotient.get(), one.get()) == 0)
+    return false;
+  return makeup_of(quotient.get()).angle == 0 && given.angles == makeup_of(wanted).angle;
+}
+
+ParsedUnit unit_in(const std::string& text, const std::string& needed) {
+  try {
+    return parse_unit(text);
+  } catch (const UnitTextError& error) {
+    throw UnitError(error.what() + ("; " + needed));
+  }
 }
 
 }  // namespace
@@ -115,16 +124,16 @@ double parse_quantity(std::string_view text, Dimension dimension, std::string_vi
   const DimensionEntry& kind = entry(dimension);
   const std::string needed = std::string(kind.words) + " with its unit is needed, such as \"" +
                              std::string(example.empty() ? kind.example : example) + '"';
-  const Split parts = split(text, needed);
+  const Split parts = split(as_typed(text), needed);
   if (parts.unit.empty()) throw UnitError(needed);
-  const Unit wanted(ut_parse(units(), kind.si_unit, UT_UTF8));
-  const Unit unit(ut_parse(units(), parts.unit.c_str(), UT_UTF8));
-  if (!unit) throw UnitError("the unit \"" + parts.unit + "\" is not known; " + needed);
-  if (!same_dimension(unit.get(), wanted.get())) {
-    throw UnitError("\"" + parts.unit + "\" is not a unit of " +
+  const Unit wanted(ut_parse(unit_system(), kind.si_unit, UT_UTF8));
+  const ParsedUnit given = unit_in(parts.unit, needed);
+  if (!same_dimension(given, wanted.get())) {
+    throw UnitError("\"" + one_line(parts.unit) + "\" is not a unit of " +
                     (std::string(kind.words).substr(kind.words[1] == 'n' ? 3 : 2)) + "; " + needed);
   }
-  const std::unique_ptr<cv_converter, FreeConverter> converter(ut_get_converter(unit.get(), wanted.get()));
+  const std::unique_ptr<cv_converter, FreeConverter> converter(
+      ut_get_converter(given.unit.get(), wanted.get()));
   const double value = cv_convert_double(converter.get(), parts.number);
   if (!std::isfinite(value)) throw UnitError("the number is not finite; " + needed);
   return value;

@@ -3,8 +3,11 @@
 
 #include <cmath>
 #include <numbers>
+#include <string>
+#include <utility>
 
 #include "process/scene/nearest_key.h"
+#include "process/scene/numbers_apart.h"
 #include "process/scene/units.h"
 
 namespace diefill::process {
@@ -42,7 +45,20 @@ INSTANTIATE_TEST_SUITE_P(
         Quantity{"1e6 Pa s/m", Dimension::damping_over_radius, 1e6},
         Quantity{"90 deg", Dimension::angle, std::numbers::pi / 2},
         Quantity{"90\u00b0", Dimension::angle, std::numbers::pi / 2},
-        Quantity{"1.5 rad", Dimension::angle, 1.5}));
+        Quantity{"1.5 rad", Dimension::angle, 1.5}, Quantity{"0.2 m s-1", Dimension::velocity, 0.2},
+        Quantity{"0.2 m.s-1", Dimension::velocity, 0.2}, Quantity{"0.2 m*s^-1", Dimension::velocity, 0.2},
+        Quantity{"0.2 m s**-1", Dimension::velocity, 0.2},
+        Quantity{"0.2 m\u00b7s\u207b\u00b9", Dimension::velocity, 0.2},
+        Quantity{"0.2 m per s", Dimension::velocity, 0.2}, Quantity{"12 m/min", Dimension::velocity, 0.2},
+        Quantity{"10 m/(s s)", Dimension::acceleration, 10}, Quantity{"10 m/s2", Dimension::acceleration, 10},
+        Quantity{"3 g/cm^3", Dimension::density, 3000}, Quantity{"3 g cm-3", Dimension::density, 3000},
+        Quantity{"5 N/m", Dimension::work_of_adhesion, 5}, Quantity{"0.02 N-m", Dimension::torque, 0.02},
+        Quantity{"1 cmH2O", Dimension::pressure, 98.0665}, Quantity{"32 1/s", Dimension::frequency, 32},
+        Quantity{"1e3 mm", Dimension::length, 1}, Quantity{"2.82\u00a0mm", Dimension::length, 2.82e-3},
+        Quantity{"2.82\u202fmm", Dimension::length, 2.82e-3},
+        Quantity{"\u22123 mm", Dimension::length, -3e-3},
+        Quantity{"60 rpm", Dimension::angular_velocity, 2 * std::numbers::pi},
+        Quantity{"90 deg/s", Dimension::angular_velocity, std::numbers::pi / 2}));
 
 class WrongQuantities : public testing::TestWithParam<Quantity> {};
 
@@ -52,16 +68,80 @@ TEST_P(WrongQuantities, AreRefused) {
 
 INSTANTIATE_TEST_SUITE_P(
     Units, WrongQuantities,
-    testing::Values(Quantity{"", Dimension::length, 0}, Quantity{"mm", Dimension::length, 0},
-                    Quantity{"1.88", Dimension::length, 0}, Quantity{"1.88 mm^2", Dimension::length, 0},
-                    Quantity{"1.88 1/mm", Dimension::length, 0}, Quantity{"1,88 mm", Dimension::length, 0},
-                    Quantity{"0x10 mm", Dimension::length, 0}, Quantity{"nan mm", Dimension::length, 0},
-                    Quantity{"-inf mm", Dimension::length, 0}, Quantity{"1e308 km", Dimension::length, 0},
-                    Quantity{"50 Hz", Dimension::time, 0}, Quantity{"5 s/m", Dimension::velocity, 0},
-                    Quantity{"1 Pa s", Dimension::damping_over_radius, 0},
-                    Quantity{"5 kg", Dimension::pressure, 0}, Quantity{"3 mm", Dimension::angle, 0},
-                    Quantity{"1 lumps", Dimension::mass, 0}, Quantity{"1 J", Dimension::work_of_adhesion, 0},
-                    Quantity{"20 celsius", Dimension::length, 0}));
+    testing::Values(
+        Quantity{"", Dimension::length, 0}, Quantity{"mm", Dimension::length, 0},
+        Quantity{"1.88", Dimension::length, 0}, Quantity{"1.88 mm^2", Dimension::length, 0},
+        Quantity{"1.88 1/mm", Dimension::length, 0}, Quantity{"1,88 mm", Dimension::length, 0},
+        Quantity{"0x10 mm", Dimension::length, 0}, Quantity{"nan mm", Dimension::length, 0},
+        Quantity{"-inf mm", Dimension::length, 0}, Quantity{"1e308 km", Dimension::length, 0},
+        Quantity{"50 Hz", Dimension::time, 0}, Quantity{"5 s/m", Dimension::velocity, 0},
+        Quantity{"1 Pa s", Dimension::damping_over_radius, 0}, Quantity{"5 kg", Dimension::pressure, 0},
+        Quantity{"3 mm", Dimension::angle, 0}, Quantity{"1 lumps", Dimension::mass, 0},
+        Quantity{"1 J", Dimension::work_of_adhesion, 0}, Quantity{"20 celsius", Dimension::length, 0},
+        Quantity{"2 820 um", Dimension::length, 0}, Quantity{"2\u202f820 um", Dimension::length, 0},
+        Quantity{"2\u00a0820 um", Dimension::length, 0}, Quantity{"2'820 um", Dimension::length, 0},
+        Quantity{"2_820 um", Dimension::length, 0}, Quantity{"2.82 10 mm", Dimension::length, 0},
+        Quantity{"1.3 mm 2", Dimension::length, 0}, Quantity{"1.3 2 mm", Dimension::length, 0},
+        Quantity{"1.3 (2 mm)", Dimension::length, 0}, Quantity{"1.3 mm (2)", Dimension::length, 0},
+        Quantity{"1.3 mm*2", Dimension::length, 0}, Quantity{"1.3 mm/2", Dimension::length, 0},
+        Quantity{"1.3 mm.2", Dimension::length, 0}, Quantity{"1.3 mm .2", Dimension::length, 0},
+        Quantity{"1.3 mm 1e1", Dimension::length, 0}, Quantity{"1.3*2 mm", Dimension::length, 0},
+        Quantity{"1.3/2 mm", Dimension::length, 0}, Quantity{"1.3 \u00d7 10^-3 m", Dimension::length, 0},
+        Quantity{"1.3 1/1 mm", Dimension::length, 0}, Quantity{"2.82 mm @ 3", Dimension::length, 0},
+        Quantity{"2.82 mm@3", Dimension::length, 0}, Quantity{"2.82 mm since 1", Dimension::length, 0},
+        Quantity{"2.82 mm from 1", Dimension::length, 0}, Quantity{"2.82 mm after 1", Dimension::length, 0},
+        Quantity{"2.82 mm ref 1", Dimension::length, 0}, Quantity{"2.82 mm FROM 1", Dimension::length, 0},
+        Quantity{"2.82 s since 2000-01-01", Dimension::time, 0},
+        Quantity{"2.82 mm + 1 mm", Dimension::length, 0}, Quantity{"2.82 mm - 1", Dimension::length, 0},
+        Quantity{"2.82 mm -1", Dimension::length, 0}, Quantity{"2.82 mm +1", Dimension::length, 0},
+        Quantity{"2.82 lg(re 1 mm)", Dimension::length, 0}, Quantity{"2.82 ln(re mm)", Dimension::length, 0},
+        Quantity{"2.82 lb (re mm)", Dimension::length, 0}, Quantity{"2 dozen mm", Dimension::length, 0},
+        Quantity{"2 percent mm", Dimension::length, 0}, Quantity{"2 % mm", Dimension::length, 0},
+        Quantity{"2 ppm m", Dimension::length, 0}, Quantity{"2 pi mm", Dimension::length, 0},
+        Quantity{"2 mm deg", Dimension::length, 0}, Quantity{"2 mm deg/rad", Dimension::length, 0},
+        Quantity{"2 rad mm", Dimension::length, 0}, Quantity{"2 celsius mm/K", Dimension::length, 0},
+        Quantity{"2 mm^0", Dimension::length, 0}, Quantity{"2 mm m^0", Dimension::length, 0},
+        Quantity{"2 mm^1.0", Dimension::length, 0}, Quantity{"2 mm^", Dimension::length, 0},
+        Quantity{"2 mm^99999999999", Dimension::length, 0}, Quantity{"2 (mm", Dimension::length, 0},
+        Quantity{"2 mm)", Dimension::length, 0}, Quantity{"2 ()", Dimension::length, 0},
+        Quantity{"2 mm\nm", Dimension::length, 0}, Quantity{"2 mm per", Dimension::length, 0},
+        Quantity{"2 /s", Dimension::frequency, 0}, Quantity{"2 \u00b2", Dimension::length, 0},
+        Quantity{"2 mm \xff", Dimension::length, 0}, Quantity{"60 rpm", Dimension::frequency, 0},
+        Quantity{"5 Hz", Dimension::angular_velocity, 0}, Quantity{"0.2 m Hz Hz", Dimension::velocity, 0}));
+
+/// What is said of a text that is no length.
+std::string complaint(const std::string& text) {
+  try {
+    parse_quantity(text, Dimension::length);
+  } catch (const UnitError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(Units, RefusalsSayWhatIsWrong) {
+  EXPECT_EQ(complaint("2 820 um").find("write the number without blanks, as 2820; "), 0U)
+      << complaint("2 820 um");
+  EXPECT_EQ(complaint("1 234 567 um").find("write the number without blanks, as 1234567; "), 0U);
+  EXPECT_EQ(complaint("2.82 10 mm").find("found a second number, \"10 mm\""), 0U) << complaint("2.82 10 mm");
+  EXPECT_EQ(complaint("1.3 mm 2").find("found a second number, \"2\""), 0U) << complaint("1.3 mm 2");
+  EXPECT_EQ(complaint("2 82 um").find("found a second number, \"82 um\""), 0U) << complaint("2 82 um");
+  EXPECT_EQ(complaint("2.82 mm @ 3").find("\"@ 3\" is no unit"), 0U) << complaint("2.82 mm @ 3");
+  EXPECT_EQ(complaint("2 dozen mm").find("the unit \"dozen\" is not known"), 0U) << complaint("2 dozen mm");
+  EXPECT_EQ(complaint("2 percent mm").find("\"percent\" is a number and no unit"), 0U)
+      << complaint("2 percent mm");
+  EXPECT_EQ(complaint("2,82 mm").find("write a decimal point, not a comma"), 0U) << complaint("2,82 mm");
+}
+
+// A null byte ends a text for the library of units, not for us.
+TEST(Units, NothingHidesBehindANullByte) {
+  EXPECT_THROW(parse_quantity(std::string("2 mm\0 5", 7), Dimension::length), UnitError);
+}
+
+TEST(Units, TwoNumbersInWordsDiffer) {
+  EXPECT_EQ(numbers_apart(6.0000001, 6), (std::pair<std::string, std::string>("6.0000001", "6")));
+  EXPECT_EQ(numbers_apart(7, 6), (std::pair<std::string, std::string>("7", "6")));
+}
 
 TEST(Units, ExamplesOfEveryDimensionCanBeRead) {
   for (const Dimension dimension :
@@ -90,6 +170,7 @@ TEST(NearestKey, FindsTheMeantKeyAndLeavesStrangersAlone) {
   EXPECT_EQ(nearest_key("rollingfriction", known), "rolling_friction");
   EXPECT_EQ(nearest_key("colour", known), std::nullopt);
   EXPECT_EQ(nearest_key("x", {"y"}), std::nullopt);
+  EXPECT_EQ(nearest_key(std::string(1000000, 'x'), {std::string(1000000, 'x') + 'y'}), std::nullopt);
 }
 
 }  // namespace

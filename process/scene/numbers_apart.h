@@ -1,0 +1,13 @@
+// Numbers in messages with as many digits as it takes: what was found and what is allowed must not look
+// alike.
+#pragma once
+
+#include <string>
+#include <utility>
+
+namespace diefill::process {
+
+/// Two different numbers with so many digits, six or more, that they differ in words, too.
+std::pair<std::string, std::string> numbers_apart(double one, double other);
+
+}  // namespace diefill::process

@@ -1,0 +1,13 @@
+// Whether the bytes of a file are text in UTF-8, and which encoding they seem to be in where they are not.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+namespace diefill::process {
+
+/// Throws SceneError, naming `file` and the line, for UTF-16, UTF-32, bytes that are not UTF-8 and control
+/// characters other than tab and line ends.
+void refuse_wrong_encoding(const std::string& text, const std::filesystem::path& file);
+
+}  // namespace diefill::process

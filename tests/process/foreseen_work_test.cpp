@@ -1,0 +1,61 @@
+// Work that cannot end here is refused with its numbers before it begins.
+#include "process/run/foreseen_work.h"
+
+#include <gtest/gtest.h>
+
+#include "process/run/machine_memory.h"
+#include "tests/process/scene_files.h"
+#include "tests/process/wrong_scene.h"
+
+namespace diefill::process {
+namespace {
+
+/// What is said of the faultless scene with `old` exchanged for `text`.
+std::string complaint(const std::string& old, const std::string& text) {
+  const SceneFolder folder;
+  const Scene scene = read_scene(folder.write(support::exchanged(faultless_scene(), old, text)));
+  try {
+    refuse_endless(scene);
+  } catch (const SceneError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+void expect_parts(const std::string& message, const std::vector<std::string>& parts) {
+  for (const auto& part : parts) EXPECT_NE(message.find(part), std::string::npos) << message;
+}
+
+TEST(ForeseenWork, ScenesOfDaysPass) {
+  EXPECT_EQ(complaint("seed = 1", "seed = 2"), "");
+  EXPECT_EQ(complaint("[[step]]", "[[step]]\nkind = \"wait\"\nduration = \"1000 s\"\n[[step]]"), "");
+}
+
+TEST(ForeseenWork, StepsWithoutEndAreCounted) {
+  for (const char* key :
+       {"time_step_fraction = 1e-300", "time_step = \"1e-300 s\"", "time_step_fraction = 1e-9"})
+    expect_parts(complaint("max_time = \"5 s\"", std::string("max_time = \"5 s\"\n") + key),
+                 {"scene.toml: ", " s of powder time in time steps of ", " steps, 1e+10 at most are allowed",
+                  "take a longer time step (numerics.time_step_fraction"});
+}
+
+TEST(ForeseenWork, GrainsThatNoMemoryHoldsAreCounted) {
+  const std::string message = complaint("1.88 mm", "0.047 mm");
+  expect_parts(message, {" grains of 0.04704 mm (", " spheres) would take about ", " GB of memory, and ",
+                         " GB are there; take grains larger than 0.047 mm (powder.grain_diameter)"});
+}
+
+TEST(ForeseenWork, SnapshotsWithoutEndAreCounted) {
+  expect_parts(complaint("[measure]", "[[snapshot]]\nname = \"s\"\nevery = \"1e-9 s\"\n[measure]"),
+               {"snapshot \"s\": every 1e-09 s of 0.25 s are 2.5e+08 folders", "10", "give a longer time"});
+}
+
+TEST(ForeseenWork, MemoryOfTheMachineIsKnown) {
+  EXPECT_GT(machine_memory(), 1e8);
+  EXPECT_LT(machine_memory(), 1e14);
+  EXPECT_NO_THROW(refuse_memory("a bed", 1000, 1000, 0, "take less"));
+  EXPECT_THROW(refuse_memory("a bed", 1e12, 0, 0, "take less"), SceneError);
+}
+
+}  // namespace
+}  // namespace diefill::process
