@@ -23,7 +23,9 @@ hid_t open_image(const std::filesystem::path& file, const std::string& bytes) {
   void* const image = const_cast<char*>(bytes.data());
   const bool set = H5Pset_fapl_core(access.id(), kGrowth, false) >= 0 &&
                    H5Pset_file_image(access.id(), image, bytes.size()) >= 0;
-  const hid_t id = set ? H5Fopen(file.c_str(), H5F_ACC_RDONLY, access.id()) : -1;
+  // HDF5 asks for a name of which there is no file.
+  const std::string name = (file / "bytes").string();
+  const hid_t id = set ? H5Fopen(name.c_str(), H5F_ACC_RDONLY, access.id()) : -1;
   if (id < 0) throw ResultError(file.string() + ": HDF5 cannot open it; run the scene again");
   return id;
 }
