@@ -70,7 +70,8 @@ void chatter(const ExperimentOptions& options, results::ExperimentResult& result
   chart.title = "Spin that a constant rolling torque leaves in a sphere at rest";
   chart.subtitle = "Steps of 5 us, 0.5 s after a start at 5 rad/s";
   chart.note =
-      "As printed: half of what a torque changes in a step that turns round in each, mu_r R m g dt / 2 I.";
+      "As printed: half of what a torque changes in a step that turns round in each, mu_r R m g dt / 2 I. "
+      "Lower edge: that or less.";
   chart.x = {.label = "Rolling friction coefficient", .logarithmic = true};
   chart.y = {.label = "Largest spin [rad/s]", .logarithmic = true, .lower = kLeast, .upper = 1};
   ExperimentSeries left{.name = "constant torque", .x = {}, .y = {}};
