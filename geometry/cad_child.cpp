@@ -1,11 +1,14 @@
 #include "geometry/cad_child.h"
 
 #include <fcntl.h>
+#include <poll.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
+#include <chrono>
 #include <csignal>
 #include <cstdint>
 #include <cstring>
@@ -20,7 +23,8 @@ namespace {
 constexpr std::size_t kMemory = std::size_t{2} << 30;  // bytes beyond those of this process
 constexpr std::size_t kMemoryOfByte = 24;
 constexpr std::size_t kBytesOfSecond = 100000;
-constexpr char kWhole = 'W';  // first byte of an answer: parts follow
+constexpr std::size_t kWallOverProcessor = 3;  // where many programs share the machine
+constexpr char kWhole = 'W';                   // first byte of an answer: parts follow
 constexpr char kReason = 'R';
 
 /// Writes plain values and arrays of them into a pipe.
@@ -45,6 +49,10 @@ class Sender {
     value(words.size());
     bytes(words.data(), words.size());
   }
+  void texts(const std::vector<std::string>& many) {
+    value(many.size());
+    for (const std::string& one : many) text(one);
+  }
   template <class Value>
   void list(const std::vector<Value>& values) {
     value(values.size());
@@ -58,11 +66,14 @@ class Sender {
 /// The other end; `whole()` turns false when the child sends no more.
 class Receiver {
  public:
-  explicit Receiver(int pipe) : pipe_(pipe) {}
+  Receiver(int pipe, std::chrono::seconds most) : pipe_(pipe), end_(Clock::now() + most) {}
   bool whole() const { return whole_; }
+  /// Whether the time is over and the child had sent nothing more by then.
+  bool late() const { return late_; }
   void bytes(void* data, std::size_t size) {
     char* next = static_cast<char*>(data);
     while (whole_ && size > 0) {
+      if (!wait_for_bytes()) return;
       const ssize_t got = ::read(pipe_, next, size);
       if (got < 0 && errno == EINTR) continue;
       whole_ = got > 0;
@@ -82,6 +93,11 @@ class Receiver {
     bytes(words.data(), words.size());
     return words;
   }
+  std::vector<std::string> texts() {
+    std::vector<std::string> many;
+    for (auto left = value<std::size_t>(); whole_ && left > 0; --left) many.push_back(text());
+    return many;
+  }
   template <class Value>
   std::vector<Value> list() {
     std::vector<Value> values(whole_ ? value<std::size_t>() : 0);
@@ -90,8 +106,24 @@ class Receiver {
   }
 
  private:
+  using Clock = std::chrono::steady_clock;
+
+  bool wait_for_bytes() {
+    for (;;) {
+      const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(end_ - Clock::now()).count();
+      pollfd pipe{pipe_, POLLIN, 0};
+      const int ready = ::poll(&pipe, 1, static_cast<int>(std::clamp<long>(left, 0, 60000)));
+      if (ready > 0 || (ready < 0 && errno != EINTR)) return true;
+      if (left > 0) continue;
+      late_ = true;
+      whole_ = false;
+      return false;
+    }
+  }
+
   int pipe_;
-  bool whole_ = true;
+  Clock::time_point end_;
+  bool whole_ = true, late_ = false;
 };
 
 // A sanitizer's shadow memory takes terabytes of address space.
@@ -112,9 +144,14 @@ void limit(int what, rlim_t most) {
   ::setrlimit(static_cast<__rlimit_resource>(what), &both);
 }
 
+/// Of processor time.
+std::size_t seconds_of(const ChildLimits& limits) {
+  return limits.seconds + limits.file_bytes / kBytesOfSecond;
+}
+
 void set_limits(const ChildLimits& limits) {
   if (kLimitsMemory) limit(RLIMIT_AS, memory_in_use() + kMemory + kMemoryOfByte * limits.file_bytes);
-  limit(RLIMIT_CPU, limits.seconds + limits.file_bytes / kBytesOfSecond);
+  limit(RLIMIT_CPU, seconds_of(limits));
   limit(RLIMIT_CORE, 0);
 }
 
@@ -129,9 +166,12 @@ void silence() {
 void send(const CadParts& contents, Sender& sender) {
   sender.value(kWhole);
   sender.value(contents.metres_per_unit.value_or(0));
+  sender.texts(contents.remarks);
   sender.value(contents.parts.size());
   for (const CadPart& part : contents.parts) {
     sender.text(part.name);
+    sender.text(part.plain_name);
+    sender.texts(part.assemblies);
     sender.list(part.mesh.vertices);
     sender.list(part.mesh.triangles);
   }
@@ -163,9 +203,10 @@ CadParts receive(Receiver& receiver) {
   CadParts contents;
   const auto unit = receiver.value<double>();
   if (unit > 0) contents.metres_per_unit = unit;
+  contents.remarks = receiver.texts();
   const auto count = receiver.value<std::size_t>();
   for (std::size_t k = 0; receiver.whole() && k < count; ++k) {
-    CadPart part{receiver.text(), {}};
+    CadPart part{receiver.text(), {}, receiver.text(), receiver.texts()};
     part.mesh.vertices = receiver.list<Eigen::Vector3d>();
     part.mesh.triangles = receiver.list<Eigen::Vector3i>();
     contents.parts.push_back(std::move(part));
@@ -195,13 +236,14 @@ CadParts read_in_child(const std::function<CadParts()>& read, const ChildLimits&
     be_the_child(read, limits, ends[1]);
   }
   ::close(ends[1]);
-  Receiver receiver(ends[0]);
+  Receiver receiver(ends[0], std::chrono::seconds(kWallOverProcessor * seconds_of(limits)));
   const char kind = receiver.value<char>();
   CadParts contents;
   std::string reason;
   if (kind == kWhole) contents = receive(receiver);
   if (kind == kReason) reason = receiver.text();
   ::close(ends[0]);
+  if (receiver.late()) ::kill(child, SIGKILL);
   int status = 0;
   while (::waitpid(child, &status, 0) < 0 && errno == EINTR) {
   }

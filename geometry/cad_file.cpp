@@ -5,13 +5,15 @@
 #include <cstdint>
 #include <cstring>
 #include <fstream>
-#include <iterator>
 #include <limits>
 #include <map>
 #include <sstream>
 #include <vector>
 
 #include "geometry/mesh.h"
+#include "geometry/read_binary_stl.h"
+#include "geometry/read_text_stl.h"
+#include "geometry/shown_text.h"
 
 namespace diefill::geometry {
 
@@ -19,22 +21,13 @@ namespace {
 
 constexpr std::size_t kStlHeader = 84;      // 80 bytes of text and the number of triangles
 constexpr std::size_t kStlTriangle = 50;    // 12 floats and 2 bytes of attributes
-constexpr std::size_t kLookForText = 1024;  // a text file shows its first facet within so many bytes
+constexpr std::size_t kLookForText = 1024;  // a text file shows its kind within so many bytes
+constexpr std::uintmax_t kLargestFile = std::uintmax_t{1} << 30;  // bytes: binary STL of 21 million triangles
 
 std::string lower_case(std::string text) {
   std::transform(text.begin(), text.end(), text.begin(),
                  [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   return text;
-}
-
-/// Binary files may begin with "solid" too; only text goes on with facets or the end.
-bool is_text_stl(const std::string& bytes) {
-  const std::string start = lower_case(bytes.substr(0, kLookForText));
-  if (start.find('\0') != std::string::npos) return false;
-  const std::size_t word = start.find_first_not_of(" \t\r\n");
-  if (word == std::string::npos || start.compare(word, 5, "solid") != 0) return false;
-  return start.find("facet") != std::string::npos || start.find("endsolid") != std::string::npos ||
-         bytes.size() < kStlHeader;
 }
 
 /// Bytes that are letters and line ends alone, as no binary file's are.
@@ -75,6 +68,12 @@ void check_beginning(const std::string& name, const std::string& ending, const s
                     (other.endings.empty() ? "export the part from the CAD program"
                                            : "rename it to ." + other.endings.front()));
   }
+}
+
+/// Text of 16 bits a letter, which no importer reads.
+void check_encoding(const std::string& name, const std::string& bytes) {
+  if (bytes.starts_with("\xff\xfe") || bytes.starts_with("\xfe\xff"))
+    throw MeshError(name + " is text in UTF-16: save it as plain text (UTF-8), or export it again");
 }
 
 void refuse_count(const std::string& name, std::uint64_t count, const std::string& what, std::size_t bytes) {
@@ -151,6 +150,7 @@ void check_stl(const std::string& name, const std::string& bytes) {
     throw MeshError(name +
                     " is text, but no STL: it does not begin with 'solid' and has no facets; name the "
                     "file that the CAD program wrote");
+  if (is_binary_stl(bytes)) return;
   if (bytes.size() < kStlHeader)
     throw MeshError(name + " is cut short: " + std::to_string(bytes.size()) +
                     " bytes, while a binary STL has a header of 84 bytes; export or copy it again");
@@ -165,29 +165,57 @@ void check_stl(const std::string& name, const std::string& bytes) {
 
 }  // namespace
 
-std::string read_cad_file(const std::filesystem::path& file) {
-  const std::string name = std::string("'").append(file.string()).append("'");
+namespace {
+
+/// What stands in the folder in place of a file.
+std::string kind_in_words(std::filesystem::file_type type) {
+  switch (type) {
+    case std::filesystem::file_type::directory:
+      return "a directory: name the CAD file inside it";
+    case std::filesystem::file_type::fifo:
+      return "a pipe: name a regular file";
+    case std::filesystem::file_type::socket:
+      return "a socket: name a regular file";
+    default:
+      return "a device: name a regular file";
+  }
+}
+
+/// Size in bytes of what is found to be a regular file that may be read. Devices and pipes never end.
+std::size_t size_of_regular(const std::filesystem::path& file) {
   std::error_code error;
-  if (!std::filesystem::exists(file, error))
-    throw MeshError("CAD file " + name +
-                    " does not exist: check the path, it is taken relative to the scene file");
-  if (std::filesystem::is_directory(file, error))
-    throw MeshError("CAD file " + name + " is a directory: name the CAD file inside it");
+  const auto status = std::filesystem::status(file, error);
+  if (!std::filesystem::exists(status))
+    throw MeshError(named(file) + (error && error != std::errc::no_such_file_or_directory
+                                       ? " cannot be reached: " + error.message()
+                                       : " does not exist: check the path, it is taken relative to the "
+                                         "scene file"));
+  if (!std::filesystem::is_regular_file(status))
+    throw MeshError(named(file) + " is " + kind_in_words(status.type()));
+  const std::uintmax_t size = std::filesystem::file_size(file, error);
+  if (error) throw MeshError(named(file) + " cannot be read: " + error.message());
+  if (size > kLargestFile)
+    throw MeshError(named(file) + " has " + std::to_string(size >> 20U) + " MiB, up to " +
+                    std::to_string(kLargestFile >> 20U) + " MiB are read: export it with fewer triangles");
+  return static_cast<std::size_t>(size);
+}
+
+}  // namespace
+
+std::string read_cad_file(const std::filesystem::path& file) {
+  std::string bytes(size_of_regular(file), '\0');
   std::ifstream stream(file, std::ios::binary);
-  if (!stream) throw MeshError("CAD file " + name + " cannot be read: check its permissions");
-  // At once where the size is known: half a gigabyte byte by byte takes seconds.
-  const auto size = std::filesystem::file_size(file, error);
-  std::string bytes(error ? 0 : size, '\0');
+  if (!stream) throw MeshError(named(file) + " cannot be read: check its permissions");
   stream.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
   bytes.resize(static_cast<std::size_t>(stream.gcount()));
-  bytes.append(std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>());
-  if (bytes.empty()) throw MeshError("CAD file " + name + " is empty: export it again");
+  if (bytes.empty()) throw MeshError(named(file) + " is empty: export it again");
   return bytes;
 }
 
 void check_is_what_it_says(const std::filesystem::path& file, const std::string& ending,
                            const std::string& bytes) {
-  const std::string name = "CAD file '" + file.string() + "'";
+  const std::string name = named(file);
+  check_encoding(name, bytes);
   check_beginning(name, ending, bytes);
   if (ending == "stl") check_stl(name, bytes);
   if (ending == "ply") check_ply(name, bytes);

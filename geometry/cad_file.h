@@ -6,12 +6,13 @@
 
 namespace diefill::geometry {
 
-/// All bytes of `file`. Throws MeshError when it is missing, a directory, not readable or empty.
+/// All bytes of `file`. Throws MeshError when it is missing, no regular file (a directory, a pipe, a device),
+/// larger than 1 GiB, not readable or empty.
 std::string read_cad_file(const std::filesystem::path& file);
 
 /// Throws MeshError when `bytes` of a file that ends in `ending` (lower case) are those of another kind of
-/// file, fewer than a header promises (binary STL, PLY, OFF) or end before `endsolid` (text STL): importers
-/// take some such files without a word and ask for memory without end on others.
+/// file or text in UTF-16, fewer than a header promises (binary STL, PLY, OFF) or end before `endsolid` (text
+/// STL): importers take some such files without a word and ask for memory without end on others.
 void check_is_what_it_says(const std::filesystem::path& file, const std::string& ending,
                            const std::string& bytes);
 

@@ -2,10 +2,14 @@
 
 #include <algorithm>
 #include <cctype>
+#include <map>
 #include <set>
 #include <stdexcept>
 
+#include "geometry/cad_file.h"
 #include "geometry/cad_readers.h"
+#include "geometry/read_text_stl.h"
+#include "geometry/shown_text.h"
 
 namespace diefill::geometry {
 
@@ -25,16 +29,26 @@ std::string upper_case(std::string text) {
   return text;
 }
 
-/// Names for parts that have none or share one; what is no printable text becomes a question mark.
+/// Names for parts that have none; parts that share one are numbered, the first too, so that none of them is
+/// taken for the only one.
 void make_names_unique(std::vector<CadPart>& parts) {
-  std::set<std::string> taken;
+  std::map<std::string, int> count;
   for (std::size_t k = 0; k < parts.size(); ++k) {
     std::string& name = parts[k].name;
+    name = as_utf8(name);
     std::replace_if(
         name.begin(), name.end(), [](unsigned char c) { return c < 0x20 || c == 0x7f; }, '?');
     if (name.empty()) name = "part " + std::to_string(k + 1);
-    const std::string plain = name;
-    for (int copy = 2; !taken.insert(name).second; ++copy) name = plain + " (" + std::to_string(copy) + ")";
+    parts[k].plain_name = name;
+    ++count[name];
+  }
+  std::set<std::string> taken;
+  for (const CadPart& part : parts)
+    if (count[part.name] == 1) taken.insert(part.name);
+  for (CadPart& part : parts) {
+    if (count[part.plain_name] == 1) continue;
+    for (int copy = 1; !taken.insert(part.name).second || copy == 1; ++copy)
+      part.name = part.plain_name + " (" + std::to_string(copy) + ")";
   }
 }
 
@@ -73,6 +87,7 @@ CadParts read_cad_parts(const std::filesystem::path& file, const CadFormat& form
   CadParts contents = format.surface == SurfaceKind::kCurved
                           ? read_curved_faces(file, format, chord_tolerance)
                       : format.ending == "3mf" ? read_3mf(file)
+                      : format.ending == "stl" ? read_text_stl(read_cad_file(file))
                                                : read_triangles(file, format);
   std::erase_if(contents.parts, [](const CadPart& part) { return part.mesh.triangles.empty(); });
   if (contents.parts.empty()) throw std::runtime_error("it holds no surface");

@@ -14,12 +14,16 @@ namespace diefill::geometry {
 struct CadPart {
   std::string name;  ///< as in the file, made unique by a number in brackets; "part 1" where it has none
   Mesh mesh;
+  std::string plain_name = {};  ///< without that number
+  /// Assemblies that it is in, from the outside inwards: name and number of the place, "press#2".
+  std::vector<std::string> assemblies = {};
 };
 
 /// The parts of a file in its order.
 struct CadParts {
   std::vector<CadPart> parts;
   std::optional<double> metres_per_unit;  ///< nothing where the file does not say
+  std::vector<std::string> remarks;       ///< what is odd about the file, in words
 };
 
 /// How the surface of a kind of CAD file is described.

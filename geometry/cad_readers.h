@@ -5,10 +5,10 @@
 
 namespace diefill::geometry {
 
-/// STL, OBJ, PLY, OFF, AMF, Collada, glTF (assimp). Formats whose y axis points up are turned so that z does.
+/// OBJ, PLY, OFF, AMF, Collada, glTF (assimp). Formats whose y axis points up are turned so that z does.
 CadParts read_triangles(const std::filesystem::path& file, const CadFormat& format);
 
-/// 3MF (lib3mf): the build items, placed.
+/// 3MF (lib3mf): the mesh objects that the build items hold, however deep, placed.
 CadParts read_3mf(const std::filesystem::path& file);
 
 /// STEP and IGES (OpenCASCADE). A part is a product that holds faces, placed as the assembly places it.

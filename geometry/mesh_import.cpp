@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <cstdio>
 #include <iomanip>
+#include <limits>
 #include <sstream>
 
 #include "geometry/cad_child.h"
@@ -14,6 +15,9 @@
 #include "geometry/point_grid.h"
 #include "geometry/read_binary_stl.h"
 #include "geometry/referred_files.h"
+#include "geometry/read_text_stl.h"
+#include "geometry/shown_text.h"
+#include "geometry/wanted_part.h"
 
 namespace diefill::geometry {
 
@@ -22,6 +26,9 @@ namespace {
 /// Vertices closer than this part of the bounding box's diagonal are one: CAD files carry single precision,
 /// whose steps are 6e-8 of a coordinate, so that copies of one corner can differ by about as much.
 constexpr double kJoinTolerance = 1e-7;
+constexpr double kRemarkedStep = 1e-5;  // of the diagonal: rounding that repairs may have to bridge
+constexpr double kRefusedStep = 3e-4;   // of the diagonal: some hundredths of a millimetre on a tool
+constexpr std::size_t kLongestReason = 300;
 constexpr double kSameUnit = 1e-3;  // units of length differ by more
 
 /// Numbers the vertices that `place_of(vertex)` names by the triangles' first use of them; those without
@@ -63,17 +70,12 @@ void check_corners(const Mesh& mesh, const std::filesystem::path& file) {
   const auto bad = std::find_if(mesh.vertices.begin(), mesh.vertices.end(),
                                 [](const Eigen::Vector3d& v) { return !v.allFinite(); });
   if (bad != mesh.vertices.end())
-    throw MeshError("CAD file '" + file.string() + "' holds a corner that is no finite number (corner " +
+    throw MeshError(named(file) + " holds a corner that is no finite number (corner " +
                     std::to_string(bad - mesh.vertices.begin() + 1) + "): export it again");
   const auto count = static_cast<int>(mesh.vertices.size());
   for (const Eigen::Vector3i& triangle : mesh.triangles)
     if (triangle.minCoeff() < 0 || triangle.maxCoeff() >= count)
-      throw MeshError("CAD file '" + file.string() +
-                      "' has a triangle with a corner that does not exist: export it again");
-}
-
-std::string in_quotes(const std::filesystem::path& file) {
-  return "CAD file '" + file.string() + "'";
+      throw MeshError(named(file) + " has a triangle with a corner that does not exist: export it again");
 }
 
 std::string unit_in_words(double metres) {
@@ -90,19 +92,18 @@ double unit_of(const std::filesystem::path& file, const CadParts& contents, cons
   const auto& given = options.metres_per_unit;
   const auto& stated = contents.metres_per_unit;
   if (!stated && !given)
-    throw MeshError(in_quotes(file) + " does not say what unit its coordinates are in: state it");
+    throw MeshError(named(file) + " does not say what unit its coordinates are in: state it");
   if (stated && given && std::abs(*given / *stated - 1) > kSameUnit)
-    throw MeshError(in_quotes(file) + " states its unit, " + unit_in_words(*stated) + ", but " +
+    throw MeshError(named(file) + " states its unit, " + unit_in_words(*stated) + ", but " +
                     unit_in_words(*given) + " is asked for: leave the unit out, or export the file again");
   return stated ? *stated : *given;
 }
 
-/// The wanted part, or all of them as one mesh.
-Mesh wanted(const std::filesystem::path& file, CadParts contents, const ImportOptions& options,
-            const std::vector<std::string>& names) {
+/// The parts that the name stands for as one mesh.
+Mesh wanted(const std::string& file, CadParts contents, const std::string& name, double metres_per_unit) {
   Mesh mesh;
-  for (CadPart& part : contents.parts) {
-    if (!options.part.empty() && part.name != options.part) continue;
+  for (const std::size_t k : wanted_parts(contents.parts, name, file, metres_per_unit)) {
+    CadPart& part = contents.parts[k];
     if (mesh.triangles.empty()) {
       mesh = std::move(part.mesh);
       continue;
@@ -111,33 +112,55 @@ Mesh wanted(const std::filesystem::path& file, CadParts contents, const ImportOp
     mesh.vertices.insert(mesh.vertices.end(), part.mesh.vertices.begin(), part.mesh.vertices.end());
     for (const auto& triangle : part.mesh.triangles) mesh.triangles.emplace_back(triangle.array() + offset);
   }
-  if (!mesh.triangles.empty()) return mesh;
-  std::string list;
-  for (const auto& name : names) list += (list.empty() ? "\"" : ", \"") + name + "\"";
-  throw UnknownPart(in_quotes(file) + " has no part \"" + options.part + "\": it holds " + list, names);
+  return mesh;
 }
 
 CadParts read(const std::filesystem::path& file, const CadFormat& format, double chord_tolerance,
               const std::string& bytes) {
-  if (format.ending == "stl" && is_binary_stl(bytes)) return read_binary_stl(bytes);
+  if (format.ending == "stl" && !is_text_stl(bytes) && is_binary_stl(bytes)) return read_binary_stl(bytes);
   try {
     // Triangles are only copied; a few curved faces can take long to follow closely.
     const unsigned seconds = format.surface == SurfaceKind::kCurved ? 60 : 10;
     return read_in_child([&] { return read_cad_parts(file, format, chord_tolerance); },
                          {bytes.size(), seconds});
   } catch (const std::runtime_error& reason) {
-    throw MeshError(in_quotes(file) + " cannot be read as " + format.ending + ": " + reason.what() +
-                    "; export it again, best as STEP or STL");
+    throw MeshError(named(file) + " cannot be read as " + format.ending + ": " +
+                    shown(reason.what(), kLongestReason) + "; export it again, best as STEP or STL");
   }
+}
+
+/// Whether coordinates of this kind of file come with seven digits: in single precision.
+bool has_single_precision(const CadFormat& format, const std::string& bytes) {
+  if (format.surface == SurfaceKind::kCurved) return false;
+  return format.ending != "stl" || !is_text_stl(bytes);
+}
+
+/// Far from the origin the digits that single precision has do not suffice to tell corners apart. `mesh` in
+/// m.
+void check_digits(const std::string& file, const Mesh& mesh, std::vector<std::string>& remarks) {
+  const Box box = mesh.bounding_box();
+  const double farthest = box.lower.cwiseAbs().cwiseMax(box.upper.cwiseAbs()).maxCoeff();
+  const double step = farthest * std::numeric_limits<float>::epsilon();
+  const double size = box.size().norm();
+  if (step < kRemarkedStep * size) return;
+  char text[240];
+  std::snprintf(text, sizeof text,
+                "%.4g m from the origin its single precision rounds corners to steps of about %.2g mm",
+                farthest, 1e3 * step);
+  if (step > kRefusedStep * size)
+    throw MeshError(
+        file + ": " + text +
+        ", so that digits of its shape are lost; move it to the origin in CAD and export it again");
+  remarks.emplace_back(text);
 }
 
 void check_options(const std::filesystem::path& file, const ImportOptions& options) {
   const double unit = options.metres_per_unit.value_or(1);
   if (!(std::isfinite(unit) && unit > 0))
-    throw MeshError(in_quotes(file) + ": the unit of length must be a positive number of metres, not " +
+    throw MeshError(named(file) + ": the unit of length must be a positive number of metres, not " +
                     std::to_string(unit));
   if (!(std::isfinite(options.chord_tolerance) && options.chord_tolerance > 0))
-    throw MeshError(in_quotes(file) + ": the chord tolerance must be a positive number of metres, not " +
+    throw MeshError(named(file) + ": the chord tolerance must be a positive number of metres, not " +
                     std::to_string(options.chord_tolerance));
 }
 
@@ -148,9 +171,9 @@ ImportedPart import_part(const std::filesystem::path& file, const ImportOptions&
   const std::string bytes = read_cad_file(file);
   const CadFormat* format = cad_format(file);
   if (format == nullptr)
-    throw MeshError(in_quotes(file) + " is of an unknown format '" +
-                    file.extension().string().substr(file.has_extension() ? 1 : 0) + "': export it as " +
-                    cad_formats_in_words());
+    throw MeshError(named(file) + " is of an unknown format '" +
+                    shown(file.extension().string().substr(file.has_extension() ? 1 : 0), 40) +
+                    "': export it as " + cad_formats_in_words());
   check_is_what_it_says(file, format->ending, bytes);
   CadParts contents = read(file, *format, options.chord_tolerance, bytes);
 
@@ -159,10 +182,12 @@ ImportedPart import_part(const std::filesystem::path& file, const ImportOptions&
   result.metres_per_unit = unit_of(file, contents, options);
   result.curved = format->surface == SurfaceKind::kCurved;
   for (const CadPart& part : contents.parts) result.parts.push_back(part.name);
-  result.mesh = wanted(file, std::move(contents), options, result.parts);
+  result.remarks = std::move(contents.remarks);
+  result.mesh = wanted(named(file), std::move(contents), options.part, result.metres_per_unit);
   check_corners(result.mesh, file);
   join_vertices(result.mesh);
   for (Eigen::Vector3d& vertex : result.mesh.vertices) vertex *= result.metres_per_unit;
+  if (has_single_precision(*format, bytes)) check_digits(named(file), result.mesh, result.remarks);
   return result;
 }
 

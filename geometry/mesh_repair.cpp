@@ -13,12 +13,10 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <set>
 
 #include "geometry/cgal_mesh.h"
+#include "geometry/mesh_stitch.h"
 #include "geometry/mesh_wrap.h"
-#include "geometry/point_grid.h"
-#include "geometry/topology.h"
 
 namespace diefill::geometry {
 
@@ -52,7 +50,9 @@ class Repair {
 
  private:
   bool stitch();
-  void weld(cgal::Soup& soup);
+  void close_edges();
+  void drop_inner_walls();
+  bool stitch_shells();
   void drop_copies(cgal::Soup& soup);
   void fill_holes();
   void fill(Surface::Halfedge_index border);
@@ -62,7 +62,7 @@ class Repair {
   void wrap(RepairedMesh& result);
   void say(const std::string& repair) { said_.push_back(repair); }
 
-  const Mesh& mesh_;
+  Mesh mesh_;
   const MeshFindings& findings_;
   const RepairOptions& options_;
   double diagonal_ = 0;
@@ -71,38 +71,24 @@ class Repair {
 };
 
 /// Only corners at open edges are loose; others may be close together on purpose.
-void Repair::weld(cgal::Soup& soup) {
-  if (findings_.open_edges == 0) return;
-  const Topology topology = find_topology(mesh_);
-  std::set<std::size_t> loose;
-  for (std::size_t t = 0; t < mesh_.triangles.size(); ++t) {
-    if (topology.left_out[t]) continue;
-    for (int k = 0; k < 3; ++k) {
-      if (topology.neighbour[t][static_cast<std::size_t>(k)] != Topology::kNone) continue;
-      loose.insert(static_cast<std::size_t>(mesh_.triangles[t][k]));
-      loose.insert(static_cast<std::size_t>(mesh_.triangles[t][(k + 1) % 3]));
-    }
-  }
+void Repair::close_edges() {
+  if (check_mesh(mesh_).open_edges == 0) return;
   const double tolerance = options_.weld * diagonal_;
-  PointGrid kept(2 * tolerance);
-  std::size_t welded = 0;
-  double farthest = 0;
-  for (const std::size_t vertex : loose) {
-    const Eigen::Vector3d& place = mesh_.vertices[vertex];
-    const std::size_t same = kept.nearest_within(place, tolerance);
-    if (same == PointGrid::kNone) {
-      kept.insert(place);
-      continue;
-    }
-    const Eigen::Vector3d& partner = kept.points()[same];
-    if (partner == place) continue;
-    farthest = std::max(farthest, (partner - place).norm());
-    soup.points[vertex] = Point(partner.x(), partner.y(), partner.z());
-    ++welded;
-  }
-  if (welded > 0)
-    say(counted(welded, "corner", "corners") +
-        formatted(" welded to a neighbour at most %.2g mm away", 1e3 * farthest));
+  const WeldedCorners welded = weld_loose_corners(mesh_, tolerance);
+  if (welded.count > 0)
+    say(counted(welded.count, "corner", "corners") +
+        formatted(" welded to a neighbour at most %.2g mm away", 1e3 * welded.farthest));
+  const std::size_t split = split_edges_at_corners(mesh_, tolerance);
+  if (split > 0)
+    say(counted(split, "edge", "edges") + " split where a corner of a neighbour lies on " +
+        (split == 1 ? "it" : "them"));
+}
+
+/// Solids that share a face have it twice, facing both ways: no boundary of what they are together.
+void Repair::drop_inner_walls() {
+  const std::size_t dropped = drop_opposite_pairs(mesh_);
+  if (dropped > 0)
+    say(counted(dropped, "pair", "pairs") + " of triangles between solids that share a face removed");
 }
 
 void Repair::drop_copies(cgal::Soup& soup) {
@@ -114,11 +100,16 @@ void Repair::drop_copies(cgal::Soup& soup) {
 /// The triangles as one surface whose neighbours agree about outside. False where sheets meet so that no
 /// surface can be made of them.
 bool Repair::stitch() {
+  const std::size_t slivers = drop_triangles_without_area(mesh_);
+  if (slivers > 0) say(counted(slivers, "triangle", "triangles") + " without area removed");
+  if (findings_.non_manifold_edges > 0) drop_inner_walls();
+  close_edges();
+  const bool sheets_meet = check_mesh(mesh_).non_manifold_edges > 0;
+  if (sheets_meet && stitch_shells()) return true;
   cgal::Soup soup = cgal::soup_of(mesh_);
-  weld(soup);
   drop_copies(soup);
   if (soup.triangles.empty()) return false;
-  if (!processing::orient_polygon_soup(soup.points, soup.triangles) && findings_.non_manifold_edges > 0) {
+  if (!processing::orient_polygon_soup(soup.points, soup.triangles) && sheets_meet) {
     refused_.push_back(
         "edges with more than two triangles: which of them bound the solid is for the CAD program to say");
     return false;
@@ -126,6 +117,30 @@ bool Repair::stitch() {
   if (findings_.badly_oriented_edges > 0) say("triangles turned so that neighbours agree about outside");
   if (!processing::is_polygon_soup_a_polygon_mesh(soup.triangles)) return false;
   processing::polygon_soup_to_polygon_mesh(soup.points, soup.triangles, surface_);
+  return true;
+}
+
+/// Closed solids that touch each other, united. False where they are none.
+bool Repair::stitch_shells() {
+  std::vector<Surface> solids;
+  for (const Mesh& shell : shells_of_solids(mesh_)) {
+    cgal::Soup soup = cgal::soup_of(shell);
+    processing::repair_polygon_soup(soup.points, soup.triangles);
+    if (!processing::orient_polygon_soup(soup.points, soup.triangles)) return false;
+    if (!processing::is_polygon_soup_a_polygon_mesh(soup.triangles)) return false;
+    solids.emplace_back();
+    processing::polygon_soup_to_polygon_mesh(soup.points, soup.triangles, solids.back());
+    if (!CGAL::is_closed(solids.back()) || processing::volume(solids.back()) <= 0) return false;
+  }
+  if (solids.size() < 2) return false;
+  Surface united = solids.front();
+  for (std::size_t k = 1; k < solids.size(); ++k) {
+    Surface next;
+    if (!processing::corefine_and_compute_union(united, solids[k], next)) return false;
+    united = next;
+  }
+  surface_ = united;
+  say(std::to_string(solids.size()) + " solids that touch united");
   return true;
 }
 
@@ -226,13 +241,13 @@ void Repair::wrap(RepairedMesh& result) {
 }
 
 RepairedMesh Repair::run() {
-  RepairedMesh result{mesh_, findings_, {}, {}, 0};
+  RepairedMesh result{mesh_, findings_, {}, {}, 0};  // as it was
   try {
     if (stitch()) {
       fill_holes();
       turn_outward();
       unite_shells();
-      if (findings_.degenerate_triangles > 0) drop_slivers();
+      if (findings_.degenerate_triangles > 0) drop_slivers();  // that uniting made
       Mesh repaired = cgal::mesh_of(surface_);
       const MeshFindings findings = check_mesh(repaired);
       if (findings.usable()) return {std::move(repaired), findings, said_, refused_, 0};

@@ -10,7 +10,9 @@ namespace diefill::geometry {
 
 namespace {
 
-constexpr int kDeepestNesting = 32;  // of components in components; a file that nests without end has a loop
+constexpr std::size_t kMostParts = 100000, kMostCorners = 100000000;
+constexpr std::size_t kDeepestNesting =
+    32;  // of components in components; a file that nests without end has a loop
 
 struct Release {
   void operator()(void* object) const { NMR::lib3mf_release(static_cast<NMR::PLib3MFBase*>(object)); }
@@ -59,28 +61,6 @@ void add_mesh(void* object, const Placement& placement, Mesh& mesh) {
   }
 }
 
-void add_object(void* object, const Placement& placement, int depth, Mesh& mesh) {
-  if (depth > kDeepestNesting) throw std::runtime_error("its components contain each other without end");
-  auto* resource = static_cast<NMR::PLib3MFModelObjectResource*>(object);
-  BOOL is_mesh = 0;
-  check(NMR::lib3mf_object_ismeshobject(resource, &is_mesh), object);
-  if (is_mesh) return add_mesh(object, placement, mesh);
-  DWORD components = 0;
-  auto* group = static_cast<NMR::PLib3MFModelComponentsObject*>(object);
-  check(NMR::lib3mf_componentsobject_getcomponentcount(group, &components), object);
-  for (DWORD i = 0; i < components; ++i) {
-    NMR::PLib3MFModelComponent* component = nullptr;
-    check(NMR::lib3mf_componentsobject_getcomponent(group, i, &component), object);
-    const Handle held(component);
-    NMR::PLib3MFModelObjectResource* inner = nullptr;
-    check(NMR::lib3mf_component_getobjectresource(component, &inner), component);
-    const Handle held_inner(inner);
-    NMR::MODELTRANSFORM transform;
-    check(NMR::lib3mf_component_gettransform(component, &transform), component);
-    add_object(inner, placement * placement_of(transform), depth + 1, mesh);
-  }
-}
-
 std::string name_of(void* object) {
   auto* resource = static_cast<NMR::PLib3MFModelObjectResource*>(object);
   ULONG length = 0;
@@ -90,7 +70,54 @@ std::string name_of(void* object) {
   return name.c_str();
 }
 
-CadPart part_of(NMR::PLib3MFModelBuildItem* item) {
+/// Walks down from the build items: every mesh object is a part, called by its own name or that of the
+/// components round it.
+class Collector {
+ public:
+  explicit Collector(std::vector<CadPart>& parts) : parts_(parts) {}
+
+  void add(void* object, const Placement& placement, const std::vector<std::string>& assemblies,
+           const std::string& name) {
+    if (assemblies.size() > kDeepestNesting)
+      throw std::runtime_error("its components contain each other without end");
+    auto* resource = static_cast<NMR::PLib3MFModelObjectResource*>(object);
+    BOOL is_mesh = 0;
+    check(NMR::lib3mf_object_ismeshobject(resource, &is_mesh), object);
+    const std::string own = name_of(object);
+    const std::string& called = own.empty() ? name : own;
+    if (!is_mesh) return add_components(object, placement, assemblies, called);
+    if (parts_.size() == kMostParts) throw std::runtime_error("its components make too many parts");
+    parts_.push_back({called, {}, {}, assemblies});
+    add_mesh(object, placement, parts_.back().mesh);
+    corners_ += parts_.back().mesh.vertices.size();
+    if (corners_ > kMostCorners) throw std::runtime_error("its components make too many corners");
+  }
+
+ private:
+  void add_components(void* object, const Placement& placement, std::vector<std::string> assemblies,
+                      const std::string& name) {
+    assemblies.push_back(name + "#" + std::to_string(++places_));
+    DWORD components = 0;
+    auto* group = static_cast<NMR::PLib3MFModelComponentsObject*>(object);
+    check(NMR::lib3mf_componentsobject_getcomponentcount(group, &components), object);
+    for (DWORD i = 0; i < components; ++i) {
+      NMR::PLib3MFModelComponent* component = nullptr;
+      check(NMR::lib3mf_componentsobject_getcomponent(group, i, &component), object);
+      const Handle held(component);
+      NMR::PLib3MFModelObjectResource* inner = nullptr;
+      check(NMR::lib3mf_component_getobjectresource(component, &inner), component);
+      const Handle held_inner(inner);
+      NMR::MODELTRANSFORM transform;
+      check(NMR::lib3mf_component_gettransform(component, &transform), component);
+      add(inner, placement * placement_of(transform), assemblies, name);
+    }
+  }
+
+  std::vector<CadPart>& parts_;
+  std::size_t places_ = 0, corners_ = 0;
+};
+
+void add_item(NMR::PLib3MFModelBuildItem* item, Collector& collector) {
   NMR::PLib3MFModelObjectResource* object = nullptr;
   check(NMR::lib3mf_builditem_getobjectresource(item, &object), item);
   const Handle held(object);
@@ -102,9 +129,7 @@ CadPart part_of(NMR::PLib3MFModelBuildItem* item) {
     check(NMR::lib3mf_builditem_getobjecttransform(item, &transform), item);
     placement = placement_of(transform);
   }
-  CadPart part{name_of(object), {}};
-  add_object(object, placement, 0, part.mesh);
-  return part;
+  collector.add(object, placement, {}, "");
 }
 
 double unit_of(NMR::PLib3MFModel* model) {
@@ -138,6 +163,7 @@ CadParts read_3mf(const std::filesystem::path& file) {
   check(NMR::lib3mf_reader_readfromfileutf8(reader, file.string().c_str()), reader);
 
   CadParts contents;
+  Collector collector(contents.parts);
   contents.metres_per_unit = unit_of(model);
   NMR::PLib3MFModelBuildItemIterator* items = nullptr;
   check(NMR::lib3mf_model_getbuilditems(model, &items), model);
@@ -148,7 +174,7 @@ CadParts read_3mf(const std::filesystem::path& file) {
     NMR::PLib3MFModelBuildItem* item = nullptr;
     check(NMR::lib3mf_builditemiterator_getcurrent(items, &item), items);
     const Handle held(item);
-    contents.parts.push_back(part_of(item));
+    add_item(item, collector);
   }
 }
 

@@ -10,11 +10,13 @@
 
 namespace diefill::geometry {
 
-/// Whether `bytes` are as many as the number of triangles in their header asks for, at least one: what assimp
-/// takes for binary STL.
+/// Whether `bytes` hold the triangles that their header promises, at least one. More bytes may follow; a
+/// header with 0 or the largest number is taken for one that was never filled in. Text is to be told apart
+/// beforehand.
 bool is_binary_stl(const std::string& bytes);
 
-/// All triangles of a binary STL file as one part, in the order of the file, equal corners once.
+/// All triangles of a binary STL file as one part, in the order of the file, equal corners once. Files one
+/// behind another, as some programs write several solids, are a part each. Bytes left over are remarked on.
 CadParts read_binary_stl(const std::string& bytes);
 
 }  // namespace diefill::geometry

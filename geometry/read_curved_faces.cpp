@@ -21,9 +21,11 @@
 #include <TopoDS_Face.hxx>
 #include <XCAFDoc_DocumentTool.hxx>
 #include <XCAFDoc_ShapeTool.hxx>
+#include <algorithm>
 #include <map>
 #include <stdexcept>
 
+#include "geometry/cad_file.h"
 #include "geometry/cad_readers.h"
 
 namespace diefill::geometry {
@@ -31,12 +33,14 @@ namespace diefill::geometry {
 namespace {
 
 constexpr double kMillimetre = 1e-3;   // OpenCASCADE turns every file's coordinates into millimetres
+constexpr double kWidestSeam = 0.01;   // mm, between faces of one part
 constexpr double kLargestTurn = 0.35;  // rad between neighbouring facets of a small radius
 
 /// A part with its shape in millimetres.
 struct Solid {
   std::string name;
   TopoDS_Shape shape;
+  std::vector<std::string> assemblies;  ///< as CadPart has them
 };
 
 std::string name_of(const TDF_Label& label) {
@@ -54,48 +58,86 @@ bool has(const TopoDS_Shape& shape, TopAbs_ShapeEnum kind) {
 
 /// Walks down the assembly; a product without components is a part, named after the product rather than its
 /// place in the assembly, which exporters number.
-void collect(const TDF_Label& label, const TopLoc_Location& above, const std::string& name,
-             std::vector<Solid>& solids) {
-  TDF_Label product = label;
-  TopLoc_Location place = above;
-  if (XCAFDoc_ShapeTool::IsReference(label)) {
-    XCAFDoc_ShapeTool::GetReferredShape(label, product);
-    place = above * XCAFDoc_ShapeTool::GetLocation(label);
+class Collector {
+ public:
+  void add(const TDF_Label& label, const TopLoc_Location& above, const std::string& name,
+           std::vector<std::string> assemblies) {
+    TDF_Label product = label;
+    TopLoc_Location place = above;
+    if (XCAFDoc_ShapeTool::IsReference(label)) {
+      XCAFDoc_ShapeTool::GetReferredShape(label, product);
+      place = above * XCAFDoc_ShapeTool::GetLocation(label);
+    }
+    const std::string own = name_of(product);
+    const std::string called = own.empty() ? (name.empty() ? name_of(label) : name) : own;
+    if (XCAFDoc_ShapeTool::IsAssembly(product)) {
+      assemblies.push_back(called + "#" + std::to_string(++places_));
+      TDF_LabelSequence components;
+      XCAFDoc_ShapeTool::GetComponents(product, components);
+      for (const TDF_Label& component : components) add(component, place, name_of(component), assemblies);
+      return;
+    }
+    const TopoDS_Shape shape = XCAFDoc_ShapeTool::GetShape(product);
+    if (!shape.IsNull() && has(shape, TopAbs_FACE))
+      solids_.push_back({called, shape.Moved(place), std::move(assemblies)});
   }
-  const std::string own = name_of(product);
-  const std::string called = own.empty() ? (name.empty() ? name_of(label) : name) : own;
-  if (XCAFDoc_ShapeTool::IsAssembly(product)) {
-    TDF_LabelSequence components;
-    XCAFDoc_ShapeTool::GetComponents(product, components);
-    for (const TDF_Label& component : components) collect(component, place, name_of(component), solids);
-    return;
-  }
-  const TopoDS_Shape shape = XCAFDoc_ShapeTool::GetShape(product);
-  if (!shape.IsNull() && has(shape, TopAbs_FACE)) solids.push_back({called, shape.Moved(place)});
-}
+
+  std::vector<Solid> take() { return std::move(solids_); }
+
+ private:
+  std::vector<Solid> solids_;
+  std::size_t places_ = 0;
+};
 
 std::vector<Solid> solids_of(const Handle(TDocStd_Document) & document) {
-  std::vector<Solid> solids;
+  Collector collector;
   TDF_LabelSequence roots;
   XCAFDoc_DocumentTool::ShapeTool(document->Main())->GetFreeShapes(roots);
-  for (const TDF_Label& root : roots) collect(root, {}, "", solids);
-  return solids;
+  for (const TDF_Label& root : roots) collector.add(root, {}, "", {});
+  return collector.take();
 }
 
-/// Faces that belong to no solid, as IGES files of surfaces have them, sewn along their edges.
-void sew_loose_faces(std::vector<Solid>& solids, double tolerance) {
-  BRepBuilderAPI_Sewing sewing(tolerance);
-  std::string name;
-  std::size_t loose = 0;
-  for (const Solid& solid : solids) {
-    if (has(solid.shape, TopAbs_SOLID)) continue;
-    if (loose++ == 0) name = solid.name;
-    sewing.Add(solid.shape);
+/// Faces sewn along their edges; wider where closer leaves edges open, as files of loose surfaces are no
+/// better than that.
+TopoDS_Shape sewn(const std::vector<TopoDS_Shape>& shapes, double tolerance) {
+  for (const double width : {tolerance, std::max(tolerance, kWidestSeam)}) {
+    BRepBuilderAPI_Sewing sewing(width);
+    for (const TopoDS_Shape& shape : shapes) sewing.Add(shape);
+    sewing.Perform();
+    if (sewing.NbFreeEdges() == 0 || width >= kWidestSeam) return sewing.SewedShape();
   }
-  if (loose == 0) return;
-  sewing.Perform();
+  return {};
+}
+
+/// Faces that belong to no solid: those of a product are sewn together. IGES files name each face by itself,
+/// so that all of them are one part there.
+void sew_loose_faces(std::vector<Solid>& solids, double tolerance, bool all_are_one) {
+  std::vector<TopoDS_Shape> loose;
+  std::string name;
+  for (Solid& solid : solids) {
+    if (has(solid.shape, TopAbs_SOLID)) continue;
+    if (!all_are_one) {
+      solid.shape = sewn({solid.shape}, tolerance);
+      continue;
+    }
+    if (loose.empty()) name = solid.name;
+    loose.push_back(solid.shape);
+  }
+  if (loose.empty()) return;
   std::erase_if(solids, [](const Solid& solid) { return !has(solid.shape, TopAbs_SOLID); });
-  solids.push_back({name, sewing.SewedShape()});
+  solids.push_back({name, sewn(loose, tolerance), {}});
+}
+
+/// Triangles in place of faces, which AP242 files may hold, are none of what OpenCASCADE 7.6 reads.
+void refuse_tessellation(const std::string& file) {
+  const std::string bytes = read_cad_file(file);
+  for (const char* const word : {"TESSELLATED_SOLID", "TESSELLATED_SHELL", "TRIANGULATED_FACE",
+                                 "COMPLEX_TRIANGULATED_FACE", "TRIANGULATED_SURFACE_SET"})
+    if (bytes.find(word) != std::string::npos)
+      throw std::runtime_error(
+          "it holds triangles alone (tessellated shapes of AP242), of which OpenCASCADE 7.6 reads none: "
+          "write "
+          "STEP with solids (AP203, AP214 or AP242 with exact geometry), or STL");
 }
 
 void add_face(const TopoDS_Face& face, Mesh& mesh) {
@@ -152,7 +194,10 @@ double read_step(const std::string& file, Handle(TDocStd_Document) & document) {
   TColStd_SequenceOfAsciiString angles;
   TColStd_SequenceOfAsciiString solid_angles;
   reader.ChangeReader().FileUnits(lengths, angles, solid_angles);
-  if (!reader.Transfer(document)) throw std::runtime_error("none of its parts can be translated");
+  if (!reader.Transfer(document)) {
+    refuse_tessellation(file);
+    throw std::runtime_error("none of its parts can be translated");
+  }
   return lengths.IsEmpty() ? kMillimetre : metres_of(lengths.First().ToCString());
 }
 
@@ -178,10 +223,11 @@ CadParts read(const std::filesystem::path& file, const CadFormat& format, double
       is_iges ? read_iges(file.string(), document) : read_step(file.string(), document);
   std::vector<Solid> solids = solids_of(document);
   const double chord = chord_tolerance / kMillimetre;
-  sew_loose_faces(solids, chord);
+  if (solids.empty() && !is_iges) refuse_tessellation(file.string());
+  sew_loose_faces(solids, chord, is_iges);
   const double file_units_per_millimetre = kMillimetre / *contents.metres_per_unit;
   for (const Solid& solid : solids) {
-    contents.parts.push_back({solid.name, triangulated(solid.shape, chord)});
+    contents.parts.push_back({solid.name, triangulated(solid.shape, chord), {}, solid.assemblies});
     for (auto& vertex : contents.parts.back().mesh.vertices) vertex *= file_units_per_millimetre;
   }
   return contents;

@@ -11,6 +11,7 @@
 
 #include "geometry/cad_readers.h"
 #include "geometry/equal_vertices.h"
+#include "geometry/own_folder.h"
 
 namespace diefill::geometry {
 
@@ -105,8 +106,11 @@ bool y_points_up(const std::string& ending) {
 
 CadParts read_triangles(const std::filesystem::path& file, const CadFormat& format) {
   Assimp::Importer importer;
+  auto* const files = new OwnFolder(file, format.ending);
+  importer.SetIOHandler(files);  // which it deletes
   const aiScene* scene = importer.ReadFile(file.string(), aiProcess_Triangulate);
   if (scene == nullptr || scene->mRootNode == nullptr) {
+    if (!files->refused().empty()) throw std::runtime_error(files->refused());
     const std::string words = importer.GetErrorString();
     throw std::runtime_error(words.empty() ? "its inner layout is not known to the importer"
                                            : words.substr(0, words.find('\n')));

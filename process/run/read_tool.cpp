@@ -94,6 +94,7 @@ Tool read_tool(const Scene& scene, const ToolSpec& spec) {
   geometry::Mesh mesh = placed(std::move(part.mesh), spec);
   check_size(mesh, wall_radius(scene, spec), part.metres_per_unit, tool_in_words(scene, spec));
   examine(std::move(mesh), wall_radius(scene, spec), tool);
+  tool.repairs.insert(tool.repairs.begin(), part.remarks.begin(), part.remarks.end());
   return tool;
 }
 
