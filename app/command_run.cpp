@@ -2,6 +2,7 @@
 #include <cstdio>
 #include <thread>
 
+#include "app/check_report.h"
 #include "app/commands.h"
 #include "app/drawing.h"
 #include "app/exit_code.h"
@@ -13,6 +14,7 @@
 #include "process/results/result_file.h"
 #include "process/run/assemble.h"
 #include "process/run/material.h"
+#include "process/run/outcome.h"
 
 namespace diefill::app {
 
@@ -62,13 +64,15 @@ void print_summary(const results::FillResult& result) {
       1e-6 * figures.at("sphere_steps_per_second"));
   std::printf("state %s, energy balance error %.2g\n", result.state_hash.c_str(),
               figures.at("energy_balance_error"));
-  for (const auto& warning : result.warnings) std::printf("note: %s\n", warning.c_str());
+  for (const auto& warning : result.warnings)
+    if (!warning.starts_with(process::kAlert)) std::printf("note: %s\n", warning.c_str());
 }
 
 int run(const RunArguments& arguments) {
   const process::Scene scene = wanted_scene(arguments.scene, arguments.setting);
   const auto tooling = prepared_tooling(scene, !arguments.quiet);
 
+  print_alerts(words_of(process::setup_findings(scene, tooling)));
   process::RunOptions options;
   options.directory = arguments.directory.empty() ? default_directory(scene.file)
                                                   : std::filesystem::path(arguments.directory);
@@ -111,6 +115,7 @@ int run(const RunArguments& arguments) {
               options.directory.string().c_str());
   for (const auto& picture : pictures) std::printf(", %s", picture.filename().string().c_str());
   std::printf("\n");
+  print_alerts(process::alerts_of(result.warnings));
   return kDone;
 }
 

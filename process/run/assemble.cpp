@@ -14,7 +14,9 @@
 #include "process/run/die_frame.h"
 #include "process/run/half_model.h"
 #include "process/run/other_cavities.h"
+#include "process/run/outcome.h"
 #include "process/run/powder_state.h"
+#include "process/run/setup_findings.h"
 #include "process/run/topics.h"
 
 #ifndef DIEFILL_VERSION
@@ -157,6 +159,7 @@ void add_figures(const Scene& scene, results::FillResult& result, const Tooling&
   const double left = copies(tooling) * static_cast<double>(run.grains_left());
   figures["grains_left"] = left;
   figures["grains_sheared"] = copies(tooling) * static_cast<double>(run.grains_sheared());
+  figures["grains_left_share"] = left > 0 ? left / (left + grains + figures["grains_sheared"]) : 0;
   figures["mass_left_kg"] = copies(tooling) * run.mass_left();
   figures["overlap_limit_ratio"] = engine::HealthLimits{}.forbidden_overlap;
   figures["wall_overlap_limit_ratio"] = engine::HealthLimits{}.forbidden_wall_overlap;
@@ -347,6 +350,9 @@ results::FillResult assemble(const Scene& scene, const Tooling& tooling, const F
   measure_fields(result, {scene.measure.averaging_width, wanted_sections(scene)}, scene.measure.azimuth_bins);
   add_filling_figures(result, scene);
   add_other_cavities(result, tooling.other_cavities);
+  for (const auto& finding : setup_findings(scene, tooling))
+    result.warnings.push_back(kAlert + finding.words);
+  for (auto& line : outcome_in_words(scene, result)) result.warnings.push_back(std::move(line));
   result.tool_checks = tool_checks(tooling);
   result.stages = run.schedule().past();
   result.topics = topics(scene, run);
