@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "process/run/diagnosis.h"
+#include "process/run/setup_findings.h"
 #include "render/findings.h"
 
 namespace diefill::app {
@@ -22,6 +23,15 @@ nlohmann::ordered_json tools_as_json(const process::Tooling& tooling, const proc
 /// Faults of the meshes as their files have them, gaps that powder enters, overlaps, the narrowest place.
 std::vector<render::FindingMark> marks_of(const process::Tooling& tooling,
                                           const process::Diagnosis& diagnosis);
+/// Where powder is poured, and what was found about the set-up.
+std::vector<render::FindingMark> marks_of(const process::Scene& scene,
+                                          const std::vector<process::SetupFinding>& setup);
+/// The way of a moving tool through the steps, which must have been prepared.
+render::FindingMark way_mark(const process::Scene& scene, const process::Tool& tool);
+nlohmann::ordered_json setup_as_json(const std::vector<process::SetupFinding>& setup);
+/// A block of the lines under the word WARNING; nothing for none.
+void print_alerts(const std::vector<std::string>& lines);
+std::vector<std::string> words_of(const std::vector<process::SetupFinding>& setup);
 std::vector<render::MarkedPart> parts_of(const process::Tooling& tooling);
 
 }  // namespace diefill::app

@@ -13,6 +13,8 @@
 #include "process/run/law_terms.h"
 #include "process/run/material.h"
 #include "process/run/pour.h"
+#include "process/run/setup_findings.h"
+#include "process/run/tool_paths.h"
 
 namespace diefill::app {
 
@@ -24,23 +26,53 @@ struct CheckArguments {
 };
 
 void draw_picture(const std::string& file, const process::Scene& scene, const process::Tooling& tooling,
-                  const process::Diagnosis& diagnosis) {
+                  const process::Diagnosis& diagnosis, const std::vector<render::FindingMark>& more = {}) {
   if (file.empty()) return;
   set_up_drawing();
-  write_output(
-      [&] { render::draw_findings(file, parts_of(tooling), marks_of(tooling, diagnosis), scene.title); });
+  auto marks = more;
+  for (auto& mark : marks_of(tooling, diagnosis)) marks.push_back(std::move(mark));
+  write_output([&] { render::draw_findings(file, parts_of(tooling), marks, scene.title); });
 }
 
-void print_json(const process::Tooling& tooling, const process::Diagnosis& diagnosis) {
-  std::printf("%s\n", tools_as_json(tooling, diagnosis)
-                          .dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace)
-                          .c_str());
+/// What is found about the set-up, and for information where powder is poured and where shoes go.
+std::vector<render::FindingMark> setup_marks(const process::Scene& scene, const process::Tooling& tooling,
+                                             const std::vector<process::SetupFinding>& setup) {
+  auto marks = marks_of(scene, setup);
+  for (const auto& tool : tooling.tools)
+    if (tool.spec.role == process::ToolRole::shoe) marks.push_back(way_mark(scene, tool));
+  return marks;
+}
+
+/// The tools as they are read, for a picture of why they are refused.
+process::Tooling read_alone(const process::Scene& scene) {
+  process::Tooling tooling;
+  for (const auto& spec : scene.tools) tooling.tools.push_back(process::read_tool(scene, spec));
+  return tooling;
+}
+
+/// The tools, ready to be filled. Those that pass through each other are drawn before they are refused.
+process::Tooling checked_tooling(const CheckArguments& arguments, const process::Scene& scene) {
+  try {
+    return prepared_tooling(scene, true);
+  } catch (const process::ToolsCollide& error) {
+    std::vector<render::FindingMark> marks;
+    for (const auto& collision : error.collisions)
+      marks.push_back({render::MarkKind::kFault, collision.in_words(), {collision.place}});
+    if (!arguments.picture.empty()) draw_picture(arguments.picture, scene, read_alone(scene), {}, marks);
+    throw;
+  }
+}
+
+void print_json(const process::Tooling& tooling, const process::Diagnosis& diagnosis,
+                const std::vector<process::SetupFinding>& setup = {}) {
+  auto json = tools_as_json(tooling, diagnosis);
+  json["warnings"] = setup_as_json(setup);
+  std::printf("%s\n", json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace).c_str());
 }
 
 /// Meshes that enclose no solid: the picture and the JSON say where before the one line of refusal does.
 void refuse_unusable(const CheckArguments& arguments, const process::Scene& scene) {
-  process::Tooling tooling;
-  for (const auto& spec : scene.tools) tooling.tools.push_back(process::read_tool(scene, spec));
+  const process::Tooling tooling = read_alone(scene);
   const bool usable = std::all_of(tooling.tools.begin(), tooling.tools.end(),
                                   [](const auto& tool) { return tool.findings.usable(); });
   if (usable) return;
@@ -109,19 +141,21 @@ int check(const CheckArguments& arguments) {
   const process::Scene scene = wanted_scene(arguments.scene, arguments.setting);
   if (arguments.json || !arguments.picture.empty()) refuse_unusable(arguments, scene);
   const double sphere = process::smallest_sphere(process::engine_settings(scene, 1.0));
-  const auto tooling = prepared_tooling(scene, true);
+  const auto tooling = checked_tooling(arguments, scene);
+  const auto setup = process::setup_findings(scene, tooling);
   const auto foreseen = foreseen_of(scene, tooling);
   const auto diagnosis = process::diagnose(scene, tooling, sphere);
 
-  draw_picture(arguments.picture, scene, tooling, diagnosis);
+  draw_picture(arguments.picture, scene, tooling, diagnosis, setup_marks(scene, tooling, setup));
   if (arguments.json) {
-    print_json(tooling, diagnosis);
+    print_json(tooling, diagnosis, setup);
     return kDone;
   }
   for (std::size_t k = 0; k < tooling.tools.size(); ++k) print_tool(tooling.tools[k], &diagnosis.symmetry[k]);
   print_pairs(diagnosis);
   print_cavities(tooling);
   print_simulation(scene, tooling, foreseen);
+  print_alerts(words_of(setup));
   if (!arguments.picture.empty()) std::printf("picture: %s\n", arguments.picture.c_str());
   return kDone;
 }

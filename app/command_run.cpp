@@ -2,6 +2,7 @@
 #include <optional>
 #include <thread>
 
+#include "app/check_report.h"
 #include "app/commands.h"
 #include "app/drawing.h"
 #include "app/earlier_run.h"
@@ -16,6 +17,7 @@
 #include "process/results/result_file.h"
 #include "process/run/assemble.h"
 #include "process/run/material.h"
+#include "process/run/outcome.h"
 
 namespace diefill::app {
 
@@ -47,7 +49,8 @@ void print_summary(const results::FillResult& result) {
       1e-6 * figures.at("sphere_steps_per_second"));
   std::printf("state %s, energy balance error %.2g\n", result.state_hash.c_str(),
               figures.at("energy_balance_error"));
-  for (const auto& warning : result.warnings) std::printf("note: %s\n", warning.c_str());
+  for (const auto& warning : result.warnings)
+    if (!warning.starts_with(process::kAlert)) std::printf("note: %s\n", warning.c_str());
 }
 
 process::RunOptions options_of(const RunArguments& arguments, const process::Scene& scene) {
@@ -80,6 +83,7 @@ int run(const RunArguments& arguments) {
   if (std::filesystem::exists(options.directory)) output.emplace(options.directory);
   const auto tooling = prepared_tooling(scene, !arguments.quiet);
   if (arguments.resume && is_finished(options.directory, scene, tooling)) return kDone;
+  print_alerts(words_of(process::setup_findings(scene, tooling)));
   const auto folder = [&](const std::string& name) {
     return options.directory / "snapshots" / results::group_names({name}).front();
   };
@@ -113,6 +117,7 @@ int run(const RunArguments& arguments) {
               options.directory.string().c_str());
   for (const auto& picture : pictures) std::printf(", %s", picture.filename().string().c_str());
   std::printf("\n");
+  print_alerts(process::alerts_of(result.warnings));
   return finished ? kDone : unfinished(fill);
 }
 

@@ -1,7 +1,13 @@
 #include "app/scene_choice.h"
 
+#include <chrono>
+#include <cmath>
+#include <condition_variable>
 #include <cstdio>
+#include <mutex>
 #include <optional>
+#include <stop_token>
+#include <thread>
 
 #include "process/plan/setting.h"
 #include "process/plan/variant_setting.h"
@@ -9,6 +15,55 @@
 #include "process/run/material.h"
 
 namespace diefill::app {
+
+namespace {
+
+constexpr double kFineWalls = 30;  // radius of the grains over that of the wall spheres
+
+/// What to say before tools are covered with spheres far finer than the powder.
+std::optional<std::string> fine_walls(const process::Scene& scene) {
+  const double grain = 0.5 * process::largest_grain(scene.powder), wall = scene.walls.sphere_radius;
+  if (scene.walls.kind == process::WallKind::mesh || grain < kFineWalls * wall) return std::nullopt;
+  char text[300];
+  std::snprintf(
+      text, sizeof text,
+      "note: walls.sphere_radius is %.3g mm, 1/%.0f of the grains' radius of %.3g mm: very many wall "
+      "spheres, and slow; %.2g mm, a tenth, would take about %.0f times fewer",
+      1e3 * wall, grain / wall, 1e3 * grain, 1e2 * grain, std::pow(0.1 * grain / wall, 2));
+  return text;
+}
+
+/// Says what is under way when that takes long, and not only when the next thing begins.
+class Ticker {
+ public:
+  Ticker(process::Progress& progress, bool wanted) : progress_(progress) {
+    if (wanted) thread_ = std::jthread([this](const std::stop_token& stop) { tick(stop); });
+  }
+  void tell(double share, const std::string& doing) {
+    const std::lock_guard lock(mutex_);
+    share_ = share;
+    doing_ = doing;
+    progress_.show(share_, doing_, "");
+  }
+
+ private:
+  void tick(const std::stop_token& stop) {
+    std::unique_lock lock(mutex_);
+    while (!stop.stop_requested()) {
+      wake_.wait_for(lock, stop, std::chrono::milliseconds(500), [] { return false; });
+      if (!stop.stop_requested() && !doing_.empty()) progress_.show(share_, doing_, "");
+    }
+  }
+
+  process::Progress& progress_;
+  std::mutex mutex_;
+  std::condition_variable_any wake_;
+  double share_ = 0;
+  std::string doing_;
+  std::jthread thread_;  ///< last, so that it ends before the rest goes
+};
+
+}  // namespace
 
 CLI::Option* add_setting(CLI::App& command, std::string& setting) {
   return command.add_option(
@@ -53,8 +108,11 @@ std::vector<process::Variant> wanted_variants(const std::string& file, const std
 
 process::Tooling prepared_tooling(const process::Scene& scene, bool show_progress) {
   process::Progress progress(show_progress);
+  if (const auto remark = fine_walls(scene)) progress.say(*remark);
+  Ticker ticker(progress, show_progress);
   const double sphere = process::smallest_sphere(process::engine_settings(scene, 1.0));
-  return process::build_tooling(scene, sphere, process::largest_grain(scene.powder), progress.listener());
+  return process::build_tooling(scene, sphere, process::largest_grain(scene.powder),
+                                [&](double share, const std::string& doing) { ticker.tell(share, doing); });
 }
 
 }  // namespace diefill::app

@@ -40,36 +40,53 @@ class Components {
  private:
   static constexpr std::int32_t kBlocked = -1;
 
+  // Row by row along x, which lie together in memory.
   void grow(const Eigen::Vector3i& seed) {
-    if (labels_[grid_.index(seed.x(), seed.y(), seed.z())] != 0) return;
+    if (labels_[at(seed)] != 0) return;
     ++last_;
     std::size_t size = 0;
     bool leaks = false;
-    std::vector<Eigen::Vector3i> front;
-    const auto enter = [&](const Eigen::Vector3i& voxel) {
-      auto& label = labels_[grid_.index(voxel.x(), voxel.y(), voxel.z())];
-      if (label != 0) return;
-      label = last_;
-      front.push_back(voxel);
-    };
-    enter(seed);
+    std::vector<Eigen::Vector3i> front = {seed};
     while (!front.empty()) {
       const Eigen::Vector3i voxel = front.back();
       front.pop_back();
-      ++size;
-      for (int axis = 0; axis < 3; ++axis) {
+      if (labels_[at(voxel)] != 0) continue;
+      const auto [first, last] = take_row(voxel);
+      size += static_cast<std::size_t>(last - first + 1);
+      leaks = leaks || first == 0 || last == grid_.counts.x() - 1;
+      for (const int axis : {1, 2}) {
         for (const int step : {-1, 1}) {
-          Eigen::Vector3i next = voxel;
-          next[axis] += step;
-          if (grid_.has(next)) {
-            enter(next);
-          } else if (axis < 2 || step < 0) {
+          Eigen::Vector3i row = voxel;
+          row[axis] += step;
+          if (grid_.has(row)) {
+            add_free_stretches(row, first, last, front);
+          } else if (axis == 1 || step < 0) {
             leaks = true;
           }
         }
       }
     }
     if (!leaks) enclosed_.push_back({last_, size});
+  }
+
+  std::size_t at(const Eigen::Vector3i& voxel) const { return grid_.index(voxel.x(), voxel.y(), voxel.z()); }
+
+  // Labels the free voxels of a row on both sides of one of them; the first and the last.
+  std::pair<int, int> take_row(const Eigen::Vector3i& voxel) {
+    std::int32_t* const row = &labels_[grid_.index(0, voxel.y(), voxel.z())];
+    int first = voxel.x(), last = voxel.x();
+    while (first > 0 && row[first - 1] == 0) --first;
+    while (last + 1 < grid_.counts.x() && row[last + 1] == 0) ++last;
+    std::fill(row + first, row + last + 1, last_);
+    return {first, last};
+  }
+
+  // Puts one voxel of every free stretch of a row between two places into `front`.
+  void add_free_stretches(const Eigen::Vector3i& in_row, int first, int last,
+                          std::vector<Eigen::Vector3i>& front) const {
+    const std::int32_t* const row = &labels_[grid_.index(0, in_row.y(), in_row.z())];
+    for (int i = first; i <= last; ++i)
+      if (row[i] == 0 && (i == first || row[i - 1] != 0)) front.emplace_back(i, in_row.y(), in_row.z());
   }
 
   const VoxelGrid& grid_;

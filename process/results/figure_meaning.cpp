@@ -17,6 +17,7 @@ constexpr std::array kKnown = {
     Meaning{"filled_mass_kg", "kg", "mass of the grains whose centre lies in the cavity"},
     Meaning{"grains", "1", "number of grains"},
     Meaning{"spheres", "1", "number of basic spheres of the powder"},
+    Meaning{"grains_left_share", "1", "share of all grains that left the tools or were cleared away"},
     Meaning{"wall_spheres", "1", "number of wall spheres of all tools"},
     Meaning{"steps", "1", "time steps done"},
     Meaning{"time_step_s", "s", "time step"},

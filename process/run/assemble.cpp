@@ -14,7 +14,9 @@
 #include "process/run/half_model.h"
 #include "process/run/margin_warnings.h"
 #include "process/run/measure_cavities.h"
+#include "process/run/outcome.h"
 #include "process/run/powder_state.h"
+#include "process/run/setup_findings.h"
 #include "process/run/topics.h"
 
 #ifndef DIEFILL_VERSION
@@ -158,6 +160,7 @@ void add_figures(const Scene& scene, results::FillResult& result, const Tooling&
   const double left = copies(tooling) * static_cast<double>(run.grains_left());
   figures["grains_left"] = left;
   figures["grains_sheared"] = copies(tooling) * static_cast<double>(run.grains_sheared());
+  figures["grains_left_share"] = left > 0 ? left / (left + grains + figures["grains_sheared"]) : 0;
   figures["mass_left_kg"] = copies(tooling) * run.mass_left();
   figures["overlap_limit_ratio"] = engine::HealthLimits{}.forbidden_overlap;
   figures["wall_overlap_limit_ratio"] = engine::HealthLimits{}.forbidden_wall_overlap;
@@ -314,6 +317,9 @@ results::FillResult assemble(const Scene& scene, const Tooling& tooling, const F
   result.topics = topics(scene, run);
   measure_cavities(result, scene, tooling, wanted_sections(scene));
   for (auto& line : margin_warnings(result)) result.warnings.push_back(std::move(line));
+  for (const auto& finding : setup_findings(scene, tooling))
+    result.warnings.push_back(kAlert + finding.words);
+  for (auto& line : outcome_in_words(scene, result)) result.warnings.push_back(std::move(line));
   for (const HeapSpec& heap : scene.measure.heaps) {
     const double slope = heap_slope(result.powder, heap.from, heap.to);
     if (std::isfinite(slope)) result.figures[heap_figure(heap.name)] = slope;

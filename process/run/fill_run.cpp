@@ -18,6 +18,7 @@
 #include "process/run/pour.h"
 #include "process/run/powder_domain.h"
 #include "process/run/suction.h"
+#include "process/run/tool_paths.h"
 #include "process/run/wall_bodies.h"
 #include "process/scene/setting.h"
 #include "process/scene/units.h"
@@ -30,7 +31,7 @@ using Clock = std::chrono::steady_clock;
 
 // Duties fall on multiples of these steps, so that a restart does them when the unbroken run does.
 constexpr std::uint64_t kScheduleEvery = 20, kSpillEvery = 100, kFeedEvery = 100, kHealthEvery = 200,
-                        kPinchEvery = 10, kLostEvery = 200;
+                        kPinchEvery = 10, kLostEvery = 200, kForcedEvery = 100;
 /// Grains that may be sheared off however few there are.
 constexpr double kFewSheared = 3;
 
@@ -82,11 +83,13 @@ FillRun::FillRun(const Scene& scene, const Tooling& tooling, const RunOptions& o
 
 void FillRun::run() {
   start_or_resume();
+  ForcedToolWatch forced_tools(scene_, tooling_);
   while (!schedule_.finished() && !out_of_time()) {
     simulation_->step();
     sphere_steps_ += simulation_->grains().size() * simulation_->settings().shape.spheres();
     schedule_.observe(*simulation_);
     probes_.observe(*simulation_);
+    if (simulation_->steps() % kForcedEvery == 0) forced_tools.look(*simulation_);
     duties();
   }
   health_.check(*simulation_);

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "process/machine/passage.h"
 #include "process/machine/settle.h"
 
 namespace diefill::process {
@@ -15,6 +16,15 @@ constexpr double kUnknown = -1;
 bool moves_tool(const Step& step, const std::string& tool) {
   const auto tools = step.tools();
   return std::find(tools.begin(), tools.end(), tool) != tools.end();
+}
+
+/// s from the step's start that are looked at: of very many passages the first four, as powder may have come
+/// on the second time to where it was not on the first; more go the same way again.
+double looked_at(const Step& step, double length) {
+  constexpr int kMany = 8, kEnough = 4;  // passages
+  const auto* passage = dynamic_cast<const Passage*>(&step);
+  if (passage == nullptr || passage->spec().passages <= kMany) return length;
+  return length * kEnough / passage->spec().passages;
 }
 
 /// A settling that starts by itself after all others is one that ends the scene.
@@ -163,7 +173,7 @@ std::vector<double> instants(const Stages& stages, const std::vector<StepState>&
   std::vector<double> times;
   for (std::size_t k = 0; k < stages.size(); ++k) {
     if (stages.steps[k]->tools().empty()) continue;
-    const double from = states[k].started, length = states[k].ended - from;
+    const double from = states[k].started, length = looked_at(*stages.steps[k], states[k].ended - from);
     const int count = stages.steps[k]->stays() ? kSpread : dense;
     for (int n = 1; n < count; ++n) {
       const double share =

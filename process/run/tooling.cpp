@@ -12,11 +12,13 @@
 #include "process/run/cover_progress.h"
 #include "process/run/foreseen_work.h"
 #include "process/run/half_model.h"
+#include "process/run/no_cavity.h"
 #include "process/run/periodic_tool.h"
 #include "process/run/reachable_surface.h"
 #include "process/run/read_tooling.h"
 #include "process/run/stages.h"
 #include "process/run/tool_fit.h"
+#include "process/run/tool_paths.h"
 
 namespace diefill::process {
 
@@ -115,6 +117,18 @@ std::size_t die_of(const Scene& scene) {
   return best;
 }
 
+/// Steps that need the cavity; where there is none, the likeliest reason is told.
+void prepare_passages(const Scene& scene, const Tooling& tooling, const std::vector<ToolPose>& poses) {
+  try {
+    prepare_steps(scene, tooling, true);
+  } catch (const SceneError& error) {
+    if (tooling.cavity.found) throw;
+    const std::string message = error.what();
+    throw SceneError(message.substr(0, message.find("; give the distance")) + ": " +
+                     why_no_cavity(scene, tooling, poses));
+  }
+}
+
 /// Where tools stand that stay at their place in the long run, with the room they need about it.
 void find_standing(const Scene& scene, Tooling& tooling) {
   const Stages stages(scene);
@@ -152,6 +166,32 @@ void move_to_surface(geometry::WallSpheres& spheres, const geometry::SolidQuery&
   spheres.largest_deviation += spheres.radius;
 }
 
+bool is_mesh(const Scene& scene, const ToolSpec& spec) {
+  return spec.walls.value_or(scene.walls.kind) == WallKind::mesh;
+}
+
+/// Covers the tool. Where the mesh is the wall, spheres only cut the cells of grains that measures take: in
+/// sheet thinner than they are they are made as small as it needs.
+geometry::WallSpheres spheres_of(const Scene& scene, const Tool& tool, double grain_diameter,
+                                 geometry::WallSphereOptions options, const std::string& where) {
+  constexpr double kShareOfSheet = 0.45;
+  constexpr int kHalvings = 3;
+  const auto& period = scene.numerics.period;
+  const auto make = [&] {
+    return period[0] || period[1]
+               ? make_periodic_wall_spheres(tool.mesh, options, period, 2 * grain_diameter, where)
+               : geometry::make_wall_spheres(tool.mesh, tool.solid(), options);
+  };
+  if (!is_mesh(scene, tool.spec)) return make();
+  options.radius = std::min(options.radius, kShareOfSheet * geometry::mean_thickness(tool.mesh));
+  for (int halving = 0; halving < kHalvings; ++halving, options.radius *= 0.5) try {
+      return make();
+    } catch (const geometry::MeshError&) {
+      continue;
+    }
+  return make();
+}
+
 /// The tool's wall spheres; complaints about its geometry name the tool.
 geometry::WallSpheres cover(const Scene& scene, const Tool& tool, double grain_diameter,
                             decltype(geometry::WallSphereOptions::reachable) reachable,
@@ -163,15 +203,14 @@ geometry::WallSpheres cover(const Scene& scene, const Tool& tool, double grain_d
   options.reachable = std::move(reachable);
   options.tell = std::move(tell);
   try {
-    const auto& period = scene.numerics.period;
-    auto spheres = period[0] || period[1]
-                       ? make_periodic_wall_spheres(tool.mesh, options, period, 2 * grain_diameter, where)
-                       : geometry::make_wall_spheres(tool.mesh, tool.solid(), options);
+    auto spheres = spheres_of(scene, tool, grain_diameter, options, where);
     if (scene.numerics.opening == OpeningMeasure::centres) move_to_surface(spheres, tool.solid());
     keep_near_half(scene, spheres);
     return spheres;
   } catch (const geometry::MeshError& error) {
-    throw SceneError(where + ": " + error.what());
+    const std::string message = error.what();
+    const bool thin = message.find("thinner than a wall sphere") != std::string::npos;
+    throw SceneError(where + ": " + message + (thin ? ", or give this tool walls = \"mesh\"" : ""));
   }
 }
 
@@ -179,10 +218,6 @@ geometry::WallSpheres cover(const Scene& scene, const Tool& tool, double grain_d
 geometry::Mesh wall_mesh(const Scene& scene, const Tool& tool, double grain_diameter) {
   return periodic_wall_mesh(tool.mesh, scene.numerics.period, 4 * grain_diameter,
                             tool_in_words(scene, tool.spec));
-}
-
-bool is_mesh(const Scene& scene, const ToolSpec& spec) {
-  return spec.walls.value_or(scene.walls.kind) == WallKind::mesh;
 }
 
 void refuse_leaks(const Scene& scene, const Tool& tool, double smallest_radius) {
@@ -296,13 +331,15 @@ Tooling read_tooling(const Scene& scene, const TellProgress& tell) {
   tooling.fill_plane =
       scene.measure.fill_plane.value_or(tooling.tools[tooling.die].mesh.bounding_box().upper.z());
   prepare_steps(scene, tooling, false);
-  auto cavities = cavities_between(tooling, poses_at_end(scene, tooling));
+  const auto poses = poses_at_end(scene, tooling);
+  auto cavities = cavities_between(tooling, poses);
   if (!cavities.empty()) {
     tooling.cavity = cavities.front();
     tooling.other_cavities.assign(cavities.begin() + 1, cavities.end());
   }
-  prepare_steps(scene, tooling, true);
+  prepare_passages(scene, tooling, poses);
   refuse_endless_schedule(scene, tooling);
+  refuse_collisions(scene, tooling);
   tooling.mirror = scene.economy.mirror;
   refuse_asymmetry(scene, tooling);
   carried_powder(scene, tooling);  // said now, before long work, where it cannot be

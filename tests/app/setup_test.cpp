@@ -1,0 +1,167 @@
+// Set-ups that cannot be meant: tools that pass through each other, powder beside the shoe, no cavity.
+#include <gtest/gtest.h>
+
+#include "tests/app/small_die.h"
+
+namespace diefill::app {
+namespace {
+
+void expect_says(const std::string& text, const std::string& words) {
+  EXPECT_NE(text.find(words), std::string::npos) << "missing: " << words << "\nin: " << text;
+}
+
+void expect_refused(const SmallDie& die, const std::string& words) {
+  const Outcome checked = die.check();
+  EXPECT_EQ(checked.exit_code, 2) << checked.out;
+  EXPECT_EQ(checked.complaints(), 1U) << checked.err;
+  expect_says(checked.err, words);
+}
+
+constexpr const char* kShoePlace = "[\"3 mm\", \"0 mm\", \"0 mm\"]";
+
+TEST(ToolPaths, AShoeThatGoesThroughTheDieIsRefusedWithTimeAndPlace) {
+  const SmallDie die;
+  die.exchange_passage(
+      "[[step]]\nkind = \"move\"\ntool = \"shoe\"\ndirection = \"-z\"\ndistance = \"3 mm\"\nvelocity = \"0.1 "
+      "m/s\"\n");
+  expect_refused(die, "tool \"shoe\" passes into tool \"die\" 0.0");
+  expect_says(die.check().err, "and gets 3 mm deep; change the way, or move one of the tools");
+  const auto png = die.folder() / "findings.png";
+  EXPECT_EQ(run_program({"check", die.scene().string(), "--picture", png.string()}).exit_code, 2);
+  EXPECT_EQ(contents(png).substr(1, 3), "PNG");
+  const Outcome run = die.run();
+  EXPECT_EQ(run.exit_code, 2);
+  EXPECT_FALSE(std::filesystem::exists(die.out()));
+}
+
+TEST(ToolPaths, AThousandPassagesAreLookedAtAsAFew) {
+  const SmallDie die;
+  die.exchange("velocity = \"0.1 m/s\"", "velocity = \"0.1 m/s\"\npassages = 1000");
+  const Outcome checked = die.check();
+  EXPECT_EQ(checked.exit_code, 0) << checked.err;
+  expect_says(checked.out, "strategy: 1000 passages");
+}
+
+TEST(Setup, APlainFillingHasNoOtherWarningThanItsCoarseGrains) {
+  const SmallDie die;
+  const Outcome checked = die.check();
+  EXPECT_EQ(checked.exit_code, 0) << checked.err;
+  EXPECT_EQ(checked.out.find("shoe \""), std::string::npos) << checked.out;
+  EXPECT_EQ(checked.out.find("pour box"), std::string::npos) << checked.out;
+}
+
+TEST(Setup, PowderPouredBesideTheShoeIsTold) {
+  const SmallDie die;
+  die.exchange("from = [\"0.5 mm\", \"-2.5 mm\", \"0 mm\"]\nto = [\"5.5 mm\", \"2.5 mm\", \"9 mm\"]",
+               "from = [\"-14 mm\", \"-2.5 mm\", \"0.1 mm\"]\nto = [\"-9 mm\", \"2.5 mm\", \"9 mm\"]");
+  const Outcome checked = die.check();
+  EXPECT_EQ(checked.exit_code, 0) << checked.err;
+  expect_says(checked.out, "WARNING\n  ! 100 % of the pour box");
+  const Outcome run = die.run({"--no-pictures"});
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_TRUE(run.out.starts_with("WARNING\n  ! 100 % of the pour box")) << run.out;
+  const std::string end = run.out.substr(run.out.find("results in"));
+  expect_says(end, "WARNING\n  ! 100 % of the pour box");
+  expect_says(end, "left the tools");
+  expect_says(end, "the cavity holds 0 % of the powder that fills it");
+  const auto report = die.report();
+  EXPECT_GT(report.at("figures").at("grains_left_share"), 0.02);
+  expect_says(report.at("warnings").dump(), "left the tools");
+}
+
+TEST(Setup, AShoeAboveTheDieIsTold) {
+  const SmallDie die;
+  die.exchange(kShoePlace, "[\"3 mm\", \"0 mm\", \"3 mm\"]");
+  expect_says(die.check().out, "shoe \"shoe\" hangs 3 mm above the fill plane");
+}
+
+TEST(Setup, AShoeNarrowerThanTheCavityIsTold) {
+  const SmallDie die;
+  die.write("shoe.stl", cad::binary_stl(cad::tube(cad::rectangle(-3.1, 3.1, -1.6, 1.6),
+                                                  cad::rectangle(-2.5, 2.5, -1.2, 1.2), 0, 10)));
+  die.exchange("\"-2.5 mm\", \"0 mm\"]", "\"-1.2 mm\", \"0 mm\"]");
+  die.exchange("\"2.5 mm\", \"9 mm\"]", "\"1.2 mm\", \"9 mm\"]");
+  expect_says(die.check().out, "the opening of shoe \"shoe\" never comes over part of the cavity");
+}
+
+TEST(Setup, AWayThatEndsBeforeTheCavityIsTold) {
+  const SmallDie die;
+  die.exchange("velocity = \"0.1 m/s\"", "velocity = \"0.1 m/s\"\ntravel = \"0.5 mm\"");
+  expect_says(die.check().out, "the opening of shoe \"shoe\" never comes over the cavity");
+}
+
+TEST(Setup, APunchBesideTheCavityIsTold) {
+  const SmallDie die;
+  die.add_tool("punch", "punch", cad::prism(cad::rectangle(0, 2, 0, 2), -9, -6),
+               "[\"1 mm\", \"0 mm\", \"0 mm\"]");
+  expect_says(die.check().out, "punch \"punch\" stands beside the cavity");
+}
+
+/// A die whose hole goes through, and what else closes it.
+class ThroughDie : public SmallDie {
+ public:
+  ThroughDie() {
+    write("die.stl", cad::binary_stl(
+                         cad::tube(cad::rectangle(-15, 6, -3.5, 3.5), cad::rectangle(-5, -1, -2, 2), -5, 0)));
+  }
+};
+
+cad::Part punch_to(double top) {
+  return cad::prism(cad::rectangle(-4.98, -1.02, -1.98, 1.98), top - 3, top);
+}
+
+TEST(NoCavity, ForWantOfAPunch) {
+  const ThroughDie die;
+  expect_refused(die,
+                 "found no cavity below the fill plane to pass over: nothing closes the die from below: its "
+                 "hole of 4 x 4 mm goes through, and no tool is a punch");
+}
+
+TEST(NoCavity, WithAPunchTooLow) {
+  const ThroughDie die;
+  die.add_tool("punch", "punch", punch_to(-7), "[\"0 mm\", \"0 mm\", \"0 mm\"]");
+  expect_refused(
+      die,
+      "punch \"punch\" is too low: its top is at z = -7 mm, 2 mm below the die, which stands at z = "
+      "-5 to 0 mm");
+}
+
+TEST(NoCavity, WithAPunchInInches) {
+  const ThroughDie die;
+  cad::Part punch = punch_to(-4);
+  for (auto& triangle : punch)
+    for (auto& corner : triangle)
+      for (double& x : corner) x /= 25.4;
+  die.add_tool("punch", "punch", punch, "[\"0 mm\", \"0 mm\", \"0 mm\"]");
+  expect_refused(
+      die,
+      "25.4 times too small for the other tools: its file seems to be in inch; write length_unit = "
+      "\"inch\"");
+}
+
+TEST(NoCavity, InMachineCoordinates) {
+  const SmallDie die;
+  die.exchange("[numerics]", "[measure]\nfill_plane = \"200 mm\"\n\n[numerics]");
+  expect_refused(die, "measure.fill_plane is 200 mm, but die \"die\" stands at z = -5 to 0 mm");
+}
+
+cad::Part turned(cad::Part part, bool upside_down) {
+  for (auto& triangle : part)
+    for (auto& [x, y, z] : triangle) {
+      const double old = y;
+      y = upside_down ? -y : z;
+      z = upside_down ? -z : -old;
+    }
+  return part;
+}
+
+TEST(NoCavity, WithAnotherAxisUp) {
+  const SmallDie die;
+  die.write("die.stl", cad::binary_stl(cad::moved(turned(small_die(), false), {0, 0, -3.5})));
+  expect_refused(die, "drawn with y up: turned by 90 deg about x there is a cavity");
+  die.write("die.stl", cad::binary_stl(cad::moved(turned(small_die(), true), {0, 0, -5})));
+  expect_refused(die, "drawn upside down: turned by 180 deg about x there is a cavity");
+}
+
+}  // namespace
+}  // namespace diefill::app
