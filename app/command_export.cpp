@@ -2,10 +2,11 @@
 #include <cmath>
 #include <cstdio>
 #include <limits>
+#include <memory>
 
 #include "app/commands.h"
 #include "app/exit_code.h"
-#include "process/measure/earlier_instant.h"
+#include "app/paraview_series.h"
 #include "process/measure/gaussian_field.h"
 #include "process/measure/stress_field.h"
 #include "process/results/result_file.h"
@@ -18,45 +19,6 @@ namespace diefill::app {
 namespace {
 
 using render::PointArray;
-
-constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
-
-PointArray vectors(const std::string& name, const std::vector<Eigen::Vector3d>& values) {
-  PointArray array{name, 3, {}};
-  for (const auto& value : values) array.values.insert(array.values.end(), value.begin(), value.end());
-  return array;
-}
-
-template <class Value>
-PointArray scalars(const std::string& name, std::size_t count, const Value& value) {
-  PointArray array{name, 1, {}};
-  for (std::size_t k = 0; k < count; ++k) array.values.push_back(value(k));
-  return array;
-}
-
-/// What every grain knows of itself; open cells have no solid fraction and no stress.
-std::vector<PointArray> grain_arrays(const results::FillResult& result) {
-  const auto& powder = result.powder;
-  const auto& fraction = result.solid_fraction;
-  const std::size_t grains = powder.position.size();
-  std::vector<PointArray> arrays = {
-      scalars("id", grains, [&](std::size_t k) { return static_cast<double>(powder.id[k]); }),
-      scalars("diameter [m]", grains, [&](std::size_t k) { return powder.diameter_of(k); }),
-      vectors("velocity [m/s]", powder.velocity)};
-  if (fraction.solid_fraction.size() == grains) {
-    const auto closed = [&](std::size_t k, double value) { return fraction.open[k] != 0 ? kNone : value; };
-    arrays.push_back(scalars("solid fraction", grains,
-                             [&](std::size_t k) { return closed(k, fraction.solid_fraction[k]); }));
-    arrays.push_back(
-        scalars("in cavity", grains, [&](std::size_t k) { return fraction.in_cavity[k] != 0 ? 1.0 : 0.0; }));
-    const auto& normal = result.contact_stress.normal;
-    if (normal.size() == grains)
-      arrays.push_back(scalars("pressure [Pa]", grains, [&](std::size_t k) {
-        return closed(k, -normal[k].sum() / (3 * fraction.cell_volume[k]));
-      }));
-  }
-  return arrays;
-}
 
 /// Over the cavity, or all powder where there is none; at most kMostPoints along an axis.
 render::PointGrid grid_over(const results::FillResult& result, double spacing) {
@@ -97,24 +59,13 @@ std::vector<PointArray> grid_arrays(const results::FillResult& result, const ren
   return arrays;
 }
 
-/// The powder at all instants and at the end, and the file that strings them together.
-void write_instants(const results::FillResult& result, const std::filesystem::path& out,
-                    std::vector<std::filesystem::path>& written) {
-  std::vector<std::pair<double, std::string>> series;
-  const auto add = [&](const results::FillResult& then, const std::string& name) {
-    render::write_points(out / name, then.powder.position, grain_arrays(then));
-    written.push_back(out / name);
-    series.emplace_back(then.powder.time, name);
-  };
-  for (std::size_t n = 0; n < result.instants.size(); ++n) {
-    char name[32];
-    std::snprintf(name, sizeof name, "powder_%04zu.vtp", n);
-    add(process::result_at(result, result.instants[n].time, false), name);
-  }
-  add(result, "powder.vtp");
-  if (series.size() == 1) return;
-  render::write_series(out / "powder.pvd", series);
-  written.push_back(out / "powder.pvd");
+/// The powder at the end, and powder and tools at all instants where the results hold any.
+std::vector<std::filesystem::path> write_powder(const results::FillResult& result,
+                                                const std::filesystem::path& out) {
+  auto written = write_filling_series(result, out, out / "filling.pvd");
+  if (!written.empty()) return written;
+  render::write_points(out / "powder.vtp", result.powder.position, grain_arrays(result));
+  return {out / "powder.vtp"};
 }
 
 double averaging_width_of(const std::string& given, const results::FillResult& result) {
@@ -136,8 +87,7 @@ int export_results(const std::string& directory, const std::string& wanted_out, 
   const std::filesystem::path out =
       wanted_out.empty() ? std::filesystem::path(directory) / "paraview" : std::filesystem::path(wanted_out);
   std::filesystem::create_directories(out);
-  std::vector<std::filesystem::path> written;
-  write_instants(result, out, written);
+  auto written = write_powder(result, out);
   render::write_tools(out / "tools.vtp", result.tools);
   written.push_back(out / "tools.vtp");
   const auto grid = grid_over(result, 0.5 * averaging_width);
@@ -161,11 +111,10 @@ void add_export(CLI::App& program, Action& chosen) {
                       "Gaussian width sigma of the fields, such as '1 mm' (default: the larger of 0.5 mm and "
                       "half the grain size)");
   command->footer(
-      "Writes powder.vtp (grains with velocity, solid fraction, pressure; one file more for each kept "
-      "instant, "
-      "and powder.pvd for all), tools.vtp, and fields.vti (Gaussian averages over the cavity). Lengths are "
-      "in "
-      "m.\n\nExample:\n  diefill export out/narrow_ring");
+      "Writes powder.vtp (grains with velocity, solid fraction, pressure), tools.vtp, and fields.vti "
+      "(Gaussian averages over the cavity). Where the scene asks for measure.snapshot_interval also "
+      "filling.pvd, which plays powder and tools over time, with its files powder_*.vtp and tool_*.vtp. "
+      "Lengths are in m.\n\nExample:\n  diefill export out/narrow_ring");
   command->callback([arguments, &chosen] {
     chosen = [arguments] {
       return export_results(arguments->directory, arguments->out, arguments->averaging_width);

@@ -273,7 +273,7 @@ void add_map(CLI::App& program, Action& chosen) {
                    "results directories of runs; with several, scales are shared")
       ->required();
   command->add_option("--picture", arguments->pictures,
-                      "kinds of picture, see below (default: the four that a run makes)");
+                      "kinds of picture, see below (default: those that a run makes)");
   command->add_option("--out", arguments->out, "directory for the pictures (default: the first DIR)");
   command
       ->add_option(

@@ -56,9 +56,15 @@ void add_runs(std::vector<render::report::Run>& runs, const fs::path& directory)
     runs.push_back({directory.string(), results::read_results(directory), ""});
 }
 
+/// m, with which the result's own fields were averaged; 0: it has none.
+double averaging_width_of(const results::FillResult& result) {
+  return result.maps.empty() ? 0 : result.maps.front().averaging_width;
+}
+
 int report(const ReportArguments& arguments) {
   std::vector<render::report::Run> runs;
   for (const auto& directory : arguments.directories) add_runs(runs, directory);
+  for (auto& run : runs) run.other_cavities = of_other_cavities(run.result, averaging_width_of(run.result));
   const fs::path html = arguments.out.empty() ? fs::path(arguments.directories.front()) / "report.html"
                                               : fs::path(arguments.out);
   if (html.extension() == ".pdf")

@@ -9,6 +9,7 @@
 #include "app/exit_code.h"
 #include "app/freed_memory.h"
 #include "app/output.h"
+#include "app/paraview_series.h"
 #include "app/run_summary.h"
 #include "app/scene_choice.h"
 #include "app/stop_signals.h"
@@ -103,12 +104,13 @@ int run(const RunArguments& arguments) {
   fill.run();
 
   const auto result = process::assemble(scene, tooling, fill);
-  std::vector<std::filesystem::path> pictures;
+  std::vector<std::filesystem::path> pictures, series;
   write_output([&] {
     results::write_results(options.directory, result);
     results::write_report(options.directory, result);
     results::write_probe_tables(options.directory, result);
     if (!arguments.no_pictures) pictures = draw(options.directory, result);
+    series = write_filling_series(result, options.directory / "paraview", options.directory / "filling.pvd");
   });
   const bool finished = fill.why_unfinished().empty();
   if (finished) std::filesystem::remove(process::checkpoint_file(options.directory));
@@ -116,6 +118,7 @@ int run(const RunArguments& arguments) {
   std::printf("results in %s: report.json, results.h5 (results.xdmf for ParaView)",
               options.directory.string().c_str());
   for (const auto& picture : pictures) std::printf(", %s", picture.filename().string().c_str());
+  if (!series.empty()) std::printf(", %s (plays in ParaView)", series.back().filename().string().c_str());
   std::printf("\n");
   print_alerts(process::alerts_of(result.warnings));
   return finished ? kDone : unfinished(fill);

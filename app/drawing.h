@@ -12,7 +12,13 @@ namespace diefill::app {
 /// Sets drawing up, unless that has been done. Throws std::runtime_error where there is no renderer.
 void set_up_drawing();
 
-/// Writes the standard pictures of `result` into `directory`; returns their paths.
+/// `result` as of each of its further cavities, in their order: maps measured with Gaussian width
+/// `averaging_width` (m; 0: the default), titles that name the cavity, and neither instants nor probes.
+std::vector<results::FillResult> of_other_cavities(const results::FillResult& result,
+                                                   double averaging_width = 0);
+
+/// Writes the standard pictures of `result` into `directory`, and the maps of its further cavities with
+/// "_cavity_2" and so on behind their names; returns their paths.
 std::vector<std::filesystem::path> draw(const std::filesystem::path& directory,
                                         const results::FillResult& result);
 

@@ -1,5 +1,8 @@
 // Pictures that are charts: profiles, histograms, fill levels; all sources in one.
+#include <stdexcept>
+
 #include "app/picture_files.h"
+#include "process/measure/box_map.h"
 #include "process/measure/coordination.h"
 #include "process/measure/measure.h"
 #include "process/measure/variation.h"
@@ -16,14 +19,20 @@ std::string chart_subtitle(const PictureRequest& request) {
   return request.sources.size() > 1 ? std::string() : subtitle_of(request.sources.front());
 }
 
+/// Over azimuth and height of a ring; over the travel and height of any other cavity.
+results::Field2D side_field(const PictureRequest& request, const results::FillResult& result) {
+  if (!result.cavity.is_ring)
+    return process::box_map(result, process::BoxView::kSide, request.averaging_width);
+  return process::cylindrical_map(result.powder, result.solid_fraction, result.tools, result.cavity,
+                                  request.averaging_width);
+}
+
 Pictures spread_pictures(const PictureRequest& request, const std::string& kind, const std::string& what,
                          results::SpreadProfile (*profile_of)(const results::Field2D&)) {
   std::vector<render::Named<results::SpreadProfile>> profiles;
   for (const auto& source : request.sources) {
     const auto& result = source.result;
-    profiles.push_back({legend_of(request, source), profile_of(process::cylindrical_map(
-                                                        result.powder, result.solid_fraction, result.tools,
-                                                        result.cavity, request.averaging_width))});
+    profiles.push_back({legend_of(request, source), profile_of(side_field(request, result))});
   }
   return write_chart(request, kind,
                      render::spread_chart(profiles, chart_title(request, what), chart_subtitle(request)));
@@ -37,6 +46,9 @@ Pictures make_height_profile(const PictureRequest& request) {
 }
 
 Pictures make_azimuth_profile(const PictureRequest& request) {
+  for (const auto& source : request.sources)
+    if (!source.result.cavity.is_ring)
+      throw std::invalid_argument("an azimuth needs a ring; height-profile and plan-map take any cavity");
   return spread_pictures(request, "azimuth_profile", "Solid fraction over azimuth",
                          process::profile_over_azimuth);
 }
@@ -59,12 +71,17 @@ Pictures make_fill_level(const PictureRequest& request) {
   constexpr int kBins = 72;
   std::vector<render::Named<results::Profile>> profiles;
   for (const auto& source : request.sources)
-    profiles.push_back(
-        {legend_of(request, source), process::fill_level(source.result.powder, source.result.cavity, kBins)});
+    profiles.push_back({legend_of(request, source),
+                        source.result.cavity.is_ring
+                            ? process::fill_level(source.result.powder, source.result.cavity, kBins)
+                            : process::fill_level_along_travel(source.result)});
   auto chart = render::profile_chart(profiles, chart_title(request, "Fill level"), chart_subtitle(request));
   const auto& cavity = request.sources.front().result.cavity;
   const double depth = 1e3 * (cavity.upper_corner.z() - cavity.lower_corner.z());
-  chart.curves.push_back({"fill plane", {0, 360}, {depth, depth}, render::CurveStyle::kLine, {}});
+  const auto& places = profiles.front().data.x;
+  const std::vector<double> ends =
+      cavity.is_ring ? std::vector<double>{0, 360} : std::vector<double>{places.front(), places.back()};
+  chart.curves.push_back({"fill plane", ends, {depth, depth}, render::CurveStyle::kLine, {}});
   return write_chart(request, "fill_level", chart);
 }
 

@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "app/picture_files.h"
+#include "process/measure/box_map.h"
 #include "process/measure/earlier_instant.h"
 #include "process/measure/measure.h"
 #include "process/measure/motion_field.h"
@@ -15,7 +16,7 @@
 #include "process/measure/variation.h"
 #include "render/arrow_map.h"
 #include "render/difference_map.h"
-#include "render/tool_outline.h"
+#include "render/field_places.h"
 
 namespace diefill::app {
 namespace {
@@ -138,10 +139,46 @@ Pictures make_map(const PictureRequest& request) {
   for (std::size_t n = 0; n < fields.size(); ++n) {
     const auto& source = request.sources[n];
     render::FieldStyle style = style_of(request);
-    style.outlines = render::fill_plane_outline(source.result.cavity, fields[n]);
+    render::add_map_places(style, source.result, fields[n]);
     const auto picture =
         render::compose_field(fields[n], title_of(request, source), subtitle_of(source), range, style);
     written.push_back(write_picture(request, file_of(request, "map", source), picture.image));
+  }
+  return written;
+}
+
+Pictures make_plan_map(const PictureRequest& request) {
+  std::vector<results::Field2D> fields;
+  for (const auto& source : request.sources)
+    fields.push_back(process::box_map(source.result, process::BoxView::kPlan, request.averaging_width));
+  const auto range = shared_range(request, fields);
+  Pictures written;
+  for (std::size_t n = 0; n < fields.size(); ++n) {
+    const auto& source = request.sources[n];
+    render::FieldStyle style = style_of(request);
+    style.note = "mean over height";
+    render::add_map_places(style, source.result, fields[n]);
+    const auto picture = render::compose_field(fields[n], title_of(request, source),
+                                               subtitle_of(source) + ", seen from above", range, style);
+    written.push_back(write_picture(request, file_of(request, "plan_map", source), picture.image));
+  }
+  return written;
+}
+
+Pictures make_fill_level_map(const PictureRequest& request) {
+  std::vector<results::Field2D> fields;
+  for (const auto& source : request.sources) fields.push_back(process::fill_level_map(source.result));
+  const auto range = shared_range(request, fields);
+  Pictures written;
+  for (std::size_t n = 0; n < fields.size(); ++n) {
+    const auto& source = request.sources[n];
+    render::FieldStyle style = style_of(request);
+    style.unit = "mm";
+    style.note = "height of the powder surface above the cavity floor";
+    render::add_map_places(style, source.result, fields[n]);
+    const auto picture = render::compose_field(fields[n], title_of(request, source),
+                                               subtitle_of(source) + ", seen from above", range, style);
+    written.push_back(write_picture(request, file_of(request, "fill_level_map", source), picture.image));
   }
   return written;
 }
@@ -181,9 +218,10 @@ Pictures make_section(const PictureRequest& request) {
   for (std::size_t n = 0; n < fields.size(); ++n) {
     const auto& source = request.sources[n];
     render::FieldStyle style = style_of(request);
-    style.outlines = render::tool_outlines(source.result.tools, planes[n]);
+    render::add_section_places(style, source.result, planes[n]);
     const auto picture =
-        render::compose_field(fields[n], title_of(request, source), subtitle_of(source), range, style);
+        render::compose_field(fields[n], title_of(request, source),
+                              subtitle_of(source) + ", " + render::section_in_words(planes[n]), range, style);
     written.push_back(write_picture(request, file_of(request, "section", source), picture.image));
   }
   return written;
@@ -255,9 +293,10 @@ Pictures make_velocity_section(const PictureRequest& request) {
     arrows = in_readable_unit(std::move(arrows));
     render::FieldStyle style;
     style.pixels = pixels_of(request);
-    style.outlines = render::tool_outlines(source.result.tools, plane);
+    render::add_section_places(style, source.result, plane);
     const auto picture = render::compose_arrows(arrows, "velocity", title_of(request, source),
-                                                subtitle_of(source), request.upper, style);
+                                                subtitle_of(source) + ", " + render::section_in_words(plane),
+                                                request.upper, style);
     written.push_back(write_picture(request, file_of(request, "velocity_section", source), picture.image));
   }
   return written;

@@ -55,6 +55,8 @@ const PictureKind& picture_kind(const std::string& name);
 
 using Pictures = std::vector<std::filesystem::path>;
 Pictures make_map(const PictureRequest& request);
+Pictures make_plan_map(const PictureRequest& request);
+Pictures make_fill_level_map(const PictureRequest& request);
 Pictures make_partial_volume_map(const PictureRequest& request);
 Pictures make_section(const PictureRequest& request);
 Pictures make_difference(const PictureRequest& request);

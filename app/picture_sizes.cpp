@@ -5,15 +5,14 @@
 #include "process/measure/plane_sample.h"
 #include "process/measure/ring_sample.h"
 #include "process/measure/segregation.h"
-#include "render/tool_outline.h"
+#include "render/field_places.h"
 
 namespace diefill::app {
 namespace {
 
-/// Draws one field a source, all on one scale.
+/// Draws one field a source, all on one scale; `planes`: of sections, empty for maps.
 Pictures draw_sizes(const PictureRequest& request, const std::string& name,
-                    std::vector<results::Field2D> fields,
-                    const std::vector<std::vector<render::Outline>>& outlines) {
+                    std::vector<results::Field2D> fields, const std::vector<results::SectionPlane>& planes) {
   for (auto& field : fields) field.quantity = std::string("mean grain diameter");
   const auto range = shared_range(request, fields);
   Pictures written;
@@ -21,11 +20,16 @@ Pictures draw_sizes(const PictureRequest& request, const std::string& name,
     const auto& source = request.sources[n];
     render::FieldStyle style;
     style.unit = "mm";
-    style.outlines = outlines[n];
+    std::string subtitle = subtitle_of(source);
+    if (planes.empty()) {
+      render::add_map_places(style, source.result, fields[n]);
+    } else {
+      render::add_section_places(style, source.result, planes[n]);
+      subtitle += ", " + render::section_in_words(planes[n]);
+    }
     style.note = "weighted by mass";
     style.pixels = pixels_of(request);
-    const auto picture =
-        render::compose_field(fields[n], title_of(request, source), subtitle_of(source), range, style);
+    const auto picture = render::compose_field(fields[n], title_of(request, source), subtitle, range, style);
     written.push_back(write_picture(request, file_of(request, name, source), picture.image));
   }
   return written;
@@ -41,13 +45,12 @@ Pictures make_size_map(const PictureRequest& request) {
                                           request.averaging_width,
                                           [&](const Eigen::Vector3d& point) { return size.at(point); }));
   }
-  return draw_sizes(request, "size_map", std::move(fields),
-                    std::vector<std::vector<render::Outline>>(request.sources.size()));
+  return draw_sizes(request, "size_map", std::move(fields), {});
 }
 
 Pictures make_size_section(const PictureRequest& request) {
   std::vector<results::Field2D> fields;
-  std::vector<std::vector<render::Outline>> outlines;
+  std::vector<results::SectionPlane> planes;
   for (const auto& source : request.sources) {
     const auto& result = source.result;
     const auto plane = request.plane_given ? request.plane : result.sections.front().plane;
@@ -57,9 +60,9 @@ Pictures make_size_section(const PictureRequest& request) {
                                            [&](const Eigen::Vector3d& point) { return size.at(point); })
                          .field);
     if (fields.back().first.empty()) throw std::invalid_argument("size-section: no powder is near the plane");
-    outlines.push_back(render::tool_outlines(result.tools, plane));
+    planes.push_back(plane);
   }
-  return draw_sizes(request, "size_section", std::move(fields), outlines);
+  return draw_sizes(request, "size_section", std::move(fields), planes);
 }
 
 }  // namespace diefill::app

@@ -5,7 +5,7 @@
 #include "process/measure/plane_sample.h"
 #include "process/measure/ring_sample.h"
 #include "process/measure/stress_field.h"
-#include "render/tool_outline.h"
+#include "render/field_places.h"
 
 namespace diefill::app {
 namespace {
@@ -15,7 +15,7 @@ constexpr double kKilopascal = 1e3;
 /// One field of pressure for each source, in kPa, and the pictures of all on one scale.
 Pictures draw_pressures(const PictureRequest& request, const std::string& kind,
                         std::vector<results::Field2D> fields,
-                        const std::vector<std::vector<render::Outline>>& outlines) {
+                        const std::vector<results::SectionPlane>& planes) {
   for (auto& field : fields) field.quantity = std::string("pressure");
   const auto range = shared_range(request, fields);
   Pictures written;
@@ -24,10 +24,15 @@ Pictures draw_pressures(const PictureRequest& request, const std::string& kind,
     render::FieldStyle style;
     style.pixels = pixels_of(request);
     style.unit = "kPa";
-    style.outlines = outlines[n];
+    std::string subtitle = subtitle_of(source);
+    if (planes.empty()) {
+      render::add_map_places(style, source.result, fields[n]);
+    } else {
+      render::add_section_places(style, source.result, planes[n]);
+      subtitle += ", " + render::section_in_words(planes[n]);
+    }
     style.note = "a third of the trace of the stress, contacts and motion; compression positive";
-    const auto picture =
-        render::compose_field(fields[n], title_of(request, source), subtitle_of(source), range, style);
+    const auto picture = render::compose_field(fields[n], title_of(request, source), subtitle, range, style);
     written.push_back(write_picture(request, file_of(request, kind, source), picture.image));
   }
   return written;
@@ -43,13 +48,12 @@ Pictures make_pressure_map(const PictureRequest& request) {
         source.result.powder, source.result.tools, source.result.cavity, request.averaging_width,
         [&](const Eigen::Vector3d& point) { return stress.pressure(point) / kKilopascal; }));
   }
-  return draw_pressures(request, "pressure", std::move(fields),
-                        std::vector<std::vector<render::Outline>>(request.sources.size()));
+  return draw_pressures(request, "pressure", std::move(fields), {});
 }
 
 Pictures make_pressure_section(const PictureRequest& request) {
   std::vector<results::Field2D> fields;
-  std::vector<std::vector<render::Outline>> outlines;
+  std::vector<results::SectionPlane> planes;
   for (const auto& source : request.sources) {
     const auto& result = source.result;
     const auto plane = request.plane_given ? request.plane : result.sections.front().plane;
@@ -60,9 +64,9 @@ Pictures make_pressure_section(const PictureRequest& request) {
                          .field);
     if (fields.back().first.empty())
       throw std::invalid_argument("pressure-section: no powder is near the plane");
-    outlines.push_back(render::tool_outlines(result.tools, plane));
+    planes.push_back(plane);
   }
-  return draw_pressures(request, "pressure_section", std::move(fields), outlines);
+  return draw_pressures(request, "pressure_section", std::move(fields), planes);
 }
 
 }  // namespace diefill::app

@@ -87,7 +87,8 @@ std::vector<double> all_values(const std::vector<ComparedField>& fields) {
 }
 
 /// What of the field lies on the axes; beyond its own nodes there is no value.
-void paint_panel(QImage& image, const PlotArea& plot, const results::Field2D& field, const ColourBar& bar) {
+PlacesShown paint_panel(QImage& image, const PlotArea& plot, const results::Field2D& field,
+                        const ColourBar& bar) {
   PlotArea own = plot;
   const bool all_round = has_azimuth(field);  // the field comes round again: it has values from end to end
   const QPointF corner =
@@ -99,21 +100,26 @@ void paint_panel(QImage& image, const PlotArea& plot, const results::Field2D& fi
   own.y.range = {plot.value(own.rect.bottomRight()).y(), plot.value(own.rect.topLeft()).y()};
   const QColor grey(kNoValueColour.red, kNoValueColour.green, kNoValueColour.blue);
   QPainter(&image).fillRect(plot.rect, grey);
-  paint_field(image, own, field, bar);
+  PlacesShown places = paint_field(image, own, field, bar);
+  if (own.rect != plot.rect) places.add(Place::kNoPowder);
+  return places;
 }
 
-void draw_foot(QPainter& painter, double height, const results::Field2D& field) {
+void draw_foot(QPainter& painter, double height, const results::Field2D& field, const PlacesShown& places,
+               const ColourBar& bar) {
   const double top = height - kMargin - 26;
   painter.setFont(text_font(kNotePixels));
   painter.setPen(QColor(70, 70, 70));
   QString note = QStringLiteral("Mean over seeds; Gaussian average, σ = %1 mm")
                      .arg(field.averaging_width * 1e3, 0, 'g', 3);
   if (has_azimuth(field)) note += QStringLiteral("; the shoe first arrives at 0° and leaves at 180°");
+  if (!has_azimuth(field) && field.second_name == "y")
+    note += QStringLiteral("; seen from above, mean over height");
   painter.drawText(QRectF(kMargin, top, kWidth - 2 * kMargin, 32), Qt::AlignLeft | Qt::AlignVCenter, note);
-  const QString text = QStringLiteral("no powder");
-  const double width = 38 + text_width(text, text_font(kNotePixels));
-  const QColor grey(kNoValueColour.red, kNoValueColour.green, kNoValueColour.blue);
-  draw_swatch(painter, {kWidth - kMargin - width, top + 2}, grey, text);
+  if (!places.any()) return;
+  const bool own_line = places.several();
+  const double left = own_line ? kMargin : kWidth - kMargin - places.legend_width();
+  places.draw_legend(painter, {left, top + 2 - (own_line ? kLegendLine : 0)}, bar);
 }
 
 }  // namespace
@@ -129,12 +135,13 @@ ComparisonPicture compose_comparison(const std::vector<ComparedField>& fields, c
   const Heading heading(title, "", kWidth - 2 * kMargin);
   PlotArea axes = common_axes(fields, {600, 260});
   const Grid grid = lay_out(fields.size(), heading.height(), axes, colour_bar_width(picture.bar));
-  const double height = grid.bottom() + bottom_margin() + kFoot + kMargin;
+  const double height = grid.bottom() + bottom_margin() + kFoot + kLegendLine + kMargin;
   picture.image = white_canvas(static_cast<int>(kWidth), static_cast<int>(height));
+  PlacesShown places;
   for (std::size_t k = 0; k < fields.size(); ++k) {
     picture.plots.push_back(axes);
     picture.plots.back().rect = grid.rect(k);
-    paint_panel(picture.image, picture.plots.back(), fields[k].field, picture.bar);
+    places.add(paint_panel(picture.image, picture.plots.back(), fields[k].field, picture.bar));
   }
   QPainter painter(&picture.image);
   painter.setRenderHints(QPainter::Antialiasing | QPainter::TextAntialiasing);
@@ -150,7 +157,7 @@ ComparisonPicture compose_comparison(const std::vector<ComparedField>& fields, c
   const double bar_height = std::min(grid.bottom() - grid.top, 900.0) - 2 * kBarPoint;
   const double bar_left = kWidth - kMargin - colour_bar_width(picture.bar);
   draw_colour_bar(painter, picture.bar, {bar_left, grid.top + kBarPoint, kBarWidth, bar_height});
-  draw_foot(painter, height, fields.front().field);
+  draw_foot(painter, height, fields.front().field, places, picture.bar);
   return picture;
 }
 

@@ -45,10 +45,10 @@ QSizeF plot_size(const results::Field2D& field, bool& equal_scales) {
   return {std::max(std::round(width * scale), kLeastSide), std::max(std::round(height * scale), kLeastSide)};
 }
 
-Layout lay_out_map(double heading, const PlotArea& axes, double bar_width) {
+Layout lay_out_map(double heading, const PlotArea& axes, double bar_width, double foot) {
   Layout layout;
   const double left = kMargin + left_margin(axes.y), top = kMargin + heading + kMarkerBand;
-  const double right = kMargin + bar_width + kBarGap, bottom = bottom_margin() + kNoteHeight + kMargin;
+  const double right = kMargin + bar_width + kBarGap, bottom = bottom_margin() + foot + kMargin;
   layout.canvas = {kMapWidth, kMapHeight};
   layout.plot = QRectF(left, std::round(top), std::round(kMapWidth - left - right),
                        std::round(kMapHeight - top - bottom));
@@ -57,28 +57,21 @@ Layout lay_out_map(double heading, const PlotArea& axes, double bar_width) {
   return layout;
 }
 
-Layout lay_out_section(double heading, const PlotArea& axes, double bar_width, bool equal_scales) {
+Layout lay_out_section(double heading, const PlotArea& axes, double bar_width, double foot, bool equal_scales,
+                       double width) {
   Layout layout;
   layout.equal_scales = equal_scales;
   const double left = kMargin + left_margin(axes.y), right = kMargin + bar_width + kBarGap;
   const QSizeF plot = axes.rect.size();
   const double body = std::max(plot.height(), kLeastBar);
-  const double width = std::max(kLeastCanvas, left + plot.width() + right);
   const double top = kMargin + heading + 16;
-  layout.canvas = {std::round(width), std::round(top + body + bottom_margin() + kNoteHeight + kMargin)};
+  layout.canvas = {std::round(width), std::round(top + body + bottom_margin() + foot + kMargin)};
   const double indent = std::round(left + 0.5 * (width - left - right - plot.width()));
   layout.plot = QRectF(indent, std::round(top + 0.5 * (body - plot.height())), plot.width(), plot.height());
   const double bar_height = std::min(body, 900.0) - 2 * kBarPoint;
   layout.bar = QRectF(layout.plot.right() + kBarGap, std::round(top + 0.5 * (body - bar_height)), kBarWidth,
                       std::round(bar_height));
   return layout;
-}
-
-// Without value: grey; where white means "no change", with lines across, so that the two are told apart.
-QRgb hole_colour(const ColourBar& bar, int column, int row) {
-  const bool hatched = bar.colours == ColourScale::kDiverging && (column + row) % 14 < 3;
-  const int grey = hatched ? 150 : kNoValueColour.red;
-  return qRgb(grey, grey, grey);
 }
 
 void draw_outlines(QPainter& painter, const PlotArea& plot, const std::vector<Outline>& outlines) {
@@ -128,24 +121,58 @@ QString note_text(const results::Field2D& field, const FieldStyle& style, const 
   return note;
 }
 
-// The line at the foot: averaging width at the left, what the grey means at the right end of it.
-void draw_foot(QPainter& painter, const QSizeF& canvas, const QString& note, bool has_holes, bool hatched) {
+// The foot: what was averaged and marked at the left; what places without value are at the right end of that
+// line, or in a line of their own above it.
+void draw_foot(QPainter& painter, const QSizeF& canvas, const QString& note, const PlacesShown& places,
+               const ColourBar& bar) {
   const double top = canvas.height() - kMargin - 30;
-  painter.setFont(text_font(kNotePixels));
-  painter.setPen(QColor(70, 70, 70));
-  const double room = canvas.width() - 2 * kMargin - (has_holes ? 220 : 0);
+  const bool own_line = places.several();
+  const double room = canvas.width() - 2 * kMargin - (places.any() && !own_line ? 220 : 0);
   QFont font = text_font(kNotePixels);
   for (int pixels = kNotePixels; pixels > 16 && text_width(note, font) > room;) font = text_font(--pixels);
   painter.setFont(font);
+  painter.setPen(QColor(70, 70, 70));
   painter.drawText(QRectF(kMargin, top, room, 32), Qt::AlignLeft | Qt::AlignVCenter, note);
-  if (!has_holes) return;
-  const QString text = QStringLiteral("no powder");
-  const double width = 38 + text_width(text, text_font(kNotePixels));
-  const QColor grey(kNoValueColour.red, kNoValueColour.green, kNoValueColour.blue);
-  const QPointF corner(canvas.width() - kMargin - width, top + 2);
-  draw_swatch(painter, corner, grey, text);
-  if (hatched)
-    painter.fillRect(QRectF(corner, QSizeF(28, 28)), QBrush(QColor(120, 120, 120), Qt::BDiagPattern));
+  if (!places.any()) return;
+  const double left = own_line ? kMargin : canvas.width() - kMargin - places.legend_width();
+  places.draw_legend(painter, {left, own_line ? top - kLegendLine + 6 : top + 2}, bar);
+}
+
+// A broken line across the data with its name at the right end, below the line where there is no room above.
+void draw_fill_plane(QPainter& painter, const PlotArea& plot, double height) {
+  if (!(height >= plot.y.range.lower - 1e-6 && height <= plot.y.range.upper + 1e-6)) return;
+  const double y = plot.pixel(plot.x.range.lower, height).y();
+  const QColor colour(170, 0, 60);
+  painter.setPen(QPen(colour, 3, Qt::DashLine, Qt::FlatCap));
+  painter.drawLine(QPointF(plot.rect.left(), y), QPointF(plot.rect.right(), y));
+  const QString text = QStringLiteral("fill plane");
+  const QFont font = text_font(kNotePixels);
+  const double width = text_width(text, font) + 12, above = y - plot.rect.top() > 40 ? y - 34 : y + 5;
+  if (width > plot.rect.width()) return;
+  const QRectF label(plot.rect.right() - width - 8, above, width, 29);
+  painter.fillRect(label, QColor(255, 255, 255, 225));
+  painter.setFont(font);
+  painter.setPen(colour);
+  painter.drawText(label, Qt::AlignCenter, text);
+}
+
+// What of the field has no value, pixel by pixel: what paint_field will show.
+PlacesShown places_shown(const results::Field2D& field, const FieldStyle& style) {
+  PlacesShown places;
+  for (std::size_t n = 0; n < field.value.size(); ++n)
+    places.add(place_of(field.value[n], field.first[n % field.first.size()],
+                        field.second[n / field.first.size()], style));
+  return places;
+}
+
+// Lines, arrows, axes and remarks over the coloured field.
+void draw_on_field(QPainter& painter, const PlotArea& plot, const QSizeF& canvas, bool azimuth,
+                   const FieldStyle& style) {
+  draw_outlines(painter, plot, style.outlines);
+  draw_fill_plane(painter, plot, style.fill_plane);
+  draw_arrows(painter, plot, style);
+  draw_axes(painter, plot, canvas);
+  if (azimuth) draw_markers(painter, plot, shoe_markers());
 }
 
 }  // namespace
@@ -169,21 +196,26 @@ PlotArea field_axes(const results::Field2D& field, const QSizeF& size) {
   return area;
 }
 
-void paint_field(QImage& canvas, const PlotArea& plot, const results::Field2D& field, const ColourBar& bar) {
+PlacesShown paint_field(QImage& canvas, const PlotArea& plot, const results::Field2D& field,
+                        const ColourBar& bar, const FieldStyle& style) {
   const results::Field2D round = continued_round(field);
   const FieldSampler sampler(round);
+  PlacesShown places;
   const double pixels = canvas.devicePixelRatio();
   const QRect rect = QRectF(plot.rect.topLeft() * pixels, plot.rect.size() * pixels).toRect();
   for (int row = rect.top(); row <= rect.bottom(); ++row) {
     auto* line = reinterpret_cast<QRgb*>(canvas.scanLine(row));
     for (int column = rect.left(); column <= rect.right(); ++column) {
-      const QPointF place = plot.value({(column + 0.5) / pixels, (row + 0.5) / pixels});
-      const double value = sampler.at(place.x(), place.y());
+      const QPointF at = plot.value({(column + 0.5) / pixels, (row + 0.5) / pixels});
+      const double value = sampler.at(at.x(), at.y());
+      const Place place = place_of(value, at.x(), at.y(), style);
+      places.add(place);
       const Rgb colour = bar_colour(bar, value);
-      line[column] =
-          std::isnan(value) ? hole_colour(bar, column, row) : qRgb(colour.red, colour.green, colour.blue);
+      line[column] = place == Place::kValue ? qRgb(colour.red, colour.green, colour.blue)
+                                            : place_colour(place, bar, column, row);
     }
   }
+  return places;
 }
 
 FieldPicture compose_field(const results::Field2D& field, const std::string& title,
@@ -191,9 +223,9 @@ FieldPicture compose_field(const results::Field2D& field, const std::string& tit
   check_field(field);
   FieldPicture picture;
   picture.bar = make_bar(field, range, style);
-  const auto is_hole = [](double value) { return !std::isfinite(value); };
-  picture.has_holes = std::any_of(field.value.begin(), field.value.end(), is_hole);
-  const bool is_empty = std::all_of(field.value.begin(), field.value.end(), is_hole);
+  const PlacesShown places = places_shown(field, style);
+  picture.has_holes = places.any();
+  const double foot = kNoteHeight + (places.several() ? kLegendLine : 0);
 
   const double bar_width = colour_bar_width(picture.bar);
   bool equal_scales = false;
@@ -202,32 +234,32 @@ FieldPicture compose_field(const results::Field2D& field, const std::string& tit
   picture.plot = field_axes(field, size);
   double width = kMapWidth;
   if (is_section)
-    width = std::max(kLeastCanvas,
-                     2 * kMargin + left_margin(picture.plot.y) + size.width() + kBarGap + bar_width);
+    width = std::max({kLeastCanvas, 2 * kMargin + places.legend_width(),
+                      2 * kMargin + left_margin(picture.plot.y) + size.width() + kBarGap + bar_width});
   const Heading heading(title, subtitle, width - 2 * kMargin);
-  const Layout layout = is_section ? lay_out_section(heading.height(), picture.plot, bar_width, equal_scales)
-                                   : lay_out_map(heading.height(), picture.plot, bar_width);
+  const Layout layout =
+      is_section ? lay_out_section(heading.height(), picture.plot, bar_width, foot, equal_scales, width)
+                 : lay_out_map(heading.height(), picture.plot, bar_width, foot);
   picture.plot.rect = layout.plot;
   picture.image = white_canvas(static_cast<int>(layout.canvas.width()),
                                static_cast<int>(layout.canvas.height()), style.pixels);
-  paint_field(picture.image, picture.plot, field, picture.bar);
+  paint_field(picture.image, picture.plot, field, picture.bar, style);
 
   QPainter painter(&picture.image);
   painter.setRenderHints(QPainter::Antialiasing | QPainter::TextAntialiasing);
   heading.draw(painter, kMargin, kMargin - 8);
-  draw_outlines(painter, picture.plot, style.outlines);
-  draw_arrows(painter, picture.plot, style);
-  draw_axes(painter, picture.plot, layout.canvas);
-  if (has_azimuth(field)) draw_markers(painter, picture.plot, shoe_markers());
-  if (is_empty) {
-    draw_centred(painter, layout.plot.center(), QStringLiteral("no powder"), kLabelPixels,
-                 layout.plot.width());
-  } else {
+  draw_on_field(painter, picture.plot, layout.canvas, has_azimuth(field), style);
+  const auto has_value = [](double value) { return std::isfinite(value); };
+  if (std::any_of(field.value.begin(), field.value.end(), has_value)) {
     picture.bar_rect = layout.bar;
     draw_colour_bar(painter, picture.bar, layout.bar);
+  } else {
+    draw_centred(painter, layout.plot.center(),
+                 places.several() ? QStringLiteral("no value") : QStringLiteral("no powder"), kLabelPixels,
+                 layout.plot.width());
   }
-  draw_foot(painter, layout.canvas, note_text(field, style, picture.bar, is_section && !equal_scales),
-            picture.has_holes, style.diverging);
+  draw_foot(painter, layout.canvas, note_text(field, style, picture.bar, is_section && !equal_scales), places,
+            picture.bar);
   return picture;
 }
 

@@ -9,6 +9,7 @@
 #include "render/colour_bar.h"
 #include "render/field_style.h"
 #include "render/pictures.h"
+#include "render/place_look.h"
 
 namespace diefill::render {
 
@@ -31,8 +32,9 @@ FieldPicture compose_field(const results::Field2D& field, const std::string& tit
 /// Axes of a field for a data rectangle of `size` pixels with its corner at (0, 0).
 PlotArea field_axes(const results::Field2D& field, const QSizeF& size);
 
-/// Colours the pixels of the data rectangle with the bar's scale; bilinear between nodes, holes in grey,
-/// hatched where the scale is white in its middle.
-void paint_field(QImage& canvas, const PlotArea& plot, const results::Field2D& field, const ColourBar& bar);
+/// Colours the pixels of the data rectangle with the bar's scale, bilinear between nodes, and what has no
+/// value as place_look.h says; returns what that was.
+PlacesShown paint_field(QImage& canvas, const PlotArea& plot, const results::Field2D& field,
+                        const ColourBar& bar, const FieldStyle& style = {});
 
 }  // namespace diefill::render

@@ -6,6 +6,8 @@
 #include <functional>
 #include <stdexcept>
 
+#include "process/results/places_without_value.h"
+
 namespace diefill::render {
 namespace {
 
@@ -77,14 +79,19 @@ double FieldSampler::at(double first, double second) const {
   const std::array<double, 4> weights{(1 - column.weight) * (1 - row.weight),
                                       column.weight * (1 - row.weight), (1 - column.weight) * row.weight,
                                       column.weight * row.weight};
-  double sum = 0, weight = 0;
+  double sum = 0, weight = 0, unvalued = 0, tool = 0;
   for (std::size_t k = 0; k < 4; ++k) {
+    if (results::is_unvalued_powder(values[k])) unvalued += weights[k];
+    if (results::is_inside_tool(values[k])) tool += weights[k];
     if (!std::isfinite(values[k])) continue;
     sum += weights[k] * values[k];
     weight += weights[k];
   }
-  // The hole begins where its corners outweigh the others: half-way between nodes, rounded at corners.
-  return weight >= 0.5 ? sum / weight : std::nan("");
+  // What outweighs the rest is there: places end half-way between nodes, rounded at corners.
+  const double empty = 1 - weight - unvalued - tool;
+  if (weight + unvalued >= 0.5 || weight + unvalued > std::max(tool, empty))
+    return weight >= unvalued ? sum / weight : results::unvalued_powder();
+  return tool > empty ? results::inside_tool() : std::nan("");
 }
 
 }  // namespace diefill::render

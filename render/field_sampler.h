@@ -24,7 +24,8 @@ class FieldSampler {
   explicit FieldSampler(const results::Field2D& field);
 
   /// Value at (first, second) in the field's units, clamped to the grid. Next to a hole only the
-  /// corners with values count; NaN where those weigh less than half.
+  /// corners with values count; where those weigh less than half, what weighs most of what
+  /// places_without_value.h knows.
   double at(double first, double second) const;
 
  private:

@@ -12,6 +12,7 @@
 #include <vtkXMLImageDataWriter.h>
 #include <vtkXMLPolyDataWriter.h>
 
+#include <QString>
 #include <array>
 #include <sstream>
 #include <stdexcept>
@@ -70,7 +71,8 @@ void write_grid(const std::filesystem::path& file, const PointGrid& grid,
   write<vtkXMLImageDataWriter>(file, data);
 }
 
-void write_tools(const std::filesystem::path& file, const std::vector<results::ToolState>& tools) {
+void write_tools(const std::filesystem::path& file, const std::vector<results::ToolState>& tools,
+                 int counted_from) {
   const auto points = vtkSmartPointer<vtkPoints>::New();
   points->SetDataTypeToDouble();
   const auto faces = vtkSmartPointer<vtkCellArray>::New();
@@ -82,7 +84,7 @@ void write_tools(const std::filesystem::path& file, const std::vector<results::T
     for (const auto& triangle : tools[t].triangles) {
       const std::array<vtkIdType, 3> corners{first + triangle[0], first + triangle[1], first + triangle[2]};
       faces->InsertNextCell(3, corners.data());
-      number->InsertNextValue(static_cast<int>(t));
+      number->InsertNextValue(counted_from + static_cast<int>(t));
     }
   }
   const auto data = vtkSmartPointer<vtkPolyData>::New();
@@ -92,13 +94,16 @@ void write_tools(const std::filesystem::path& file, const std::vector<results::T
   write<vtkXMLPolyDataWriter>(file, data);
 }
 
-void write_series(const std::filesystem::path& file,
-                  const std::vector<std::pair<double, std::string>>& files) {
+void write_series(const std::filesystem::path& file, const std::vector<SeriesFile>& files) {
+  const auto quoted = [](const std::string& text) {
+    return QString::fromStdString(text).toHtmlEscaped().toStdString();
+  };
   std::ostringstream text;
   text.precision(17);
   text << "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\">\n  <Collection>\n";
-  for (const auto& [time, name] : files)
-    text << "    <DataSet timestep=\"" << time << "\" file=\"" << name << "\"/>\n";
+  for (const auto& [time, part, name, path] : files)
+    text << "    <DataSet timestep=\"" << time << "\" group=\"\" part=\"" << part << "\" name=\""
+         << quoted(name) << "\" file=\"" << quoted(path) << "\"/>\n";
   text << "  </Collection>\n</VTKFile>\n";
   results::write_text_atomically(file, text.str());
 }

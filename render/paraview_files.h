@@ -34,11 +34,20 @@ struct PointGrid {
 void write_grid(const std::filesystem::path& file, const PointGrid& grid,
                 const std::vector<PointArray>& arrays);
 
-/// Writes all tools (m) as one .vtp; "tool" counts them, in the order of the results.
-void write_tools(const std::filesystem::path& file, const std::vector<results::ToolState>& tools);
+/// Writes tools (m) as one .vtp; "tool" counts them from `first`, in the order of the results.
+void write_tools(const std::filesystem::path& file, const std::vector<results::ToolState>& tools,
+                 int first = 0);
 
-/// Writes a .pvd file that names files (in its own folder) with their times (s).
-void write_series(const std::filesystem::path& file,
-                  const std::vector<std::pair<double, std::string>>& files);
+/// One file of a series: when it is shown, and as which part of the whole. Parts of one instant are shown
+/// together; a file may stand for several instants.
+struct SeriesFile {
+  double time = 0;   ///< s
+  int part = 0;      ///< counted from 0
+  std::string name;  ///< of the part, for people
+  std::string file;  ///< seen from the series' own folder
+};
+
+/// Writes a .pvd file, which ParaView opens as all of `files` at once and plays over time.
+void write_series(const std::filesystem::path& file, const std::vector<SeriesFile>& files);
 
 }  // namespace diefill::render

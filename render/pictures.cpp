@@ -1,17 +1,19 @@
 #include "render/pictures.h"
 
-#include <QString>
-#include <limits>
+#include <algorithm>
+#include <cmath>
 
 #include "render/density_map.h"
+#include "render/field_places.h"
+#include "render/field_sampler.h"
 #include "render/picture_file.h"
 #include "render/ticks.h"
-#include "render/tool_outline.h"
 
 namespace diefill::render {
 namespace {
 
-constexpr double kFromData = std::numeric_limits<double>::quiet_NaN();
+constexpr const char* kSolidFraction = "solid fraction";
+constexpr const char* kFillLevel = "fill level";
 
 std::string subtitle_of(const results::FillResult& result) {
   std::string text = result.powder_name;
@@ -21,62 +23,112 @@ std::string subtitle_of(const results::FillResult& result) {
   return text;
 }
 
-// Map and sections of one result share a scale, so that a colour means the same on both.
-ColourRange common_range(const results::FillResult& result) {
-  std::vector<double> values;
-  for (const auto& map : result.maps) values.insert(values.end(), map.value.begin(), map.value.end());
-  for (const auto& section : result.sections)
-    values.insert(values.end(), section.field.value.begin(), section.field.value.end());
-  if (values.empty()) return {kFromData, kFromData};
-  const Interval range = robust_range(values);
-  return {range.lower, range.upper};
+const std::string& title_of(const results::FillResult& result) {
+  return result.strategy.empty() ? result.title : result.strategy;
 }
 
-const results::Profile* fill_level_of(const results::FillResult& result) {
+/// What the run's chart shows: the fill level of a ring, the solid fraction over height of other cavities.
+const results::Profile* profile_to_draw(const results::FillResult& result) {
   for (const auto& profile : result.profiles)
-    if (profile.quantity == "fill level") return &profile;
+    if (profile.quantity == kFillLevel) return &profile;
   return result.profiles.empty() ? nullptr : &result.profiles.front();
 }
 
-/// The first that goes through powder; nothing where none does.
-const results::SectionField* section_to_draw(const results::FillResult& result) {
-  for (const auto& section : result.sections)
-    if (!section.field.first.empty()) return &section;
-  return nullptr;
+bool same_plane(const results::SectionPlane& one, const results::SectionPlane& other) {
+  constexpr double kSame = 1e-9;
+  return (one.normal - other.normal).norm() < kSame &&
+         std::abs((one.origin - other.origin).dot(one.normal)) < kSame;
+}
+
+std::string map_name(const results::Field2D& map) {
+  if (has_azimuth(map)) return "density_map";
+  return map.quantity == kFillLevel ? "fill_level_map" : "plan_map";
+}
+
+void draw_map(const std::filesystem::path& png, const results::FillResult& result,
+              const results::Field2D& map, const ColourRange& range) {
+  FieldStyle style;
+  style.mark_mean = true;
+  add_map_places(style, result, map);
+  const bool level = map.quantity == kFillLevel, plan = !has_azimuth(map);
+  if (level) {
+    style.unit = "mm";
+    style.note = "height of the powder surface above the cavity floor";
+  } else if (plan) {
+    style.note = "mean over height";
+  }
+  const std::string view(plan ? ", seen from above" : "");
+  write_png(png, compose_field(map, title_of(result), subtitle_of(result) + view,
+                               level ? kRangeFromData : range, style)
+                     .image);
+}
+
+void draw_section(const std::filesystem::path& png, const results::FillResult& result,
+                  const results::SectionField& section, const ColourRange& range) {
+  FieldStyle style;
+  style.mark_mean = true;
+  add_section_places(style, result, section.plane);
+  const std::string subtitle = subtitle_of(result) + ", " + section_in_words(section.plane);
+  write_png(png, compose_field(section.field, title_of(result), subtitle, range, style).image);
 }
 
 }  // namespace
 
-std::vector<std::filesystem::path> draw_all(const std::filesystem::path& directory,
-                                            const results::FillResult& result) {
-  std::vector<std::filesystem::path> written;
-  const std::string title = result.strategy.empty() ? result.title : result.strategy;
-  const std::string subtitle = subtitle_of(result);
-  const ColourRange range = common_range(result);
-  const auto field_picture = [&](const char* name, const results::Field2D& field,
-                                 const std::vector<Outline>& outlines) {
-    FieldStyle style;
-    style.mark_mean = true;
-    style.outlines = outlines;
-    write_png(directory / name, compose_field(field, title, subtitle, range, style).image);
-    written.push_back(directory / name);
+ColourRange solid_fraction_range(const std::vector<const results::FillResult*>& results) {
+  std::vector<double> values;
+  const auto add = [&values](const results::Field2D& field) {
+    if (field.quantity == kSolidFraction) values.insert(values.end(), field.value.begin(), field.value.end());
   };
-  const results::SectionField* section = section_to_draw(result);
-  const auto section_picture = [&](const char* name) {
-    field_picture(name, section->field, tool_outlines(result.tools, section->plane));
-  };
-  if (!result.maps.empty()) {
-    const auto& map = result.maps.front();
-    field_picture("density_map.png", map, fill_plane_outline(result.cavity, map));
-  } else if (section != nullptr) {
-    section_picture("density_map.png");
+  for (const auto* result : results) {
+    for (const auto& map : result->maps) add(map);
+    for (const auto& section : result->sections) add(section.field);
   }
-  if (section != nullptr) section_picture("section.png");
-  draw_snapshot(directory / "snapshot.png", result);
+  if (std::ranges::none_of(values, [](double value) { return std::isfinite(value); })) return kRangeFromData;
+  const Interval range = robust_range(values);
+  return {range.lower, range.upper};
+}
+
+std::vector<const results::SectionField*> drawn_sections(const results::FillResult& result) {
+  std::vector<const results::SectionField*> drawn;
+  for (const auto& section : result.sections)
+    if (!section.field.first.empty() && std::ranges::none_of(drawn, [&](const auto* other) {
+          return same_plane(other->plane, section.plane);
+        }))
+      drawn.push_back(&section);
+  return drawn;
+}
+
+std::vector<std::filesystem::path> draw_maps(const std::filesystem::path& directory,
+                                             const results::FillResult& result, const ColourRange& range,
+                                             const std::string& suffix) {
+  std::vector<std::filesystem::path> written;
+  for (const auto& map : result.maps) {
+    const auto png = directory / (map_name(map) + suffix + ".png");
+    if (std::ranges::find(written, png) != written.end()) continue;
+    draw_map(png, result, map, range);
+    written.push_back(png);
+  }
+  return written;
+}
+
+std::vector<std::filesystem::path> draw_all(const std::filesystem::path& directory,
+                                            const results::FillResult& result, const ColourRange& given) {
+  const bool from_data = std::isnan(given.lower) && std::isnan(given.upper);
+  const ColourRange range = from_data ? solid_fraction_range({&result}) : given;
+  auto written = draw_maps(directory, result, range);
+  const auto sections = drawn_sections(result);
+  for (std::size_t n = 0; n < sections.size(); ++n) {
+    std::string name = "section";
+    if (n > 0) name.append("_").append(std::to_string(n + 1));
+    written.push_back(directory / (name + ".png"));
+    draw_section(written.back(), result, *sections[n], range);
+  }
   written.push_back(directory / "snapshot.png");
-  if (const auto* profile = fill_level_of(result)) {
-    draw_profile(directory / "fill_level.png", *profile, title, subtitle);
-    written.push_back(directory / "fill_level.png");
+  draw_snapshot(written.back(), result, range);
+  if (const auto* profile = profile_to_draw(result)) {
+    const bool level = profile->quantity == kFillLevel;
+    written.push_back(directory / (level ? "fill_level.png" : "height_profile.png"));
+    draw_profile(written.back(), *profile, title_of(result), subtitle_of(result));
   }
   return written;
 }

@@ -181,8 +181,12 @@ double scene_aspect(const results::FillResult& result) {
   return scene.width() / scene.height();
 }
 
-void draw_snapshot(const std::filesystem::path& png, const results::FillResult& result) {
-  write_png(png, compose_snapshot(result).image);
+void draw_snapshot(const std::filesystem::path& png, const results::FillResult& result,
+                   const ColourRange& range) {
+  ViewOptions options;
+  options.lower = range.lower;
+  options.upper = range.upper;
+  write_png(png, compose_snapshot(result, options).image);
 }
 
 }  // namespace diefill::render

@@ -36,10 +36,4 @@ std::vector<Outline> tool_outlines(const std::vector<results::ToolState>& tools,
   return outlines;
 }
 
-std::vector<Outline> fill_plane_outline(const results::CavityState& cavity, const results::Field2D& map) {
-  const double depth = (cavity.upper_corner.z() - cavity.lower_corner.z()) / kMillimetre;
-  if (map.second.empty() || !(map.second.back() > depth + 1e-6)) return {};
-  return {{{0, depth}, {360, depth}}};
-}
-
 }  // namespace diefill::render

@@ -10,7 +10,4 @@ namespace diefill::render {
 std::vector<Outline> tool_outlines(const std::vector<results::ToolState>& tools,
                                    const results::SectionPlane& plane);
 
-/// The fill plane as a line across a ring's map, where the map goes on beyond it.
-std::vector<Outline> fill_plane_outline(const results::CavityState& cavity, const results::Field2D& map);
-
 }  // namespace diefill::render

@@ -5,6 +5,8 @@
 #include <limits>
 #include <utility>
 
+#include "process/results/places_without_value.h"
+
 namespace diefill::process {
 namespace {
 
@@ -18,7 +20,8 @@ std::pair<std::size_t, double> place_among(const std::vector<double>& nodes, dou
   return {below, value < nodes.front() ? kNone : (value - nodes[below]) / (nodes[below + 1] - nodes[below])};
 }
 
-/// Bilinear between the nodes; NaN beyond them and beside nodes without a value.
+/// Bilinear between the nodes; NaN beyond them and beside nodes without a value, unvalued_powder() where one
+/// of those holds powder and the others are no holes.
 double value_at(const results::Field2D& field, double first, double second) {
   if (field.value.empty()) return kNone;
   const auto [i, right] = place_among(field.first, first);
@@ -26,10 +29,32 @@ double value_at(const results::Field2D& field, double first, double second) {
   if (std::isnan(right) || std::isnan(up)) return kNone;
   const double weights[2][2] = {{(1 - up) * (1 - right), (1 - up) * right}, {up * (1 - right), up * right}};
   double sum = 0;
+  bool unvalued = false;
   for (std::size_t b = 0; b < 2; ++b)
-    for (std::size_t a = 0; a < 2; ++a)
-      if (weights[b][a] > 0) sum += weights[b][a] * field.value[(j + b) * field.first.size() + i + a];
-  return sum;
+    for (std::size_t a = 0; a < 2; ++a) {
+      if (!(weights[b][a] > 0)) continue;
+      const double value = field.value[(j + b) * field.first.size() + i + a];
+      if (results::is_unvalued_powder(value))
+        unvalued = true;
+      else
+        sum += weights[b][a] * value;
+    }
+  return unvalued && !std::isnan(sum) ? results::unvalued_powder() : sum;
+}
+
+/// Mean of the fields that have a value there, where at least half of them hold powder.
+double mean_at(const std::vector<results::Field2D>& fields, double first, double second) {
+  double sum = 0;
+  std::size_t values = 0, unvalued = 0;
+  for (const auto& field : fields) {
+    const double value = value_at(field, first, second);
+    unvalued += results::is_unvalued_powder(value);
+    if (!std::isfinite(value)) continue;
+    sum += value;
+    ++values;
+  }
+  if (2 * (values + unvalued) < fields.size() || values + unvalued == 0) return kNone;
+  return values > 0 ? sum / static_cast<double>(values) : results::unvalued_powder();
 }
 
 }  // namespace
@@ -44,12 +69,8 @@ results::Field2D mean_field(const std::vector<results::Field2D>& fields) {
   if (fields.empty()) return {};
   results::Field2D mean = fields.front();
   const std::size_t columns = mean.first.size();
-  for (std::size_t n = 0; n < mean.value.size(); ++n) {
-    double sum = 0;
-    for (const auto& field : fields)
-      sum += value_at(field, mean.first[n % columns], mean.second[n / columns]);
-    mean.value[n] = sum / static_cast<double>(fields.size());
-  }
+  for (std::size_t n = 0; n < mean.value.size(); ++n)
+    mean.value[n] = mean_at(fields, mean.first[n % columns], mean.second[n / columns]);
   return mean;
 }
 

@@ -7,8 +7,10 @@
 #include "process/measure/cavity_position.h"
 #include "process/measure/gaussian_field.h"
 #include "process/measure/measure.h"
+#include "process/measure/powder_places.h"
 #include "process/measure/ring_sample.h"
 #include "process/measure/tool_solids.h"
+#include "process/results/places_without_value.h"
 
 namespace diefill::process {
 namespace {
@@ -86,7 +88,26 @@ double radial_mean(const PlaneValue& value_at, const results::CavityState& cavit
     weights += r;
     sum += r * value;
   }
-  return weights > 0 ? sum / weights : std::numeric_limits<double>::quiet_NaN();
+  return weights > 0 ? sum / weights : results::unvalued_powder();
+}
+
+/// 1 for the nodes that hold powder at any of the radii, in the powder's outline over azimuth and height.
+std::vector<std::uint8_t> powder_nodes(const results::PowderState& powder, const results::CavityState& cavity,
+                                       const results::Field2D& map, const std::vector<double>& radius,
+                                       const std::vector<std::vector<double>>& free) {
+  const PowderPlaces places(powder);
+  std::vector<std::uint8_t> near;
+  for (std::size_t j = 0; j < map.second.size(); ++j)
+    for (const double azimuth : map.first)
+      near.push_back(std::ranges::any_of(radius, [&](double r) {
+        return places.near(ring_point(cavity, {azimuth, r, map.second[j] * kMillimetre}));
+      }));
+  const double arc = 0.5 * (cavity.inner_radius + cavity.outer_radius) * std::numbers::pi / 180;
+  draw_in(near,
+          {map.first.size(), map.second.size(), arc * (map.first[1] - map.first[0]),
+           kMillimetre * (map.second[1] - map.second[0]), true},
+          outline_depth(places), [&](std::size_t, std::size_t j) { return free[j].empty(); });
+  return near;
 }
 
 }  // namespace
@@ -103,12 +124,17 @@ results::Field2D sample_ring(const results::PowderState& powder, const std::vect
   map.second = height_nodes(depth, highest_grain(powder, cavity), averaging_width);
   map.value.reserve(map.first.size() * map.second.size());
   const std::vector<geometry::SolidQuery> solids = solids_of(tools);
-  for (const double height : map.second) {
-    const std::vector<double> free =
-        free_radii(solids, cavity, radius, height * kMillimetre, averaging_width);
+  std::vector<std::vector<double>> free;
+  for (const double height : map.second)
+    free.push_back(free_radii(solids, cavity, radius, height * kMillimetre, averaging_width));
+  const std::vector<std::uint8_t> is_powder = powder_nodes(powder, cavity, map, radius, free);
+  for (std::size_t j = 0; j < map.second.size(); ++j) {
     const std::size_t row = map.value.size();
     for (std::size_t i = 0; i + 1 < map.first.size(); ++i)
-      map.value.push_back(radial_mean(value_at, cavity, free, map.first[i], height * kMillimetre));
+      map.value.push_back(free[j].empty()           ? results::inside_tool()
+                          : is_powder[row + i] != 0 ? radial_mean(value_at, cavity, free[j], map.first[i],
+                                                                  map.second[j] * kMillimetre)
+                                                    : std::numeric_limits<double>::quiet_NaN());
     map.value.push_back(map.value[row]);  // 360 degrees is 0 degrees
   }
   return map;
@@ -120,7 +146,7 @@ results::Field2D cylindrical_map(const results::PowderState& powder,
                                  const results::CavityState& cavity, double averaging_width) {
   const GaussianField field(powder, fraction, averaging_width);
   return sample_ring(powder, tools, cavity, averaging_width,
-                     [&field](const Eigen::Vector3d& point) { return field.at(point); });
+                     [&field](const Eigen::Vector3d& point) { return field.mean_at(point); });
 }
 
 }  // namespace diefill::process

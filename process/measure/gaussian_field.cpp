@@ -72,6 +72,14 @@ GaussianField::Source GaussianField::with_images(Source source, double margin, c
 }
 
 double GaussianField::at(const Eigen::Vector3d& point) const {
+  return value(point, hole_);
+}
+
+double GaussianField::mean_at(const Eigen::Vector3d& point) const {
+  return value(point, reach_);
+}
+
+double GaussianField::value(const Eigen::Vector3d& point, double hole) const {
   const double exponent = -0.5 / (averaging_width_ * averaging_width_);
   double nearest = std::numeric_limits<double>::max(), weights = 0, sum = 0;
   grid_.for_each_within(point, reach_, [&](std::uint32_t grain, const auto&, double squared) {
@@ -80,7 +88,7 @@ double GaussianField::at(const Eigen::Vector3d& point) const {
     weights += weight;
     sum += weight * values_[grain];
   });
-  return nearest <= hole_ * hole_ && weights > 0 ? sum / weights : std::numeric_limits<double>::quiet_NaN();
+  return nearest <= hole * hole && weights > 0 ? sum / weights : std::numeric_limits<double>::quiet_NaN();
 }
 
 }  // namespace diefill::process

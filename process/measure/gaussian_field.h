@@ -28,12 +28,17 @@ class GaussianField {
   /// Value at `point` (m, laboratory frame), NaN in holes and outside the powder.
   double at(const Eigen::Vector3d& point) const;
 
+  /// The same without regard to holes: NaN only where no grain is within reach of the average. For places
+  /// that are known to hold powder (powder_places.h).
+  double mean_at(const Eigen::Vector3d& point) const;
+
  private:
   struct Source {
     std::vector<Eigen::Vector3d> centres;
     std::vector<double> values;
   };
   GaussianField(Source source, double averaging_width, double hole);
+  double value(const Eigen::Vector3d& point, double hole) const;
   static Source closed_grains(const results::PowderState& powder, const results::GrainSolidFraction& fraction,
                               double margin);
   static Source with_images(Source source, double margin, const Period& period);

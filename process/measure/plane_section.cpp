@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
@@ -6,7 +7,9 @@
 #include "process/measure/gaussian_field.h"
 #include "process/measure/measure.h"
 #include "process/measure/plane_sample.h"
+#include "process/measure/powder_places.h"
 #include "process/measure/tool_solids.h"
+#include "process/results/places_without_value.h"
 
 namespace diefill::process {
 namespace {
@@ -67,6 +70,24 @@ bool no_room_at(const std::vector<geometry::SolidQuery>& solids, const Eigen::Ve
   return nearest + next < room;
 }
 
+Eigen::Vector3d point_of(const results::SectionPlane& plane, double first, double second) {
+  return plane.origin + kMillimetre * (first * plane.first_axis + second * plane.second_axis);
+}
+
+/// 1 for the nodes that the powder's outline holds, whatever tools are there.
+std::vector<std::uint8_t> powder_nodes(const results::PowderState& powder, const results::SectionPlane& plane,
+                                       const results::Field2D& grid, double step,
+                                       const std::function<bool(const Eigen::Vector3d&)>& is_tool) {
+  const PowderPlaces places(powder);
+  std::vector<std::uint8_t> near;
+  for (const double second : grid.second)
+    for (const double first : grid.first) near.push_back(places.near(point_of(plane, first, second)) ? 1 : 0);
+  draw_in(
+      near, {grid.first.size(), grid.second.size(), step, step, false}, outline_depth(places),
+      [&](std::size_t i, std::size_t j) { return is_tool(point_of(plane, grid.first[i], grid.second[j])); });
+  return near;
+}
+
 }  // namespace
 
 results::SectionField sample_plane(const results::PowderState& powder,
@@ -96,13 +117,20 @@ results::SectionField sample_plane(const results::PowderState& powder,
   results::Field2D& grid = section.field;
   grid.first = nodes(extent.lower.x(), extent.upper.x(), step);
   grid.second = nodes(extent.lower.y(), extent.upper.y(), step);
+  const auto no_room = [&](const Eigen::Vector3d& point) {
+    return no_room_at(solids, point, 0.5 * powder.sphere_radius);
+  };
+  const std::vector<std::uint8_t> is_powder = powder_nodes(powder, plane, grid, step, no_room);
   for (const double second : grid.second) {
     for (const double first : grid.first) {
-      const Eigen::Vector3d point =
-          plane.origin + kMillimetre * (first * plane.first_axis + second * plane.second_axis);
-      double value = value_at(point);
-      if (!std::isnan(value) && no_room_at(solids, point, 0.5 * powder.sphere_radius))
-        value = std::numeric_limits<double>::quiet_NaN();
+      const Eigen::Vector3d point = point_of(plane, first, second);
+      double value = std::numeric_limits<double>::quiet_NaN();
+      if (no_room(point))
+        value = results::inside_tool();
+      else if (is_powder[grid.value.size()] != 0) {
+        value = value_at(point);
+        if (std::isnan(value)) value = results::unvalued_powder();
+      }
       grid.value.push_back(value);
     }
   }
@@ -115,7 +143,7 @@ results::SectionField plane_section(const results::PowderState& powder,
                                     const results::SectionPlane& plane, double averaging_width) {
   const GaussianField field(powder, fraction, averaging_width);
   return sample_plane(powder, fraction, tools, plane, averaging_width,
-                      [&field](const Eigen::Vector3d& point) { return field.at(point); });
+                      [&field](const Eigen::Vector3d& point) { return field.mean_at(point); });
 }
 
 }  // namespace diefill::process

@@ -7,6 +7,7 @@
 #include <limits>
 #include <numbers>
 
+#include "process/measure/box_map.h"
 #include "process/measure/heap_slope.h"
 #include "process/measure/measure.h"
 #include "process/measure/segregation.h"
@@ -236,8 +237,9 @@ results::SectionPlane section_plane(const std::string& name, const Eigen::Vector
                                     const Eigen::Vector3d& normal) {
   results::SectionPlane plane;
   plane.name = name;
-  plane.origin = origin;
   plane.normal = normal.normalized();
+  // Coordinates in the plane count from here: those along x, y or z are the laboratory's own.
+  plane.origin = origin.dot(plane.normal) * plane.normal;
   // Upright planes are seen with z up; a horizontal one with x to the right.
   const bool horizontal = std::abs(plane.normal[2]) > 0.999;
   plane.first_axis = horizontal ? Eigen::Vector3d(Eigen::Vector3d::UnitX())
@@ -269,8 +271,10 @@ void measure_fields(results::FillResult& result, const FieldRequest& request, in
     result.profiles.push_back(height_profile(result.maps.back()));
     for (auto& profile : size_profiles(result)) result.profiles.push_back(std::move(profile));
   } else if (result.cavity.volume > 0) {
+    result.maps.push_back(box_map(result, BoxView::kPlan, width));
+    result.maps.push_back(fill_level_map(result));
     result.profiles.push_back(level_along_travel(result.powder, result.cavity));
-    result.profiles.push_back(height_profile(result.powder, result.solid_fraction, result.cavity, width));
+    result.profiles.push_back(height_profile(box_map(result, BoxView::kSide, width)));
   }
   auto planes = request.sections;
   if (planes.empty()) planes.push_back(default_section(result));

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "render/field_places.h"
 #include "render/report/pictures_of.h"
 #include "render/report/speed_series.h"
 #include "render/ticks.h"
@@ -104,28 +105,36 @@ const results::Field2D* main_field(const results::FillResult& result) {
   return result.sections.empty() ? nullptr : &result.sections.front().field;
 }
 
-Section maps(const std::vector<Strategy>& strategies) {
-  Section section{"Maps on one scale", 1, {}};
-  std::vector<double> values;
-  for (const auto& strategy : strategies)
-    if (const auto* field = main_field(strategy.first()))
-      values.insert(values.end(), field->value.begin(), field->value.end());
-  if (values.empty()) {
-    section.blocks.emplace_back(Paragraph{"The results hold no maps."});
-    return section;
+/// A strategy's field with what surrounds the powder on it.
+Figure map_of(const Strategy& strategy, const results::Field2D& field, const ColourRange& range) {
+  const auto& result = strategy.first();
+  const std::string seed = strategy.runs.size() > 1 ? ", seed " + std::to_string(result.seed) + " of " +
+                                                          std::to_string(strategy.runs.size()) + " runs"
+                                                    : "";
+  FieldStyle style;
+  std::string subtitle = result.powder_name + seed;
+  if (result.maps.empty()) {
+    add_section_places(style, result, result.sections.front().plane);
+    subtitle += ", " + section_in_words(result.sections.front().plane);
+  } else {
+    add_map_places(style, result, field);
   }
-  const Interval range = robust_range(values);
+  return field_picture(field, strategy.name, subtitle, range, strategy.name + seed, style);
+}
+
+Section maps(const std::vector<Strategy>& strategies, const ColourRange& given) {
+  Section section{"Maps on one scale", 1, {}};
+  std::vector<const results::FillResult*> results;
+  for (const auto& strategy : strategies) results.push_back(&strategy.first());
+  const ColourRange range = std::isnan(given.lower) ? solid_fraction_range(results) : given;
   Figures figures{{}, true};
   for (const auto& strategy : strategies)
-    if (const auto* field = main_field(strategy.first())) {
-      const std::string seed = strategy.runs.size() > 1
-                                   ? ", seed " + std::to_string(strategy.first().seed) + " of " +
-                                         std::to_string(strategy.runs.size()) + " runs"
-                                   : "";
-      figures.figures.push_back(field_picture(*field, strategy.name, strategy.first().powder_name + seed,
-                                              {range.lower, range.upper}, strategy.name + seed));
-    }
-  section.blocks.emplace_back(figures);
+    if (const auto* field = main_field(strategy.first()); field != nullptr && !field->value.empty())
+      figures.figures.push_back(map_of(strategy, *field, range));
+  if (figures.figures.empty())
+    section.blocks.emplace_back(Paragraph{"The results hold no maps."});
+  else
+    section.blocks.emplace_back(figures);
   return section;
 }
 
@@ -261,8 +270,8 @@ Section scatter_section(const std::vector<Strategy>& strategies) {
 
 }  // namespace
 
-std::vector<Section> comparison_sections(const std::vector<Strategy>& strategies) {
-  std::vector<Section> sections = {ranking(strategies), maps(strategies), curves(strategies)};
+std::vector<Section> comparison_sections(const std::vector<Strategy>& strategies, const ColourRange& range) {
+  std::vector<Section> sections = {ranking(strategies), maps(strategies, range), curves(strategies)};
   if (series_over_speed(strategies)) sections.push_back(speed_section(strategies));
   if (strategies.size() > 1) sections.push_back(differences(strategies));
   sections.push_back(scatter_section(strategies));

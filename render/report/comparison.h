@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "render/pictures.h"
 #include "render/report/document.h"
 #include "render/report/strategies.h"
 
@@ -10,6 +11,8 @@ namespace diefill::render::report {
 
 /// Ranking, maps on one scale, curves, scatter over seeds, critical shoe speed where the strategies are a
 /// series over speed, and differences from the first strategy.
-std::vector<Section> comparison_sections(const std::vector<Strategy>& strategies);
+/// `range`: of the solid fraction on maps; from the strategies' own where it is kRangeFromData.
+std::vector<Section> comparison_sections(const std::vector<Strategy>& strategies,
+                                         const ColourRange& range = kRangeFromData);
 
 }  // namespace diefill::render::report

@@ -11,6 +11,7 @@
 #include <stdexcept>
 
 #include "render/density_map.h"
+#include "render/field_places.h"
 #include "render/report/timeline.h"
 #include "render/snapshot.h"
 
@@ -44,18 +45,43 @@ std::vector<Figure> drawn(const std::function<std::vector<std::filesystem::path>
   return figures;
 }
 
-std::string caption_of(const std::string& picture, bool ring) {
-  if (picture == "density_map" && ring)
-    return "Solid fraction over azimuth and height, mean over the ring's width.";
-  if (picture == "density_map") return "Solid fraction in the plane of the first section.";
-  if (picture == "section") return "Solid fraction in a plane section.";
+std::string capitalised(std::string words) {
+  words.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(words.front())));
+  return words;
+}
+
+/// "_2" -> 2; none: 1.
+std::size_t number_in(const std::string& picture) {
+  const auto at = picture.find_last_of('_');
+  return at == std::string::npos ? 1 : std::stoul(picture.substr(at + 1));
+}
+
+std::string caption_of(const std::string& picture, const results::FillResult& result) {
+  if (picture == "density_map") return "Solid fraction over azimuth and height, mean over the ring's width.";
+  if (picture == "plan_map") return "Solid fraction seen from above, mean over height.";
+  if (picture == "fill_level_map")
+    return "Height of the powder surface above the cavity floor, seen from above.";
+  if (picture.starts_with("section")) {
+    const auto* section = drawn_sections(result).at(number_in(picture) - 1);
+    return "Solid fraction, " + section_in_words(section->plane) + ".";
+  }
   if (picture == "snapshot")
     return "Powder and tools at the end, cut open; grains coloured by solid fraction.";
   if (picture == "fill_level") return "Height of the powder surface above the cavity's floor.";
+  if (picture == "height_profile") return "Solid fraction over height.";
   std::string words = picture;
   std::replace(words.begin(), words.end(), '_', ' ');
-  words.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(words.front())));
-  return words + ".";
+  return capitalised(words) + ".";
+}
+
+/// The maps of a further cavity, which its title names.
+void add_cavity_maps(std::vector<Figure>& figures, const results::FillResult& cavity, std::size_t number,
+                     const ColourRange& range) {
+  const auto draw = [&](const std::string& folder) { return draw_maps(folder, cavity, range); };
+  for (auto& figure : drawn(draw, [&](const std::string& picture) { return caption_of(picture, cavity); })) {
+    figure.caption = "Cavity " + std::to_string(number) + ". " + figure.caption;
+    figures.push_back(std::move(figure));
+  }
 }
 
 std::string subtitle_of(const results::FillResult& result) {
@@ -64,19 +90,14 @@ std::string subtitle_of(const results::FillResult& result) {
 
 }  // namespace
 
-std::vector<Figure> pictures_of(const results::FillResult& result) {
-  const bool ring = !result.maps.empty();
-  auto figures = drawn([&](const std::string& folder) { return draw_all(folder, result); },
-                       [&](const std::string& picture) { return caption_of(picture, ring); });
-  // Without a ring the first section is drawn as the map; once is enough.
-  if (!ring && figures.size() > 1 && figures[0].png == figures[1].png) figures.erase(figures.begin());
-  const ColourRange from_data{std::nan(""), std::nan("")};
-  for (std::size_t n = 1; n < result.maps.size(); ++n)
-    figures.push_back(field_picture(result.maps[n], result.strategy, subtitle_of(result), from_data,
-                                    "Map of the " + result.maps[n].quantity + "."));
-  for (std::size_t n = 1; n < result.sections.size(); ++n)
-    figures.push_back(field_picture(result.sections[n].field, result.strategy, subtitle_of(result), from_data,
-                                    "Section \"" + result.sections[n].plane.name + "\"."));
+std::vector<Figure> pictures_of(const results::FillResult& result, const SharedPictures& shared) {
+  const bool from_data = std::isnan(shared.range.lower) && std::isnan(shared.range.upper);
+  const ColourRange range = from_data ? solid_fraction_range({&result}) : shared.range;
+  auto figures = drawn([&](const std::string& folder) { return draw_all(folder, result, range); },
+                       [&](const std::string& picture) { return caption_of(picture, result); });
+  if (shared.other_cavities != nullptr)
+    for (std::size_t n = 0; n < shared.other_cavities->size(); ++n)
+      add_cavity_maps(figures, (*shared.other_cavities)[n], n + 2, range);
   for (const auto& profile : result.profiles) {
     if (profile.quantity == "fill level" || &profile == &result.profiles.front()) continue;
     const auto draw = [&](const std::string& folder) {
@@ -84,11 +105,8 @@ std::vector<Figure> pictures_of(const results::FillResult& result) {
       draw_profile(png, profile, result.strategy, subtitle_of(result));
       return std::vector{png};
     };
-    const std::string words = profile.quantity + " over " + profile.x_name + ".";
-    for (auto& figure : drawn(draw, [&](const std::string&) { return words; })) {
-      figure.caption.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(words.front())));
-      figures.push_back(figure);
-    }
+    const std::string words = capitalised(profile.quantity + " over " + profile.x_name + ".");
+    for (auto& figure : drawn(draw, [&](const std::string&) { return words; })) figures.push_back(figure);
   }
   return figures;
 }
@@ -111,8 +129,8 @@ std::vector<Figure> timeline_of(const results::FillResult& result) {
 }
 
 Figure field_picture(const results::Field2D& field, const std::string& title, const std::string& subtitle,
-                     const ColourRange& range, const std::string& caption) {
-  return {png_of(compose_field(field, title, subtitle, range).image), caption};
+                     const ColourRange& range, const std::string& caption, const FieldStyle& style) {
+  return {png_of(compose_field(field, title, subtitle, range, style).image), caption};
 }
 
 Figure chart_picture(const Chart& chart, const std::string& caption) {

@@ -8,13 +8,23 @@
 namespace diefill::render::report {
 namespace {
 
+/// One scale of the solid fraction for all pictures of the report.
+ColourRange range_of(const std::vector<const Run*>& runs) {
+  std::vector<const results::FillResult*> results;
+  for (const Run* run : runs) {
+    results.push_back(&run->result);
+    for (const auto& cavity : run->other_cavities) results.push_back(&cavity);
+  }
+  return solid_fraction_range(results);
+}
+
 Document single(const Run& run) {
   const auto& result = run.result;
   Document document;
   document.title = result.title.empty() ? run.name : result.title;
   document.subtitle = "Die filling: " + result.powder_name + ", " + result.strategy + ". diefill " +
                       result.program_version + ", results in " + run.name;
-  document.sections = run_sections(result, 1);
+  document.sections = run_sections(result, 1, {range_of({&run}), &run.other_cavities});
   return document;
 }
 
@@ -26,7 +36,10 @@ Document several(const std::vector<Run>& runs) {
                    std::to_string(runs.size()) + " runs";
   document.subtitle =
       "Die filling: " + runs.front().result.powder_name + ". diefill " + runs.front().result.program_version;
-  document.sections = comparison_sections(strategies);
+  std::vector<const Run*> shown;
+  for (const auto& strategy : strategies) shown.push_back(strategy.runs.front());
+  const ColourRange range = range_of(shown);
+  document.sections = comparison_sections(strategies, range);
   for (const auto& strategy : strategies) {
     Section chapter{"Strategy: " + strategy.name, 1, {}};
     std::string names;
@@ -35,7 +48,8 @@ Document several(const std::vector<Run>& runs) {
     if (strategy.runs.size() > 1)
       chapter.blocks.emplace_back(Paragraph{"What follows is of the first of these runs."});
     document.sections.push_back(chapter);
-    for (auto& section : run_sections(strategy.first(), 2)) document.sections.push_back(section);
+    const SharedPictures shared{range, &strategy.runs.front()->other_cavities};
+    for (auto& section : run_sections(strategy.first(), 2, shared)) document.sections.push_back(section);
   }
   return document;
 }

@@ -14,6 +14,8 @@ struct Run {
   std::string name;
   results::FillResult result;
   std::string strategy;  ///< that it is a run of, where a comparison says so; empty: told from the scene
+  /// The same result as of each further cavity of the die, for maps of their own; empty where there is one.
+  std::vector<results::FillResult> other_cavities = {};
 };
 
 /// The report as content: of one run all that is known about it; of several first the comparison, then every

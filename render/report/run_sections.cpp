@@ -23,8 +23,8 @@ void add_row(Table& table, const std::string& name, double value, const std::str
 }
 
 /// The first picture, which is the map that decides, in full width; the others side by side.
-Section pictures_section(const FillResult& result) {
-  std::vector<Figure> figures = pictures_of(result);
+Section pictures_section(const FillResult& result, const SharedPictures& shared) {
+  std::vector<Figure> figures = pictures_of(result, shared);
   Section section{"Maps and pictures", 1, {}};
   if (figures.empty()) return section;
   section.blocks.emplace_back(Figures{{figures.front()}});
@@ -195,11 +195,11 @@ Section versions_section(const FillResult& result) {
 
 }  // namespace
 
-std::vector<Section> run_sections(const FillResult& result, int level) {
+std::vector<Section> run_sections(const FillResult& result, int level, const SharedPictures& shared) {
   std::vector<Section> sections = {
       filling_section(result),
       warnings_section(result),
-      pictures_section(result),
+      pictures_section(result, shared),
       strategy_section(result),
       tooling_section(result),
       topics_section(result, "Powder and model", {"powder", "model", "walls", "numerics", "setting"}),

@@ -220,7 +220,7 @@ TEST_F(EveryPicture, AndItsNumbersCanBeHadForParaView) {
   EXPECT_NE(powder.find("NumberOfPoints=\"600\""), std::string::npos);
   for (const char* array : {"\"solid fraction\"", "\"velocity [m/s]\"", "\"pressure [Pa]\""})
     EXPECT_NE(powder.find(std::string("Name=") + array), std::string::npos) << array;
-  const std::string series = support::contents(out() / "powder.pvd");
+  const std::string series = support::contents(out() / "filling.pvd");
   EXPECT_LT(series.find("powder_0000.vtp"), series.find("powder.vtp"));
   const Outcome wrong = run_program({"export", one().string(), "--averaging-width", "1"});
   EXPECT_EQ(wrong.exit_code, 2);

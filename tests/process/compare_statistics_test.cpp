@@ -6,6 +6,7 @@
 #include "process/compare/collect.h"
 #include "process/compare/compared_fields.h"
 #include "process/compare/statistics.h"
+#include "process/results/places_without_value.h"
 
 namespace diefill::process {
 namespace {
@@ -73,7 +74,7 @@ TEST(Verdicts, TellDifferencesFromScatter) {
   EXPECT_EQ(azimuth[2].verdict, Verdict::different);
 }
 
-TEST(MeanField, IsAtTheNodesOfTheFirstWhereAllHaveValues) {
+TEST(MeanField, IsAtTheNodesOfTheFirstWhereHalfOfAllHavePowder) {
   results::Field2D low{"solid fraction", "azimuth", "deg", "height", "mm", {0, 180, 360}, {0, 1}, {}, 1e-3};
   low.value = {0.2, 0.3, 0.4, 0.5, std::nan(""), 0.7};
   results::Field2D high = low;
@@ -83,16 +84,30 @@ TEST(MeanField, IsAtTheNodesOfTheFirstWhereAllHaveValues) {
   EXPECT_EQ(mean.second, low.second);
   ASSERT_EQ(mean.value.size(), 6U);
   EXPECT_NEAR(mean.value[1], 0.4, 1e-15);
-  EXPECT_TRUE(std::isnan(mean.value[4]));
+  EXPECT_NEAR(mean.value[4], 0.8, 1e-15);  // powder in one of two
+  EXPECT_TRUE(std::isnan(mean_field({low, low, high}).value[4]));
   EXPECT_NEAR(mean.value[5], 0.8, 1e-15);
   const auto other = mean_field({high, low});
   EXPECT_EQ(other.second, high.second);
   EXPECT_NEAR(other.value[5], 0.8, 1e-15);
-  EXPECT_TRUE(std::isnan(other.value[6]));  // above what the second one has
-  results::Field2D shifted = high;          // other nodes: halfway between those of the first
+  EXPECT_NEAR(other.value[6], 1, 1e-15);  // above what the second one has
+  EXPECT_TRUE(std::isnan(mean_field({high, low, low}).value[6]));
+  results::Field2D shifted = high;  // other nodes: halfway between those of the first
   shifted.second = {-0.5, 0.5, 1.5};
   EXPECT_NEAR(mean_field({low, shifted}).value[0], (0.2 + 0.5 * (0.4 + 0.7)) / 2, 1e-15);
   EXPECT_TRUE(mean_field({}).value.empty());
+}
+
+TEST(MeanField, KnowsPowderWithoutValueFromNoPowder) {
+  results::Field2D one{"solid fraction", "azimuth", "deg", "height", "mm", {0, 180, 360}, {0, 1}, {}, 1e-3};
+  one.value = {results::unvalued_powder(), results::unvalued_powder(), 0.4, 0.5, std::nan(""), 0.7};
+  results::Field2D two = one;
+  two.value = {results::unvalued_powder(), 0.3, 0.4, 0.5, std::nan(""), 0.7};
+  const auto mean = mean_field({one, two});
+  EXPECT_TRUE(results::is_unvalued_powder(mean.value[0]));
+  EXPECT_NEAR(mean.value[1], 0.3, 1e-15);
+  EXPECT_TRUE(std::isnan(mean.value[4]));
+  EXPECT_FALSE(results::is_unvalued_powder(mean.value[4]));
 }
 
 }  // namespace

@@ -1,4 +1,5 @@
 #include <cstdlib>
+#include <set>
 
 #include "render/pictures.h"
 #include "tests/render/drawing_test.h"
@@ -29,15 +30,39 @@ TEST_F(DrawAll, RingGivesFourPicturesAndNothingElse) {
   EXPECT_EQ(files, 4);
 }
 
-TEST_F(DrawAll, DieThatIsNoRingShowsItsSectionAsMap) {
+TEST_F(DrawAll, DieThatIsNoRingIsSeenFromAboveAndNoPictureComesTwice) {
   const auto folder = file("slit");
   std::filesystem::create_directory(folder);
   auto result = make_ring();
-  result.maps.clear();
-  result.profiles.clear();
+  result.cavity.is_ring = false;
+  const auto section = result.sections.front().field;
+  results::Field2D plan{"solid fraction", "x",           "mm", "y", "mm", section.first,
+                        section.second,   section.value, 1e-3};
+  results::Field2D level = plan;
+  level.quantity = "fill level";
+  for (double& value : level.value) value *= 40;
+  result.maps = {plan, level};
+  result.profiles = {{"solid fraction", "", "height", "mm", {0, 10, 20}, {0.3, 0.34, 0.36}}};
+  result.sections.push_back(result.sections.front());  // asked for twice
   const auto written = draw_all(folder, result);
-  EXPECT_EQ(names_of(written), (std::vector<std::string>{"density_map.png", "section.png", "snapshot.png"}));
-  EXPECT_EQ(contents(folder / "density_map.png"), contents(folder / "section.png"));
+  EXPECT_EQ(names_of(written), (std::vector<std::string>{"plan_map.png", "fill_level_map.png", "section.png",
+                                                         "snapshot.png", "height_profile.png"}));
+  std::set<std::string> pictures;
+  for (const auto& picture : written) EXPECT_TRUE(pictures.insert(contents(picture)).second) << picture;
+}
+
+TEST_F(DrawAll, EverySectionHasAPictureOfItsOwn) {
+  const auto folder = file("sections");
+  std::filesystem::create_directory(folder);
+  auto result = make_ring();
+  result.sections.push_back(result.sections.front());
+  result.sections.back().plane.origin += 3e-3 * result.sections.back().plane.normal;
+  result.sections.push_back(result.sections.front());
+  result.sections.back().field = {};  // no powder near it
+  draw_all(folder, result);
+  EXPECT_TRUE(std::filesystem::exists(folder / "section_2.png"));
+  EXPECT_FALSE(std::filesystem::exists(folder / "section_3.png"));
+  EXPECT_NE(contents(folder / "section.png"), contents(folder / "section_2.png"));
 }
 
 TEST_F(DrawAll, PicturesThereBeforeAreReplaced) {
