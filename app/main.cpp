@@ -31,6 +31,7 @@ int main(int argc, char** argv) {
       "  diefill check sample_tools/narrow_ring/fill.toml     is the tooling usable, what would be "
       "simulated?\n"
       "  diefill plan sample_tools/narrow_ring/fill.toml      what does it need, how long will it take?\n"
+      "  diefill powders                                      which powders are built in, and what for?\n"
       "  diefill run sample_tools/narrow_ring/fill.toml       fill the die, write maps and report\n"
       "  diefill compare sample_tools/narrow_ring/strategies.toml  which way of filling is more even?\n"
       "  diefill map out/narrow_ring --averaging-width '1 mm' draw the maps again, smoother\n"

@@ -85,9 +85,14 @@ void withhold_poor_figures(results::FillResult& result) {
                            too_few_in_words(deep, kDeep, kFewestGrains));
   for (const Rule& rule : rules()) {
     const std::size_t grains = rule.deep ? deep : filled, needed = rule.parts * kFewestGrains;
-    if (!result.figures.contains(rule.figure) || grains >= needed) continue;
-    results::give_no_value(result, rule.figure,
-                           too_few_in_words(grains, rule.deep ? kDeep : "in the cavity", needed));
+    const auto figure = result.figures.find(rule.figure);
+    if (figure == result.figures.end()) continue;
+    if (grains < needed)
+      results::give_no_value(result, rule.figure,
+                             too_few_in_words(grains, rule.deep ? kDeep : "in the cavity", needed));
+    else if (!std::isfinite(figure->second))
+      results::give_no_value(result, rule.figure,
+                             "a part of the cavity that is compared holds no grain to count");
   }
   withhold_undetermined(result);
 }

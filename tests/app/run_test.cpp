@@ -33,13 +33,14 @@ void expect_plausible_report(const nlohmann::json& report) {
   EXPECT_GT(mass, 0.2 * kPocket * kDensity);
   EXPECT_LT(mass, 0.74 * kPocket * kDensity);
   const auto& fraction = report.at("solid_fraction");
-  const double mean = fraction.at("mean").get<double>(), deviation = fraction.at("std").get<double>();
-  EXPECT_GT(mean, 0.4);
-  EXPECT_LT(mean, 0.64);  // random close packing
-  EXPECT_LE(fraction.at("min").get<double>(), mean);
-  EXPECT_GE(fraction.at("max").get<double>(), mean);
-  EXPECT_NEAR(fraction.at("cv").get<double>(), deviation / fraction.at("arithmetic_mean").get<double>(),
-              1e-9);
+  // Few grains of a pocket four wide lie two diameters deep: no mean is given for them, and it is said why.
+  for (const char* name : {"mean", "arithmetic_mean", "std", "min", "max", "cv"})
+    EXPECT_TRUE(fraction.at(name).is_null()) << name;
+  EXPECT_LT(fraction.at("grains").get<int>(), 20);
+  EXPECT_NE(report.at("no_value").at("solid_fraction").get<std::string>().find("20 are needed"),
+            std::string::npos);
+  const double filled = report.at("cavity_solid_fraction").get<double>();
+  EXPECT_NEAR(filled * kPocket * kDensity, mass, 1e-3 * mass);
   EXPECT_LT(std::abs(report.at("energy_balance_error").get<double>()), 0.005);
   const double grains = report.at("grains").get<double>(), steps = report.at("steps").get<double>();
   EXPECT_EQ(report.at("spheres").get<double>(), grains);

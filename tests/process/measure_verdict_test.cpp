@@ -156,6 +156,16 @@ TEST(EnoughGrains, NoFigureStandsOnFewerThanTwenty) {
   EXPECT_TRUE(std::isfinite(result.figures.at("expected_mass_kg")));
 }
 
+TEST(EnoughGrains, AThirdWithoutGrainsIsTheReasonWhereThereAreEnough) {
+  auto result = box([](const auto&) { return 0.4; });
+  for (std::size_t k = 0; k < result.powder.position.size(); ++k)
+    if (result.powder.position[k].z() > -3e-3) result.solid_fraction.open[k] = 1;
+  result.summary = summarise(result.powder, result.solid_fraction, result.cavity);
+  measure(result);
+  EXPECT_TRUE(std::isnan(result.figures.at("solid_fraction_top_minus_bottom")));
+  EXPECT_TRUE(has(results::reason_for(result, "solid_fraction_top_minus_bottom"), "holds no grain to count"));
+}
+
 TEST(EnoughGrains, AmplitudesBeyondTheMeanAreNoFigures) {
   auto result = box([](const auto&) { return 0.4; });
   measure(result);
