@@ -16,7 +16,6 @@
 #include "process/results/tradeoff.h"
 #include "process/run/foreseen_work.h"
 #include "process/scene/folder_names.h"
-#include "process/scene/setting.h"
 #include "process/tradeoff/trade_off.h"
 #include "render/tradeoff_chart.h"
 
@@ -130,7 +129,7 @@ std::vector<std::string> write_all(const std::filesystem::path& directory,
 
 int trade_off(const TradeoffArguments& arguments) {
   const auto scene = process::read_scene(arguments.scene);
-  if (!process::setting_of(scene)) process::refuse_endless(scene);
+  process::refuse_endless(scene);
   auto options = options_of(arguments);
   std::vector<process::KnobValues> knobs;
   for (const auto& text : arguments.vary) knobs.push_back(process::read_vary(text));
