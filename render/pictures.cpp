@@ -27,11 +27,14 @@ const std::string& title_of(const results::FillResult& result) {
   return result.strategy.empty() ? result.title : result.strategy;
 }
 
-/// What the run's chart shows: the fill level of a ring, the solid fraction over height of other cavities.
-const results::Profile* profile_to_draw(const results::FillResult& result) {
+/// What the charts of a run show: the fill level, and of cavities that are no rings the solid fraction over height.
+std::vector<const results::Profile*> profiles_to_draw(const results::FillResult& result) {
+  std::vector<const results::Profile*> chosen;
   for (const auto& profile : result.profiles)
-    if (profile.quantity == kFillLevel) return &profile;
-  return result.profiles.empty() ? nullptr : &result.profiles.front();
+    if (profile.quantity == kFillLevel || (!result.cavity.is_ring && profile.x_name == "height"))
+      chosen.push_back(&profile);
+  if (chosen.empty() && !result.profiles.empty()) chosen.push_back(&result.profiles.front());
+  return chosen;
 }
 
 bool same_plane(const results::SectionPlane& one, const results::SectionPlane& other) {
@@ -125,7 +128,7 @@ std::vector<std::filesystem::path> draw_all(const std::filesystem::path& directo
   }
   written.push_back(directory / "snapshot.png");
   draw_snapshot(written.back(), result, range);
-  if (const auto* profile = profile_to_draw(result)) {
+  for (const auto* profile : profiles_to_draw(result)) {
     const bool level = profile->quantity == kFillLevel;
     written.push_back(directory / (level ? "fill_level.png" : "height_profile.png"));
     draw_profile(written.back(), *profile, title_of(result), subtitle_of(result));
