@@ -81,11 +81,6 @@ results::Profile sector_filling(const results::PowderState& powder,
 /// of the nodes have one. Takes a map that ends where it began (azimuth 0 and 360 deg) once.
 results::Profile height_profile(const results::Field2D& map);
 
-/// Solid fraction over height (mm above the floor) of any cavity: solid_fraction_profile of its grains.
-results::Profile height_profile(const results::PowderState& powder,
-                                const results::GrainSolidFraction& fraction,
-                                const results::CavityState& cavity, double averaging_width);
-
 /// Largest less smallest over the mean of a profile's values; NaN where it has none.
 double relative_range(const results::Profile& profile);
 

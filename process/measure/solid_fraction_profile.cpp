@@ -50,13 +50,4 @@ results::Profile solid_fraction_profile(const results::PowderState& powder,
   return profile;
 }
 
-results::Profile height_profile(const results::PowderState& powder,
-                                const results::GrainSolidFraction& fraction,
-                                const results::CavityState& cavity, double averaging_width) {
-  results::GrainSolidFraction inside = fraction;
-  for (std::size_t k = 0; k < inside.open.size(); ++k)
-    if (inside.in_cavity[k] == 0) inside.open[k] = 1;
-  return solid_fraction_profile(powder, inside, cavity.lower_corner.z(), averaging_width);
-}
-
 }  // namespace diefill::process

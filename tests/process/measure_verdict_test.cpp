@@ -185,15 +185,5 @@ TEST(LevelAlongTravel, StandsAtTheTopOfTheHighestGrain) {
   for (const double y : level.y) EXPECT_NEAR(y, 4.5, 1e-9);
 }
 
-TEST(HeightProfile, OfABoxIsThatOfItsGrains) {
-  auto result = box([](const Eigen::Vector3d& place) { return place.z() < -3e-3 ? 0.3 : 0.4; });
-  const auto profile = height_profile(result.powder, result.solid_fraction, result.cavity, 2e-4);
-  EXPECT_EQ(profile.x_name, "height");
-  EXPECT_NEAR(profile.y.front(), 0.3, 1e-3);
-  EXPECT_NEAR(profile.y.back(), 0.4, 1e-3);
-  result.solid_fraction.in_cavity.assign(result.powder.position.size(), 0);
-  EXPECT_TRUE(height_profile(result.powder, result.solid_fraction, result.cavity, 2e-4).y.empty());
-}
-
 }  // namespace
 }  // namespace diefill::process
