@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cstdio>
+#include <memory>
 #include <nlohmann/json.hpp>
 
 #include "app/check_report.h"
@@ -107,7 +108,13 @@ int check(const CheckArguments& arguments) {
   process::RunOptions options;
   options.threads = 1;
   options.show_progress = false;
-  const process::FillRun run(scene, tooling, options);
+  std::unique_ptr<const process::FillRun> run;
+  try {
+    run = std::make_unique<process::FillRun>(scene, tooling, options);
+  } catch (const process::SceneError&) {
+    if (!arguments.json) print_alerts(words_of(setup));  // often the reason
+    throw;
+  }
   const auto diagnosis = process::diagnose(scene, tooling, sphere);
 
   draw_picture(arguments.picture, scene, tooling, diagnosis, setup_marks(scene, tooling, setup));
@@ -118,7 +125,7 @@ int check(const CheckArguments& arguments) {
   for (std::size_t k = 0; k < tooling.tools.size(); ++k) print_tool(tooling.tools[k], &diagnosis.symmetry[k]);
   print_pairs(diagnosis);
   print_cavities(tooling);
-  print_simulation(scene, tooling, run);
+  print_simulation(scene, tooling, *run);
   print_alerts(words_of(setup));
   if (!arguments.picture.empty()) std::printf("picture: %s\n", arguments.picture.c_str());
   return kDone;
