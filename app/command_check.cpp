@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cstdio>
+#include <memory>
 #include <nlohmann/json.hpp>
 
 #include "app/check_report.h"
@@ -143,7 +144,20 @@ int check(const CheckArguments& arguments) {
   const double sphere = process::smallest_sphere(process::engine_settings(scene, 1.0));
   const auto tooling = checked_tooling(arguments, scene);
   const auto setup = process::setup_findings(scene, tooling);
+<<<<<<< HEAD
   const auto foreseen = foreseen_of(scene, tooling);
+=======
+  process::RunOptions options;
+  options.threads = 1;
+  options.show_progress = false;
+  std::unique_ptr<const process::FillRun> run;
+  try {
+    run = std::make_unique<process::FillRun>(scene, tooling, options);
+  } catch (const process::SceneError&) {
+    if (!arguments.json) print_alerts(words_of(setup));  // often the reason
+    throw;
+  }
+>>>>>>> w-sched
   const auto diagnosis = process::diagnose(scene, tooling, sphere);
 
   draw_picture(arguments.picture, scene, tooling, diagnosis, setup_marks(scene, tooling, setup));
@@ -154,7 +168,11 @@ int check(const CheckArguments& arguments) {
   for (std::size_t k = 0; k < tooling.tools.size(); ++k) print_tool(tooling.tools[k], &diagnosis.symmetry[k]);
   print_pairs(diagnosis);
   print_cavities(tooling);
+<<<<<<< HEAD
   print_simulation(scene, tooling, foreseen);
+=======
+  print_simulation(scene, tooling, *run);
+>>>>>>> w-sched
   print_alerts(words_of(setup));
   if (!arguments.picture.empty()) std::printf("picture: %s\n", arguments.picture.c_str());
   return kDone;
