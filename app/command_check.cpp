@@ -114,11 +114,18 @@ Foreseen counted(const process::Scene& scene, const process::Tooling& tooling) {
   return foreseen;
 }
 
-Foreseen foreseen_of(const process::Scene& scene, const process::Tooling& tooling) {
+/// `setup` is often the reason where nothing can be foreseen: it is printed then.
+Foreseen foreseen_of(const process::Scene& scene, const process::Tooling& tooling,
+                     const std::vector<process::SetupFinding>& setup) {
   constexpr std::size_t kMostPlaced = 1000000;  // spheres
   const auto shape = process::engine_settings(scene, 1.0).shape;
   const bool few = process::grains_to_pour(scene, shape) * shape.spheres() <= kMostPlaced;
-  return few ? placed(scene, tooling) : counted(scene, tooling);
+  try {
+    return few ? placed(scene, tooling) : counted(scene, tooling);
+  } catch (const process::SceneError&) {
+    print_alerts(words_of(setup));
+    throw;
+  }
 }
 
 void print_simulation(const process::Scene& scene, const process::Tooling& tooling,
@@ -144,20 +151,8 @@ int check(const CheckArguments& arguments) {
   const double sphere = process::smallest_sphere(process::engine_settings(scene, 1.0));
   const auto tooling = checked_tooling(arguments, scene);
   const auto setup = process::setup_findings(scene, tooling);
-<<<<<<< HEAD
-  const auto foreseen = foreseen_of(scene, tooling);
-=======
-  process::RunOptions options;
-  options.threads = 1;
-  options.show_progress = false;
-  std::unique_ptr<const process::FillRun> run;
-  try {
-    run = std::make_unique<process::FillRun>(scene, tooling, options);
-  } catch (const process::SceneError&) {
-    if (!arguments.json) print_alerts(words_of(setup));  // often the reason
-    throw;
-  }
->>>>>>> w-sched
+  const auto foreseen =
+      foreseen_of(scene, tooling, arguments.json ? std::vector<process::SetupFinding>() : setup);
   const auto diagnosis = process::diagnose(scene, tooling, sphere);
 
   draw_picture(arguments.picture, scene, tooling, diagnosis, setup_marks(scene, tooling, setup));
@@ -168,11 +163,7 @@ int check(const CheckArguments& arguments) {
   for (std::size_t k = 0; k < tooling.tools.size(); ++k) print_tool(tooling.tools[k], &diagnosis.symmetry[k]);
   print_pairs(diagnosis);
   print_cavities(tooling);
-<<<<<<< HEAD
   print_simulation(scene, tooling, foreseen);
-=======
-  print_simulation(scene, tooling, *run);
->>>>>>> w-sched
   print_alerts(words_of(setup));
   if (!arguments.picture.empty()) std::printf("picture: %s\n", arguments.picture.c_str());
   return kDone;
