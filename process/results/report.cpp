@@ -98,9 +98,8 @@ Json report(const FillResult& result) {
   if (!rows.empty() && !rows.front().verdict.empty()) json["verdict"] = rows.front().verdict;
   take("filled_mass_kg");
   json["solid_fraction"] = summary(result.summary);
-  for (const char* name :
-       {"grains", "grains_left", "grains_left_share", "spheres", "wall_spheres", "steps", "time_step_s",
-        "simulated_s", "wall_seconds", "sphere_steps_per_second", "energy_balance_error"})
+  for (const char* name : {"grains", "spheres", "wall_spheres", "steps", "time_step_s", "simulated_s",
+                           "wall_seconds", "sphere_steps_per_second", "energy_balance_error"})
     take(name);
   json["state_hash"] = result.state_hash;
   json["seed"] = result.seed;
