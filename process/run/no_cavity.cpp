@@ -70,7 +70,9 @@ bool fits_rescaled(const Standing& standing, std::size_t which, double factor) {
   for (std::size_t k = 0; k < meshes.size(); ++k)
     if (k != which) largest = std::max(largest, meshes[k].bounding_box().size().maxCoeff());
   const double size = meshes[which].bounding_box().size().maxCoeff();
-  if (size > 20 * largest || size < largest / 20 || !encloses(meshes, plane)) return false;
+  if (std::abs(std::log(size / largest)) >= std::abs(std::log(size / factor / largest)) ||
+      size > 20 * largest || size < largest / 20 || !encloses(meshes, plane))
+    return false;
   Tool grown;
   grown.mesh = meshes[which];
   for (std::size_t k = 0; k < meshes.size(); ++k) {
@@ -211,9 +213,15 @@ std::string nothing_below(const Standing& standing) {
 
 }  // namespace
 
+std::string wrong_unit(const Scene& scene, const Tooling& tooling) {
+  return wrong_unit(standing_of(scene, tooling, std::vector<ToolPose>(tooling.tools.size())));
+}
+
 std::string why_no_cavity(const Scene& scene, const Tooling& tooling, const std::vector<ToolPose>& poses) {
   const Standing standing = standing_of(scene, tooling, poses);
-  for (const auto& reason : {wrong_fill_plane, wrong_unit, turned, nothing_below}) {
+  using Reason = std::string (*)(const Standing&);
+  for (const Reason reason :
+       {Reason(wrong_fill_plane), Reason(wrong_unit), Reason(turned), Reason(nothing_below)}) {
     const std::string words = reason(standing);
     if (!words.empty()) return words;
   }

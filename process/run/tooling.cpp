@@ -325,7 +325,13 @@ Tooling read_tooling(const Scene& scene, const TellProgress& tell) {
   }
   tell(kToolsRead, "seeing how tools fit");
   for (const auto& tool : tooling.tools) refuse_unusable(scene, tool);
-  refuse_misplaced(scene, tooling);
+  try {
+    refuse_misplaced(scene, tooling);
+  } catch (const SceneError& error) {
+    tooling.die = die_of(scene);
+    const std::string unit = wrong_unit(scene, tooling);
+    throw SceneError(error.what() + (unit.empty() ? "" : ", or: " + unit));
+  }
   for (const auto& tool : tooling.tools) tooling.all.include(tool.mesh.bounding_box());
   tooling.die = die_of(scene);
   tooling.fill_plane =
