@@ -138,8 +138,8 @@ void draw_foot(QPainter& painter, const QSizeF& canvas, const QString& note, con
   places.draw_legend(painter, {left, own_line ? top - kLegendLine + 6 : top + 2}, bar);
 }
 
-// A broken line across the data with its name at the right end, below the line where there is no room above.
-void draw_fill_plane(QPainter& painter, const PlotArea& plot, double height) {
+// A broken line across the data with its name at one end, below the line where there is no room above.
+void draw_fill_plane(QPainter& painter, const PlotArea& plot, double height, bool at_left) {
   if (!(height >= plot.y.range.lower - 1e-6 && height <= plot.y.range.upper + 1e-6)) return;
   const double y = plot.pixel(plot.x.range.lower, height).y();
   const QColor colour(170, 0, 60);
@@ -149,7 +149,7 @@ void draw_fill_plane(QPainter& painter, const PlotArea& plot, double height) {
   const QFont font = text_font(kNotePixels);
   const double width = text_width(text, font) + 12, above = y - plot.rect.top() > 40 ? y - 34 : y + 5;
   if (width > plot.rect.width()) return;
-  const QRectF label(plot.rect.right() - width - 8, above, width, 29);
+  const QRectF label(at_left ? plot.rect.left() + 8 : plot.rect.right() - width - 8, above, width, 29);
   painter.fillRect(label, QColor(255, 255, 255, 225));
   painter.setFont(font);
   painter.setPen(colour);
@@ -169,7 +169,7 @@ PlacesShown places_shown(const results::Field2D& field, const FieldStyle& style)
 void draw_on_field(QPainter& painter, const PlotArea& plot, const QSizeF& canvas, bool azimuth,
                    const FieldStyle& style) {
   draw_outlines(painter, plot, style.outlines);
-  draw_fill_plane(painter, plot, style.fill_plane);
+  draw_fill_plane(painter, plot, style.fill_plane, !style.arrows.empty());
   draw_arrows(painter, plot, style);
   draw_axes(painter, plot, canvas);
   if (azimuth) draw_markers(painter, plot, shoe_markers());
@@ -196,6 +196,30 @@ PlotArea field_axes(const results::Field2D& field, const QSizeF& size) {
   return area;
 }
 
+namespace {
+
+/// Where a line of pixels goes into the tools and comes out of them, by their outlines.
+class ToolCrossings {
+ public:
+  ToolCrossings(const std::vector<Outline>& outlines, double second) {
+    for (const Outline& outline : outlines)
+      for (std::size_t k = 1; k < outline.size(); ++k) {
+        const auto &from = outline[k - 1], &to = outline[k];
+        if ((from.y() > second) == (to.y() > second)) continue;
+        at_.push_back(from.x() + (second - from.y()) / (to.y() - from.y()) * (to.x() - from.x()));
+      }
+    std::sort(at_.begin(), at_.end());
+  }
+  bool inside(double first) const {
+    return (std::upper_bound(at_.begin(), at_.end(), first) - at_.begin()) % 2 != 0;
+  }
+
+ private:
+  std::vector<double> at_;
+};
+
+}  // namespace
+
 PlacesShown paint_field(QImage& canvas, const PlotArea& plot, const results::Field2D& field,
                         const ColourBar& bar, const FieldStyle& style) {
   const results::Field2D round = continued_round(field);
@@ -205,10 +229,13 @@ PlacesShown paint_field(QImage& canvas, const PlotArea& plot, const results::Fie
   const QRect rect = QRectF(plot.rect.topLeft() * pixels, plot.rect.size() * pixels).toRect();
   for (int row = rect.top(); row <= rect.bottom(); ++row) {
     auto* line = reinterpret_cast<QRgb*>(canvas.scanLine(row));
+    const ToolCrossings tools(style.outlines, plot.value({0, (row + 0.5) / pixels}).y());
     for (int column = rect.left(); column <= rect.right(); ++column) {
       const QPointF at = plot.value({(column + 0.5) / pixels, (row + 0.5) / pixels});
       const double value = sampler.at(at.x(), at.y());
-      const Place place = place_of(value, at.x(), at.y(), style);
+      Place place = place_of(value, at.x(), at.y(), style);
+      // Nodes know tools to half their distance; the outline knows them exactly.
+      if (place != Place::kValue && place != Place::kUnvalued && tools.inside(at.x())) place = Place::kTool;
       places.add(place);
       const Rgb colour = bar_colour(bar, value);
       line[column] = place == Place::kValue ? qRgb(colour.red, colour.green, colour.blue)

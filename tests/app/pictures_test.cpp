@@ -235,7 +235,7 @@ TEST_F(EveryPicture, WrongWordsAreExplainedInOneLine) {
       {{"--picture", "difference", "--from", "9 s"}, "the results hold 2 from 0.1 s to 0.2 s"},
       {{"--picture", "displacement", "--from", "0.2 s", "--to", "0.1 s"}, "must come before"},
       {{"--picture", "map", "--range", "0.4", "0.3"}, "must be below"},
-      {{"--picture", "view", "--time-average"}, "shows one instant; possible are map section"},
+      {{"--picture", "view", "--time-average"}, "shows one instant; possible are map plan-map section"},
       {{"--picture", "map", "--time-average", "--from", "0.25 s"}, "at least two instants"},
   };
   for (const auto& [arguments, expected] : wrong) {

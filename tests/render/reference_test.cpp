@@ -3,8 +3,8 @@
 #include "render/chart_layout.h"
 #include "render/density_map.h"
 #include "render/difference_map.h"
+#include "render/field_places.h"
 #include "render/snapshot.h"
-#include "render/tool_outline.h"
 #include "render/variation_charts.h"
 #include "tests/render/drawing_test.h"
 #include "tests/render/synthetic_ring.h"
@@ -63,7 +63,7 @@ TEST_F(Reference, SectionWithToolOutlines) {
   FieldStyle style;
   auto section = make_section();
   section.plane.normal = {0, 1, 0};
-  style.outlines = tool_outlines(make_ring().tools, section.plane);
+  add_section_places(style, make_ring(), section.plane);
   EXPECT_GT(style.outlines.size(), 8U);
   expect_like_reference(compose_field(section.field, "Section", "y = 0", {0.3, 0.4}, style).image,
                         "section.png");
