@@ -89,8 +89,13 @@ void refuse_snapshots(const Scene& scene, double seconds) {
   }
 }
 
-std::string larger_grains(const Scene& scene) {
-  return line("take grains larger than %.3g mm (powder.grain_diameter)", 1e3 * scene.powder.grain_diameter) +
+/// Grains of which so many `spheres` as fit into memory make the same powder.
+std::string larger_grains(const Scene& scene, double spheres) {
+  constexpr double kRoundedUp = 1.05;
+  const double base = plan::predicted_memory(0, 0), room = std::max(0.1 * base, machine_memory() - base);
+  const double factor = std::cbrt((plan::predicted_memory(spheres, 0) - base) / room);
+  return line("take grains of %.2g mm or more (powder.grain_diameter)",
+              kRoundedUp * factor * 1e3 * scene.powder.grain_diameter) +
          ", pour less, or compute on a machine with more memory";
 }
 
@@ -166,7 +171,7 @@ void refuse_endless(const Scene& scene) {
     if (!step->needs_cavity()) longest = std::max(longest, step->duration().value_or(0));
   refuse_memory(place(scene) + line("%.3g grains of %.4g mm (%.3g spheres)", grains,
                                     1e3 * scene.powder.grain_diameter, spheres),
-                spheres, 0, 0, larger_grains(scene));
+                spheres, 0, 0, larger_grains(scene, spheres));
   refuse_steps(scene, longest, settings.time_step, spheres);
   refuse_snapshots(scene, longest);
 }
@@ -218,7 +223,7 @@ void refuse_too_many_wall_spheres(
     constexpr double kRoundedUp = 1.1;
     throw SceneError(tool_in_words(scene, tool.spec) +
                      line(": some %.3g wall spheres of radius %.4g mm would cover what powder reaches, and "
-                          "%.3g are the most this machine can do with; take a radius of %.2g mm or more "
+                          "%.3g at most are allowed here; take a radius of %.2g mm or more "
                           "(walls.sphere_radius or the tool's), or a wider spacing",
                           all, 1e3 * radius, most, kRoundedUp * 1e3 * radius * std::sqrt(all / most)));
   }

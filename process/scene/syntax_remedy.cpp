@@ -15,7 +15,7 @@ constexpr std::size_t kLongestExample = 80;
 
 /// `example` where it is a short line of TOML, otherwise `usual`: no advice is made of a fault.
 std::string sound(const std::string& example, const std::string& usual) {
-  if (example.size() > kLongestExample || !is_printable(example)) return usual;
+  if (example.empty() || example.size() > kLongestExample || !is_printable(example)) return usual;
   try {
     refuse_deep_nesting(example, "");
     const toml::table parsed = toml::parse(example);

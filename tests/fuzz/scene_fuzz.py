@@ -274,7 +274,7 @@ def faults_of(command, ending, limits):
     faults = []
     allowed = (0, 2, 3, 130) if command == "run" else (0, 2)
     if ending.code not in allowed:
-        faults.append("exit code %d" % ending.code)
+        faults.append("exit code %d after %.0f s, of which %.1f s of processor time" % (ending.code, ending.wall, ending.cpu))
     complaints = [line for line in ending.err.split(b"\n") if line.startswith(b"diefill: ")]
     if ending.code == 2 and (len(complaints) != 1 or not ending.err.rstrip(b"\n").endswith(complaints[0])):
         faults.append("%d lines begin with the program's name" % len(complaints))
@@ -349,7 +349,7 @@ def main():
         if faults:
             wrong += 1
             print("%s (%s, %s): %s: %s" % (name, os.path.relpath(source, PROJECT), " ".join(command), "; ".join(faults),
-                                           ending.err[-300:].decode("utf-8", "replace")), flush=True)
+                                           ending.err[-300:].decode("utf-8", "replace").strip()), flush=True)
             if limits.keep:
                 shutil.copytree(folder, os.path.join(limits.keep, name), symlinks=True, dirs_exist_ok=True,
                                 ignore=shutil.ignore_patterns("pipe.*", "sparse.*", "fuzz_out"))

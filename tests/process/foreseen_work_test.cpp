@@ -40,14 +40,16 @@ TEST(ForeseenWork, StepsWithoutEndAreCounted) {
 }
 
 TEST(ForeseenWork, GrainsThatNoMemoryHoldsAreCounted) {
-  const std::string message = complaint("1.88 mm", "0.047 mm");
+  const std::string message = complaint("1.88 mm\"\n\n[walls]\nsphere_radius = \"0.15 mm\"\nspacing = 1.6",
+                                        "0.047 mm\"\n\n[walls]\nspacing = 1.4");
   expect_parts(message, {" grains of 0.04704 mm (", " spheres) would take about ", " GB of memory, and ",
-                         " GB are there; take grains larger than 0.047 mm (powder.grain_diameter)"});
+                         " GB are there; take grains of 0.", " mm or more (powder.grain_diameter)"});
 }
 
 TEST(ForeseenWork, SnapshotsWithoutEndAreCounted) {
   expect_parts(complaint("[measure]", "[[snapshot]]\nname = \"s\"\nevery = \"1e-9 s\"\n[measure]"),
-               {"snapshot \"s\": every 1e-09 s of 0.25 s are 2.5e+08 folders", "10", "give a longer time"});
+               {"snapshot \"s\": every 1e-09 s of 0.25 s are 2.5e+08 folders",
+                "1e+04 at most are allowed; give a longer time"});
 }
 
 TEST(ForeseenWork, MemoryOfTheMachineIsKnown) {

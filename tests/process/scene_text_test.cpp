@@ -1,7 +1,5 @@
 // Scene texts that are no TOML, in another encoding, too deep or too large: named in one line, never
 // followed.
-#include "process/scene/scene_text.h"
-
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 
@@ -10,6 +8,7 @@
 #include "process/machine/table_motion.h"
 #include "process/scene/scene.h"
 #include "process/scene/shown_value.h"
+#include "process/scene/variants.h"
 #include "tests/process/scene_files.h"
 #include "tests/process/wrong_scene.h"
 
@@ -84,7 +83,7 @@ TEST(SceneText, AdviceIsNeverMadeOfTheFault) {
     const std::string advised = message.substr(example + 8);
     const std::string parsed =
         advised.find('=') == std::string::npos && advised[0] != '[' ? "x = " + advised : advised;
-    EXPECT_NO_THROW(parse_scene_text(parsed, "x")) << message;
+    EXPECT_NO_THROW(value_at(parsed, "x", "none")) << message;
   }
   EXPECT_NE(complaint("[[tool\n").find("such as [[tool]]"), std::string::npos) << complaint("[[tool\n");
   EXPECT_NE(complaint("seed = 9223372036854775808").find("9223372036854775807 can be read"),

@@ -49,7 +49,7 @@ inline std::vector<WrongScene> wrong_syntax() {
             {"unknown escape sequence", "in a path write / instead of \\"}),
       spoil("prose", seed, "please @fill the die",
             {"found `please fill the die`", "each line is key = value, [table] or # comment"}),
-      spoil("byte_that_is_not_utf8", seed, "seed = 1 #@ \xE9", {"not UTF-8", "save the scene as UTF-8 text"}),
+      spoil("byte_that_is_not_utf8", seed, "seed = 1 # @\xE9", {"not UTF-8", "save the scene as UTF-8 text"}),
   };
 }
 
