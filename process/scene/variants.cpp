@@ -99,35 +99,12 @@ void merge(toml::table& into, toml::table& changes, const std::filesystem::path&
   }
 }
 
-/// Whether a code point (UTF-8, `bytes` long) is seen as what it is: no control character, no other line
-/// break, nothing that turns the direction of what stands around it.
-bool is_printable(const std::string& text, std::size_t start, std::size_t bytes) {
-  const std::string letter = text.substr(start, bytes);
-  const auto first = static_cast<unsigned char>(letter.front());
-  if (bytes == 1) return first >= 0x20 && first != 0x7f;
-  if (first == 0xc2 && static_cast<unsigned char>(letter[1]) < 0xa0) return false;
-  for (const char* unfit : {"\u2028", "\u2029", "\u202a", "\u202b", "\u202c", "\u202d", "\u202e", "\u2066",
-                            "\u2067", "\u2068", "\u2069"})
-    if (letter == unfit) return false;
-  return true;
-}
-
-bool all_printable(const std::string& text) {
-  for (std::size_t start = 0; start < text.size();) {
-    std::size_t end = start + 1;
-    while (end < text.size() && (static_cast<unsigned char>(text[end]) & 0xc0U) == 0x80U) ++end;
-    if (!is_printable(text, start, end - start)) return false;
-    start = end;
-  }
-  return true;
-}
-
 /// Any text that can be seen: folders are made of it by folder_names.
 std::string variant_name(TableReader& table) {
   constexpr std::size_t kLongest = 1000;  // bytes; it stands in every line of a table
   const std::string example = "slow shoe";
   std::string name = table.required_text("name", example);
-  if (name.find_first_not_of(" \t") == std::string::npos || !all_printable(name))
+  if (name.find_first_not_of(" \t") == std::string::npos)
     table.reject("name", "a name of printable characters in one line is needed, such as \"" + example + '"');
   if (name.size() > kLongest)
     table.reject("name", "a name of at most " + std::to_string(kLongest) + " bytes is allowed, such as \"" +

@@ -155,8 +155,8 @@ TEST(Map, DrawsOtherSectionsAndAveragingFromResultsAlone) {
                    "--averaging-width", "0.8 mm", "--out", other.string()});
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
   EXPECT_EQ(SmallDie::files_in(other),
-            (std::vector<std::string>{"fill_level_map.png", "height_profile.png", "plan_map.png",
-                                      "section.png", "snapshot.png"}));
+            (std::vector<std::string>{"fill_level.png", "fill_level_map.png", "height_profile.png",
+                                      "plan_map.png", "section.png", "snapshot.png"}));
   EXPECT_NE(outcome.out.find((other / "section.png").string() + "\n"), std::string::npos) << outcome.out;
   EXPECT_FALSE(contents(other / "section.png") == section);
   EXPECT_TRUE(contents(die.out() / "results.h5") == stored);

@@ -387,18 +387,5 @@ TEST(ExportedJobs, OfAnyNameRunAndAreGathered) {
   EXPECT_EQ(comparison_of(jobs / "previous-1"), before);
 }
 
-TEST(Compare, RefusesSeedsBeyondTheLargest) {
-  const SmallDie die;
-  die.exchange("seed = 1", "seed = 9223372036854775807");
-  for (const std::string target : {"--out", "--export-jobs"}) {
-    const Outcome outcome =
-        run_program({"compare", die.scene().string(), "--seeds", "2", target, die.out().string()});
-    EXPECT_EQ(outcome.exit_code, 2);
-    EXPECT_EQ(outcome.complaints(), 1U) << outcome.err;
-    EXPECT_NE(outcome.err.find("found 9223372036854775807"), std::string::npos) << outcome.err;
-    EXPECT_FALSE(std::filesystem::exists(die.out()));
-  }
-}
-
 }  // namespace
 }  // namespace diefill::app

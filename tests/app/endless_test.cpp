@@ -68,7 +68,7 @@ TEST(Endless, PipesAndDevicesAreNoScenes) {
   const SmallDie die;
   const auto pipe = die.folder() / "pipe.toml";
   ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
-  for (const std::string file : {pipe.string(), std::string("/dev/zero"), die.folder().string()})
+  for (const std::string& file : {pipe.string(), std::string("/dev/zero"), die.folder().string()})
     expect_refused(run_program({"check", file}), {": found a "});
 }
 

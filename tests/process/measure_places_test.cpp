@@ -131,14 +131,15 @@ TEST(FillLevelMap, IsTheHeightOfTheSurface) {
   for (const double level : along.y) EXPECT_NEAR(level, 4, 1e-9);
 }
 
-TEST(Fields, OfACavityThatIsNoRingArePlanMapLevelAndHeightProfile) {
+TEST(Fields, OfACavityThatIsNoRingArePlanMapLevelsAndHeightProfile) {
   results::FillResult result = filled_box(6e-3);
   measure_fields(result, {5e-4, {}}, 36);
   ASSERT_EQ(result.maps.size(), 2U);
   EXPECT_EQ(result.maps[0].second_name, "y");
   EXPECT_EQ(result.maps[1].quantity, "fill level");
-  ASSERT_EQ(result.profiles.size(), 1U);
-  EXPECT_EQ(result.profiles[0].x_name, "height");
+  ASSERT_EQ(result.profiles.size(), 2U);
+  EXPECT_EQ(result.profiles[0].quantity, "fill level");
+  EXPECT_EQ(result.profiles[1].x_name, "height");
 }
 
 }  // namespace

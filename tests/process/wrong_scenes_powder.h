@@ -46,7 +46,7 @@ inline std::vector<WrongScene> wrong_powders() {
             {"powder.grain_diameter", "found [1, 2]", "a length with its unit is needed"}),
       spoil("preset_unknown", preset, "preset = @\"ASC100.29 D3\"",
             {"powder.preset", "found \"ASC100.29 D3\"", "\"ASC100.29 initial A\"", "\"Distaloy AE\"",
-             "did you mean \"ASC100.29 D1\"?"}),
+             "did you mean \"ASC100.29 D2\"?"}),
       spoil("preset_not_a_text", preset, "preset = @7",
             {"powder.preset", "found 7", "a text in quotes is needed"}),
       spoil("preset_missing", "[powder]\n" + both, "@[powder]\n" + size,

@@ -22,6 +22,7 @@ const std::vector<Rule>& rules() {
       {"engine/", {"engine/"}, {"Eigen/", "oneapi/tbb/"}},
       {"geometry/", {"geometry/"}, {"Eigen/", "CGAL/", "assimp/", "voro++/", "oneapi/tbb/", "tbb/"}},
       {"geometry/read_3mf.cpp", {"geometry/"}, {"Eigen/", "Model/COM/"}},
+      {"geometry/referred_files.cpp", {"geometry/"}, {"nlohmann/"}},
       {"geometry/read_curved_faces.cpp",
        {"geometry/"},
        {"BRep", "IGES", "Interface_", "Message", "Poly_", "STEPCAF", "Standard_", "TColStd_", "TDF_",
@@ -29,7 +30,9 @@ const std::vector<Rule>& rules() {
       {"process/results/", {"process/results/"}, {"Eigen/", "hdf5.h", "nlohmann/"}},
       {"process/measure/", {"process/results/", "process/measure/", "geometry/"}, {"Eigen/"}},
       {"process/", {"engine/", "geometry/", "process/"}, {"Eigen/", "toml++/", "udunits2.h", "zlib.h", "boost/math/"}},
+      {"process/compare/kept_aside.cpp", {"process/"}, {"nlohmann/"}},
       {"render/", {"process/results/", "render/"}, {"Eigen/", "Q", "vtk", "GL/"}},
+      {"render/report/critical_speed.cpp", {"render/", "process/results/"}, {"boost/math/"}},
       {"app/", {"engine/", "geometry/", "process/", "render/", "app/"}, {"Eigen/", "CLI/", "nlohmann/"}},
       {"app/freed_memory.cpp", {"app/"}, {"malloc.h"}},  // GNU's, where there is one
   };
@@ -51,7 +54,7 @@ bool begins_with_any(const std::string& name, const std::vector<std::string>& pr
 
 /// Headers of the system: <vector> has no dot and no slash; POSIX ones are these.
 bool of_the_system(const std::string& name) {
-  static const std::regex standard("[a-z_0-9]+"), posix("(sys/[a-z]+|unistd|fcntl|dlfcn)\\.h");
+  static const std::regex standard("[a-z_0-9]+"), posix("(sys/[a-z]+|unistd|fcntl|dlfcn|poll)\\.h");
   return std::regex_match(name, standard) || std::regex_match(name, posix);
 }
 

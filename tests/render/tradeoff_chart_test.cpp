@@ -100,7 +100,7 @@ TEST_F(TradeoffCharts, WhatFailedWithASeedIsACross) {
   const QPointF at = picture.places[1];
   EXPECT_TRUE(close_to(pixel_at(picture.image, at), {90, 90, 90}, 4));
   EXPECT_TRUE(close_to(pixel_at(picture.image, at + QPointF(6, 6)), {90, 90, 90}, 30));
-  EXPECT_TRUE(close_to(pixel_at(picture.image, at + QPointF(0, 8)), {255, 255, 255}, 2));
+  EXPECT_TRUE(close_to(pixel_at(picture.image, at + QPointF(0, -8)), {255, 255, 255}, 2));
 }
 
 TEST_F(TradeoffCharts, TheFloorIsShadedAndNothingAboveIt) {
