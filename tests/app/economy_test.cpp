@@ -88,7 +88,7 @@ TEST(Economy, PowderIsNotCarriedWhereThatWouldBeWrong) {
   const std::string carry = "carry_beyond = \"2 mm\"", key = "economy.carry_beyond";
   Economical lifted(carry);
   lifted.exchange("[economy]",
-                  "[[step]]\nkind = \"move\"\ntool = \"die\"\ndirection = \"z\"\ndistance = \"1 mm\"\n"
+                  "[[step]]\nkind = \"move\"\ntool = \"die\"\ndirection = \"-z\"\ndistance = \"1 mm\"\n"
                   "velocity = \"0.1 m/s\"\n\n[economy]");
   expect_refused(lifted, {"moves the die", "leave the key out"}, key);
 

@@ -50,7 +50,7 @@ TEST(Endless, ToolsShakenAsHardAsAllowedAreChecked) {
   const SmallDie die;
   die.pour_into_the_pocket();
   die.exchange_passage(
-      "[[step]]\nkind = \"vibration\"\ntool = \"die\"\naxis = \"z\"\namplitude = \"100 mm\"\nfrequency = "
+      "[[step]]\nkind = \"vibration\"\ntool = \"die\"\naxis = \"y\"\namplitude = \"100 mm\"\nfrequency = "
       "\"10 kHz\"\nduration = \"0.2 s\"\n");
   const Outcome outcome = die.check();
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
