@@ -39,10 +39,10 @@ TEST(Endless, WallSpheresBeyondCountAreRefusedWithARadiusThatWorks) {
 
 TEST(Endless, PowderOfTooManyGrainsIsRefused) {
   const SmallDie die;
-  die.exchange("grain_diameter = \"1 mm\"", "grain_diameter = \"0.03 mm\"");
+  die.exchange("grain_diameter = \"1 mm\"", "grain_diameter = \"0.09 mm\"");
   die.exchange("\"0.5 mm\", \"-2.5 mm\", \"0 mm\"", "\"-500 mm\", \"-500 mm\", \"0 mm\"");
   die.exchange("\"5.5 mm\", \"2.5 mm\", \"9 mm\"", "\"500 mm\", \"500 mm\", \"900 mm\"");
-  expect_refused(die.check(), {"grains of 0.03 mm", "GB of memory, and "});
+  expect_refused(die.check(), {"grains of 0.09 mm", "GB of memory, and "});
 }
 
 // At 10 kHz and 100 mm a tool throws powder thousands of kilometres high.
