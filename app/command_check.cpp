@@ -114,18 +114,11 @@ Foreseen counted(const process::Scene& scene, const process::Tooling& tooling) {
   return foreseen;
 }
 
-/// `setup` is often the reason where nothing can be foreseen: it is printed then.
-Foreseen foreseen_of(const process::Scene& scene, const process::Tooling& tooling,
-                     const std::vector<process::SetupFinding>& setup) {
+Foreseen foreseen_of(const process::Scene& scene, const process::Tooling& tooling) {
   constexpr std::size_t kMostPlaced = 1000000;  // spheres
   const auto shape = process::engine_settings(scene, 1.0).shape;
   const bool few = process::grains_to_pour(scene, shape) * shape.spheres() <= kMostPlaced;
-  try {
-    return few ? placed(scene, tooling) : counted(scene, tooling);
-  } catch (const process::SceneError&) {
-    print_alerts(words_of(setup));
-    throw;
-  }
+  return few ? placed(scene, tooling) : counted(scene, tooling);
 }
 
 void print_simulation(const process::Scene& scene, const process::Tooling& tooling,
@@ -151,8 +144,7 @@ int check(const CheckArguments& arguments) {
   const double sphere = process::smallest_sphere(process::engine_settings(scene, 1.0));
   const auto tooling = checked_tooling(arguments, scene);
   const auto setup = process::setup_findings(scene, tooling);
-  const auto foreseen =
-      foreseen_of(scene, tooling, arguments.json ? std::vector<process::SetupFinding>() : setup);
+  const auto foreseen = foreseen_of(scene, tooling);
   const auto diagnosis = process::diagnose(scene, tooling, sphere);
 
   draw_picture(arguments.picture, scene, tooling, diagnosis, setup_marks(scene, tooling, setup));

@@ -84,7 +84,6 @@ int run(const RunArguments& arguments) {
   if (std::filesystem::exists(options.directory)) output.emplace(options.directory);
   const auto tooling = prepared_tooling(scene, !arguments.quiet);
   if (arguments.resume && is_finished(options.directory, scene, tooling)) return kDone;
-  print_alerts(words_of(process::setup_findings(scene, tooling)));
   const auto folder = [&](const std::string& name) {
     return options.directory / "snapshots" / results::group_names({name}).front();
   };
@@ -97,7 +96,8 @@ int run(const RunArguments& arguments) {
   };
   give_back_freed_memory();
   options.stop = &heed_stop_signals();
-  process::FillRun fill(scene, tooling, options);
+  process::FillRun fill(scene, tooling, options);  // refuses what cannot be begun, in one line
+  print_alerts(words_of(process::setup_findings(scene, tooling)));
   if (!output) output.emplace(options.directory);
   if (!options.beginnings.empty()) make_output_directory(options.beginnings);
   keep_earlier_results(options.directory, arguments.resume);
