@@ -104,11 +104,12 @@ TEST(Run, GivesTheSameStateWithOneThreadAndTwo) {
   die.exchange("velocity = \"0.1 m/s\"", "velocity = \"0.2 m/s\"");
   ASSERT_EQ(die.run({"--quiet"}).exit_code, 0);
   const auto one = die.report();
+  const auto other = die.folder() / "two threads";
   const Outcome outcome =
-      run_program({"run", die.scene().string(), "--out", die.out().string(), "--threads", "2", "--quiet"});
+      run_program({"run", die.scene().string(), "--out", other.string(), "--threads", "2", "--quiet"});
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
   EXPECT_EQ(outcome.err, "");
-  const auto two = die.report();
+  const auto two = nlohmann::json::parse(contents(other / "report.json"));
   EXPECT_GT(one.at("grains").get<int>(), 1024);
   EXPECT_EQ(two.at("threads").get<int>(), 2);
   for (const char* key : {"state_hash", "filled_mass_kg", "steps", "energy_balance_error", "solid_fraction"})
