@@ -114,7 +114,7 @@ TEST_F(Keeping, WhereTheTimeIsOverResultsStandAndALargerTimeGoesOn) {
               std::string::npos);
   }
   die_.exchange("max_time = \"30 ms\"", "max_time = \"3 s\"");
-  die_.exchange("Small die, one passage", "# a comment\"\ntitle = \"Small die");
+  die_.exchange("title = \"Small die, one passage\"", "# a comment\ntitle = \"Small die\"");
   const Outcome done = die_.run({"--quiet", "--no-pictures", "--resume"});
   EXPECT_EQ(done.exit_code, 0) << done.err;
   EXPECT_EQ(state(), unbroken.report().at("state_hash"));
