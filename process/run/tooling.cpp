@@ -123,9 +123,10 @@ void prepare_passages(const Scene& scene, const Tooling& tooling, const std::vec
     prepare_steps(scene, tooling, true);
   } catch (const SceneError& error) {
     if (tooling.cavity.found) throw;
-    const std::string message = error.what();
-    throw SceneError(message.substr(0, message.find("; give the distance")) + ": " +
-                     why_no_cavity(scene, tooling, poses));
+    const std::string message = error.what(), remedy = "; give the distance";
+    const auto end = std::min(message.find(remedy), message.size());
+    throw SceneError(message.substr(0, end) + ": " + why_no_cavity(scene, tooling, poses) +
+                     message.substr(end));
   }
 }
 
