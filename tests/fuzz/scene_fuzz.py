@@ -272,7 +272,8 @@ def is_progress(line):
 
 def faults_of(command, ending, limits):
     faults = []
-    allowed = (0, 2, 3, 130) if command == "run" else (0, 2)
+    # Asked to stop before it listens, a run ends as any program does.
+    allowed = (0, 2, 3, 130, -signal.SIGINT) if command == "run" else (0, 2)
     if ending.code not in allowed:
         faults.append("exit code %d after %.0f s, of which %.1f s of processor time" % (ending.code, ending.wall, ending.cpu))
     complaints = [line for line in ending.err.split(b"\n") if line.startswith(b"diefill: ")]
