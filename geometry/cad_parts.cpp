@@ -83,12 +83,22 @@ std::string cad_formats_in_words() {
   return words;
 }
 
+namespace {
+
+CadParts read_by_kind(const std::filesystem::path& file, const CadFormat& format, double chord_tolerance) {
+  if (format.surface == SurfaceKind::kCurved) return read_curved_faces(file, format, chord_tolerance);
+  if (format.ending == "3mf") return read_3mf(file);
+  if (format.ending == "stl") {
+    const std::string bytes = read_cad_file(file);
+    if (is_text_stl(bytes)) return read_text_stl(bytes);
+  }
+  return read_triangles(file, format);
+}
+
+}  // namespace
+
 CadParts read_cad_parts(const std::filesystem::path& file, const CadFormat& format, double chord_tolerance) {
-  CadParts contents = format.surface == SurfaceKind::kCurved
-                          ? read_curved_faces(file, format, chord_tolerance)
-                      : format.ending == "3mf" ? read_3mf(file)
-                      : format.ending == "stl" ? read_text_stl(read_cad_file(file))
-                                               : read_triangles(file, format);
+  CadParts contents = read_by_kind(file, format, chord_tolerance);
   std::erase_if(contents.parts, [](const CadPart& part) { return part.mesh.triangles.empty(); });
   if (contents.parts.empty()) throw std::runtime_error("it holds no surface");
   make_names_unique(contents.parts);

@@ -105,6 +105,10 @@ bool Repair::stitch() {
   if (findings_.non_manifold_edges > 0) drop_inner_walls();
   close_edges();
   const bool sheets_meet = check_mesh(mesh_).non_manifold_edges > 0;
+  if (sheets_meet && mesh_.volume() < 0) {
+    for (auto& triangle : mesh_.triangles) std::swap(triangle[1], triangle[2]);
+    say("the surface turned right side out");
+  }
   if (sheets_meet && stitch_shells()) return true;
   cgal::Soup soup = cgal::soup_of(mesh_);
   drop_copies(soup);
@@ -262,9 +266,25 @@ RepairedMesh Repair::run() {
 
 }  // namespace
 
+namespace {
+
+/// Copies do no harm to the check, which leaves them out, but facing both ways they hide the solid from
+/// others.
+RepairedMesh without_copies(const Mesh& mesh) {
+  RepairedMesh result{mesh, {}, {}, {}, 0};
+  const std::size_t dropped = drop_copies_of_triangles(result.mesh);
+  result.findings = check_mesh(result.mesh);
+  result.repairs.push_back(counted(dropped, "triangle", "triangles") + " removed that were there twice");
+  return result;
+}
+
+}  // namespace
+
 RepairedMesh repair_mesh(const Mesh& mesh, const MeshFindings& findings, const RepairOptions& options) {
   const bool hopeless = findings.not_finite > 0 || findings.triangles == 0;
-  if (options.level == RepairLevel::kOff || hopeless || findings.usable()) return {mesh, findings, {}, {}, 0};
+  const bool nothing_to_do = findings.usable() && findings.duplicate_triangles == 0;
+  if (options.level == RepairLevel::kOff || hopeless || nothing_to_do) return {mesh, findings, {}, {}, 0};
+  if (findings.usable()) return without_copies(mesh);
   return Repair(mesh, findings, options).run();
 }
 

@@ -160,6 +160,15 @@ std::size_t drop_triangles_without_area(Mesh& mesh) {
   return before - mesh.triangles.size();
 }
 
+std::size_t drop_copies_of_triangles(Mesh& mesh) {
+  const std::size_t before = mesh.triangles.size();
+  std::vector<std::uint8_t> dropped = find_topology(mesh).left_out;
+  for (std::size_t t = 0; t < before; ++t)
+    if (is_degenerate(corners_of(mesh, t))) dropped[t] = 0;  // which may close the surface
+  keep_triangles(mesh, dropped);
+  return before - mesh.triangles.size();
+}
+
 std::size_t drop_opposite_pairs(Mesh& mesh) {
   const Topology topology = find_topology(mesh);
   std::map<std::array<std::size_t, 3>, std::vector<std::pair<std::size_t, bool>>> groups;

@@ -25,6 +25,9 @@ std::size_t split_edges_at_corners(Mesh& mesh, double tolerance);
 /// Takes away triangles without area. Returns how many.
 std::size_t drop_triangles_without_area(Mesh& mesh);
 
+/// Takes away all but the first of triangles with the same corners. Returns how many.
+std::size_t drop_copies_of_triangles(Mesh& mesh);
+
 /// Takes away triangles that are there facing both ways where this opens no edge and leaves fewer edges of
 /// more than two triangles: the faces that solids share. Returns the number of pairs.
 std::size_t drop_opposite_pairs(Mesh& mesh);

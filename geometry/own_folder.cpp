@@ -6,6 +6,7 @@
 #include <cctype>
 #include <charconv>
 #include <cstdint>
+#include <string_view>
 
 #include "geometry/cad_file.h"
 #include "geometry/shown_text.h"
@@ -28,6 +29,20 @@ std::string decoded(const std::string& text) {
     if (escaped) k += 2;
   }
   return plain;
+}
+
+/// assimp 5.2 takes no remark before the line that names the format.
+std::string without_remarks_in_header(std::string bytes) {
+  for (std::size_t line = 0; line < bytes.size();) {
+    const std::size_t end = bytes.find('\n', line);
+    const std::string_view words = std::string_view(bytes).substr(line, end - line);
+    if (end == std::string::npos || words.starts_with("end_header")) break;
+    if (words.starts_with("comment") || words.starts_with("obj_info"))
+      bytes.erase(line, end + 1 - line);
+    else
+      line = end + 1;
+  }
+  return bytes;
 }
 
 bool is_text(const std::string& bytes) {
@@ -76,6 +91,7 @@ std::string OwnFolder::bytes_of_main() const {
   std::string bytes = read_cad_file(file_);
   constexpr std::string_view kMark = "\xef\xbb\xbf";
   if (bytes.starts_with(kMark)) bytes.erase(0, kMark.size());
+  if (ending_ == "ply") bytes = without_remarks_in_header(std::move(bytes));
   const bool has_numbers = ending_ == "obj" || ending_ == "off" || ending_ == "ply";
   return has_numbers && is_text(bytes) ? with_exponents_behind_e(std::move(bytes)) : bytes;
 }
@@ -94,7 +110,7 @@ Assimp::IOStream* OwnFolder::Open(const char* name, const char* mode) {
   // assimp puts the folder of the CAD file before the name.
   std::string written = name;
   const std::string folder = file_.parent_path().string() + "/";
-  if (written.starts_with(folder)) written.erase(0, folder.size());
+  if (folder.size() > 1 && written.starts_with(folder)) written.erase(0, folder.size());
   if (refused_.empty()) refused_ = "it refers to '" + shown(written, kShownName) + "', " + reason;
   return nullptr;
 }

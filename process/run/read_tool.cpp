@@ -57,7 +57,7 @@ std::string in_one_line(const Tool& tool) {
 void examine(geometry::Mesh mesh, double wall_radius, Tool& tool) {
   geometry::ExaminedMesh examined = geometry::examine_mesh(mesh);
   tool.found = examined.findings;
-  if (tool.found.usable()) {
+  if (tool.found.usable() && tool.found.duplicate_triangles == 0) {
     tool.findings = tool.found;
     tool.mesh = std::move(mesh);
     tool.keep(std::move(*examined.topology));

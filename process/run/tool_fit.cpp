@@ -1,6 +1,7 @@
 #include "process/run/tool_fit.h"
 
 #include <cstdio>
+#include <limits>
 #include <utility>
 
 namespace diefill::process {
@@ -8,6 +9,7 @@ namespace diefill::process {
 namespace {
 
 constexpr double kLargestTool = 2;                            // m
+constexpr double kFarthestTool = 20;                          // m, middle from the origin of the scene
 constexpr double kSmallestUsual = 0.01, kLargestUsual = 0.8;  // m, extents of tools that presses have
 
 void deepen(Overlap& deepest, const geometry::Mesh& part, const Tool& other) {
@@ -33,10 +35,27 @@ std::string likely_unit(double extent) {
   return units.empty() ? "" : units + ")";
 }
 
+/// Space is searched between all tools; and so far away single precision, as CAD files have it, is coarse.
+void refuse_far(const geometry::Mesh& mesh, const std::string& where) {
+  const geometry::Box box = mesh.bounding_box();
+  const Eigen::Vector3d middle = (box.lower + box.upper) / 2;
+  if (middle.cwiseAbs().maxCoeff() <= kFarthestTool) return;
+  char text[400];
+  std::snprintf(
+      text, sizeof text,
+      ": lies %.4g m from the origin, up to %.4g m is allowed, and coordinates so far away lose digits "
+      "in CAD files of single precision (steps of %.2g mm); move it to the origin in CAD, or add "
+      "[\"%.9g mm\", \"%.9g mm\", \"%.9g mm\"] to its position",
+      middle.norm(), kFarthestTool, 1e3 * middle.norm() * std::numeric_limits<float>::epsilon(),
+      -1e3 * middle[0], -1e3 * middle[1], -1e3 * middle[2]);
+  throw SceneError(where + text);
+}
+
 }  // namespace
 
 void check_size(const geometry::Mesh& mesh, double sphere_radius, double metres_per_unit,
                 const std::string& where) {
+  refuse_far(mesh, where);
   const Eigen::Vector3d size = mesh.bounding_box().size();
   const bool too_large = size.maxCoeff() > kLargestTool, too_small = size.maxCoeff() < 4 * sphere_radius;
   if (!too_large && !too_small) return;

@@ -2,6 +2,7 @@
 #include "geometry/cad_child.h"
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <csignal>
 #include <ctime>
@@ -75,12 +76,26 @@ TEST(CadChild, EndsOneThatUsesUpItsSeconds) {
   EXPECT_NE(reason.find("does not come to an end"), std::string::npos) << reason;
 }
 
+TEST(CadChild, EndsOneThatWaitsForEver) {
+  std::string reason;
+  try {
+    read_in_child(
+        []() -> CadParts {
+          for (;;) ::pause();  // uses no processor time
+        },
+        {0, 1});
+  } catch (const std::runtime_error& error) {
+    reason = error.what();
+  }
+  EXPECT_NE(reason.find("does not come to an end"), std::string::npos) << reason;
+}
+
 #ifndef __SANITIZE_ADDRESS__  // the sanitizers leave no limit on memory
 #ifndef __SANITIZE_THREAD__
 TEST(CadChild, RefusesMoreThanTwoGibibytes) {
   const std::string reason = reason_of([]() -> CadParts {
     const auto greedy = std::make_unique<char[]>(std::size_t{5} << 29);
-    return {{{std::string(1, greedy[0]), {}}}, {}};
+    return {{{std::string(1, greedy[0]), {}}}, {}, {}};
   });
   EXPECT_NE(reason.find("more memory"), std::string::npos) << reason;
 }

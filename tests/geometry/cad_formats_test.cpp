@@ -118,6 +118,50 @@ TEST(CadFormats, PartsArePickedByName) {
   }
 }
 
+TEST(CadFormats, PartsOfOneNameHaveToBeToldApart) {
+  const TemporaryFolder directory;
+  const std::vector<sample::NamedMesh> parts = {{"pin", sample::box({0, 0, 0}, {1, 1, 1})},
+                                                {"pin", sample::box({20, 0, 0}, {22, 1, 1})},
+                                                {"cup 12 high", sample::box({0, 5, 0}, {3, 6, 1})}};
+  const auto file = directory.write("pins.3mf", sample::three_mf(parts, "millimeter"));
+  ImportOptions options;
+  options.part = "pin";
+  try {
+    import_part(file, options);
+    ADD_FAILURE() << "accepted";
+  } catch (const MeshError& error) {
+    EXPECT_NE(std::string(error.what())
+                  .find("part \"pin\" is there more than once: \"pin (1)\" round (0.50, 0.50, 0.50) mm, "
+                        "\"pin (2)\" round (21.00, 0.50, 0.50) mm"),
+              std::string::npos)
+        << error.what();
+  }
+  options.part = "pin (1)";
+  EXPECT_NEAR(import_part(file, options).mesh.volume(), 1e-9, 1e-16);
+  options.part = "cup";  // the only name that begins so
+  EXPECT_NEAR(import_part(file, options).mesh.volume(), 3e-9, 1e-16);
+}
+
+TEST(CadFormats, NoFileOutsideTheFolderIsRead) {
+  const TemporaryFolder directory;
+  const std::string good = sample::gltf(sample::box({0, 0, 0}, {1, 1, 1}), "box");
+  const std::size_t begin = good.find("data:"), end = good.find('"', begin);
+  std::filesystem::create_symlink("/etc/passwd", directory.path() / "link.bin");
+  for (const std::string name : {"../../../../../etc/passwd", "/etc/passwd", "%2e%2e/%2e%2e/etc/passwd",
+                                 "link.bin", "http://example.org/a.bin", "none.bin"}) {
+    SCOPED_TRACE(name);
+    std::string text = good;
+    text.replace(begin, end - begin, name);
+    try {
+      import_part(directory.write("box.gltf", text), {});
+      ADD_FAILURE() << "accepted";
+    } catch (const MeshError& error) {
+      EXPECT_NE(std::string(error.what()).find("it refers to '" + name + "', which "), std::string::npos)
+          << error.what();
+    }
+  }
+}
+
 TEST(CadFormats, PartsOfOneNameAreTold) {
   const TemporaryFolder directory;
   const std::vector<sample::NamedMesh> parts = {{"pin", sample::box({0, 0, 0}, {1, 1, 1})},

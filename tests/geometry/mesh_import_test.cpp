@@ -2,6 +2,9 @@
 #include "geometry/mesh_import.h"
 
 #include <gtest/gtest.h>
+#include <sys/stat.h>
+
+#include <regex>
 
 #include "tests/geometry/mesh_files.h"
 #include "tests/geometry/sample_meshes.h"
@@ -83,6 +86,43 @@ TEST(MeshImport, SaysWhatIsWrongWithAFile) {
   expect_error(directory.write("nonsense.ply", "this is no ply file"), "cannot be read as ply");
   expect_error(directory.write("nonsense.3mf", "this is no archive"), "cannot be read as 3mf");
   expect_error(directory.write("nonsense.obj", std::string("f 1 2 3\n")), "nonsense.obj");
+}
+
+TEST(MeshImport, ReadsNumbersOfFortranAndRemarks) {
+  const TemporaryFolder directory;
+  const Mesh box = sample::box({0, 0, 0}, {10, 20, 40});
+  const std::string obj = std::regex_replace(sample::obj(box), std::regex("\\b([124])0\\b"), "$1.0D+01");
+  const std::string off = std::regex_replace(sample::off(box), std::regex("\\b([124])0\\b"), "$1.0d+1");
+  const std::string ply = std::regex_replace(sample::ply(box), std::regex("ply\n"), "ply\ncomment of ours\n");
+  for (const auto& [name, bytes] : {std::pair("box.obj", obj), {"box.off", off}, {"box.ply", ply}}) {
+    SCOPED_TRACE(name);
+    EXPECT_NEAR(import_mesh(directory.write(name, bytes), 1e-3).volume(), 8e-6, 1e-12);
+  }
+}
+
+TEST(MeshImport, TakesRegularFilesAlone) {
+  const TemporaryFolder directory;
+  const auto pipe = directory.path() / "pipe.stl", device = directory.path() / "zero.stl";
+  ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+  std::filesystem::create_symlink("/dev/zero", device);
+  expect_error(pipe, "is a pipe: name a regular file");
+  expect_error(device, "is a device: name a regular file");
+  const auto large = directory.write("large.stl", "solid");
+  std::filesystem::resize_file(large, std::uintmax_t{3} << 30);
+  expect_error(large, "has 3072 MiB, up to 1024 MiB are read");
+  expect_error(directory.write("wide.stl", "\xff\xfes\0o\0"), "UTF-16");
+}
+
+TEST(MeshImport, SaysThatDigitsAreLostFarFromTheOrigin) {
+  const TemporaryFolder directory;
+  const auto file = [&](const std::string& name, double x) {
+    return directory.write(name, sample::binary_stl(sample::box({x, 0, 0}, {x + 80, 20, 20})));
+  };
+  expect_error(file("georeferenced.stl", 7.5e6), "digits of its shape are lost");
+  ImportOptions options;
+  options.metres_per_unit = 1e-3;
+  EXPECT_EQ(import_part(file("machine.stl", 9000), options).remarks.size(), 1U);
+  EXPECT_TRUE(import_part(file("near.stl", 100), options).remarks.empty());
 }
 
 TEST(MeshImport, RefusesCoordinatesThatAreNotFinite) {

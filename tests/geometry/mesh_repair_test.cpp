@@ -58,6 +58,15 @@ TEST(MeshRepair, LeavesGoodMeshesAlone) {
   EXPECT_TRUE(result.mesh.triangles == tube().triangles);
 }
 
+TEST(MeshRepair, OfFacetsThatFaceBothWaysTheFirstIsKept) {
+  const Mesh both = sample::joined(tube(), sample::inside_out(tube()));
+  ASSERT_NEAR(both.volume(), 0, 1e-12);
+  const RepairedMesh result = repaired(both);
+  EXPECT_TRUE(result.findings.usable());
+  EXPECT_NEAR(result.mesh.volume(), tube().volume(), 1e-12);
+  EXPECT_EQ(result.repairs.size(), 1U);
+}
+
 TEST(MeshRepair, FillsASmallHole) {
   Mesh mesh = tube();
   mesh.triangles.erase(mesh.triangles.begin() + 40);
@@ -118,6 +127,37 @@ TEST(MeshRepair, RefusesSolidsThatTouchAlongAnEdge) {
   ASSERT_EQ(check_mesh(both).non_manifold_edges, 1U);
   EXPECT_FALSE(repaired(both).findings.usable());
   EXPECT_FALSE(repaired(both).refused.empty());
+}
+
+TEST(MeshRepair, SplitsAnEdgeOnWhichACornerOfTheNeighbourLies) {
+  Mesh mesh = sample::box({0, 0, 0}, {0.01, 0.02, 0.03});
+  // One of the two triangles at an edge gets a corner in the middle of it, the other does not.
+  const Eigen::Vector3i old = mesh.triangles[4];
+  const auto place = [&](int k) { return mesh.vertices[static_cast<std::size_t>(old[k])]; };
+  mesh.vertices.push_back((2 * place(0) + place(1)) / 3);
+  const int middle = static_cast<int>(mesh.vertices.size()) - 1;
+  mesh.triangles[4] = {old[0], middle, old[2]};
+  mesh.triangles.emplace_back(middle, old[1], old[2]);
+  expect_repaired(mesh, 6e-6, "1 edge split where a corner of a neighbour lies on it");
+}
+
+TEST(MeshRepair, TakesTheWallBetweenBoxesThatShareAFaceAway) {
+  const Mesh one = sample::box({0, 0, 0}, {0.01, 0.01, 0.01});
+  Mesh other = one;
+  for (auto& vertex : other.vertices) vertex.x() = 0.02 - vertex.x();
+  const Mesh both = soup_of(sample::joined(one, sample::inside_out(other)));
+  expect_repaired(both, 2e-6, "2 pairs of triangles between solids that share a face removed");
+}
+
+TEST(MeshRepair, UnitesBoxesWhoseSharedFacesAreCutUpOtherwise) {
+  const Mesh one = sample::box({0, 0, 0}, {0.01, 0.01, 0.01});
+  const Mesh other = sample::box({0.01, 0, 0}, {0.02, 0.01, 0.01});
+  EXPECT_TRUE(repaired(soup_of(sample::joined(one, other))).findings.usable());
+  const Mesh higher = sample::box({0.01, 0, 0}, {0.02, 0.01, 0.02});
+  const RepairedMesh step = repaired(sample::joined(one, higher));
+  ASSERT_TRUE(step.findings.usable()) << testing::PrintToString(step.refused);
+  EXPECT_NEAR(step.mesh.volume(), 3e-6, 1e-11);
+  expect_repaired(sample::inside_out(soup_of(sample::joined(one, other))), 2e-6, "right side out");
 }
 
 TEST(MeshRepair, WrapsOnlyWhenAllowedAndStatesTheDeviation) {

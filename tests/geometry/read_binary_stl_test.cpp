@@ -40,13 +40,38 @@ TEST(BinaryStl, IsReadAsAssimpReadsIt) {
 
 TEST(BinaryStl, IsNoneWhereTheLengthSaysOtherwise) {
   const std::string bytes = sample::binary_stl(sample::box({0, 0, 0}, {1, 1, 1}));
-  EXPECT_FALSE(is_binary_stl(bytes + "x"));
   EXPECT_FALSE(is_binary_stl(bytes.substr(0, bytes.size() - 1)));
   EXPECT_FALSE(is_binary_stl(bytes.substr(0, 84)));
   EXPECT_FALSE(is_binary_stl(std::string(84, '\0')));
   EXPECT_FALSE(is_binary_stl(bytes.substr(0, 10)));
   EXPECT_FALSE(is_binary_stl(""));
   EXPECT_FALSE(is_binary_stl(sample::ascii_stl(sample::box({0, 0, 0}, {1, 1, 1}))));
+}
+
+TEST(BinaryStl, RemarksOnBytesLeftOver) {
+  const std::string bytes = sample::binary_stl(sample::box({0, 0, 0}, {1, 1, 1}));
+  ASSERT_TRUE(is_binary_stl(bytes + "x"));
+  const CadParts contents = read_binary_stl(bytes + "xyz");
+  EXPECT_EQ(contents.parts[0].mesh.triangles.size(), 12U);
+  EXPECT_EQ(contents.remarks, std::vector<std::string>{"3 bytes behind the last triangle not read"});
+  EXPECT_TRUE(read_binary_stl(bytes).remarks.empty());
+}
+
+TEST(BinaryStl, OfSeveralFilesOneBehindAnotherHasAPartEach) {
+  const CadParts contents = read_binary_stl(sample::binary_stl(sample::box({0, 0, 0}, {1, 1, 1})) +
+                                            sample::binary_stl(sample::box({0, 0, 0}, {2, 1, 1})));
+  ASSERT_EQ(contents.parts.size(), 2U);
+  EXPECT_EQ(contents.parts[1].name, "part 2");
+  EXPECT_NEAR(contents.parts[1].mesh.volume(), 2, 1e-6);
+}
+
+TEST(BinaryStl, WhoseNumberOfTrianglesWasNeverFilledInIsAsLongAsItIs) {
+  std::string bytes = sample::binary_stl(sample::box({0, 0, 0}, {1, 1, 1}));
+  for (const std::uint32_t count : {0U, ~0U}) {
+    std::memcpy(bytes.data() + 80, &count, sizeof count);
+    ASSERT_TRUE(is_binary_stl(bytes));
+    EXPECT_EQ(read_binary_stl(bytes).parts[0].mesh.triangles.size(), 12U);
+  }
 }
 
 TEST(BinaryStl, KeepsCornersThatAreNoNumbersForWhoeverLooksAtThem) {
