@@ -4,11 +4,11 @@
 
 #include <algorithm>
 #include <cctype>
-#include <charconv>
 #include <cstdint>
 #include <string_view>
 
 #include "geometry/cad_file.h"
+#include "geometry/percent_decoding.h"
 #include "geometry/shown_text.h"
 
 namespace diefill::geometry {
@@ -16,20 +16,6 @@ namespace diefill::geometry {
 namespace {
 
 constexpr std::size_t kShownName = 80;
-
-/// `text` with %20 and the like as the characters that they stand for.
-std::string decoded(const std::string& text) {
-  std::string plain;
-  for (std::size_t k = 0; k < text.size(); ++k) {
-    unsigned code = 0;
-    const char* const digits = text.data() + k + 1;
-    const bool escaped = text[k] == '%' && k + 2 < text.size() &&
-                         std::from_chars(digits, digits + 2, code, 16).ptr == digits + 2;
-    plain += escaped ? static_cast<char>(code) : text[k];
-    if (escaped) k += 2;
-  }
-  return plain;
-}
 
 /// assimp 5.2 takes no remark before the line that names the format.
 std::string without_remarks_in_header(std::string bytes) {
@@ -68,7 +54,7 @@ OwnFolder::OwnFolder(std::filesystem::path file, std::string ending)
 std::filesystem::path OwnFolder::place_of(const std::string& name) const {
   std::error_code error;
   if (std::filesystem::exists(name, error)) return name;
-  return decoded(name);
+  return percent_decoded(name);
 }
 
 std::string OwnFolder::reason_against(const std::filesystem::path& place) const {

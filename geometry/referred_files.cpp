@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cctype>
-#include <charconv>
 #include <cstdint>
 #include <cstring>
 #include <nlohmann/json.hpp>
@@ -11,6 +10,7 @@
 
 #include "geometry/cad_file.h"
 #include "geometry/cad_parts.h"
+#include "geometry/percent_decoding.h"
 
 namespace diefill::geometry {
 namespace {
@@ -28,20 +28,6 @@ std::string json_of_glb(const std::string& bytes) {
   return bytes.substr(kStart, length);
 }
 
-/// `text` with %20 and the like as the characters that they stand for.
-std::string decoded(const std::string& text) {
-  std::string plain;
-  for (std::size_t k = 0; k < text.size(); ++k) {
-    unsigned code = 0;
-    const char* const digits = text.data() + k + 1;
-    const bool escaped = text[k] == '%' && k + 2 < text.size() &&
-                         std::from_chars(digits, digits + 2, code, 16).ptr == digits + 2;
-    plain += escaped ? static_cast<char>(code) : text[k];
-    if (escaped) k += 2;
-  }
-  return plain;
-}
-
 /// Names in a glTF document; data that stands in the document itself is no file.
 std::vector<std::string> names_in_gltf(const std::string& text) {
   std::vector<std::string> names;
@@ -55,7 +41,7 @@ std::vector<std::string> names_in_gltf(const std::string& text) {
       const auto name = entry["uri"].get<std::string>();
       if (name.starts_with("data:")) continue;
       names.push_back(name);
-      names.push_back(decoded(name));
+      names.push_back(percent_decoded(name));
     }
   }
   return names;
