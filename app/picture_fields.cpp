@@ -134,53 +134,25 @@ std::string span_of(const TwoInstants& two) {
 Pictures make_map(const PictureRequest& request) {
   std::vector<results::Field2D> fields;
   for (const auto& source : request.sources) fields.push_back(map_of(request, source.result));
-  const auto range = shared_range(request, fields);
-  Pictures written;
-  for (std::size_t n = 0; n < fields.size(); ++n) {
-    const auto& source = request.sources[n];
-    render::FieldStyle style = style_of(request);
-    render::add_map_places(style, source.result, fields[n]);
-    const auto picture =
-        render::compose_field(fields[n], title_of(request, source), subtitle_of(source), range, style);
-    written.push_back(write_picture(request, file_of(request, "map", source), picture.image));
-  }
-  return written;
+  return write_fields(request, "map", fields, {}, style_of(request));
 }
 
 Pictures make_plan_map(const PictureRequest& request) {
   std::vector<results::Field2D> fields;
   for (const auto& source : request.sources)
     fields.push_back(process::box_map(source.result, process::BoxView::kPlan, request.averaging_width));
-  const auto range = shared_range(request, fields);
-  Pictures written;
-  for (std::size_t n = 0; n < fields.size(); ++n) {
-    const auto& source = request.sources[n];
-    render::FieldStyle style = style_of(request);
-    style.note = "mean over height";
-    render::add_map_places(style, source.result, fields[n]);
-    const auto picture = render::compose_field(fields[n], title_of(request, source),
-                                               subtitle_of(source) + ", seen from above", range, style);
-    written.push_back(write_picture(request, file_of(request, "plan_map", source), picture.image));
-  }
-  return written;
+  render::FieldStyle style = style_of(request);
+  style.note = "mean over height";
+  return write_fields(request, "plan_map", fields, {}, style, ", seen from above");
 }
 
 Pictures make_fill_level_map(const PictureRequest& request) {
   std::vector<results::Field2D> fields;
   for (const auto& source : request.sources) fields.push_back(process::fill_level_map(source.result));
-  const auto range = shared_range(request, fields);
-  Pictures written;
-  for (std::size_t n = 0; n < fields.size(); ++n) {
-    const auto& source = request.sources[n];
-    render::FieldStyle style = style_of(request);
-    style.unit = "mm";
-    style.note = "height of the powder surface above the cavity floor";
-    render::add_map_places(style, source.result, fields[n]);
-    const auto picture = render::compose_field(fields[n], title_of(request, source),
-                                               subtitle_of(source) + ", seen from above", range, style);
-    written.push_back(write_picture(request, file_of(request, "fill_level_map", source), picture.image));
-  }
-  return written;
+  render::FieldStyle style = style_of(request);
+  style.unit = "mm";
+  style.note = "height of the powder surface above the cavity floor";
+  return write_fields(request, "fill_level_map", fields, {}, style, ", seen from above");
 }
 
 Pictures make_partial_volume_map(const PictureRequest& request) {
@@ -213,18 +185,7 @@ Pictures make_section(const PictureRequest& request) {
                          .field);
     if (fields.back().first.empty()) throw std::invalid_argument("section: no powder is near the plane");
   }
-  const auto range = shared_range(request, fields);
-  Pictures written;
-  for (std::size_t n = 0; n < fields.size(); ++n) {
-    const auto& source = request.sources[n];
-    render::FieldStyle style = style_of(request);
-    render::add_section_places(style, source.result, planes[n]);
-    const auto picture =
-        render::compose_field(fields[n], title_of(request, source),
-                              subtitle_of(source) + ", " + render::section_in_words(planes[n]), range, style);
-    written.push_back(write_picture(request, file_of(request, "section", source), picture.image));
-  }
-  return written;
+  return write_fields(request, "section", fields, planes, style_of(request));
 }
 
 Pictures make_difference(const PictureRequest& request) {

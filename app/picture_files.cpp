@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "render/field_places.h"
 #include "render/picture_file.h"
 
 namespace diefill::app {
@@ -46,6 +47,29 @@ std::filesystem::path write_picture(const PictureRequest& request, const std::fi
                                     const QImage& image) {
   render::write_png(png, image, static_cast<int>(std::lround(request.width)));
   return png;
+}
+
+std::vector<std::filesystem::path> write_fields(const PictureRequest& request, const std::string& kind,
+                                                const std::vector<results::Field2D>& fields,
+                                                const std::vector<results::SectionPlane>& planes,
+                                                render::FieldStyle style, const std::string& words) {
+  const auto range = shared_range(request, fields);
+  style.pixels = pixels_of(request);
+  std::vector<std::filesystem::path> written;
+  for (std::size_t n = 0; n < fields.size(); ++n) {
+    const auto& source = request.sources[n];
+    render::FieldStyle own = style;
+    std::string subtitle = subtitle_of(source) + words;
+    if (planes.empty()) {
+      render::add_map_places(own, source.result, fields[n]);
+    } else {
+      render::add_section_places(own, source.result, planes[n]);
+      subtitle += ", " + render::section_in_words(planes[n]);
+    }
+    const auto picture = render::compose_field(fields[n], title_of(request, source), subtitle, range, own);
+    written.push_back(write_picture(request, file_of(request, kind, source), picture.image));
+  }
+  return written;
 }
 
 std::vector<std::filesystem::path> write_chart(const PictureRequest& request, const std::string& kind,

@@ -29,6 +29,13 @@ double pixels_of(const PictureRequest& request);
 std::filesystem::path write_picture(const PictureRequest& request, const std::filesystem::path& png,
                                     const QImage& image);
 
+/// Draws one field a source as kind.png, all on one scale and in one style. `planes` has the plane of each
+/// where they are sections, and is empty where they are maps; `words` stand behind the subtitle.
+std::vector<std::filesystem::path> write_fields(const PictureRequest& request, const std::string& kind,
+                                                const std::vector<results::Field2D>& fields,
+                                                const std::vector<results::SectionPlane>& planes,
+                                                render::FieldStyle style, const std::string& words = "");
+
 /// Writes a chart of all sources as kind.png, and kind.pdf where that was asked for.
 std::vector<std::filesystem::path> write_chart(const PictureRequest& request, const std::string& kind,
                                                render::Chart chart);

@@ -5,7 +5,6 @@
 #include "process/measure/plane_sample.h"
 #include "process/measure/ring_sample.h"
 #include "process/measure/segregation.h"
-#include "render/field_places.h"
 
 namespace diefill::app {
 namespace {
@@ -14,25 +13,10 @@ namespace {
 Pictures draw_sizes(const PictureRequest& request, const std::string& name,
                     std::vector<results::Field2D> fields, const std::vector<results::SectionPlane>& planes) {
   for (auto& field : fields) field.quantity = std::string("mean grain diameter");
-  const auto range = shared_range(request, fields);
-  Pictures written;
-  for (std::size_t n = 0; n < fields.size(); ++n) {
-    const auto& source = request.sources[n];
-    render::FieldStyle style;
-    style.unit = "mm";
-    std::string subtitle = subtitle_of(source);
-    if (planes.empty()) {
-      render::add_map_places(style, source.result, fields[n]);
-    } else {
-      render::add_section_places(style, source.result, planes[n]);
-      subtitle += ", " + render::section_in_words(planes[n]);
-    }
-    style.note = "weighted by mass";
-    style.pixels = pixels_of(request);
-    const auto picture = render::compose_field(fields[n], title_of(request, source), subtitle, range, style);
-    written.push_back(write_picture(request, file_of(request, name, source), picture.image));
-  }
-  return written;
+  render::FieldStyle style;
+  style.unit = "mm";
+  style.note = "weighted by mass";
+  return write_fields(request, name, fields, planes, style);
 }
 
 }  // namespace
