@@ -15,6 +15,7 @@
 #include "process/run/material.h"
 #include "process/run/pour.h"
 #include "process/run/setup_findings.h"
+#include "process/run/stages.h"
 #include "process/run/tool_paths.h"
 
 namespace diefill::app {
@@ -108,7 +109,8 @@ Foreseen counted(const process::Scene& scene, const process::Tooling& tooling) {
   foreseen.settings = process::engine_settings(scene, impact);
   foreseen.grains = process::grains_to_pour(scene, foreseen.settings.shape);
   foreseen.critical_step = process::critical_time_step(foreseen.settings, impact);
-  foreseen.seconds = process::Schedule(scene, tooling, scene.powder.grain_diameter).time_left(0, 0);
+  for (const auto& state : process::foreseen(process::Stages(scene), 0))
+    foreseen.seconds = std::max(foreseen.seconds, state.ended);
   foreseen.warnings.emplace_back(
       "so many grains are counted here, not placed; whether one touches a tool is seen as the run begins");
   return foreseen;

@@ -127,6 +127,7 @@ PosedSolids::Part PosedSolids::blocked_by(std::size_t solid, const SolidPose& po
   part.grid = {grid_.origin + part.first.cast<double>() * grid_.edge, grid_.edge,
                (last - part.first + Eigen::Vector3i::Ones()).cwiseMax(0)};
   part.blocked.assign(part.grid.size(), 0);
+  if (part.blocked.empty()) return part;  // still or again outside the grid, as on a long way to it
   for (int axis = 0; axis < 3; ++axis)
     block(part.grid, axis, SolidRows(mesh, part.grid, axis).rows(), part.blocked);
   return part;

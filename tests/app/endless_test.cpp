@@ -50,6 +50,19 @@ TEST(Endless, PowderOfTooManyGrainsIsRefused) {
   expect_refused(die.check(), {"grains of 0.09 mm", "GB of memory, and "});
 }
 
+// More grains than check places one by one.
+TEST(Endless, PowderOfMillionsOfGrainsIsCounted) {
+  const SmallDie die;
+  die.exchange("grain_diameter = \"1 mm\"", "grain_diameter = \"0.09 mm\"");
+  die.exchange("to = [\"5.5 mm\", \"2.5 mm\", \"9 mm\"]\nfill_height = \"5 mm\"",
+               "to = [\"5.5 mm\", \"2.5 mm\", \"60 mm\"]\nfill_height = \"55 mm\"");
+  const Outcome outcome = die.check();
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_NE(outcome.out.find(" grains of d = 0.09 mm"), std::string::npos) << outcome.out;
+  EXPECT_NE(outcome.out.find("so many grains are counted here, not placed"), std::string::npos)
+      << outcome.out;
+}
+
 // At 10 kHz and 100 mm a tool throws powder thousands of kilometres high.
 TEST(Endless, ToolsShakenAsHardAsAllowedAreChecked) {
   const SmallDie die;
