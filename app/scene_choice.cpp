@@ -18,7 +18,8 @@ namespace diefill::app {
 
 namespace {
 
-constexpr double kFineWalls = 30;  // radius of the grains over that of the wall spheres
+// Radius of the grains over that of the wall spheres: what is remarked on, and what is proposed.
+constexpr double kFineWalls = 12, kUsualWalls = 5;
 
 /// What to say before tools are covered with spheres far finer than the powder.
 std::optional<std::string> fine_walls(const process::Scene& scene) {
@@ -27,9 +28,9 @@ std::optional<std::string> fine_walls(const process::Scene& scene) {
   char text[300];
   std::snprintf(
       text, sizeof text,
-      "note: walls.sphere_radius is %.3g mm, 1/%.0f of the grains' radius of %.3g mm: very many wall "
-      "spheres, and slow; %.2g mm, a tenth, would take about %.0f times fewer",
-      1e3 * wall, grain / wall, 1e3 * grain, 1e2 * grain, std::pow(0.1 * grain / wall, 2));
+      "note: walls.sphere_radius is %.3g mm, 1/%.0f of the grains' radius of %.3g mm: many wall spheres, "
+      "and slow to set; %.2g mm, a fifth, takes about %.0f times fewer",
+      1e3 * wall, grain / wall, 1e3 * grain, 1e3 * grain / kUsualWalls, std::pow(grain / (kUsualWalls * wall), 2));
   return text;
 }
 

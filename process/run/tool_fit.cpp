@@ -1,5 +1,6 @@
 #include "process/run/tool_fit.h"
 
+#include <cmath>
 #include <cstdio>
 #include <limits>
 #include <utility>
@@ -40,6 +41,10 @@ void refuse_far(const geometry::Mesh& mesh, const std::string& where) {
   const geometry::Box box = mesh.bounding_box();
   const Eigen::Vector3d middle = (box.lower + box.upper) / 2;
   if (middle.cwiseAbs().maxCoeff() <= kFarthestTool) return;
+  // The axes along which the tool is near are left as they are in CAD.
+  Eigen::Vector3d back = Eigen::Vector3d::Zero();
+  for (int k = 0; k < 3; ++k)
+    if (std::abs(middle[k]) > kLargestTool) back[k] = -middle[k];
   char text[400];
   std::snprintf(
       text, sizeof text,
@@ -47,7 +52,7 @@ void refuse_far(const geometry::Mesh& mesh, const std::string& where) {
       "in CAD files of single precision (steps of %.2g mm); move it to the origin in CAD, or add "
       "[\"%.9g mm\", \"%.9g mm\", \"%.9g mm\"] to its position",
       middle.norm(), kFarthestTool, 1e3 * middle.norm() * std::numeric_limits<float>::epsilon(),
-      -1e3 * middle[0], -1e3 * middle[1], -1e3 * middle[2]);
+      1e3 * back[0], 1e3 * back[1], 1e3 * back[2]);
   throw SceneError(where + text);
 }
 
@@ -55,9 +60,9 @@ void refuse_far(const geometry::Mesh& mesh, const std::string& where) {
 
 void check_size(const geometry::Mesh& mesh, double sphere_radius, double metres_per_unit,
                 const std::string& where) {
-  refuse_far(mesh, where);
   const Eigen::Vector3d size = mesh.bounding_box().size();
   const bool too_large = size.maxCoeff() > kLargestTool, too_small = size.maxCoeff() < 4 * sphere_radius;
+  if (!too_large) refuse_far(mesh, where);  // a tool of 200 m lies far away for its unit's sake
   if (!too_large && !too_small) return;
   char text[240];
   std::snprintf(text, sizeof text,
