@@ -14,7 +14,7 @@ inline constexpr double kMostSteps = 1e10;
 /// Spheres of grains times steps at most: months on some tens of cores.
 inline constexpr double kMostSphereSteps = 1e15;
 /// Wall spheres of all tools at most.
-inline constexpr double kMostWallSpheres = 5e6;
+inline constexpr double kMostWallSpheres = 2e6;
 /// Snapshots at most, each a folder of results.
 inline constexpr double kMostSnapshots = 10000;
 
