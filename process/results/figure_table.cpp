@@ -135,7 +135,7 @@ constexpr std::array kFigures = {
     Figure{"energy_balance_error", "1", "energy unaccounted for, relative to the energy turned over",
            "energy unaccounted for over energy turned over", ShownAs{"1", 1, 2}, kNot,
            "energy balance error"},
-    Figure{"energy_error_limit", "1", "a run with more energy unaccounted for stops",
+    Figure{"energy_error_limit", "1", "limit of the energy balance error, either way",
            "limit of the energy unaccounted for over energy turned over", ShownAs{"1", 1, 2}},
     // Size and speed of the computation.
     Figure{"finished", "1", "1: the scene was over; 0: an earlier instant of it", "scene was over", kNumber},
