@@ -44,7 +44,7 @@ TEST(SceneContact, FollowsTheVariant) {
                 std::string(kHertz) + "friction = { law = \"Bierwisch\", friction = 0.3 }\n\n" + tool) +
       "\n[[variant]]\nname = \"rough\"\ncontact.friction.friction = 0.6\n"));
   ASSERT_EQ(variants.size(), 1U);
-  EXPECT_EQ(friction_coefficient(variants[0].scene.contact->grains.law), 0.6);
+  EXPECT_EQ(variants[0].scene.contact->grains.law.friction.largest_friction(), 0.6);
 }
 
 TEST(SceneContact, ReadsEveryPartInSiUnits) {
