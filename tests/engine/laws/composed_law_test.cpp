@@ -68,8 +68,8 @@ TEST(ComposedLawMemory, HasRoomForTheLargestPartAndIsWipedApart) {
   ASSERT_GT(state.overlap, 0);
   law.react(state, memory.data());
   EXPECT_GT(memory[0], 0);
-  EXPECT_NE(memory[1], 0);
-  EXPECT_NE(memory[5], 0);
+  EXPECT_NE(memory[GeneralLaw::kFrictionMemory], 0);
+  EXPECT_NE(memory[GeneralLaw::kRollingMemory], 0);
   state.overlap = 0;
   const auto apart = law.react(state, memory.data());
   for (const double value : memory) EXPECT_EQ(value, 0);
