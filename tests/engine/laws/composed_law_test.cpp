@@ -61,15 +61,15 @@ TEST(GeneralLawOfAnyParts, ReactsAsTheFixedLaw) {
 
 TEST(ComposedLawMemory, HasRoomForTheLargestPartAndIsWipedApart) {
   EXPECT_EQ(FixedLaw::kMemory, 1 + 4 + 3 + 0);
-  EXPECT_EQ(GeneralLaw::kMemory, 1 + 4 + 3 + 1);
+  EXPECT_EQ(GeneralLaw::kMemory, 2 + 4 + 3 + 1);
   const auto law = make_law(full_parameters(), kPair);
   std::vector<double> memory(GeneralLaw::kMemory);
   auto state = state_at(50);
   ASSERT_GT(state.overlap, 0);
   law.react(state, memory.data());
   EXPECT_GT(memory[0], 0);
-  EXPECT_NE(memory[1], 0);
-  EXPECT_NE(memory[5], 0);
+  EXPECT_NE(memory[GeneralLaw::kFrictionMemory], 0);
+  EXPECT_NE(memory[GeneralLaw::kRollingMemory], 0);
   state.overlap = 0;
   const auto apart = law.react(state, memory.data());
   for (const double value : memory) EXPECT_EQ(value, 0);
