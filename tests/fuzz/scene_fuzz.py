@@ -242,6 +242,7 @@ class Ending:
 def run(arguments, folder, limits):
     """Runs the program under limits; asks a run to stop after its budget."""
     def set_limits():
+        signal.signal(signal.SIGINT, signal.SIG_DFL)  # a shell's background job ignores it, and hands that on
         if limits.address:
             resource.setrlimit(resource.RLIMIT_AS, (limits.address << 20, limits.address << 20))
         resource.setrlimit(resource.RLIMIT_CPU, (int(3 * LONGEST * limits.slower), int(3 * LONGEST * limits.slower) + 5))
