@@ -51,6 +51,7 @@ Json tool_as_json(const process::Tool& tool) {
                {"lower_corner_m", point(box.lower)},
                {"upper_corner_m", point(box.upper)},
                {"found", findings_as_json(tool.found)},
+               {"file_remarks", tool.file_remarks},
                {"repairs", tool.repairs},
                {"not_repaired", tool.not_repaired},
                {"mesh", findings_as_json(tool.findings)}};
@@ -136,6 +137,7 @@ void print_tool(const process::Tool& tool, const geometry::Symmetry* symmetry) {
   if (tool.chord_tolerance)
     std::printf("  curved surfaces as triangles within %.3g mm, unit %.4g mm as the file states\n",
                 1e3 * *tool.chord_tolerance, 1e3 * tool.metres_per_unit);
+  for (const auto& remark : tool.file_remarks) std::printf("  file: %s\n", remark.c_str());
   if (!tool.repairs.empty())
     for (const auto& finding : tool.found.in_words()) std::printf("  found: %s\n", finding.c_str());
   for (const auto& repair : tool.repairs) std::printf("  repaired: %s\n", repair.c_str());

@@ -90,11 +90,11 @@ Tool read_tool(const Scene& scene, const ToolSpec& spec) {
   tool.metres_per_unit = part.metres_per_unit;
   tool.unit_from_file = part.unit_from_file;
   if (part.curved) tool.chord_tolerance = chord;
+  tool.file_remarks = part.remarks;
   tool.file_hash = hash.get();
   geometry::Mesh mesh = placed(std::move(part.mesh), spec);
   check_size(mesh, wall_radius(scene, spec), part.metres_per_unit, tool_in_words(scene, spec));
   examine(std::move(mesh), wall_radius(scene, spec), tool);
-  tool.repairs.insert(tool.repairs.begin(), part.remarks.begin(), part.remarks.end());
   return tool;
 }
 

@@ -254,6 +254,7 @@ std::vector<std::string> Tooling::remarks() const {
   std::vector<std::string> lines;
   for (const Tool& tool : tools) {
     const std::string name = "tool \"" + tool.spec.name + "\"";
+    for (const auto& remark : tool.file_remarks) lines.push_back(name + ": " + remark);
     for (const auto& repair : tool.repairs) lines.push_back(name + " repaired: " + repair);
     if (tool.spec.part.empty() && tool.file_parts.size() > 1)
       lines.push_back(name + ": all " + std::to_string(tool.file_parts.size()) + " parts of " +

@@ -23,6 +23,7 @@ struct Tool {
   geometry::Mesh mesh;
   geometry::MeshFindings found;           ///< as the file has it
   geometry::MeshFindings findings;        ///< after repair
+  std::vector<std::string> file_remarks;  ///< what is odd about the file and was passed over, in words
   std::vector<std::string> repairs;       ///< in words, one a line; empty when nothing was done
   std::vector<std::string> not_repaired;  ///< what would have been a guess
   std::vector<std::string> file_parts;    ///< names of the parts in the file
@@ -59,7 +60,8 @@ struct Tooling {
   /// All cavities as one, for motions and planning: the largest with the box and the volume of all and the
   /// narrowest place of any.
   geometry::Cavity all_cavities() const;
-  /// What was done to the tools' CAD, a line for each repair, and which files were taken as a whole.
+  /// What is odd about the tools' files, what was done to their CAD, and which files were taken as a whole: a
+  /// line each.
   std::vector<std::string> remarks() const;
   /// Index of the tool of that name. Throws std::out_of_range.
   std::size_t index_of(const std::string& name) const;

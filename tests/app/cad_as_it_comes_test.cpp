@@ -108,7 +108,14 @@ TEST(CadAsItComes, ABinaryStlMayBeginWithSolidAndCarryColours) {
 TEST(CadAsItComes, BytesBehindTheLastTriangleAreRemarkedOn) {
   const SmallDie die;
   die.write("die.stl", cad::binary_stl(small_die()) + std::string(317, '\0') + "trailer");
-  expect_says(expect_as_plain(die)["tools"][0].dump(), "324 bytes behind the last triangle not read");
+  const auto found = expect_as_plain(die);
+  const std::string remark = "324 bytes behind the last triangle not read";
+  EXPECT_EQ(found["tools"][0]["file_remarks"], nlohmann::json::array({remark}));
+  EXPECT_TRUE(found["tools"][0]["repairs"].empty());
+  const Outcome outcome = die.check();
+  expect_says(outcome.out, "\n  file: " + remark + "\n");
+  expect_says(outcome.out, "note: tool \"die\": " + remark);
+  EXPECT_EQ(outcome.out.find("repaired: "), std::string::npos) << outcome.out;
 }
 
 TEST(CadAsItComes, ABinaryStlOfNoTrianglesIsRefused) {
