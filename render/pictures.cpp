@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "process/results/cavity_rows.h"
 #include "render/density_map.h"
 #include "render/field_places.h"
 #include "render/field_sampler.h"
@@ -27,14 +28,32 @@ const std::string& title_of(const results::FillResult& result) {
   return result.strategy.empty() ? result.title : result.strategy;
 }
 
-/// What the charts of a run show: the fill level, and of cavities that are no rings the solid fraction over height.
-std::vector<const results::Profile*> profiles_to_draw(const results::FillResult& result) {
-  std::vector<const results::Profile*> chosen;
-  for (const auto& profile : result.profiles)
-    if (profile.quantity == kFillLevel || (!result.cavity.is_ring && profile.x_name == "height"))
-      chosen.push_back(&profile);
-  if (chosen.empty() && !result.profiles.empty()) chosen.push_back(&result.profiles.front());
-  return chosen;
+/// A chart of a run, and the file that it goes to.
+struct ProfileChart {
+  const results::Profile* profile;
+  std::string file;
+};
+
+bool is_ring(const results::FillResult& result, int cavity) {
+  if (cavity < 2) return result.cavity.is_ring;
+  const auto other = static_cast<std::size_t>(cavity) - 2;
+  return other < result.other_cavities.size() && result.other_cavities[other].is_ring;
+}
+
+/// What the charts of a run show, of each cavity: the fill level, and of those that are no rings the solid
+/// fraction over height.
+std::vector<ProfileChart> profile_charts(const results::FillResult& result) {
+  std::vector<ProfileChart> charts;
+  for (const auto& profile : result.profiles) {
+    const auto [quantity, cavity] = results::quantity_and_cavity(profile.quantity);
+    const bool level = quantity == kFillLevel;
+    if (!level && (is_ring(result, cavity) || profile.x_name != "height")) continue;
+    const std::string suffix = cavity > 1 ? "_cavity_" + std::to_string(cavity) : "";
+    charts.push_back({&profile, (level ? "fill_level" : "height_profile") + suffix + ".png"});
+  }
+  if (charts.empty() && !result.profiles.empty())
+    charts.push_back({&result.profiles.front(), "height_profile.png"});
+  return charts;
 }
 
 bool same_plane(const results::SectionPlane& one, const results::SectionPlane& other) {
@@ -128,9 +147,8 @@ std::vector<std::filesystem::path> draw_all(const std::filesystem::path& directo
   }
   written.push_back(directory / "snapshot.png");
   draw_snapshot(written.back(), result, range);
-  for (const auto* profile : profiles_to_draw(result)) {
-    const bool level = profile->quantity == kFillLevel;
-    written.push_back(directory / (level ? "fill_level.png" : "height_profile.png"));
+  for (const auto& [profile, file] : profile_charts(result)) {
+    written.push_back(directory / file);
     draw_profile(written.back(), *profile, title_of(result), subtitle_of(result));
   }
   return written;

@@ -1,5 +1,6 @@
 #include "process/results/cavity_rows.h"
 
+#include <charconv>
 #include <cmath>
 #include <limits>
 
@@ -56,6 +57,22 @@ std::string figure_prefix(int number) {
 
 std::string verdict_name(int number) {
   return "cavity " + std::to_string(number);
+}
+
+std::string quantity_in_cavity(const std::string& quantity, int number) {
+  return number > 1 ? quantity + ", " + verdict_name(number) : quantity;
+}
+
+std::pair<std::string, int> quantity_and_cavity(const std::string& quantity) {
+  const std::string mark = ", cavity ";
+  const auto at = quantity.rfind(mark);
+  int number = 0;
+  if (at != std::string::npos) {
+    const char* const end = quantity.data() + quantity.size();
+    const auto read = std::from_chars(quantity.data() + at + mark.size(), end, number);
+    if (read.ptr == end && number > 1) return {quantity.substr(0, at), number};
+  }
+  return {quantity, 1};
 }
 
 std::string mass_of(const CavityRow& row) {

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "process/results/fill_result.h"
@@ -35,6 +36,11 @@ std::string figure_prefix(int number);
 /// Topic under which results keep the verdicts, and the name of that of cavity `number` in it.
 inline constexpr const char* kVerdictTopic = "verdict";
 std::string verdict_name(int number);
+
+/// Quantity of a profile of cavity `number`: "fill level", "fill level, cavity 2".
+std::string quantity_in_cavity(const std::string& quantity, int number);
+/// The two apart again: {"fill level", 2}; the number is 1 where none is named.
+std::pair<std::string, int> quantity_and_cavity(const std::string& quantity);
 
 /// "3.12 g", or "about 3.1 g" for an estimate.
 std::string mass_of(const CavityRow& row);

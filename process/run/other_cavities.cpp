@@ -61,7 +61,7 @@ void add_words(results::FillResult& result, const OfCavity& measured, int number
 /// Profiles only: maps are drawn anew of whichever cavity is asked for.
 void add_profiles(results::FillResult& result, OfCavity& measured, int number) {
   for (auto& profile : measured.profiles) {
-    profile.quantity += ", " + results::verdict_name(number);
+    profile.quantity = results::quantity_in_cavity(profile.quantity, number);
     result.profiles.push_back(std::move(profile));
   }
 }

@@ -56,6 +56,12 @@ std::size_t number_in(const std::string& picture) {
   return at == std::string::npos ? 1 : std::stoul(picture.substr(at + 1));
 }
 
+/// ", cavity 2" of "fill_level_cavity_2".
+std::string of_cavity(const std::string& picture) {
+  const auto at = picture.find("_cavity_");
+  return at == std::string::npos ? "" : ", cavity " + std::to_string(number_in(picture));
+}
+
 std::string caption_of(const std::string& picture, const results::FillResult& result) {
   if (picture == "density_map") return "Solid fraction over azimuth and height, mean over the ring's width.";
   if (picture == "plan_map") return "Solid fraction seen from above, mean over height.";
@@ -67,8 +73,9 @@ std::string caption_of(const std::string& picture, const results::FillResult& re
   }
   if (picture == "snapshot")
     return "Powder and tools at the end, cut open; grains coloured by solid fraction.";
-  if (picture == "fill_level") return "Height of the powder surface above the cavity's floor.";
-  if (picture == "height_profile") return "Solid fraction over height.";
+  if (picture.starts_with("fill_level"))
+    return "Height of the powder surface above the cavity's floor" + of_cavity(picture) + ".";
+  if (picture.starts_with("height_profile")) return "Solid fraction over height" + of_cavity(picture) + ".";
   std::string words = picture;
   std::replace(words.begin(), words.end(), '_', ' ');
   return capitalised(words) + ".";

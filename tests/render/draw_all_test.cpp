@@ -42,11 +42,16 @@ TEST_F(DrawAll, DieThatIsNoRingIsSeenFromAboveAndNoPictureComesTwice) {
   level.quantity = "fill level";
   for (double& value : level.value) value *= 40;
   result.maps = {plan, level};
-  result.profiles = {{"solid fraction", "", "height", "mm", {0, 10, 20}, {0.3, 0.34, 0.36}}};
+  result.profiles = {{"solid fraction", "", "height", "mm", {0, 10, 20}, {0.3, 0.34, 0.36}},
+                     {"solid fraction, cavity 2", "", "height", "mm", {0, 10, 20}, {0.4, 0.44, 0.46}},
+                     {"fill level, cavity 2", "mm", "way", "mm", {0, 8, 16}, {10, 12, 14}}};
+  result.other_cavities = {result.cavity};
   result.sections.push_back(result.sections.front());  // asked for twice
   const auto written = draw_all(folder, result);
-  EXPECT_EQ(names_of(written), (std::vector<std::string>{"plan_map.png", "fill_level_map.png", "section.png",
-                                                         "snapshot.png", "height_profile.png"}));
+  EXPECT_EQ(names_of(written),
+            (std::vector<std::string>{"plan_map.png", "fill_level_map.png", "section.png", "snapshot.png",
+                                      "height_profile.png", "height_profile_cavity_2.png",
+                                      "fill_level_cavity_2.png"}));
   std::set<std::string> pictures;
   for (const auto& picture : written) EXPECT_TRUE(pictures.insert(contents(picture)).second) << picture;
 }
