@@ -4,9 +4,8 @@
 #include <cmath>
 #include <optional>
 
-#include "process/results/rounding.h"
-
 #include "app/text_column.h"
+#include "process/results/rounding.h"
 
 namespace diefill::app {
 
@@ -29,16 +28,16 @@ std::optional<int> fewest_decimals(const results::ComparedMeasure& measure) {
   std::optional<int> fewest;
   for (const auto& value : measure.values)
     if (value.scatter > 0) {
-      const int own = results::decimals_of_scatter(value.scatter);
+      const int own = results::decimals_of_scatter(value.scatter, value.mean);
       fewest = fewest ? std::min(*fewest, own) : own;
     }
   return fewest;
 }
 
-/// A number with the decimals that `scatter` leaves.
-std::string number(double value, double scatter, std::optional<int> otherwise) {
+/// A number with the decimals that `scatter` leaves to `measured`, beside which it stands.
+std::string number(double value, double scatter, double measured, std::optional<int> otherwise) {
   if (!std::isfinite(value)) return "-";
-  if (scatter > 0) return results::at_decimals(value, std::min(9, results::decimals_of_scatter(scatter)));
+  if (scatter > 0) return results::at_decimals(value, results::decimals_of_scatter(scatter, measured));
   return otherwise ? results::at_decimals(value, *otherwise)
                    : results::in_significant_digits(value, kDigitsWithoutScatter);
 }
@@ -47,10 +46,10 @@ std::string difference(const results::ComparedValue& value, std::optional<int> o
   using results::Verdict;
   if (value.verdict == Verdict::reference || value.verdict == Verdict::missing)
     return results::in_words(value.verdict);
-  const std::string interval = number(value.interval, value.interval, otherwise);
+  const std::string interval = number(value.interval, value.interval, value.difference, otherwise);
   if (value.verdict == Verdict::none) return "none (within +-" + interval + ')';
   std::string shown = value.difference >= 0 ? "+" : "";
-  shown += number(value.difference, value.interval, otherwise);
+  shown += number(value.difference, value.interval, value.difference, otherwise);
   if (value.verdict == Verdict::scatter_unknown) return shown + " (scatter unknown)";
   return shown + " +- " + interval;
 }
@@ -61,8 +60,9 @@ std::string block(const results::ComparedMeasure& measure, const std::vector<std
   std::string text = measure.name + (measure.unit == "1" ? "" : ", " + measure.unit) + '\n';
   for (std::size_t k = 0; k < variants.size(); ++k) {
     const auto& value = measure.values[k];
-    text += "  " + left(variants[k], width) + right(number(value.mean, value.scatter, otherwise), 12) +
-            right(number(value.scatter, value.scatter, otherwise), 11) +
+    text += "  " + left(variants[k], width) +
+            right(number(value.mean, value.scatter, value.mean, otherwise), 12) +
+            right(number(value.scatter, value.scatter, value.mean, otherwise), 11) +
             right(std::to_string(value.seeds), 7) + "  " + difference(value, otherwise) + '\n';
   }
   return text;

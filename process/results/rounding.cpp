@@ -21,6 +21,11 @@ int decimals_of_scatter(double scatter) {
   return (scatter / std::pow(10, exponent) < kTwoDigitsBelow ? 1 : 0) - exponent;
 }
 
+int decimals_of_scatter(double scatter, double value) {
+  const int decimals = decimals_of_scatter(scatter);
+  return value == 0 ? decimals : std::min(decimals, kMostDigits - 1 - exponent_of(std::abs(value)));
+}
+
 std::string at_decimals(double value, int decimals) {
   char text[64];
   if (decimals < 0) {
@@ -36,8 +41,7 @@ std::string with_scatter(double value, double scatter, int digits) {
   if (!std::isfinite(value)) return {};
   if (!std::isfinite(scatter)) return in_significant_digits(value, digits);
   if (!(scatter > 0)) return in_significant_digits(value, digits) + " ± 0";
-  int decimals = decimals_of_scatter(scatter);
-  if (value != 0) decimals = std::min(decimals, kMostDigits - 1 - exponent_of(std::abs(value)));
+  const int decimals = decimals_of_scatter(scatter, value);
   std::string shown = at_decimals(scatter, decimals);
   if (shown.find_first_not_of("0.") == std::string::npos) shown = in_significant_digits(scatter, 1);
   return at_decimals(value, decimals) + " ± " + shown;

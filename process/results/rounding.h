@@ -9,6 +9,9 @@ namespace diefill::results {
 /// tens, hundreds. `scatter` is positive.
 int decimals_of_scatter(double scatter);
 
+/// The same for `value`, which has five significant digits at most however small its scatter is.
+int decimals_of_scatter(double scatter, double value);
+
 /// `value` rounded to `decimals`; "0.31" for 2, "40" for -1.
 std::string at_decimals(double value, int decimals);
 

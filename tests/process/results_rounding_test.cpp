@@ -42,5 +42,11 @@ TEST(FullDie, CountsFromWhatReadsAs98PerCent) {
   EXPECT_FALSE(is_full(std::nan("")));
 }
 
+TEST(Rounding, ScatterOfRoundingAloneLeavesFiveDigits) {
+  EXPECT_EQ(at_decimals(0.47, decimals_of_scatter(1e-15, 0.47)), "0.47000");
+  EXPECT_EQ(at_decimals(1e-15, decimals_of_scatter(1e-15, 0.47)), "0.00000");
+  EXPECT_EQ(decimals_of_scatter(0.05, 0.47), decimals_of_scatter(0.05));
+}
+
 }  // namespace
 }  // namespace diefill::results
