@@ -8,6 +8,7 @@
 #include "app/exit_code.h"
 #include "app/paraview_series.h"
 #include "process/measure/gaussian_field.h"
+#include "process/measure/measured_fields.h"
 #include "process/measure/stress_field.h"
 #include "process/results/result_file.h"
 #include "process/run/assemble.h"

@@ -12,6 +12,7 @@
 #include "app/picture_kinds.h"
 #include "app/source_names.h"
 #include "process/measure/choose_cavity.h"
+#include "process/measure/measured_fields.h"
 #include "process/measure/time_average.h"
 #include "process/results/result_file.h"
 #include "process/scene/units.h"

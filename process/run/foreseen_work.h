@@ -2,7 +2,7 @@
 // instants than its memory holds, more time steps than anybody waits for. Real work of days or weeks passes.
 #pragma once
 
-#include <functional>
+#include <string>
 
 #include "process/run/tooling.h"
 #include "process/scene/scene.h"
@@ -13,8 +13,6 @@ namespace diefill::process {
 inline constexpr double kMostSteps = 1e10;
 /// Spheres of grains times steps at most: months on some tens of cores.
 inline constexpr double kMostSphereSteps = 1e15;
-/// Wall spheres of all tools at most.
-inline constexpr double kMostWallSpheres = 2e6;
 /// Snapshots at most, each a folder of results.
 inline constexpr double kMostSnapshots = 10000;
 
@@ -24,11 +22,6 @@ void refuse_endless(const Scene& scene);
 
 /// The same with what the tools tell, whose steps have been prepared: the whole schedule.
 void refuse_endless_schedule(const Scene& scene, const Tooling& tooling);
-
-/// Throws SceneError where a tool would take too many wall spheres for what powder reaches of it.
-void refuse_too_many_wall_spheres(
-    const Scene& scene, const Tooling& tooling,
-    const std::function<bool(std::size_t, const Eigen::Vector3d&, const Eigen::Vector3d&)>& reachable);
 
 /// Throws SceneError where so many spheres of grains do not fit into the memory of this machine; `what`
 /// begins the message.

@@ -10,7 +10,7 @@
 
 #include "process/run/carried_powder.h"
 #include "process/run/cover_progress.h"
-#include "process/run/foreseen_work.h"
+#include "process/run/wall_sphere_limit.h"
 #include "process/run/half_model.h"
 #include "process/run/no_cavity.h"
 #include "process/run/periodic_tool.h"
