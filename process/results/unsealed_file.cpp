@@ -18,7 +18,7 @@ namespace {
 constexpr char kWhole = 'w', kReason = 'r';
 constexpr rlim_t kSeconds = 60, kMemoryAtLeast = rlim_t{2} << 30U, kMemoryOverFile = 40;
 
-void set_limits(const std::filesystem::path& file) {
+void set_limits([[maybe_unused]] const std::filesystem::path& file) {
   const rlimit time{kSeconds, kSeconds + 1}, no_core{0, 0};
   ::setrlimit(RLIMIT_CPU, &time);
   ::setrlimit(RLIMIT_CORE, &no_core);

@@ -10,7 +10,7 @@
 
 #include "process/run/carried_powder.h"
 #include "process/run/cover_progress.h"
-#include "process/run/wall_sphere_limit.h"
+#include "process/run/foreseen_work.h"
 #include "process/run/half_model.h"
 #include "process/run/no_cavity.h"
 #include "process/run/periodic_tool.h"
@@ -19,6 +19,7 @@
 #include "process/run/stages.h"
 #include "process/run/tool_fit.h"
 #include "process/run/tool_paths.h"
+#include "process/run/wall_sphere_limit.h"
 
 namespace diefill::process {
 
