@@ -2,7 +2,7 @@
 """Damages scenes as typing errors, editors and attackers do, and runs the program on them (README.md).
 
     python3 tests/fuzz/scene_fuzz.py build/bin/diefill 1000 --seed 1 --keep out/scene_fuzz
-    python3 tests/fuzz/scene_fuzz.py build/asan/bin/diefill 1000 --no-address-limit --slower 10
+    python3 tests/fuzz/scene_fuzz.py build-asan/bin/diefill 1000 --seeds-by build/bin/diefill --no-address-limit --slower 20
     python3 tests/fuzz/scene_fuzz.py build/bin/diefill --replay out/scene_fuzz/*/scene.toml
 
 Every input must end in exit code 0, or in 2 with one line on standard error; a run that was begun also in 3 (it left
@@ -322,6 +322,13 @@ def seeds_in(program, folders, limits, slowest):
     return seeds
 
 
+def seeds_found(program, limits):
+    if not limits.seeds_by:
+        return seeds_in(program, limits.scenes, limits, limits.slowest)
+    plain = argparse.Namespace(address=0, slower=1)
+    return seeds_in(os.path.abspath(limits.seeds_by), limits.scenes, plain, limits.slowest)
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("program")
@@ -329,6 +336,8 @@ def main():
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--first", type=int, default=0, help="number of the first input")
     parser.add_argument("--scenes", nargs="+", default=[os.path.join(PROJECT, "sample_tools")], help="folders of scenes to damage")
+    parser.add_argument("--seeds-by", metavar="PROGRAM",
+                        help="program that finds the scenes to damage, where the one under test is slow, as with sanitizers")
     parser.add_argument("--slowest", type=float, default=4, help="s of processor time that the check of a scene may take to be damaged")
     parser.add_argument("--keep", help="folder for inputs that ended wrongly")
     parser.add_argument("--address", type=int, default=6000, help="MB of address space for the program")
@@ -361,7 +370,7 @@ def main():
             with open(file, "rb") as scene:
                 take(file, file, scene.read(), ["check"])
     else:
-        seeds = seeds_in(program, limits.scenes, limits, limits.slowest)
+        seeds = seeds_found(program, limits)
         if not seeds:
             sys.exit("no scene to damage")
         texts = [text for _, text in seeds]
