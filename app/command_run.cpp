@@ -13,6 +13,7 @@
 #include "app/run_summary.h"
 #include "app/scene_choice.h"
 #include "app/stop_signals.h"
+#include "process/results/figure_table.h"
 #include "process/results/group_names.h"
 #include "process/results/probe_table.h"
 #include "process/results/result_file.h"
@@ -48,7 +49,8 @@ void print_summary(const results::FillResult& result) {
       figures.at("time_step_s"), figures.at("simulated_s"),
       process::duration_in_words(figures.at("wall_seconds")).c_str(),
       1e-6 * figures.at("sphere_steps_per_second"));
-  std::printf("state %s, energy balance error %.2g\n", result.state_hash.c_str(),
+  std::printf("state %s, %s %.2g\n", result.state_hash.c_str(),
+              results::short_label(results::figure_called("energy_balance_error")).c_str(),
               figures.at("energy_balance_error"));
   for (const auto& warning : result.warnings)
     if (!warning.starts_with(process::kAlert)) std::printf("note: %s\n", warning.c_str());

@@ -8,9 +8,9 @@
 
 namespace diefill::process {
 
-/// A number of a result. To compare by one more, its line in compared_measures.cpp.
+/// A number of a result: a figure of which results/figure_table says that it is compared.
 struct MeasureOfComparison {
-  std::string key;   ///< of FillResult::figures
+  std::string key;   ///< name of the figure
   std::string name;  ///< for people
   std::string unit;
   double factor = 1;  ///< from the figure to `unit`

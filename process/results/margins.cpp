@@ -2,19 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
+#include "process/results/figure_table.h"
 #include "process/results/rounding.h"
 
 namespace diefill::results {
 namespace {
 
-constexpr const char* kEnergy = "Energy unaccounted for over energy turned over";
-
-double figure(const FillResult& result, const char* name) {
-  const auto found = result.figures.find(name);
-  return found == result.figures.end() ? std::numeric_limits<double>::quiet_NaN() : found->second;
-}
+constexpr const char* kEnergy = "energy_balance_error";
 
 std::string percent(double share) {
   return in_significant_digits(100 * share, 2) + " %";
@@ -27,16 +22,16 @@ double Margin::share() const {
 }
 
 std::vector<Margin> margins(const FillResult& result) {
-  const auto value = [&](const char* name) { return figure(result, name); };
+  const auto value = [&](const char* name) { return figure_of(result, name); };
+  const auto margin = [&](const char* name, double limit, bool either_side = false) {
+    return Margin{title_of(figure_called(name)), value(name), limit, either_side};
+  };
   std::vector<Margin> all = {
-      {"Time step over critical time step", value("time_step_fraction"), 1},
-      {"Deepest overlap of grains over the spheres' radius", value("deepest_overlap_ratio"),
-       value("overlap_limit_ratio")},
-      {"Deepest overlap with walls over the spheres' radius", value("deepest_wall_overlap_ratio"),
-       value("wall_overlap_limit_ratio")},
+      margin("time_step_fraction", 1), margin("deepest_overlap_ratio", value("overlap_limit_ratio")),
+      margin("deepest_wall_overlap_ratio", value("wall_overlap_limit_ratio")),
       // Energy from nowhere and energy gone nowhere are the same fault of the integration.
-      {kEnergy, value("energy_balance_error"), value("energy_error_limit"), true}};
-  std::erase_if(all, [](const Margin& margin) { return !std::isfinite(margin.found); });
+      margin(kEnergy, value("energy_error_limit"), true)};
+  std::erase_if(all, [](const Margin& found) { return !std::isfinite(found.found); });
   return all;
 }
 
@@ -44,7 +39,7 @@ std::vector<std::string> exceeded_in_words(const FillResult& result) {
   std::vector<std::string> lines;
   for (const Margin& margin : margins(result)) {
     if (!margin.exceeded()) continue;
-    if (margin.name == kEnergy)
+    if (margin.name == title_of(figure_called(kEnergy)))
       lines.push_back("energy balance: " + percent(std::abs(margin.found)) +
                       " of the energy turned over was " + (margin.found < 0 ? "lost" : "gained") +
                       " with nothing to explain it, beyond the limit of " + percent(margin.limit) +

@@ -3,7 +3,7 @@
 
 #include "process/results/atomic_file.h"
 #include "process/results/cavity_rows.h"
-#include "process/results/figure_meaning.h"
+#include "process/results/figure_table.h"
 #include "process/results/json_numbers.h"
 #include "process/results/no_value.h"
 #include "process/results/result_file.h"

@@ -6,7 +6,7 @@
 #include <string>
 #include <utility>
 
-#include "process/results/figure_meaning.h"
+#include "process/results/figure_table.h"
 #include "process/results/fill_result.h"
 
 namespace diefill::results {

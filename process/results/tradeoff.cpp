@@ -15,7 +15,7 @@ using Json = nlohmann::ordered_json;
 
 Json quantity_entry(const TradeoffQuantity& quantity) {
   return {{"key", quantity.key},
-          {"name", quantity.name},
+          {"name", quantity.name_in_files()},
           {"unit", quantity.unit},
           {"decides", quantity.decides},
           {"errors_relative_to", quantity.scale.empty() ? quantity.key : quantity.scale},
@@ -55,8 +55,9 @@ std::string csv_head(const std::vector<TradeoffQuantity>& quantities) {
       "setting,state,seeds,core_seconds,core_seconds_per_simulated_second,wall_seconds,peak_memory_MiB,error,"
       "floor,worst_quantity,beyond,reference,pareto,recommended";
   for (const auto& quantity : quantities)
-    text += ',' + csv_text(quantity.name + " [" + quantity.unit + "]") + ',' +
-            csv_text(quantity.name + ", scatter") + ',' + csv_text(quantity.name + ", error");
+    text += ',' + csv_text(quantity.name_in_files() + " [" + quantity.unit + "]") + ',' +
+            csv_text(quantity.name_in_files() + ", scatter") + ',' +
+            csv_text(quantity.name_in_files() + ", error");
   return text + '\n';
 }
 

@@ -11,15 +11,18 @@ namespace diefill::results {
 
 /// A number that settings are judged by.
 struct TradeoffQuantity {
-  std::string key;         ///< such as "filled_mass"
-  std::string name;        ///< for people
-  std::string unit;        ///< such as "g"; "1" for ratios
-  bool decides = true;     ///< counts in TradeoffPoint::error; others are for information
-  std::string scale = {};  ///< key of the quantity whose reference errors are fractions of; empty: its own
-  double reference = 0;    ///< mean of the reference setting, or the target; NaN where there is none
-  bool is_target = false;  ///< a published value took the place of the reference setting's
-  double scatter = 0;      ///< over seeds, pooled over all settings, over the scale; NaN: not known
-  double floor = 0;        ///< error over the scale that seeds alone explain (95 %); NaN: not known
+  std::string key;          ///< such as "filled_mass"
+  std::string column = {};  ///< heading in tradeoff.csv, name in tradeoff.json; empty: `name`
+  std::string name;         ///< for people
+  std::string unit;         ///< such as "g"; "1" for ratios
+  bool decides = true;      ///< counts in TradeoffPoint::error; others are for information
+  std::string scale = {};   ///< key of the quantity whose reference errors are fractions of; empty: its own
+  double reference = 0;     ///< mean of the reference setting, or the target; NaN where there is none
+  bool is_target = false;   ///< a published value took the place of the reference setting's
+  double scatter = 0;       ///< over seeds, pooled over all settings, over the scale; NaN: not known
+  double floor = 0;         ///< error over the scale that seeds alone explain (95 %); NaN: not known
+
+  const std::string& name_in_files() const { return column.empty() ? name : column; }
 };
 
 /// A quantity of one setting over its seeds. NaN: no value.

@@ -5,15 +5,24 @@
 #include <limits>
 
 #include "process/measure/heap_slope.h"
+#include "process/results/figure_table.h"
 
 namespace diefill::process {
 namespace {
 
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
-double figure(const results::FillResult& result, const std::string& key) {
-  const auto found = result.figures.find(key);
-  return found == result.figures.end() ? kNone : found->second;
+using results::figure_called;
+
+/// A figure of the result in the unit that it is shown in.
+double value_of(const results::FillResult& result, const std::string& figure) {
+  return figure_called(figure).shown.factor * results::figure_of(result, figure);
+}
+
+/// A figure as tradeoff.json and tradeoff.csv call it; `column` where that is not its label.
+results::TradeoffQuantity quantity(const char* key, const char* figure, const char* column = "") {
+  const results::Figure& entry = figure_called(figure);
+  return {.key = key, .column = column, .name = entry.label, .unit = entry.shown.unit};
 }
 
 bool has_cavity(const results::FillResult& result) {
@@ -81,8 +90,9 @@ void add_flows(std::vector<MeasuredQuantity>& all, const Scene& scene) {
 void add_heaps(std::vector<MeasuredQuantity>& all, const Scene& scene) {
   for (const HeapSpec& heap : scene.measure.heaps) {
     const std::string key = heap_figure(heap.name);
-    all.push_back({{.key = key, .name = "slope of " + heap.name, .unit = "deg"},
-                   [key](const results::FillResult& result) { return figure(result, key); }});
+    const results::Figure& slope = figure_called(key);
+    all.push_back({{.key = key, .name = results::label_of(slope, heap.name), .unit = slope.shown.unit},
+                   [key](const results::FillResult& result) { return value_of(result, key); }});
   }
 }
 
@@ -103,27 +113,29 @@ double steady_rate(const std::vector<double>& time, const std::vector<double>& a
 
 std::vector<MeasuredQuantity> measured_quantities(const Scene& scene) {
   const Slice slice = slice_of(scene);
+  results::TradeoffQuantity mass = quantity("filled_mass", "filled_mass_kg", "filled mass");
+  mass.unit = slice.unit;
+  results::TradeoffQuantity spread = quantity("solid_fraction_spread", "solid_fraction_field_std",
+                                              "spatial standard deviation of the solid fraction");
+  spread.scale = "solid_fraction";
   std::vector<MeasuredQuantity> all = {
-      {{.key = "filled_mass", .name = "filled mass", .unit = slice.unit},
+      {mass,
        [slice](const results::FillResult& result) {
-         return has_cavity(result) ? 1e3 * figure(result, "filled_mass_kg") / slice.divisor : kNone;
+         return has_cavity(result) ? value_of(result, "filled_mass_kg") / slice.divisor : kNone;
        }},
-      {{.key = "solid_fraction", .name = "mean solid fraction", .unit = "1"},
+      {quantity("solid_fraction", "solid_fraction_mean"),
        [](const results::FillResult& result) {
          return has_cavity(result) && result.summary.grains > 0 ? result.summary.mean : kNone;
        }},
-      {{.key = "solid_fraction_spread",
-        .name = "spatial standard deviation of the solid fraction",
-        .unit = "1",
-        .scale = "solid_fraction"},
-       [](const results::FillResult& result) { return figure(result, "solid_fraction_field_std"); }},
-      {{.key = "fill_level", .name = "fill level", .unit = "mm"},
+      {spread,
+       [](const results::FillResult& result) { return value_of(result, "solid_fraction_field_std"); }},
+      {quantity("fill_level", "fill_height_mm", "fill level"),
        [](const results::FillResult& result) {
-         return has_cavity(result) ? figure(result, "fill_height_mm") : kNone;
+         return has_cavity(result) ? value_of(result, "fill_height_mm") : kNone;
        }},
-      {{.key = "bed_solid_fraction", .name = "solid fraction of the powder", .unit = "1"},
+      {quantity("bed_solid_fraction", "bulk_solid_fraction"),
        [](const results::FillResult& result) {
-         return has_cavity(result) ? kNone : figure(result, "bulk_solid_fraction");
+         return has_cavity(result) ? kNone : value_of(result, "bulk_solid_fraction");
        }},
   };
   add_flows(all, scene);

@@ -6,7 +6,9 @@
 #include <cmath>
 #include <limits>
 
+#include "process/results/figure_table.h"
 #include "render/field_places.h"
+#include "render/report/figure_text.h"
 #include "render/report/pictures_of.h"
 #include "render/report/speed_series.h"
 #include "render/ticks.h"
@@ -14,43 +16,31 @@
 namespace diefill::render::report {
 namespace {
 
-/// A column of the ranking: a figure in the unit in which it is read.
-struct Column {
-  const char* name;
-  const char* figure;
-  double factor;
-};
-constexpr std::array kColumns = {Column{"Mass of the real powder [g]", "expected_mass_kg", 1e3},
-                                 Column{"The same, estimated [g]", "estimated_mass_kg", 1e3},
-                                 Column{"Fill ratio", "fill_ratio", 1},
-                                 Column{"Fill height [mm]", "fill_height_mm", 1},
-                                 Column{"Cycle time [s]", "cycle_time_s", 1},
-                                 Column{"Azimuthal variation [%]", "azimuthal_variation", 100},
-                                 Column{"Axial variation [%]", "axial_variation", 100},
-                                 Column{"Mass of model powder [g]", "filled_mass_kg", 1e3},
-                                 Column{"Fill density of model powder [kg/m³]", "fill_density_kg_m3", 1}};
+/// Columns of the ranking.
+constexpr std::array kColumns = {"expected_mass_kg", "estimated_mass_kg", "fill_ratio",
+                                 "fill_height_mm",   "cycle_time_s",      "azimuthal_variation",
+                                 "axial_variation",  "filled_mass_kg",    "fill_density_kg_m3"};
 
-Scatter scaled(Scatter value, double factor) {
-  value.mean *= factor;
-  value.deviation *= factor;
-  return value;
+/// A figure of the strategy in the unit in which it is read.
+Scatter as_read(const Strategy& strategy, const char* figure) {
+  const Scatter value = strategy.of(figure);
+  return {in_shown_unit(figure, value.mean), in_shown_unit(figure, value.deviation), value.count};
 }
 
 /// What strategies are ranked by.
 struct Merit {
   const char* figure;
   double sign;  ///< -1: the lowest comes first
-  const char* words;
+  const char* order;
 };
 
 /// The first of these that all strategies have decides: even filling before much of it, since uneven density
 /// is what warps the sintered part.
 const Merit& merit_for(const std::vector<Strategy>& strategies) {
-  static constexpr std::array kMerits = {
-      Merit{"azimuthal_variation", -1, "By azimuthal variation, the most even filling first"},
-      Merit{"fill_ratio", 1, "By fill ratio, highest first"},
-      Merit{"fill_density_kg_m3", 1, "By fill density, highest first"},
-      Merit{"filled_mass_kg", 1, "By filled mass, highest first"}};
+  static constexpr std::array kMerits = {Merit{"azimuthal_variation", -1, "the most even filling first"},
+                                         Merit{"fill_ratio", 1, "highest first"},
+                                         Merit{"fill_density_kg_m3", 1, "highest first"},
+                                         Merit{"filled_mass_kg", 1, "highest first"}};
   const auto* found = std::find_if(kMerits.begin(), kMerits.end(), [&](const Merit& merit) {
     return std::all_of(strategies.begin(), strategies.end(), [&](const Strategy& strategy) {
       return std::isfinite(strategy.of(merit.figure).mean);
@@ -75,15 +65,17 @@ std::vector<const Strategy*> ranked(const std::vector<Strategy>& strategies, con
 Section ranking(const std::vector<Strategy>& strategies) {
   Section section{"Ranking", 1, {}};
   const Merit& merit = merit_for(strategies);
-  Table table{
-      std::string(merit.words) + "; ± is the standard deviation over seeds", {"Strategy", "Runs"}, {}, true};
-  for (const auto& column : kColumns) table.header.emplace_back(column.name);
-  table.header.emplace_back("Mean solid fraction");
+  Table table{"By " + results::short_label(results::figure_called(merit.figure)) + ", " + merit.order +
+                  "; ± is the standard deviation over seeds",
+              {"Strategy", "Runs"},
+              {},
+              true};
+  for (const char* column : kColumns) table.header.push_back(column_title(column));
+  table.header.push_back(column_title("solid_fraction_mean"));
   for (const Strategy* strategy : ranked(strategies, merit)) {
     std::vector<std::string> row = {strategy->name, std::to_string(strategy->runs.size())};
-    for (const auto& column : kColumns)
-      row.push_back(as_text(scaled(strategy->of(column.figure), column.factor), 3));
-    row.push_back(as_text(strategy->solid_fraction(), 3));
+    for (const char* column : kColumns) row.push_back(as_text(as_read(*strategy, column), 3));
+    row.push_back(as_text(as_read(*strategy, "solid_fraction_mean"), 3));
     table.rows.push_back(row);
   }
   leave_out_empty_columns(table);
@@ -225,14 +217,13 @@ Section differences(const std::vector<Strategy>& strategies) {
   const Strategy& first = strategies.front();
   Section section{"Differences from \"" + first.name + "\"", 1, {}};
   Table figures{"Change of the mean", {"Strategy"}, {}, true};
-  for (const auto& column : kColumns) figures.header.emplace_back(column.name);
+  for (const char* column : kColumns) figures.header.push_back(column_title(column));
   Table scenes{"Lines of the scenes", {"Strategy", "Only in its scene", "Only in the first scene"}, {}};
   const auto reference = telling_lines(first.first().scene_text);
   for (std::size_t n = 1; n < strategies.size(); ++n) {
     std::vector<std::string> row = {strategies[n].name};
-    for (const auto& column : kColumns)
-      row.push_back(change(scaled(strategies[n].of(column.figure), column.factor),
-                           scaled(first.of(column.figure), column.factor)));
+    for (const char* column : kColumns)
+      row.push_back(change(as_read(strategies[n], column), as_read(first, column)));
     figures.rows.push_back(row);
     const auto lines = telling_lines(strategies[n].first().scene_text);
     scenes.rows.push_back(
@@ -247,20 +238,22 @@ Section differences(const std::vector<Strategy>& strategies) {
 
 Section scatter_section(const std::vector<Strategy>& strategies) {
   Section section{"Single runs", 1, {}};
-  Table table{"",
-              {"Run", "Seed", "Mass of the real powder [g]", "Mass of model powder [g]", "Fill ratio",
-               "Mean solid fraction", "Off its strategy's mean mass [%]"},
-              {},
-              true};
+  Table table{
+      "",
+      {"Run", "Seed", column_title("expected_mass_kg"), column_title("filled_mass_kg"),
+       column_title("fill_ratio"), column_title("solid_fraction_mean"), "Off its strategy's mean mass [%]"},
+      {},
+      true};
   for (const auto& strategy : strategies) {
     const double mean = strategy.of("filled_mass_kg").mean;
     for (const Run* run : strategy.runs) {
       const double mass = figure(run->result, "filled_mass_kg");
-      table.rows.push_back({run->name, std::to_string(run->result.seed),
-                            in_digits(1e3 * figure(run->result, "expected_mass_kg"), 3),
-                            in_digits(1e3 * mass), in_digits(figure(run->result, "fill_ratio"), 3),
-                            in_digits(run->result.summary.mean, 3),
-                            strategy.runs.size() > 1 ? in_digits(100 * (mass / mean - 1), 2) : "–"});
+      table.rows.push_back(
+          {run->name, std::to_string(run->result.seed),
+           in_digits(in_shown_unit("expected_mass_kg", figure(run->result, "expected_mass_kg")), 3),
+           in_digits(in_shown_unit("filled_mass_kg", mass)), in_digits(figure(run->result, "fill_ratio"), 3),
+           in_digits(run->result.summary.mean, 3),
+           strategy.runs.size() > 1 ? in_digits(100 * (mass / mean - 1), 2) : "–"});
     }
   }
   leave_out_empty_columns(table);

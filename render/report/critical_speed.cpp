@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "process/results/full_die.h"
+#include "render/report/figure_text.h"
 #include "render/report/numbers.h"
 
 namespace diefill::render::report {
@@ -85,7 +86,7 @@ Line line_of(const std::vector<double>& speed, const std::vector<double>& ratio,
 }
 
 std::string metres_per_second(double speed) {
-  return with_unit(speed, "m/s", 2);
+  return shown("shoe_speed_m_s", speed);
 }
 
 }  // namespace

@@ -4,8 +4,10 @@
 #include <limits>
 
 #include "process/results/cavity_rows.h"
+#include "process/results/figure_table.h"
 #include "process/results/no_value.h"
 #include "process/results/rounding.h"
+#include "render/report/figure_text.h"
 #include "render/report/numbers.h"
 
 namespace diefill::render::report {
@@ -14,92 +16,82 @@ namespace {
 using results::CavityRow;
 using results::FillResult;
 
-void add_row(Table& table, const std::string& name, double value, const std::string& unit, int digits = 4) {
-  if (std::isfinite(value)) table.rows.push_back({name, with_unit(value, unit, digits)});
-}
-
 std::string full_mass_of(const CavityRow& row) {
   return row.estimate ? "about " + results::mass_in_words(row.full_mass, 2)
                       : results::mass_in_words(row.full_mass);
 }
 
-/// Densities that follow from an estimate, to two digits: "about 2400 kg/m³".
-std::string about(double density) {
+/// Densities that follow from an estimate, to two digits: "about 2.4 g/cm³".
+std::string about(const std::string& figure, double stored) {
+  const double density = in_shown_unit(figure, stored);
   return "about " + results::at_decimals(density, 1 - static_cast<int>(std::floor(std::log10(density)))) +
-         " kg/m³";
+         ' ' + unit_in_print(figure);
 }
 
 /// Masses, ratio and height of the first cavity.
 Table mass_table(const FillResult& result, const CavityRow& row) {
   const auto value = [&](const char* name) { return figure(result, name); };
   Table table;
-  if (std::isfinite(row.mass)) table.rows.push_back({"Mass of the real powder in the cavity", mass_of(row)});
-  if (std::isfinite(row.full_mass))
-    table.rows.push_back({"A die full at apparent density holds", full_mass_of(row)});
-  add_row(table, "Fill ratio: mass over that of the full die", row.fill_ratio, "", 2);
+  if (std::isfinite(row.mass)) table.rows.push_back({row_title("expected_mass_kg"), mass_of(row)});
+  if (std::isfinite(row.full_mass)) table.rows.push_back({row_title("full_die_mass_kg"), full_mass_of(row)});
+  add_figure(table, result, "fill_ratio");
   if (std::isfinite(row.fill_height))
-    table.rows.push_back(
-        {"Fill height: mean height of the surface above the floor",
-         in_digits(1e3 * row.fill_height, 3) + " of " + in_digits(1e3 * row.depth, 3) + " mm"});
-  add_row(table, "Cycle time: the scene's steps without waiting for rest", value("cycle_time_s"), "s", 3);
+    table.rows.push_back({explained("fill_height_mm"), in_digits(1e3 * row.fill_height, 3) + " of " +
+                                                           shown("fill_height_mm", 1e3 * row.depth)});
+  add_figure(table, result, "cycle_time_s", explained("cycle_time_s"));
   const double apparent = value("apparent_density_kg_m3");
-  const std::string name = "Apparent density of the real powder";
+  const std::string name = row_title("apparent_density_kg_m3");
   if (!std::isfinite(apparent)) {
     const std::string reason = results::reason_for(result, "apparent_density_kg_m3");
     if (!reason.empty()) table.rows.push_back({name, reason});
   } else if (value("apparent_density_is_estimate") > 0) {
     table.rows.push_back(
-        {name, about(apparent) + ", estimated: solid fraction of the powder in the shoe times the density of "
-                                 "its metal (powder.apparent_density gives the weighed one)"});
+        {name, about("apparent_density_kg_m3", apparent) +
+                   ", estimated: solid fraction of the powder in the shoe times the density of "
+                   "its metal (powder.apparent_density gives the weighed one)"});
   } else {
-    add_row(table, name, apparent, "kg/m³");
+    add_figure(table, result, "apparent_density_kg_m3");
   }
-  const double density = value("expected_fill_density_kg_m3");
-  if (row.estimate && density > 0)
-    table.rows.push_back({"Fill density of the real powder", about(density)});
+  const char* const fill_density = "expected_fill_density_kg_m3";
+  if (row.estimate && value(fill_density) > 0)
+    table.rows.push_back({row_title(fill_density), about(fill_density, value(fill_density))});
   else
-    add_row(table, "Fill density of the real powder", density, "kg/m³", 3);
+    add_figure(table, result, fill_density);
   return table;
 }
 
 /// How evenly the first cavity is filled.
 Table evenness_table(const FillResult& result) {
-  const auto value = [&](const char* name) { return figure(result, name); };
   const auto& summary = result.summary;
+  const std::string mean = row_title("solid_fraction_mean");
   Table table{"Solid fraction", {}, {}};
   if (std::isfinite(summary.mean)) {
-    table.rows.push_back({"Mean solid fraction ± standard deviation over grains",
+    table.rows.push_back({mean + " ± " + results::figure_called("solid_fraction_std").label,
                           results::with_scatter(summary.mean, summary.std) + " (" +
                               std::to_string(summary.grains) + " grains)"});
     table.rows.push_back(
         {"Lowest and highest grain", in_digits(summary.min, 2) + " to " + in_digits(summary.max, 2)});
   } else if (const std::string reason = results::reason_for(result, "solid_fraction"); !reason.empty()) {
-    table.rows.push_back({"Mean solid fraction", "not given: " + reason});
+    table.rows.push_back({mean, "not given: " + reason});
   }
-  add_row(table, "Solid fraction of the cavity: all powder in it over its volume",
-          value("cavity_solid_fraction"), "", 3);
-  add_row(table, "Azimuthal variation: range over mean of the filled fraction, 12 sectors",
-          100 * value("azimuthal_variation"), "%", 2);
-  add_row(table, "Axial variation: range over mean of the solid fraction over height",
-          100 * value("axial_variation"), "%", 2);
+  for (const char* name : {"cavity_solid_fraction", "azimuthal_variation", "axial_variation"})
+    add_figure(table, result, name, explained(name));
   return table;
 }
 
 Table model_table(const FillResult& result) {
-  const auto value = [&](const char* name) { return figure(result, name); };
   Table table{"Model powder", {}, {}};
-  add_row(table, "Filled mass of model powder", 1e3 * value("filled_mass_kg"), "g");
-  add_row(table, "Fill density of model powder", value("fill_density_kg_m3"), "kg/m³");
-  add_row(table, "Apparent density of model powder (left outside the cavity)",
-          value("model_apparent_density_kg_m3"), "kg/m³");
-  add_row(table, "Grains that left the tools", value("grains_left"), "");
+  for (const char* name :
+       {"filled_mass_kg", "fill_density_kg_m3", "model_apparent_density_kg_m3", "grains_left"})
+    add_figure(table, result, name);
   return table;
 }
 
 Table cavity_table(const std::vector<CavityRow>& rows) {
   Table table{"All cavities",
-              {"Cavity", "Middle [mm]", "Volume [cm³]", "Mass", "Full die", "Fill ratio", "Fill height [mm]",
-               "Depth [mm]", "Mean solid fraction", "Verdict"},
+              {"Cavity", "Middle [mm]", column_title("cavity_volume_m3"), short_title("expected_mass_kg"),
+               short_title("full_die_mass_kg"), column_title("fill_ratio"), column_title("fill_height_mm"),
+               "Depth [mm]", column_title("solid_fraction_mean"), "Verdict"},
               {}};
   const auto or_none = [](const std::string& text) { return text.empty() ? std::string("–") : text; };
   for (const CavityRow& row : rows)

@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <limits>
 
+#include "process/results/figure_table.h"
 #include "process/results/rounding.h"
 
 namespace diefill::render::report {
@@ -46,8 +47,7 @@ std::string as_duration(double seconds) {
 }
 
 double figure(const results::FillResult& result, const std::string& name) {
-  const auto found = result.figures.find(name);
-  return found == result.figures.end() ? std::numeric_limits<double>::quiet_NaN() : found->second;
+  return results::figure_of(result, name);
 }
 
 Scatter scatter(const std::vector<double>& values) {

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "process/results/margins.h"
+#include "render/report/figure_text.h"
 #include "render/report/filling_section.h"
 #include "render/report/numbers.h"
 #include "render/report/pictures_of.h"
@@ -71,7 +72,8 @@ std::string size_of(const results::ToolState& tool) {
 }
 
 Table tool_table(const FillResult& result) {
-  Table table{"", {"Tool", "Role", "Size [mm]", "Triangles", "Wall spheres", "Hash of the CAD file"}, {}};
+  Table table{
+      "", {"Tool", "Role", "Size [mm]", "Triangles", row_title("wall_spheres"), "Hash of the CAD file"}, {}};
   for (const auto& tool : result.tools)
     table.rows.push_back({tool.name, tool.role, size_of(tool),
                           in_digits(static_cast<double>(tool.triangles.size())),
@@ -102,15 +104,16 @@ Section tooling_section(const FillResult& result) {
   const auto& cavity = result.cavity;
   if (cavity.volume > 0) {
     Table table{"Cavity", {}, {}};
-    add_row(table, "Volume", 1e6 * cavity.volume, "cm³");
+    table.rows.push_back({short_title("cavity_volume_m3"), shown("cavity_volume_m3", cavity.volume)});
     add_row(table, "Depth", 1e3 * (cavity.upper_corner[2] - cavity.lower_corner[2]), "mm");
-    if (cavity.narrowest_width > 0) add_row(table, "Narrowest width", 1e3 * cavity.narrowest_width, "mm");
+    const char* const width = "cavity_narrowest_width_m";
+    if (cavity.narrowest_width > 0)
+      table.rows.push_back({short_title(width), shown(width, cavity.narrowest_width)});
     if (cavity.is_ring) {
       add_row(table, "Ring, inner diameter", 2e3 * cavity.inner_radius, "mm");
       add_row(table, "Ring, outer diameter", 2e3 * cavity.outer_radius, "mm");
     }
-    add_row(table, "Grain size over narrowest width", figure(result, "grain_diameter_over_cavity_width"), "",
-            3);
+    add_figure(table, result, "grain_diameter_over_cavity_width");
     section.blocks.emplace_back(table);
   } else {
     section.blocks.emplace_back(Paragraph{"The tools enclose no cavity below the fill plane."});
@@ -163,17 +166,12 @@ Section stability_section(const FillResult& result) {
 
 Section speed_section(const FillResult& result) {
   Section section{"Size and speed of the computation", 1, {}};
-  const auto value = [&](const char* name) { return figure(result, name); };
   Table table;
-  add_row(table, "Grains at the end", value("grains"), "");
-  add_row(table, "Spheres of powder at the end", value("spheres"), "");
-  add_row(table, "Wall spheres", value("wall_spheres"), "");
-  add_row(table, "Steps", value("steps"), "");
-  add_row(table, "Time step", 1e6 * value("time_step_s"), "µs");
-  add_row(table, "Simulated time", value("simulated_s"), "s");
-  table.rows.push_back({"Computing time", as_duration(value("wall_seconds"))});
-  add_row(table, "Threads", value("threads"), "");
-  add_row(table, "Speed", 1e-6 * value("sphere_steps_per_second"), "million sphere-steps/s", 3);
+  for (const char* name : {"grains", "spheres", "wall_spheres", "steps", "time_step_s", "simulated_s"})
+    add_figure(table, result, name);
+  table.rows.push_back({row_title("wall_seconds"), as_duration(figure(result, "wall_seconds"))});
+  add_figure(table, result, "threads");
+  add_figure(table, result, "sphere_steps_per_second", short_title("sphere_steps_per_second"));
   section.blocks.emplace_back(table);
   Table phases{"Computing time by phase of the step", {"Phase", "Time"}, {}, true};
   for (const auto& [phase, seconds] : result.phase_seconds)

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "process/results/figure_table.h"
 #include "render/report/critical_speed.h"
+#include "render/report/figure_text.h"
 #include "render/report/pictures_of.h"
 
 namespace diefill::render::report {
@@ -11,9 +13,9 @@ namespace {
 
 Chart speed_chart(const std::vector<Strategy>& strategies, const CriticalSpeed& critical) {
   Chart chart;
-  chart.title = "Fill ratio over shoe speed";
-  chart.x.label = "Shoe speed [m/s]";
-  chart.y.label = "Fill ratio [–]";
+  chart.title = short_title("fill_ratio") + " over " + results::figure_called("shoe_speed_m_s").label;
+  chart.x.label = axis_title("shoe_speed_m_s");
+  chart.y.label = axis_title("fill_ratio");
   Curve found{"runs", {}, {}, CurveStyle::kMarkers, {}};
   double fastest = 0;
   for (const auto& strategy : strategies) {
@@ -50,9 +52,9 @@ Section speed_section(const std::vector<Strategy>& strategies) {
   }
   const CriticalSpeed critical = critical_speed(speed, ratio, error);
   section.blocks.emplace_back(Paragraph{in_words(critical)});
-  section.blocks.emplace_back(
-      Figures{{chart_picture(speed_chart(strategies, critical),
-                             "Fill ratio of every speed; bars: standard deviation over seeds.")}});
+  section.blocks.emplace_back(Figures{
+      {chart_picture(speed_chart(strategies, critical),
+                     short_title("fill_ratio") + " of every speed; bars: standard deviation over seeds.")}});
   return section;
 }
 

@@ -56,12 +56,6 @@ Scatter Strategy::of(const std::string& figure_name) const {
   return scatter(values);
 }
 
-Scatter Strategy::solid_fraction() const {
-  std::vector<double> values;
-  for (const Run* run : runs) values.push_back(run->result.summary.mean);
-  return scatter(values);
-}
-
 std::vector<Strategy> strategies_of(const std::vector<Run>& runs) {
   std::vector<Strategy> strategies;
   std::vector<std::string> identities;

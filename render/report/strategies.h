@@ -15,10 +15,8 @@ struct Strategy {
   std::vector<const Run*> runs;
 
   const results::FillResult& first() const { return runs.front()->result; }
-  /// A figure of report.json over the runs.
+  /// A figure (results/figure_table.h) over the runs, in its stored unit.
   Scatter of(const std::string& figure_name) const;
-  /// Mean solid fraction over the runs.
-  Scatter solid_fraction() const;
 };
 
 /// The strategies in the order of their first runs.

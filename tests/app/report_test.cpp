@@ -4,6 +4,8 @@
 #include <cmath>
 #include <regex>
 
+#include "process/results/figure_table.h"
+#include "process/results/result_file.h"
 #include "tests/app/small_die.h"
 
 namespace diefill::app {
@@ -46,6 +48,9 @@ TEST(Report, TellsAllAboutARunInOnePageThatNeedsNothingElse) {
         "What was left out", "Stability margins", "Size and speed of the computation", "Versions", "Scene"})
     EXPECT_NE(page.find(std::string(">").append(title).append("</h2>")), std::string::npos) << title;
   EXPECT_EQ(page.find("did not store"), std::string::npos);
+
+  for (const auto& [name, value] : results::read_results(die.out()).figures)
+    EXPECT_NE(results::find_figure(name), nullptr) << name;
 
   const auto report = die.report();
   const auto expect_number = [&](const std::string& name, double value, double digits) {

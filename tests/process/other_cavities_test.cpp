@@ -8,6 +8,7 @@
 #include "process/measure/choose_cavity.h"
 #include "process/measure/measure.h"
 #include "process/results/cavity_rows.h"
+#include "process/results/figure_table.h"
 #include "process/results/no_value.h"
 #include "process/run/tooling.h"
 
@@ -52,6 +53,7 @@ TEST(OtherCavities, TellWhatTheyHold) {
   EXPECT_NEAR(result.figures.at("cavity_2_filled_mass_kg"), kInSecond * 2e-6, 1e-18);
   EXPECT_NEAR(result.figures.at("cavity_2_solid_fraction"), 0.125, 1e-12);
   EXPECT_EQ(result.figures.at("cavity_2_volume_m3"), 1e-6);
+  for (const auto& [name, value] : result.figures) EXPECT_NE(results::find_figure(name), nullptr) << name;
   ASSERT_EQ(result.warnings.size(), 1U);
   EXPECT_NE(result.warnings[0].find("2 cavities"), std::string::npos);
   const auto rows = results::cavity_rows(result);

@@ -8,6 +8,7 @@
 
 #include "render/report/comparison.h"
 #include "render/report/critical_speed.h"
+#include "render/report/figure_text.h"
 #include "render/report/html.h"
 #include "render/report/pdf.h"
 #include "render/report/run_sections.h"
@@ -120,6 +121,22 @@ TEST(Tables, LeaveOutColumnsThatNoRowHas) {
   leave_out_empty_columns(table);
   EXPECT_EQ(table.header, (std::vector<std::string>{"a", "c"}));
   EXPECT_EQ(table.rows[1], (std::vector<std::string>{"–", "3"}));
+}
+
+TEST(FigureText, LabelsUnitsAndDigitsAreThoseOfTheTable) {
+  EXPECT_EQ(row_title("filled_mass_kg"), "Filled mass of model powder");
+  EXPECT_EQ(column_title("fill_height_mm"), "Fill height [mm]");
+  EXPECT_EQ(column_title("fill_ratio"), "Fill ratio");
+  EXPECT_EQ(axis_title("fill_ratio"), "Fill ratio [–]");
+  EXPECT_EQ(shown("fill_density_kg_m3", 1234.56), "1235 kg/m³");
+  EXPECT_EQ(shown("expected_fill_density_kg_m3", 3012), "3.01 g/cm³");
+  EXPECT_EQ(shown("solid_fraction_harmonic_1_azimuth_deg", 30), "30 °");
+  EXPECT_EQ(shown("azimuthal_variation", 0.123), "12 %");
+  Table table;
+  add_figure(table, run_at("a", 0.1, 0.9).result, "filled_mass_kg");
+  add_figure(table, run_at("a", 0.1, 0.9).result, "cycle_time_s");
+  ASSERT_EQ(table.rows.size(), 1U);
+  EXPECT_EQ(table.rows[0], (std::vector<std::string>{"Filled mass of model powder", "0.9 g"}));
 }
 
 TEST_F(ReportDrawing, EnergyLostIsNoNegativeShareAndNoSilence) {
