@@ -96,7 +96,7 @@ TEST(Economy, PowderIsNotCarriedWhereThatWouldBeWrong) {
   turned.exchange("[economy]",
                   "[[step]]\nkind = \"rotation\"\ntool = \"shoe\"\naxis = \"z\"\nspeed = \"60 rpm\"\n"
                   "ramp = \"20 ms\"\nduration = \"0.1 s\"\n\n[economy]");
-  expect_refused(turned, {"would not be shaken along", "leave the key or the step out"}, key);
+  expect_refused(turned, {"would not move with it", "remove the key or the step"}, key);
 
   Economical without_shoe(carry);
   without_shoe.exchange("role = \"shoe\"", "role = \"plate\"");

@@ -104,7 +104,7 @@ TEST(Plan, WrongInputEndsInOneLine) {
   const Outcome both = run_program({"plan", die.scene().string(), "--no-benchmark"});
   EXPECT_EQ(both.exit_code, 2);
   EXPECT_EQ(both.complaints(), 1U) << both.err;
-  EXPECT_NE(both.err.find("leave out one of the two"), std::string::npos) << both.err;
+  EXPECT_NE(both.err.find("remove one of the two"), std::string::npos) << both.err;
 }
 
 }  // namespace

@@ -65,7 +65,7 @@ std::vector<WrongTool> wrong_files() {
   return {
       {"missing",
        [](const SmallDie& die) { std::filesystem::remove(die.folder() / "die.stl"); },
-       {"scene.toml:16:8: tool.file", "found \"die.stl\"", "there is no file"}},
+       {"scene.toml:16:8: tool.file", "found \"die.stl\"", "no such file"}},
       {"empty", with_file("die.stl", ""), {"die.stl"}},
       {"letter_called_stl",
        with_file("die.stl", "Dear Sir,\nenclosed is the drawing of the die.\n"),

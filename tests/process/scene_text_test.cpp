@@ -45,7 +45,7 @@ std::string repeated(const std::string& text, int times) {
 
 TEST(SceneText, OtherEncodingsAreNamed) {
   const std::string scene = faultless_scene();
-  const std::string wide = "scene.toml:1: found UTF-16 text, UTF-8 is needed; save the scene as UTF-8 text";
+  const std::string wide = "scene.toml:1: found UTF-16 text, expected UTF-8; save the scene as UTF-8 text";
   expect_begins(complaint("\xFF\xFE" + widened(scene, 1)), wide);
   expect_begins(complaint(widened(scene, 1)), wide);
   expect_begins(complaint(std::string("\xFE\xFF\0t\0i", 6)), wide);
@@ -111,7 +111,7 @@ TEST(SceneText, NamesLongerThanFileNamesAreRefused) {
   const std::string message = complaint(
       support::exchanged(faultless_scene(), "name = \"die\"", "name = \"" + std::string(300, 'n') + "\""));
   EXPECT_NE(message.find("tool.name: found \"nnn"), std::string::npos) << message;
-  EXPECT_NE(message.find("a name of 300 bytes, up to 100 are allowed"), std::string::npos) << message;
+  EXPECT_NE(message.find("the name has 300 bytes, allowed: up to 100"), std::string::npos) << message;
 }
 
 TEST(SceneText, OnlyRegularFilesAreRead) {
@@ -141,7 +141,7 @@ TEST(SceneText, LimitsAreMetByWhatIsWrittenWithTheLastDigitThatCounts) {
   };
   EXPECT_EQ(complaint(with_diameter("6 mm")), "");
   const std::string message = complaint(with_diameter("6.0000001 mm"));
-  EXPECT_NE(message.find("the grains have 6.0000001 mm, 0.03 mm to 6 mm is allowed"), std::string::npos)
+  EXPECT_NE(message.find("the grains have 6.0000001 mm, allowed: 0.03 mm to 6 mm"), std::string::npos)
       << message;
 }
 

@@ -16,12 +16,12 @@ inline std::vector<WrongScene> wrong_pours() {
   const std::string rest = scene_up_to("[measure]").substr(scene_up_to("from =").size());
   return {
       spoil("pour_from_missing", "[pour]\n" + from, "@[pour]",
-            {"pour.from", "found nothing, this must be given"}),
+            {"pour.from", "found nothing, a value is required"}),
       spoil("pour_box_empty", to, "to = @[\"51.4 mm\", \"-14.5 mm\", \"110 mm\"]",
             {"pour.to", "found [\"51.4 mm\", \"-14.5 mm\", \"110 mm\"]", "empty along y",
-             "must be more than from (-14.5 mm)"}),
+             "must be greater than from (-14.5 mm)"}),
       spoil("pour_box_thinner_than_a_grain", to, "to = @[\"51.4 mm\", \"-14 mm\", \"110 mm\"]",
-            {"pour.to", "along y the box measures 0.5 mm", "less than one grain of 1.8816 mm", "widen it"}),
+            {"pour.to", "along y the box is 0.5 mm wide", "less than one grain of 1.8816 mm", "widen it"}),
       spoil("pour_height_above_box", height, "fill_height = @\"240 mm\"",
             {"pour.fill_height", "found \"240 mm\"", "only 110 mm high"}),
       spoil("pour_height_zero", height, "fill_height = @\"0 mm\"",
@@ -29,18 +29,18 @@ inline std::vector<WrongScene> wrong_pours() {
       spoil("pour_height_misspelt", "[pour]\n" + from + "\n" + to + "\n" + height,
             "@[pour]\n" + from + "\n" + to + "\nfil_height = \"24 mm\"",
             {"pour.fill_height", "found nothing",
-             "\"fil_height\" stands there: did you mean \"fill_height\"?"}),
+             "found \"fil_height\": did you mean \"fill_height\"?"}),
       spoil("pour_lattice_too_tight", height, height + "\nlattice_constant = @1.1",
-            {"pour.lattice_constant", "found 1.1", "at least 1.2 is allowed", "no grains overlap"}),
+            {"pour.lattice_constant", "found 1.1", "allowed: at least 1.2", "no grains overlap"}),
       spoil("pour_solid_fraction_above_densest", height, height + "\nsolid_fraction = @0.9",
             {"pour.solid_fraction", "found 0.9", "at least 0.05 and at most 0.74"}),
       spoil("pour_rim_speed_negative", height, height + "\nrim_speed = @\"-1 m/s\"",
             {"pour.rim_speed", "found \"-1 m/s\"", "at least 0 m/s"}),
       spoil(
           "pour_outside_the_period", rest, "from = @" + rest.substr(7) + "\nperiodic = { y = \"20 mm\" }\n\n",
-          {"pour.from", "along y the box reaches -14.5 mm", "numerics.periodic leaves only -10 mm to 10 mm"}),
+          {"pour.from", "along y the box reaches -14.5 mm", "numerics.periodic allows only -10 mm to 10 mm"}),
       spoil("pour_missing", scene_up_to("[[step]]"), "@" + before_pour,
-            {"pour", "found nothing, this must be given", "[pour]"}),
+            {"pour", "found nothing, a value is required", "[pour]"}),
   };
 }
 
@@ -50,11 +50,11 @@ inline std::vector<WrongScene> wrong_steps() {
   const std::string header = "[[step]]\n" + kind + "\n";
   return {
       spoil("step_kind_unknown", kind, "kind = @\"pasage\"",
-            {"step.kind", "found \"pasage\"", "allowed is \"passage\", \"settle\", \"wait\"",
+            {"step.kind", "found \"pasage\"", "allowed: \"passage\", \"settle\", \"wait\"",
              "did you mean \"passage\"?"}),
       spoil("step_kind_missing", header, "@[[step]]\n", {"step.kind", "found nothing", "\"passage\""}),
       spoil("step_tool_unknown", tool, "tool = @\"feeder\"",
-            {"step.tool", "found \"feeder\"", "allowed is \"die\" or \"shoe\""}),
+            {"step.tool", "found \"feeder\"", "allowed: \"die\" or \"shoe\""}),
       spoil("step_tool_missing", header + tool, "@[[step]]\n" + kind,
             {"step.tool", "found nothing", "such as \"shoe\""}),
       spoil("step_moves_the_die", tool, "tool = @\"die\"",
@@ -77,9 +77,9 @@ inline std::vector<WrongScene> wrong_steps() {
       spoil("step_direction_downward", direction, "direction = @\"-z\"",
             {"step.direction", "found \"-z\"", "a passage is level", "[-1, 1, 0]"}),
       spoil("step_passages_none", direction, direction + "\npassages = @0",
-            {"step.passages", "found 0", "a whole number from 1 to 1000 is needed"}),
+            {"step.passages", "found 0", "expected a whole number from 1 to 1000"}),
       spoil("step_passages_a_half", direction, direction + "\npassages = @1.5",
-            {"step.passages", "found 1.5", "a whole number from 1 to 1000 is needed"}),
+            {"step.passages", "found 1.5", "expected a whole number from 1 to 1000"}),
       spoil("step_acceleration_as_velocity", direction, direction + "\nacceleration = @\"10 m/s\"",
             {"step.acceleration", "\"m/s\" is not a unit of acceleration", "\"10 m/s^2\""}),
       spoil("step_pause_as_frequency", direction, direction + "\npause = @\"20 Hz\"",
@@ -92,7 +92,7 @@ inline std::vector<WrongScene> wrong_steps() {
           "step_vibration_without_end", "[[step]]",
           "@[[step]]\nkind = \"vibration\"\ntool = \"shoe\"\naxis = \"x\"\namplitude = \"1 mm\"\nfrequency = "
           "\"32 Hz\"\n[[step]]",
-          {"step.until", "found no end of this step", "duration = \"1 s\""}),
+          {"step.until", "this step has no end", "duration = \"1 s\""}),
       spoil(
           "step_vibration_shorter_than_its_ramps", "[[step]]",
           "[[step]]\nkind = \"vibration\"\ntool = \"shoe\"\naxis = \"x\"\namplitude = \"1 mm\"\nfrequency = "
@@ -114,7 +114,7 @@ inline std::vector<WrongScene> wrong_steps() {
             {"step.start", "found \"first\"", "no step has a name"}),
       spoil("step_waits_for_itself", kind,
             "kind = @\"passage\"\nname = \"pass\"\nstart = { after = \"pass\" }",
-            {"step.kind", "waits, by way of others, for itself"}),
+            {"step.kind", "depends on itself through other steps"}),
       spoil("step_condition_key_misspelt", direction, direction + "\nstart = { @aftr = \"first\" }",
             {"step.start.aftr", "did you mean \"after\"?"}),
       spoil("step_condition_empty", direction, direction + "\nstart = @{ }",
@@ -124,7 +124,7 @@ inline std::vector<WrongScene> wrong_steps() {
       spoil("step_wait_without_duration", "[[step]]", "@[[step]]\nkind = \"wait\"\n[[step]]",
             {"step.duration", "found nothing", "\"50 ms\""}),
       spoil("step_settle_key_unknown", "[[step]]", "[[step]]\nkind = \"settle\"\n@speed = \"rest\"\n[[step]]",
-            {"step.speed", "not known", "kind, duration"}),
+            {"step.speed", "unknown key", "kind, duration"}),
   };
 }
 
@@ -132,29 +132,29 @@ inline std::vector<WrongScene> wrong_numerics() {
   const std::string time = "max_time = \"5 s\"";
   return {
       spoil("time_step_given_twice", time, "time_step_fraction = 0.1\ntime_step = @\"2 us\"",
-            {"numerics.time_step", "found \"2 us\"", "time_step_fraction is given as well", "leave one out"}),
+            {"numerics.time_step", "found \"2 us\"", "time_step_fraction is given as well", "remove one"}),
       spoil("time_step_too_long", time, "time_step = @\"2 s\"",
             {"numerics.time_step", "found \"2 s\"", "at most 1 ms"}),
       spoil("time_step_fraction_above_one", time, "time_step_fraction = @1.5",
             {"numerics.time_step_fraction", "found 1.5", "more than 0 and at most 1"}),
       spoil("lever_arm_unknown", time, "lever_arm = @\"centre\"",
-            {"numerics.lever_arm", "found \"centre\"", "allowed is \"center\" or \"contact\"",
+            {"numerics.lever_arm", "found \"centre\"", "allowed: \"center\" or \"contact\"",
              "did you mean \"center\"?"}),
       spoil("tangential_spring_unknown", time, "tangential_spring = @\"cut_back\"",
-            {"numerics.tangential_spring", "allowed is \"cut back\" or \"free\""}),
+            {"numerics.tangential_spring", "allowed: \"cut back\" or \"free\""}),
       spoil("opening_unknown", time, "opening = @\"walls\"",
-            {"numerics.opening", "found \"walls\"", "allowed is \"surfaces\" or \"centres\""}),
+            {"numerics.opening", "found \"walls\"", "allowed: \"surfaces\" or \"centres\""}),
       spoil("most_sheared_a_half", time, "most_sheared = @0.5",
             {"numerics.most_sheared", "found 0.5", "at most 0.1"}),
       spoil("most_sheared_of_none", time, "pinched_grains = \"stop\"\nmost_sheared = @0.01",
-            {"numerics.most_sheared", "found 0.01", "leave one of the two out"}),
+            {"numerics.most_sheared", "found 0.01", "remove one of the two"}),
       spoil("energy_ledger_in_quotes", time, "energy_ledger = @\"true\"",
             {"numerics.energy_ledger", "found \"true\"", "true or false without quotes"}),
       spoil("period_too_short", time, "periodic = { y = @\"2.16 mm\" }",
-            {"numerics.periodic.y", "found \"2.16 mm\"", "at least 7.5264 mm is allowed",
+            {"numerics.periodic.y", "found \"2.16 mm\"", "allowed: at least 7.5264 mm",
              "four grain diameters"}),
       spoil("period_along_z", time, "periodic = { @z = \"10 mm\" }",
-            {"numerics.periodic.z", "not known", "x, y"}),
+            {"numerics.periodic.z", "unknown key", "x, y"}),
       spoil("skin_too_wide", time, "skin = @\"1 m\"",
             {"numerics.skin", "found \"1 m\"", "more than 0 mm and at most 10 mm"}),
       spoil("max_time_negative", time, "max_time = @\"-5 s\"",
@@ -162,7 +162,7 @@ inline std::vector<WrongScene> wrong_numerics() {
       spoil("checkpoint_interval_too_short", time, "checkpoint_interval = @\"1 ms\"",
             {"numerics.checkpoint_interval", "found \"1 ms\"", "at least 1 s"}),
       spoil("numerics_key_unknown", time, "@threads = 4",
-            {"numerics.threads", "found 4", "not known", "the keys here are time_step_fraction"}),
+            {"numerics.threads", "found 4", "unknown key", "the allowed keys are time_step_fraction"}),
   };
 }
 
@@ -182,12 +182,12 @@ inline std::vector<WrongScene> wrong_economies() {
   };
   return {
       spoil("economy_key_unknown", measure, "[economy]\n@sleeping = true\n\n" + measure,
-            {"economy.sleeping", "not known", "sleep"}),
+            {"economy.sleeping", "unknown key", "sleep"}),
       spoil("economy_mirror_unknown", measure, "[economy]\nmirror = @\"z\"\n\n" + measure,
-            {"economy.mirror", "found \"z\"", "allowed is \"x\" or \"y\""}),
+            {"economy.mirror", "found \"z\"", "allowed: \"x\" or \"y\""}),
       spoil("economy_mirror_beside_the_pour", measure, "[economy]\nmirror = @\"x\"\n\n" + measure,
             {"economy.mirror", "found \"x\"", "the box of [pour] reaches from 19.4 to 51.4 mm along x",
-             "not the same on both sides of 0"}),
+             "the same extent on both sides of 0"}),
       spoil("economy_wake_force_of_a_whole_weight", measure,
             "[economy]\nsleep = true\nwake_force = @1\n\n" + measure,
             {"economy.wake_force", "found 1", "at most 0.9"}),
@@ -195,25 +195,25 @@ inline std::vector<WrongScene> wrong_economies() {
             "[economy]\nsleep = true\nsleep_after = @\"0 s\"\n\n" + measure,
             {"economy.sleep_after", "found \"0 s\"", "more than 0 s"}),
       spoil_two("economy_sleep_while_shaken", step, shaking + step, "[economy]\nsleep = @true",
-                {"economy.sleep", "found true", "vibration", "would not be shaken along", "leave"}),
+                {"economy.sleep", "found true", "vibration", "would not move with it", "remove"}),
       spoil("economy_carry_beyond_without_unit", measure, "[economy]\ncarry_beyond = @10\n\n" + measure,
             {"economy.carry_beyond", "found 10", "20 mm"}),
       spoil("economy_carry_and_sleep", measure,
             "[economy]\nsleep = true\ncarry_beyond = @\"10 mm\"\n\n" + measure,
-            {"economy.carry_beyond", "economy.sleep is on", "leave one"}),
+            {"economy.carry_beyond", "economy.sleep, which is on", "remove one"}),
       spoil_two("economy_carry_while_shaken", step, shaking + step, "[economy]\ncarry_beyond = @\"10 mm\"",
-                {"economy.carry_beyond", "vibration", "would not be shaken along", "leave"}),
+                {"economy.carry_beyond", "vibration", "would not move with it", "remove"}),
       spoil("economy_rotation_of_clumps", measure, "[economy]\nskip_rotation = @false\n\n" + measure,
-            {"economy.skip_rotation", "found false", "only grains of model A", "leave"}),
+            {"economy.skip_rotation", "found false", "only grains of model A", "remove"}),
       spoil("economy_zero_terms_of_named_laws", measure,
             "[economy]\nskip_zero_terms = @false\n\n[contact]\nnormal = { law = \"Bierwisch\", "
             "reduced_modulus = \"5 MPa\" "
             "}\n\n" +
                 measure,
-            {"economy.skip_zero_terms", "found false", "have no other terms", "leave"}),
+            {"economy.skip_zero_terms", "found false", "no terms to skip", "remove"}),
       spoil_two("economy_mirror_across_a_period", time, time + "\nperiodic = { y = \"29 mm\" }",
                 "[economy]\nmirror = @\"y\"",
-                {"economy.mirror", "numerics.periodic repeats the scene along y", "leave one"}),
+                {"economy.mirror", "numerics.periodic repeats the scene along y", "remove one"}),
       spoil_two("economy_mirror_with_a_lopsided_pour", from, "from = [\"19.4 mm\", \"-12 mm\", \"0 mm\"]",
                 "[economy]\nmirror = @\"y\"", {"economy.mirror", "from -12 to 14.5 mm along y"}),
   };
@@ -231,7 +231,7 @@ inline std::vector<WrongScene> wrong_suctions() {
             {"suction.solid_fraction", "found 1", "at most 0.74"}),
       spoil("suction_of_sleepers", plane,
             plane + "[suction]\n" + size + "tool = @\"shoe\"\n\n[economy]\nsleep = true\n",
-            {"suction.tool", "economy.sleep", "leave one"}),
+            {"suction.tool", "economy.sleep", "remove one"}),
   };
 }
 
@@ -251,13 +251,13 @@ inline std::vector<WrongScene> wrong_measures() {
             {"measure.section.name", "found nothing"}),
       spoil("section_name_twice", plane,
             plane + "[[measure.section]]\nname = \"a\"\n[[measure.section]]\nname = @\"a\"\n",
-            {"measure.section.name", "found \"a\"", "an earlier section has that name"}),
+            {"measure.section.name", "found \"a\"", "an earlier section already has this name"}),
       spoil("heap_without_box", plane, plane + "@[[measure.heap]]\nname = \"a\"\n",
             {"measure.heap.from", "found nothing"}),
       spoil("heap_box_empty", plane,
             plane + "[[measure.heap]]\nname = \"a\"\nfrom = [\"0 mm\", \"0 mm\", \"5 mm\"]\n" +
                 "to = @[\"9 mm\", \"9 mm\", \"5 mm\"]\n",
-            {"measure.heap.to", "the box is empty along z", "to must lie above from"}),
+            {"measure.heap.to", "the box is empty along z", "to must be greater than from"}),
       spoil("section_of_one_bracket", plane, plane + "@[measure.section]\nname = \"a\"\n",
             {"measure.section", "found a table", "write [[measure.section]] with double brackets"}),
   };
