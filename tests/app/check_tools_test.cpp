@@ -35,7 +35,7 @@ TEST(CheckTools, SaysHowToolsFitAndHowTheyAreSymmetric) {
   const SmallDie die;
   const Outcome checked = die.check();
   ASSERT_EQ(checked.exit_code, 0) << checked.err;
-  expect_says(checked.out, "die and shoe: touch without a gap");
+  expect_says(checked.out, "die and shoe: in contact without a gap");
   expect_says(checked.out, "symmetry: mirror plane");
   expect_says(checked.out, "narrowest width 4.000 mm near (");
   die.exchange("[\"3 mm\", \"0 mm\", \"0 mm\"]", "[\"3 mm\", \"0 mm\", \"0.4 mm\"]");
@@ -53,7 +53,7 @@ TEST(CheckTools, SpaceWherePowderNeverComesIsNoGap) {
       "[[tool]]\nname = \"table\"\nrole = \"plate\"\nfile = \"table.stl\"\nlength_unit = \"mm\"\n\n[pour]");
   const Outcome checked = die.check();
   ASSERT_EQ(checked.exit_code, 0) << checked.err;
-  expect_says(checked.out, "die and shoe: touch without a gap");
+  expect_says(checked.out, "die and shoe: in contact without a gap");
   EXPECT_EQ(checked.out.find("table: gap"), std::string::npos) << checked.out;
 }
 

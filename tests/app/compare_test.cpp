@@ -137,7 +137,7 @@ TEST(Compare, ARunWhoseTimeIsOverIsNoResultYet) {
   die.exchange("[numerics]", "[numerics]\nmax_time = \"5 ms\"");
   const Outcome outcome = run_program(compare_arguments(die));
   EXPECT_EQ(outcome.exit_code, 1) << outcome.err;
-  EXPECT_NE(outcome.out.find("failed: the scene was not over after numerics.max_time"), std::string::npos)
+  EXPECT_NE(outcome.out.find("failed: the scene had not ended after numerics.max_time"), std::string::npos)
       << outcome.out;
   EXPECT_EQ(comparison_of(die.out()).at("runs").at(0).at("exit_code"), 4);
 }

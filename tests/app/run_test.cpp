@@ -85,7 +85,7 @@ TEST(Run, WritesResultsReportAndPicturesAndSaysSo) {
   expect_plain_lines(outcome, die);
   const auto report = die.report();
   expect_plausible_report(report);
-  EXPECT_EQ(report.at("warnings").dump().find("beneath the cavity"), std::string::npos);
+  EXPECT_EQ(report.at("warnings").dump().find("out below the cavity"), std::string::npos);
 
   const auto result = results::read_results(die.out());
   EXPECT_NEAR(report.at("filled_mass_kg").get<double>(),
