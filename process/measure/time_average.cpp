@@ -20,8 +20,8 @@ void refuse(const results::FillResult& result, std::size_t found, double from, d
   char text[200];
   std::snprintf(
       text, sizeof text,
-      "an average over time needs at least two instants; from %.4g s to %.4g s the results hold %zu of "
-      "%zu and the end at %.4g s (measure.snapshot_interval in the scene sets how many are kept)",
+      "an average over time needs at least two instants; from %.4g s to %.4g s the results contain %zu of "
+      "%zu and the end at %.4g s (measure.snapshot_interval in the scene sets how many are stored)",
       from, to, found, result.instants.size(), result.powder.time);
   throw std::invalid_argument(text);
 }

@@ -94,10 +94,9 @@ TEST(Endless, SeedsThatPassTheLargestAreRefusedBeforeAnythingRuns) {
   const SmallDie die;
   die.exchange("seed = 1", "seed = 9223372036854775807");
   for (const std::string command : {"compare", "tradeoff"})
-    expect_refused(
-        run_program({command, die.scene().string(), "--seeds", "2", "--out", die.out().string()}),
-        {"seed: found 9223372036854775807, and 2 seeds counted up from it pass 9223372036854775807",
-         "give one from 0 to 9223372036854775806"});
+    expect_refused(run_program({command, die.scene().string(), "--seeds", "2", "--out", die.out().string()}),
+                   {"seed: found 9223372036854775807, and 2 consecutive seeds exceed 9223372036854775807",
+                    "give one from 0 to 9223372036854775806"});
   EXPECT_FALSE(std::filesystem::exists(die.out()));
 }
 

@@ -51,7 +51,7 @@ TEST(Plan, ASettingTakesThePlaceOfTheScenesNumbersAndTheReportSaysSo) {
   const Outcome outcome = die.run({"--setting", "quick"});
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
   EXPECT_NE(outcome.err.find("setting quick"), std::string::npos) << outcome.err;
-  EXPECT_NE(outcome.err.find("in place of \"1 mm\""), std::string::npos) << outcome.err;
+  EXPECT_NE(outcome.err.find("replacing \"1 mm\""), std::string::npos) << outcome.err;
   const auto report = die.report();
   EXPECT_EQ(report["setting"]["Chosen by"], "setting quick");
   EXPECT_GT(report["grain_diameter_m"].get<double>(), 1.01e-3);

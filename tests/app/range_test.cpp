@@ -56,7 +56,7 @@ TEST(ValidRange, AGainTenTimesTooHighStopsTheRun) {
   const SmallDie die;
   press(die, "300");  // 20 still holds the force
   expect_stop(die, {"force control of piston rings", "STABILITY.md, force-controlled pistons",
-                    "lower gain (now 300)"});
+                    "reduce gain (now 300)"});
 }
 
 TEST(ValidRange, AWallWithHolesStopsTheRun) {

@@ -163,7 +163,7 @@ TEST(WrongVariants, NameTheLineTheVariantAndTheNearestKey) {
   expect_parts(complaint_about(head + "tool.sho.position = [\"1 mm\", \"0 mm\", \"0 mm\"]\n"),
                {at(3), "variant.tool.sho", "no [[tool]] has this name or number", "did you mean \"shoe\"?"});
   expect_parts(complaint_about(head + "step.3.velocity = \"1 mm/s\"\n"),
-               {at(3), "no [[step]] has this name or number", "they are \"1\""});
+               {at(3), "no [[step]] has this name or number", "allowed: \"1\""});
   expect_parts(complaint_about(head + "step.1 = 4\n"), {at(3), "found 4", "expected keys to change"});
   expect_parts(complaint_about(head + "pours.fill_height = \"1 mm\"\n"), {at(3), "did you mean \"pour\"?"});
   expect_parts(complaint_about(head + "powder.friction = \"a lot\"\n"),

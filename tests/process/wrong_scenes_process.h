@@ -28,8 +28,7 @@ inline std::vector<WrongScene> wrong_pours() {
             {"pour.fill_height", "found \"0 mm\"", "more than 0 mm"}),
       spoil("pour_height_misspelt", "[pour]\n" + from + "\n" + to + "\n" + height,
             "@[pour]\n" + from + "\n" + to + "\nfil_height = \"24 mm\"",
-            {"pour.fill_height", "found nothing",
-             "found \"fil_height\": did you mean \"fill_height\"?"}),
+            {"pour.fill_height", "found nothing", "found \"fil_height\": did you mean \"fill_height\"?"}),
       spoil("pour_lattice_too_tight", height, height + "\nlattice_constant = @1.1",
             {"pour.lattice_constant", "found 1.1", "allowed: at least 1.2", "no grains overlap"}),
       spoil("pour_solid_fraction_above_densest", height, height + "\nsolid_fraction = @0.9",
@@ -75,7 +74,7 @@ inline std::vector<WrongScene> wrong_steps() {
             {"step.direction", "found \"left\"",
              "an axis (\"x\", \"y\", \"z\", \"-x\", ...) or three numbers"}),
       spoil("step_direction_downward", direction, "direction = @\"-z\"",
-            {"step.direction", "found \"-z\"", "a passage is level", "[-1, 1, 0]"}),
+            {"step.direction", "found \"-z\"", "a passage is horizontal", "[-1, 1, 0]"}),
       spoil("step_passages_none", direction, direction + "\npassages = @0",
             {"step.passages", "found 0", "expected a whole number from 1 to 1000"}),
       spoil("step_passages_a_half", direction, direction + "\npassages = @1.5",
@@ -97,7 +96,7 @@ inline std::vector<WrongScene> wrong_steps() {
           "step_vibration_shorter_than_its_ramps", "[[step]]",
           "[[step]]\nkind = \"vibration\"\ntool = \"shoe\"\naxis = \"x\"\namplitude = \"1 mm\"\nfrequency = "
           "\"2 Hz\"\nduration = @\"0.5 s\"\n[[step]]",
-          {"step.duration", "found \"0.5 s\"", "alone take 1 s", "shorter ramp"}),
+          {"step.duration", "found \"0.5 s\"", "its two ramps take 1 s", "shorter ramp"}),
       spoil(
           "step_frequency_as_time", "[[step]]",
           "[[step]]\nkind = \"vibration\"\ntool = \"shoe\"\naxis = \"x\"\namplitude = \"1 mm\"\nfrequency = "
@@ -118,7 +117,7 @@ inline std::vector<WrongScene> wrong_steps() {
       spoil("step_condition_key_misspelt", direction, direction + "\nstart = { @aftr = \"first\" }",
             {"step.start.aftr", "did you mean \"after\"?"}),
       spoil("step_condition_empty", direction, direction + "\nstart = @{ }",
-            {"step.start", "nothing to wait for", "after, with, at"}),
+            {"step.start", "the condition is empty", "after, with, at"}),
       spoil("step_force_on_nobody", direction, direction + "\nuntil = @{ force = \"1 N\" }",
             {"step.until.on", "found nothing"}),
       spoil("step_wait_without_duration", "[[step]]", "@[[step]]\nkind = \"wait\"\n[[step]]",
