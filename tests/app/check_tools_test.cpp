@@ -25,10 +25,10 @@ TEST(CheckTools, SaysWhatWasRepairedAndTheReportDoesToo) {
   const Outcome checked = die.check();
   EXPECT_EQ(checked.exit_code, 0) << checked.err;
   expect_says(checked.out, "found: 1 shell faces the wrong way: the whole surface is inside out");
-  expect_says(checked.out, "repaired: the surface turned right side out");
-  expect_says(checked.out, "note: tool \"die\" repaired: the surface turned right side out");
+  expect_says(checked.out, "repaired: surface normals reversed to point outward");
+  expect_says(checked.out, "note: tool \"die\" repaired: surface normals reversed to point outward");
   ASSERT_EQ(die.run().exit_code, 0);
-  expect_says(die.report()["warnings"].dump(), "repaired: the surface turned right side out");
+  expect_says(die.report()["warnings"].dump(), "repaired: surface normals reversed to point outward");
 }
 
 TEST(CheckTools, SaysHowToolsFitAndHowTheyAreSymmetric) {
@@ -71,7 +71,7 @@ TEST(CheckTools, PartsOfOneFileArePickedByName) {
   EXPECT_EQ(wrong.exit_code, 2);
   expect_says(
       wrong.err,
-      "has no part \"feed_shoo\": it holds \"lower_die\", \"feed_shoe\"; did you mean \"feed_shoe\"?");
+      "has no part \"feed_shoo\": it contains \"lower_die\", \"feed_shoe\"; did you mean \"feed_shoe\"?");
 }
 
 TEST(CheckTools, AMirroredPartStandsOnTheOtherSide) {

@@ -99,7 +99,7 @@ std::vector<WrongTool> wrong_meshes() {
        {"tool \"die\"", "open edges", "not repaired: a hole of", "may be an opening"}},
       {"part_that_is_not_there",
        with_scene(kDieFile, kDieFile + "\npart = \"dye\""),
-       {"tool \"die\"", "has no part \"dye\": it holds \"", "use one of these names"}},
+       {"tool \"die\"", "has no part \"dye\": it contains \"", "use one of these names"}},
       {"thinner_than_wall_spheres",
        with_file("shoe.stl", cad::binary_stl(thin_shoe())),
        {"scene.toml:19: tool \"shoe\"", "0.3 mm thick", "wall sphere of 0.5 mm"}},

@@ -48,11 +48,11 @@ std::vector<BrokenFile> broken_bytes() {
   const std::string archive = three_mf({{"tube", fine_tube()}}, "millimeter");
   return {
       {"no_bytes", "a.stl", "", "is empty"},
-      {"binary_cut_short", "a.stl", stl.substr(0, stl.size() / 2), "is cut short: its header promises 720"},
+      {"binary_cut_short", "a.stl", stl.substr(0, stl.size() / 2), "is truncated: its header announces 720"},
       {"text_cut_short", "a.stl", text.substr(0, text.size() / 2), "without a closing 'endsolid'"},
-      {"huge_count", "a.stl", with_count(stl, 0xfffffffe), "header promises 4294967294 triangles"},
+      {"huge_count", "a.stl", with_count(stl, 0xfffffffe), "header announces 4294967294 triangles"},
       {"count_of_nothing", "a.stl", with_count(stl.substr(0, 84), 0), "a.stl"},
-      {"letter", "a.stl", "Dear Sir,\nenclosed is the drawing of the die.\n", "is text, but no STL"},
+      {"letter", "a.stl", "Dear Sir,\nenclosed is the drawing of the die.\n", "is text, but not STL"},
       {"picture", "a.stl", "\x89PNG\r\n\x1a\n" + std::string(200, '\1'), "in truth a PNG picture"},
       {"document", "a.stl", "%PDF-1.4\n" + std::string(200, ' '), "in truth a PDF document"},
       {"archive", "a.stl", archive, "in truth a ZIP archive"},
@@ -66,11 +66,11 @@ std::vector<BrokenFile> broken_bytes() {
       {"archive_of_nothing", "a.3mf", zip({{"readme.txt", "nothing"}}), "cannot be read as 3mf"},
       {"unit_that_is_none", "a.amf", amf(fine_tube(), "furlong"), "\"furlong\" in node <unit>"},
       {"huge_ply", "a.ply", replaced(ply(fine_tube()), "vertex 360", "vertex 4000000000"),
-       "header promises 4000000000 vertex elements"},
+       "header announces 4000000000 vertex elements"},
       {"ply_without_end", "a.ply", replaced(ply(fine_tube()), "end_header", "end_heade"),
        "no line 'end_header'"},
       {"huge_off", "a.off", replaced(off(fine_tube()), "360 720", "360 4000000000"),
-       "header promises 4000000000 faces"},
+       "header announces 4000000000 faces"},
       {"points_only", "a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\n", "a.obj"},
       {"corner_that_is_not_there", "a.off", replaced(off(plain_block()), "3 0 2 3", "3 0 2 99"),
        "3 open edges"},
@@ -81,11 +81,11 @@ std::vector<BrokenFile> broken_bytes() {
       {"collada_cut_short", "a.dae", collada(fine_tube(), 1e-3).substr(0, 2000), "cannot be read as dae"},
       {"not_a_number", "a.stl",
        binary_stl(with(fine_tube(), [](Mesh& m) { m.vertices[3].y() = std::nan(""); })),
-       "corner that is no finite number"},
+       "corner with a non-finite coordinate"},
       {"infinite", "b.stl",
        binary_stl(
            with(fine_tube(), [](Mesh& m) { m.vertices[9].x() = std::numeric_limits<double>::infinity(); })),
-       "corner that is no finite number"},
+       "corner with a non-finite coordinate"},
   };
 }
 
@@ -101,8 +101,8 @@ std::vector<BrokenFile> broken_meshes() {
       {"sheet", "a.obj", "v 0 0 0\nv 9 0 0\nv 9 9 0\nv 0 9 0\nf 1 2 3\nf 1 3 4\n", "4 open edges"},
       {"flipped_face", "a.stl",
        stl(with(fine_tube(), [](Mesh& m) { std::swap(m.triangles[10][0], m.triangles[10][1]); })),
-       "triangles are turned over", "neighbours agree"},
-      {"inside_out", "a.stl", stl(inside_out(fine_tube())), "whole surface is inside out", "right side out"},
+       "triangles are flipped", "neighbours agree"},
+      {"inside_out", "a.stl", stl(inside_out(fine_tube())), "whole surface is inside out", "point outward"},
       {"one_shell_inside_out", "a.stl", stl(joined(fine_tube(), inside_out(far))),
        "1 shell faces the wrong way", "1 shell turned round"},
       {"edge_of_four_triangles", "a.stl", stl(joined(plain_block(), box({20, 30, 0}, {25, 35, 10}))),
