@@ -83,7 +83,7 @@ std::string mean_solid_fraction(const results::FillResult& result) {
   const auto& summary = result.summary;
   if (!std::isfinite(summary.mean)) {
     const std::string reason = results::reason_for(result, "solid_fraction");
-    return "mean solid fraction: not given" + (reason.empty() ? std::string() : ", " + reason) + '\n';
+    return "mean solid fraction: no value" + (reason.empty() ? std::string() : ", " + reason) + '\n';
   }
   return "mean solid fraction " + with_scatter(summary.mean, summary.std) + " (standard deviation over " +
          std::to_string(summary.grains) + " single grains two diameters below the surface)\n";
@@ -104,7 +104,7 @@ std::string filling_in_words(const results::FillResult& result) {
     text += (rows.size() > 1 ? "cavity " + std::to_string(row.number) + ": " : "") + row.verdict + '\n';
   if (rows.size() > 1) text += cavity_table(rows);
   const CavityRow& first = rows.front();
-  text += "mass of real powder " + (std::isfinite(first.mass) ? mass_of(first) : "not known");
+  text += "mass of real powder " + (std::isfinite(first.mass) ? mass_of(first) : "unknown");
   if (rows.size() > 1) text += " in cavity 1";
   if (std::isfinite(first.fill_ratio))
     text +=

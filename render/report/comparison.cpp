@@ -47,7 +47,7 @@ struct Merit {
 /// is what warps the sintered part.
 const Merit& merit_for(const std::vector<Strategy>& strategies) {
   static constexpr std::array kMerits = {
-      Merit{"azimuthal_variation", -1, "By azimuthal variation, the most even filling first"},
+      Merit{"azimuthal_variation", -1, "By azimuthal variation, lowest first"},
       Merit{"fill_ratio", 1, "By fill ratio, highest first"},
       Merit{"fill_density_kg_m3", 1, "By fill density, highest first"},
       Merit{"filled_mass_kg", 1, "By filled mass, highest first"}};
@@ -92,9 +92,8 @@ Section ranking(const std::vector<Strategy>& strategies) {
                                   [](const Strategy& strategy) { return strategy.runs.size() < 2; });
   if (single)
     section.blocks.emplace_back(
-        Paragraph{"Where a strategy has one run, its scatter is not known: a difference smaller than the "
-                  "scatter of other "
-                  "seeds says nothing. Run more seeds before deciding.",
+        Paragraph{"The scatter of a strategy with a single run is unknown: a difference smaller than the "
+                  "scatter over seeds is not significant. Run more seeds before deciding.",
                   true});
   return section;
 }
@@ -132,7 +131,7 @@ Section maps(const std::vector<Strategy>& strategies, const ColourRange& given) 
     if (const auto* field = main_field(strategy.first()); field != nullptr && !field->value.empty())
       figures.figures.push_back(map_of(strategy, *field, range));
   if (figures.figures.empty())
-    section.blocks.emplace_back(Paragraph{"The results hold no maps."});
+    section.blocks.emplace_back(Paragraph{"The results contain no maps."});
   else
     section.blocks.emplace_back(figures);
   return section;
@@ -197,7 +196,7 @@ Section curves(const std::vector<Strategy>& strategies) {
                                  ". Bars: standard deviation over seeds, where there are several."));
   }
   if (figures.figures.empty())
-    section.blocks.emplace_back(Paragraph{"The results hold no curves."});
+    section.blocks.emplace_back(Paragraph{"The results contain no curves."});
   else
     section.blocks.emplace_back(figures);
   return section;
@@ -249,7 +248,7 @@ Section scatter_section(const std::vector<Strategy>& strategies) {
   Section section{"Single runs", 1, {}};
   Table table{"",
               {"Run", "Seed", "Mass of the real powder [g]", "Mass of model powder [g]", "Fill ratio",
-               "Mean solid fraction", "Off its strategy's mean mass [%]"},
+               "Mean solid fraction", "Deviation from its strategy's mean mass [%]"},
               {},
               true};
   for (const auto& strategy : strategies) {

@@ -234,8 +234,8 @@ TEST_F(EveryPicture, WrongWordsAreExplainedInOneLine) {
       {{"--picture", "view", "--camera", "behind"}, "azimuth and elevation"},
       {{"--picture", "difference", "--from", "9 s"}, "the results contain 2 from 0.1 s to 0.2 s"},
       {{"--picture", "displacement", "--from", "0.2 s", "--to", "0.1 s"}, "must come before"},
-      {{"--picture", "map", "--range", "0.4", "0.3"}, "must be below"},
-      {{"--picture", "view", "--time-average"}, "shows one instant; possible are map plan-map section"},
+      {{"--picture", "map", "--range", "0.4", "0.3"}, "must be less than"},
+      {{"--picture", "view", "--time-average"}, "shows one instant; allowed: map plan-map section"},
       {{"--picture", "map", "--time-average", "--from", "0.25 s"}, "at least two instants"},
   };
   for (const auto& [arguments, expected] : wrong) {

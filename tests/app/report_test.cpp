@@ -43,9 +43,9 @@ TEST(Report, TellsAllAboutARunInOnePageThatNeedsNothingElse) {
             std::string::npos);
   for (const char* title :
        {"Results", "Warnings", "Maps and pictures", "Strategy", "Tooling", "Powder and model",
-        "What was left out", "Stability margins", "Size and speed of the computation", "Versions", "Scene"})
+        "Approximations", "Stability margins", "Size and speed of the computation", "Versions", "Scene"})
     EXPECT_NE(page.find(std::string(">").append(title).append("</h2>")), std::string::npos) << title;
-  EXPECT_EQ(page.find("did not store"), std::string::npos);
+  EXPECT_EQ(page.find("without this information"), std::string::npos);
 
   const auto report = die.report();
   const auto expect_number = [&](const std::string& name, double value, double digits) {
@@ -123,9 +123,9 @@ TEST(Report, SaysInOneLineWhatIsWrongWithADirectory) {
   expect_refused({"report", die.folder().string()}, "not an HDF5 file");
   std::filesystem::remove(die.folder() / "results.h5");
   die.write("comparison.json", "{}");
-  expect_refused({"report", die.folder().string()}, "no comparison written by diefill");
+  expect_refused({"report", die.folder().string()}, "not a comparison written by diefill");
   die.write("comparison.json", "{\"runs\": []}");
-  expect_refused({"report", die.folder().string()}, "a comparison without any results");
+  expect_refused({"report", die.folder().string()}, "the comparison has no results");
 }
 
 }  // namespace
