@@ -86,7 +86,7 @@ TEST(CheckTools, AMirroredPartStandsOnTheOtherSide) {
   const Outcome mirrored = die.check();
   EXPECT_EQ(mirrored.exit_code, 0) << mirrored.err;
   EXPECT_EQ(mirrored.out.find("repaired"), std::string::npos) << mirrored.out;
-  expect_says(mirrored.out, "place: from (-15.00, -3.50, -5.00) to (6.00, 3.50, 0.00) mm");
+  expect_says(mirrored.out, "extent: from (-15.00, -3.50, -5.00) to (6.00, 3.50, 0.00) mm");
 }
 
 TEST(CheckTools, JsonHoldsTheFindings) {

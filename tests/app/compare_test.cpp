@@ -375,7 +375,7 @@ TEST(ExportedJobs, OfAnyNameRunAndAreGathered) {
   die.exchange("duration = \"1 ms\"", "duration = \"4 ms\"");
   const Outcome other = run_program(command);
   EXPECT_EQ(other.exit_code, 0);
-  EXPECT_NE(other.err.find("kept aside: "), std::string::npos) << other.err;
+  EXPECT_NE(other.err.find("were renamed: "), std::string::npos) << other.err;
   const std::string folder = before.at("runs").at(0).at("folder");
   EXPECT_TRUE(std::filesystem::exists(jobs / (folder + "-previous-1") / "results.h5"));
   std::filesystem::remove_all(jobs / before.at("runs").at(1).at("folder").get<std::string>());

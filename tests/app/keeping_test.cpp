@@ -91,7 +91,7 @@ TEST_F(Keeping, AFinishedRunSaysSoWhenItIsToGoOn) {
   const Outcome other = die_.run({"--quiet", "--resume"});
   EXPECT_EQ(other.exit_code, 2);
   EXPECT_EQ(other.complaints(), 1U) << other.err;
-  EXPECT_NE(other.err.find("another scene"), std::string::npos) << other.err;
+  EXPECT_NE(other.err.find("a different scene"), std::string::npos) << other.err;
   EXPECT_EQ(contents(die_.out() / "report.json"), before);
 }
 

@@ -55,7 +55,7 @@ gain = )" + gain + "\n");
 TEST(ValidRange, AGainTenTimesTooHighStopsTheRun) {
   const SmallDie die;
   press(die, "300");  // 20 still holds the force
-  expect_stop(die, {"force control of piston rings", "STABILITY.md, force-controlled pistons",
+  expect_stop(die, {"force control of piston is unstable", "STABILITY.md, force-controlled pistons",
                     "reduce gain (now 300)"});
 }
 

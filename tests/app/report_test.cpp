@@ -52,7 +52,7 @@ TEST(Report, TellsAllAboutARunInOnePageThatNeedsNothingElse) {
     EXPECT_NEAR(std::stod(cell(page, name)), value, std::abs(value) * digits) << name;
   };
   expect_number("Filled mass of model powder", 1e3 * report.at("filled_mass_kg").get<double>(), 1e-3);
-  EXPECT_TRUE(cell(page, "Mean solid fraction").starts_with("not given: "))
+  EXPECT_TRUE(cell(page, "Mean solid fraction").starts_with("no value: "))
       << cell(page, "Mean solid fraction");
   expect_number("Solid fraction of the cavity: all powder in it over its volume",
                 report.at("cavity_solid_fraction").get<double>(), 1e-2);

@@ -141,7 +141,7 @@ TEST(NoCavity, WithAPunchInInches) {
 TEST(NoCavity, InMachineCoordinates) {
   const SmallDie die;
   die.exchange("[measure]\n", "[measure]\nfill_plane = \"200 mm\"\n");
-  expect_refused(die, "measure.fill_plane is 200 mm, but die \"die\" stands at z = -5 to 0 mm");
+  expect_refused(die, "measure.fill_plane is 200 mm, but die \"die\" is at z = -5 to 0 mm");
 }
 
 cad::Part turned(cad::Part part, bool upside_down) {

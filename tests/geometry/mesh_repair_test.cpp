@@ -92,7 +92,7 @@ TEST(MeshRepair, TurnsAMeshRightSideOut) {
 TEST(MeshRepair, TurnsOneOfTwoShells) {
   const Mesh far = sample::box({0.03, 0, 0}, {0.04, 0.01, 0.01});
   expect_repaired(sample::joined(tube(), sample::inside_out(far)), tube().volume() + far.volume(),
-                  "1 shell turned round");
+                  "1 shell reversed");
 }
 
 TEST(MeshRepair, WeldsCornersThatHardlyMiss) {

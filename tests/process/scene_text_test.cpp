@@ -55,7 +55,7 @@ TEST(SceneText, OtherEncodingsAreNamed) {
   expect_begins(complaint("title = \"a\"\nseed = 1\n# caf\xE9\n"),
                 "scene.toml:3:6: found the byte 0xE9, which is not UTF-8; save the scene as UTF-8 text");
   expect_begins(complaint(std::string("title = \"a\0b\"", 13)),
-                "scene.toml:1:11: found the byte 0, this is not");
+                "scene.toml:1:11: found the byte 0, which does not");
 }
 
 TEST(SceneText, NestingIsSeenBeforeItIsFollowed) {
@@ -140,7 +140,7 @@ TEST(SceneText, LimitsAreMetByWhatIsWrittenWithTheLastDigitThatCounts) {
   };
   EXPECT_EQ(complaint(with_diameter("6 mm")), "");
   const std::string message = complaint(with_diameter("6.0000001 mm"));
-  EXPECT_NE(message.find("the grains have 6.0000001 mm, allowed: 0.03 mm to 6 mm"), std::string::npos)
+  EXPECT_NE(message.find("the grains measure 6.0000001 mm, allowed: 0.03 mm to 6 mm"), std::string::npos)
       << message;
 }
 

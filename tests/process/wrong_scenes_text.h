@@ -61,7 +61,7 @@ inline std::vector<WrongScene> wrong_settings() {
       spoil("setting_unknown", "seed = 1", "seed = 1\nsetting = @\"workin\"",
             {"setting: found \"workin\"", "did you mean \"working\"?"}),
       spoil("setting_and_grain_diameter", to_diameter, with_setting + "@",
-            {"powder.grain_diameter: found \"1.88 mm\"", "the setting \"working\" chooses it",
+            {"powder.grain_diameter: found \"1.88 mm\"", "the setting \"working\" sets it",
              "scene.toml:3:11: setting", "remove one of the two"}),
   };
 }
