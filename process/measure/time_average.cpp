@@ -17,7 +17,7 @@ std::vector<double> instants_between(const results::FillResult& result, double f
 }
 
 void refuse(const results::FillResult& result, std::size_t found, double from, double to) {
-  char text[200];
+  char text[280];
   std::snprintf(
       text, sizeof text,
       "an average over time needs at least two instants; from %.4g s to %.4g s the results contain %zu of "

@@ -46,7 +46,7 @@ inline std::vector<WrongScene> wrong_syntax() {
       spoil("table_given_twice", "[measure]", "@[numerics]",
             {"found `[numerics]`", "cannot redefine", "keep one of the two"}),
       spoil("backslash_in_a_path", "file = \"die.stl\"", "file = \"C:\\@die.stl\"",
-            {"unknown escape sequence", "use / instead of \"}),
+            {"unknown escape sequence", "use / instead of \\"}),
       spoil("prose", seed, "please @fill the die",
             {"found `please fill the die`", "each line is key = value, [table] or # comment"}),
       spoil("byte_that_is_not_utf8", seed, "seed = 1 # @\xE9", {"not UTF-8", "save the scene as UTF-8 text"}),
