@@ -16,14 +16,13 @@ inline std::vector<WrongScene> wrong_walls() {
             {"walls.sphere_radius", "found \"-0.15 mm\"", "at least 0.001 mm"}),
       spoil("wall_spacing_too_small", spacing, "spacing = @0.1",
             {"walls.spacing", "found 0.1", range, "such as 1.6"}),
-      spoil(
-          "wall_kind_unknown", spacing, "kind = @\"meshes\"",
-          {"walls.kind", "found \"meshes\"", "allowed: \"spheres\" or \"mesh\"", "did you mean \"mesh\"?"}),
+      spoil("wall_kind_unknown", spacing, "kind = @\"meshes\"",
+            {"walls.kind", "found \"meshes\"", "allowed: \"spheres\" or \"mesh\"", "did you mean \"mesh\"?"}),
       spoil("wall_spacing_too_large", spacing, "spacing = @5", {"walls.spacing", "found 5", range}),
       spoil("wall_spacing_with_unit", spacing, "spacing = @\"0.24 mm\"",
             {"walls.spacing", "found \"0.24 mm\"", "expected a number without quotes or unit"}),
       spoil("wall_leaks", radius + "\n" + spacing, "sphere_radius = \"1 mm\"\nspacing = @3",
-            {"walls.spacing", "found 3", "let powder spheres of radius 1.12132 mm through",
+            {"walls.spacing", "found 3", "let powder spheres of radius 1.12132 mm or less pass through",
              "the powder has spheres of 0.3136 mm", "smaller spacing"}),
       spoil("wall_friction_negative", spacing, "friction = @-1",
             {"walls.friction", "found -1", "allowed: at least 0 and at most 10"}),
@@ -40,8 +39,7 @@ inline std::vector<WrongScene> wrong_tools() {
   const std::string all = before_pour.substr(before_tools.size());
   return {
       spoil("no_tools", before_pour, "@" + before_tools,
-            {"tool", "found nothing, a value is required", "[[tool]]",
-             "name, role, file and length_unit"}),
+            {"tool", "found nothing, a value is required", "[[tool]]", "name, role, file and length_unit"}),
       spoil("tool_name_missing", die, "@[[tool]]",
             {"tool.name", "found nothing, a value is required", "such as \"die\""}),
       spoil("tool_friction_negative", die, die + "\nfriction = @-0.1",
@@ -62,7 +60,7 @@ inline std::vector<WrongScene> wrong_tools() {
       spoil("tool_file_key_missing", die + "\n" + role + "\n" + file, "@" + die + "\n" + role,
             {"tool.file", "found nothing", "\"die.stl\""}),
       spoil("tool_file_absent", file, "file = @\"dye.stl\"",
-            {"tool.file", "found \"dye.stl\"", "no such file /",
+            {"tool.file", "found \"dye.stl\"", "no such file: /",
              "dye.stl; give the path relative to the scene file"}),
       spoil("tool_file_a_folder", file, "file = @\"parts\"",
             {"tool.file", "found \"parts\"", "this is a folder"}),
@@ -104,7 +102,7 @@ inline std::vector<WrongScene> wrong_tools() {
             {"tool", "found a table", "write [[tool]] with double brackets"}),
       spoil("tool_key_misspelt", unit, unit + "\n@rol = \"die\"", {"tool.rol", "did you mean \"role\"?"}),
       spoil("tool_leaks", place, "sphere_radius = \"1 mm\"\nspacing = @3",
-            {"tool.spacing", "found 3", "let powder spheres of radius 1.12132 mm through"}),
+            {"tool.spacing", "found 3", "let powder spheres of radius 1.12132 mm or less pass through"}),
   };
 }
 
