@@ -77,8 +77,8 @@ TEST(RealMass, HasNoFillRatioWithoutABedAndSaysWhy) {
   auto result = box([](const auto&) { return 0.5; });
   measure(result, 0, {std::nan(""), 9});
   EXPECT_TRUE(std::isnan(result.figures.at("fill_ratio")));
-  EXPECT_TRUE(
-      has(results::reason_for(result, "fill_ratio"), "found 9 grains two diameters deep there, need at least 20"));
+  EXPECT_TRUE(has(results::reason_for(result, "fill_ratio"),
+                  "found 9 grains two diameters deep there, need at least 20"));
   EXPECT_EQ(results::reason_for(result, "apparent_density_kg_m3"), "unknown: set powder.apparent_density");
   EXPECT_NEAR(result.figures.at("estimated_mass_kg"), 240e-9 * std::numbers::pi / 6 * 7870, 1e-12);
   EXPECT_TRUE(has(verdict(result), "holds about 0.99 g; fill ratio unknown")) << verdict(result);

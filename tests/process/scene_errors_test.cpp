@@ -65,7 +65,8 @@ TEST(SceneErrors, BytesThatAreNoTextAreRefused) {
   std::string bytes = "solid";
   for (int i = 0; i < 4096; ++i) bytes += static_cast<char>((i * 7919) % 256);
   const std::string message = complaint(folder.write(bytes));
-  EXPECT_NE(message.find("scene.toml:1:6: found the byte 0, which does not occur in a text file"), std::string::npos)
+  EXPECT_NE(message.find("scene.toml:1:6: found the byte 0, which does not occur in a text file"),
+            std::string::npos)
       << message;
   EXPECT_EQ(message.find('\n'), std::string::npos);
 }

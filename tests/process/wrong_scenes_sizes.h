@@ -34,9 +34,9 @@ inline std::vector<WrongScene> wrong_sizes() {
     return scene;
   };
   return {
-      spoil("sizes_and_diameter", size, "grain_diameter = @\"1.88 mm\"\n" + classes,
-            {"powder.grain_diameter", "found \"1.88 mm\"", "[powder.sizes] in line",
-             "remove one of the two"}),
+      spoil(
+          "sizes_and_diameter", size, "grain_diameter = @\"1.88 mm\"\n" + classes,
+          {"powder.grain_diameter", "found \"1.88 mm\"", "[powder.sizes] in line", "remove one of the two"}),
       spoilt("without_distribution", "@{ classes = " + two + " }",
              {"powder.sizes.distribution", "found nothing, a value is required", "\"classes\""}),
       spoilt("of_unknown_distribution", "{ distribution = @\"normal\" }",
