@@ -13,7 +13,7 @@
 
 namespace diefill::process {
 
-/// What a move is told by the scene. SI units.
+/// Parameters of a move from the scene. SI units.
 struct MoveSpec {
   std::vector<std::string> tools;
   Eigen::Vector3d direction = -Eigen::Vector3d::UnitZ();  ///< unit vector

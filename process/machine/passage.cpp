@@ -35,10 +35,9 @@ Eigen::Vector3d level_direction(TableReader& table) {
   const Eigen::Vector3d direction = *table.direction("direction");
   constexpr double kLevel = 1e-6;
   if (std::abs(direction.z()) > kLevel)
-    table.reject(
-        "direction",
-        "a passage is level: \"-x\", \"+x\", \"-y\", \"+y\" or two numbers and 0, such as [-1, 1, 0], is "
-        "needed; kind = \"move\" goes anywhere");
+    table.reject("direction",
+                 "a passage is horizontal: expected \"-x\", \"+x\", \"-y\", \"+y\" or two numbers and 0, "
+                 "such as [-1, 1, 0]; for other directions use kind = \"move\"");
   return direction;
 }
 
@@ -60,9 +59,9 @@ void Passage::prepare(const MachineContext& context) {
   const double travel = cavity.upper + spec_.clearance - tool.lower;
   if (!(tool.lower < cavity.upper)) {
     throw SceneError(
-        spec_.where + ": found \"" + spec_.tool + "\" beyond the cavity already (" +
+        spec_.where + ": found \"" + spec_.tool + "\" already beyond the cavity (" +
         number_in_words((tool.lower - cavity.upper) * 1e3) +
-        " mm past it in the direction of motion); start it on the other side or reverse direction");
+        " mm past it along the direction of motion); start it on the other side or reverse direction");
   }
   crossing_.emplace(travel, spec_.velocity, spec_.acceleration);
 }

@@ -1,4 +1,4 @@
-// The shoe passes over the cavity, once or several times to and fro, as in die filling (Bierwisch 2009,
+// The shoe passes over the cavity, once or several times back and forth, as in die filling (Bierwisch 2009,
 // chapter 6).
 #pragma once
 
@@ -14,12 +14,12 @@
 
 namespace diefill::process {
 
-/// What a passage is told by the scene. SI units.
+/// Parameters of a passage from the scene. SI units.
 struct PassageSpec {
   std::string tool;
-  double velocity = 0.2;     ///< m/s, once accelerated
-  double acceleration = 10;  ///< m/s^2, also of braking
-  int passages = 1;          ///< single crossings; the second goes back, the third forth again
+  double velocity = 0.2;                                  ///< m/s, once accelerated
+  double acceleration = 10;                               ///< m/s^2, also of braking
+  int passages = 1;                                       ///< single crossings; every second one goes back
   Eigen::Vector3d direction = -Eigen::Vector3d::UnitX();  ///< unit vector of the first crossing
   double clearance = 2e-3;       ///< m between the cavity and the tool's box when it stops
   double pause = 0.05;           ///< s at rest between crossings

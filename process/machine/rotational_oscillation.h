@@ -1,4 +1,4 @@
-// Turning to and fro about an axis (Bierwisch 2009, Eq. 6.1).
+// Rotational oscillation about an axis (Bierwisch 2009, Eq. 6.1).
 #pragma once
 
 #include <memory>

@@ -80,7 +80,7 @@ void add_choices(Plan& plan) {
 
 std::optional<Choice> finest_within(const Plan& plan, double minutes) {
   if (!plan.pilot) return std::nullopt;
-  refuse_sizes(plan.scene, "a choice of the grain size that fits a time");
+  refuse_sizes(plan.scene, "a choice of the grain size for a given time");
   SettingNumbers numbers = numbers_of(Setting::working, plan.scene, plan.tooling.all_cavities());
   const auto with = [&](double diameter) {
     numbers.grain_diameter = diameter;

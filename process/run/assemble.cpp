@@ -86,8 +86,8 @@ std::vector<std::string> moved_die(const DieFrame& frame, const std::string& nam
   if (frame.at_home()) return {};
   char text[200];
   std::snprintf(text, sizeof text,
-                "tool \"%s\" ended %.3g mm and %.3g deg from where it began; all places in the results are "
-                "in its frame",
+                "tool \"%s\" ended %.3g mm and %.3g deg from its initial position; all positions in the "
+                "results are in its frame",
                 name.c_str(), 1e3 * frame.shift(), frame.turn() * 180 / std::numbers::pi);
   return {text};
 }

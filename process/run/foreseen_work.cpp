@@ -49,27 +49,26 @@ void refuse_steps(const Scene& scene, double seconds, double time_step, double s
   const double steps = at_most(scene, seconds) / time_step;
   if (steps <= kMostSteps && steps * spheres <= kMostSphereSteps) return;
   const std::string advice =
-      "; take a longer time step (numerics.time_step_fraction, numerics.time_step, a softer "
-      "powder.reduced_modulus), larger grains or shorter and slower steps";
+      "; use a longer time step (numerics.time_step_fraction, numerics.time_step, a softer "
+      "powder.reduced_modulus), larger grains or shorter steps";
   if (!(steps <= kMostSteps))
     throw SceneError(place(scene) +
-                     line("%.3g s of powder time in time steps of %.3g s are %.3g steps, ",
+                     line("%.3g s of simulated time in time steps of %.3g s are %.3g steps, ",
                           at_most(scene, seconds), time_step, steps) +
-                     line("%.3g at most are allowed: the run would not end", kMostSteps) + advice);
+                     line("allowed: at most %.3g, because the run would never end", kMostSteps) + advice);
   throw SceneError(place(scene) +
                    line("%.3g spheres over %.3g time steps of %.3g s are %.3g sphere-steps, ", spheres, steps,
                         time_step, steps * spheres) +
-                   line("%.3g at most are allowed: the run would not end", kMostSphereSteps) + advice);
+                   line("allowed: at most %.3g, because the run would never end", kMostSphereSteps) + advice);
 }
 
 /// Whatever max_time says: nobody can tell where tools are after such times.
 void refuse_endless_motion(const Scene& scene, double seconds) {
   constexpr double kLongest = 1e8;  // s
   if (seconds <= kLongest) return;
-  throw SceneError(place(scene) +
-                   line("the steps take %.3g s of powder time, %.3g s at most are allowed; see "
-                        "whether a velocity, an acceleration or a ramp is too small",
-                        seconds, kLongest));
+  throw SceneError(place(scene) + line("the steps take %.3g s of simulated time, allowed: at most %.3g s; "
+                                       "check whether a velocity, an acceleration or a ramp is too small",
+                                       seconds, kLongest));
 }
 
 /// Bytes of what measure.snapshot_interval keeps.
@@ -81,11 +80,11 @@ double kept_bytes(const Scene& scene, double seconds, double grains) {
 void refuse_snapshots(const Scene& scene, double seconds) {
   for (const auto& snapshot : scene.snapshots) {
     if (!snapshot.every || at_most(scene, seconds) / *snapshot.every <= kMostSnapshots) continue;
-    throw SceneError(place(scene) + "snapshot \"" + snapshot.name + "\": " +
-                     line("every %.3g s of %.3g s are %.3g folders of results, %.3g at most are allowed; "
-                          "give a longer time for every",
-                          *snapshot.every, at_most(scene, seconds), at_most(scene, seconds) / *snapshot.every,
-                          kMostSnapshots));
+    throw SceneError(
+        place(scene) + "snapshot \"" + snapshot.name + "\": " +
+        line("every %.3g s of %.3g s makes %.3g folders of results, allowed: at most %.3g; raise every",
+             *snapshot.every, at_most(scene, seconds), at_most(scene, seconds) / *snapshot.every,
+             kMostSnapshots));
   }
 }
 
@@ -94,9 +93,9 @@ std::string larger_grains(const Scene& scene, double spheres) {
   constexpr double kRoundedUp = 1.05;
   const double base = plan::predicted_memory(0, 0), room = std::max(0.1 * base, machine_memory() - base);
   const double factor = std::cbrt((plan::predicted_memory(spheres, 0) - base) / room);
-  return line("take grains of %.2g mm or more (powder.grain_diameter)",
+  return line("use grains of %.2g mm or more (powder.grain_diameter)",
               kRoundedUp * factor * 1e3 * scene.powder.grain_diameter) +
-         ", pour less, or compute on a machine with more memory";
+         ", pour less, or run on a machine with more memory";
 }
 
 }  // namespace
@@ -106,10 +105,10 @@ void refuse_memory(const std::string& what, double spheres, double wall_spheres,
   const double bytes = plan::predicted_memory(spheres, wall_spheres) + more_bytes;
   const double there = machine_memory();
   if (bytes <= there) return;
-  throw SceneError(
-      what +
-      line(" would take about %.3g GB of memory, and %.3g GB are there; ", 1e-9 * bytes, 1e-9 * there) +
-      advice);
+  throw SceneError(what +
+                   line(" would need about %.3g GB of memory, but only %.3g GB are available; ", 1e-9 * bytes,
+                        1e-9 * there) +
+                   advice);
 }
 
 void refuse_endless(const Scene& scene) {
@@ -143,7 +142,7 @@ void refuse_endless_schedule(const Scene& scene, const Tooling& tooling) {
   if (scene.measure.snapshot_interval > 0)
     refuse_memory(place(scene) + line("%.3g instants of %.3g grains (measure.snapshot_interval)",
                                       at_most(scene, end) / scene.measure.snapshot_interval, grains),
-                  spheres, 0, kept_bytes(scene, end, grains), "keep fewer of them");
+                  spheres, 0, kept_bytes(scene, end, grains), "keep fewer instants");
 }
 
 }  // namespace diefill::process

@@ -1,5 +1,5 @@
-// Scenes whose work cannot end on this machine, seen before it begins: more grains, wall spheres or kept
-// instants than its memory holds, more time steps than anybody waits for. Real work of days or weeks passes.
+// Refuses scenes that cannot finish on this machine before they start: more grains, wall spheres or stored
+// instants than fit into memory, or too many time steps. Runs of days or weeks are allowed.
 #pragma once
 
 #include <string>
@@ -16,11 +16,11 @@ inline constexpr double kMostSphereSteps = 1e15;
 /// Snapshots at most, each a folder of results.
 inline constexpr double kMostSnapshots = 10000;
 
-/// What the scene's text alone tells: grains, memory, and steps as far as they do not depend on the tools.
+/// Checks the scene without its tools: grains, memory, and steps as far as they do not depend on the tools.
 /// Throws SceneError with the numbers and what to change.
 void refuse_endless(const Scene& scene);
 
-/// The same with what the tools tell, whose steps have been prepared: the whole schedule.
+/// Checks the whole schedule with the tools, whose steps have been prepared.
 void refuse_endless_schedule(const Scene& scene, const Tooling& tooling);
 
 /// Throws SceneError where so many spheres of grains do not fit into the memory of this machine; `what`

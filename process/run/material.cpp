@@ -154,7 +154,7 @@ double chosen_time_step(const Scene& scene, const engine::SimulationSettings& se
   const auto [found, longest] = numbers_apart(*numerics.time_step, critical);
   throw SceneError(scene.file.string() + ": numerics.time_step: found " + found +
                    " s, which is above the critical step of " + longest +
-                   " s for this powder; give a shorter one or leave the key out");
+                   " s for this powder; reduce it or remove the key");
 }
 
 /// Puts the laws for steps of `time_step` (s) into the settings, where they are not those of a powder of one

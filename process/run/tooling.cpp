@@ -114,7 +114,7 @@ std::size_t die_of(const Scene& scene) {
   }
   if (best == scene.tools.size())
     throw SceneError(scene.file.string() +
-                     ": tool: no die or plate to pour powder on; add one [[tool]] whose role is not shoe");
+                     ": tool: no die or plate to pour powder on; add a [[tool]] whose role is not shoe");
   return best;
 }
 
@@ -212,7 +212,7 @@ geometry::WallSpheres cover(const Scene& scene, const Tool& tool, double grain_d
   } catch (const geometry::MeshError& error) {
     const std::string message = error.what();
     const bool thin = message.find("thinner than a wall sphere") != std::string::npos;
-    throw SceneError(where + ": " + message + (thin ? ", or give this tool walls = \"mesh\"" : ""));
+    throw SceneError(where + ": " + message + (thin ? ", or set walls = \"mesh\" for this tool" : ""));
   }
 }
 
@@ -226,11 +226,10 @@ void refuse_leaks(const Scene& scene, const Tool& tool, double smallest_radius) 
   if (tool.spheres.largest_gap < 2 * smallest_radius) return;
   char text[300];
   const Eigen::Vector3d place = tool.spheres.largest_gap_place * 1e3;
-  std::snprintf(
-      text, sizeof text,
-      ": a grain's sphere of %.4g mm diameter could pass the wall through a gap of %.4g mm near (%.2f, %.2f, "
-      "%.2f) mm; lower the spacing of the wall spheres or their radius",
-      2e3 * smallest_radius, 1e3 * tool.spheres.largest_gap, place[0], place[1], place[2]);
+  std::snprintf(text, sizeof text,
+                ": a sphere of a grain, %.4g mm in diameter, could pass the wall through a gap of %.4g mm "
+                "near (%.2f, %.2f, %.2f) mm; reduce the spacing or the radius of the wall spheres",
+                2e3 * smallest_radius, 1e3 * tool.spheres.largest_gap, place[0], place[1], place[2]);
   throw SceneError(tool_in_words(scene, tool.spec) + text);
 }
 
@@ -258,7 +257,7 @@ std::vector<std::string> Tooling::remarks() const {
     for (const auto& repair : tool.repairs) lines.push_back(name + " repaired: " + repair);
     if (tool.spec.part.empty() && tool.file_parts.size() > 1)
       lines.push_back(name + ": all " + std::to_string(tool.file_parts.size()) + " parts of " +
-                      tool.spec.file.filename().string() + " taken together; `part` picks one");
+                      tool.spec.file.filename().string() + " combined; use `part` to select one");
   }
   return lines;
 }
@@ -325,7 +324,7 @@ Tooling read_tooling(const Scene& scene, const TellProgress& tell) {
     tooling.tools.push_back(read_tool(scene, spec));
     bytes += bytes_of(spec);
   }
-  tell(kToolsRead, "seeing how tools fit");
+  tell(kToolsRead, "checking how tools fit");
   for (const auto& tool : tooling.tools) refuse_unusable(scene, tool);
   try {
     refuse_misplaced(scene, tooling);
@@ -359,7 +358,7 @@ Tooling build_tooling(const Scene& scene, double smallest_radius, double grain_d
                       const TellProgress& tell) {
   refuse_endless(scene);
   Tooling tooling = read_tooling(scene, tell);
-  tell(kToolsFit, "seeing where powder can come");
+  tell(kToolsFit, "finding surfaces that powder can reach");
   const ReachableSurface reachable(scene, tooling, grain_diameter);
   const auto needs_wall = [&](std::size_t tool, const Eigen::Vector3d& point, const Eigen::Vector3d& normal) {
     return !scene.economy.skip_far_walls || reachable(tool, point, normal);

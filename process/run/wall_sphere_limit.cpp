@@ -99,9 +99,9 @@ void refuse_too_many_wall_spheres(
     if (all <= most) continue;
     constexpr double kRoundedUp = 1.1;
     throw SceneError(tool_in_words(scene, tool.spec) +
-                     line(": some %.3g wall spheres of radius %.4g mm would cover what powder reaches, and "
-                          "%.3g at most are allowed here; take a radius of %.2g mm or more "
-                          "(walls.sphere_radius or the tool's), or a wider spacing",
+                     line(": covering the reachable surface needs about %.3g wall spheres of radius %.4g mm, "
+                          "allowed here: at most %.3g; use a radius of %.2g mm or more (walls.sphere_radius "
+                          "or the tool's), or a wider spacing",
                           all, 1e3 * radius, most, kRoundedUp * 1e3 * radius * std::sqrt(all / most)));
   }
 }

@@ -24,7 +24,7 @@ void check_opening(const TableReader& numerics, const Scene& scene) {
     if (tool.walls.value_or(scene.walls.kind) == WallKind::mesh)
       numerics.reject("opening",
                       "\"centres\" puts the centres of wall spheres on the CAD surface, but tool \"" +
-                          tool.name + "\" has none (walls = \"mesh\"); leave one of the two out");
+                          tool.name + "\" has none (walls = \"mesh\"); remove one of the two");
 }
 
 /// J/m^2: whether grains stick; how much where Bierwisch's law says so.

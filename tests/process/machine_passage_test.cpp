@@ -216,7 +216,7 @@ TEST(Passage, RefusesToStartBeyondTheCavity) {
   PassageSpec spec = narrow_ring();
   spec.direction = Eigen::Vector3d::UnitX();
   const std::string message = complaint(spec, narrow_ring_boxes());
-  EXPECT_NE(message.find("found \"shoe\" beyond the cavity already (3.938 mm past it"), std::string::npos)
+  EXPECT_NE(message.find("found \"shoe\" already beyond the cavity (3.938 mm past it"), std::string::npos)
       << message;
   EXPECT_NE(message.find("reverse direction"), std::string::npos) << message;
 }

@@ -212,7 +212,7 @@ TEST(Settings, VariantsThatAreNoneOrNamedLikeAnotherSettingAreRefused) {
     }
     return std::string();
   };
-  EXPECT_NE(refusal("").find("the scene has none"), std::string::npos);
+  EXPECT_NE(refusal("").find("the scene has no variants"), std::string::npos);
   EXPECT_NE(refusal("\n[[variant]]\nname = \"base\"\n").find("name of another setting"), std::string::npos);
 }
 
