@@ -46,13 +46,6 @@ double LawProbe::pull_at_touch() const {
   return -react(std::numeric_limits<double>::min(), {}, {}, 0).attraction;
 }
 
-bool LawProbe::rolling_follows_time_step() const {
-  return law_.rolling.with([](const auto& part) {
-    if constexpr (requires { part.kFollowsTimeStep; }) return part.kFollowsTimeStep;
-    return false;
-  });
-}
-
 ContactSprings LawProbe::springs(double overlap) const {
   constexpr double kSlow = 1e-6, kShort = 1e-6;  // m/s or rad/s, s: far below any limit of friction
   const Vector3 along = {kSlow, 0, 0};
@@ -62,8 +55,8 @@ ContactSprings LawProbe::springs(double overlap) const {
   ContactSprings springs;
   springs.normal = scaled_.stiffness(overlap);
   springs.tangential = (dragged - slid) / (kSlow * kShort);
-  springs.rolling = rolling_follows_time_step() ? 0 : -rolled / (kSlow * kShort);
-  springs.damping = std::abs(react(overlap, {0, 0, 1}, {}, 0).viscous);
+  springs.rolling = law_.rolling.follows_time_step() ? 0 : -rolled / (kSlow * kShort);
+  springs.damping = scaled_.damping(overlap);
   springs.sliding_damping = -dragged / kSlow;
   return springs;
 }

@@ -37,7 +37,6 @@ class LawProbe {
   using Memory = std::array<double, static_cast<std::size_t>(laws::GeneralLaw::kMemory)>;
 
   laws::Reaction react(double overlap, Vector3 velocity, Vector3 spin, double time_step) const;
-  bool rolling_follows_time_step() const;
 
   laws::GeneralLaw law_;
   coarse_graining::ScaledLaw<laws::GeneralLaw> scaled_;

@@ -3,6 +3,8 @@
 #include <cmath>
 #include <limits>
 
+#include "engine/laws/damping.h"
+#include "engine/laws/hertz.h"
 #include "engine/pair_laws.h"
 
 namespace diefill::engine {
@@ -13,11 +15,11 @@ NormalSpring spring_of(const laws::GeneralContactLaw& law, double overlap) {
   return {law.stiffness(overlap), law.damping(overlap)};
 }
 
-/// Bierwisch's law: dF/dh = E~ sqrt(R_eff h) in N/m, c = gamma_n sqrt(R_eff h) in kg/s (Bierwisch 2009,
-/// Eqs. 2.3 and 2.6). Radii and overlap in m. Cohesion, which makes contacts softer, is left out.
+/// Of Bierwisch's law. Radii and overlap in m. Cohesion, which makes contacts softer, is left out.
 NormalSpring spring_of(const ContactParameters& contact, double radius, double other_radius, double overlap) {
-  const double root = std::sqrt(effective_radius(radius, other_radius) * overlap);
-  return {contact.reduced_modulus * root, contact.damping * root};
+  const double effective = effective_radius(radius, other_radius), root = std::sqrt(overlap);
+  return {laws::Hertz(contact.reduced_modulus, effective).stiffness(root),
+          laws::HertzianDamping(contact.damping, effective).at(root)};
 }
 
 }  // namespace

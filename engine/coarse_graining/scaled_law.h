@@ -83,7 +83,7 @@ class ScaledLaw {
   /// N s/m, what the damping's force is over the speed at `overlap` (m).
   double damping(double overlap) const {
     const double original = original_overlap(overlap);
-    return -force_ * law_.damping.force(original, std::sqrt(original), 1);
+    return force_ * law_.damping.damping(original, std::sqrt(original));
   }
 
  private:

@@ -10,18 +10,25 @@ template <class Tag>
 struct NoParameters {
   void check() const {}
   NoParameters similar(double) const { return {}; }
+  bool dissipates() const { return false; }
+  bool attracts() const { return false; }
+  bool surface_forces() const { return false; }
+  double largest_friction() const { return 0; }
+  void run_in_steps_of(double) {}
 };
 
 struct NoDamping {
   using Parameters = NoParameters<NoDamping>;
   NoDamping(const Parameters&, const PairProperties&) {}
   double force(double, double, double) const { return 0; }
+  double damping(double, double) const { return 0; }
 };
 
 /// Surfaces without friction.
 struct FreeSliding {
   using Parameters = NoParameters<FreeSliding>;
   static constexpr int kMemory = 0;
+  static constexpr MemorySigns<0> kMemorySigns = {};
   FreeSliding(const Parameters&, const PairProperties&) {}
   Vector3 force(double*, Vector3, Vector3, double, double, double) const { return {}; }
 };
@@ -30,6 +37,8 @@ struct FreeSliding {
 struct FreeRolling {
   using Parameters = NoParameters<FreeRolling>;
   static constexpr int kMemory = 0;
+  static constexpr MemorySigns<0> kMemorySigns = {};
+  static constexpr bool follows_time_step() { return false; }
   FreeRolling(const Parameters&, const PairProperties&) {}
   Vector3 torque(double*, Vector3, Vector3, double, StaticForce, double, double) const { return {}; }
 };
@@ -37,6 +46,7 @@ struct FreeRolling {
 struct NoAttraction {
   using Parameters = NoParameters<NoAttraction>;
   static constexpr int kMemory = 0;
+  static constexpr MemorySigns<0> kMemorySigns = {};
   NoAttraction(const Parameters&, const PairProperties&) {}
   double range() const { return 0; }
   double force(double, double*) const { return 0; }

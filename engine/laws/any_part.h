@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <memory>
+#include <stdexcept>
 #include <type_traits>
 #include <utility>
 #include <variant>
@@ -66,6 +67,39 @@ class AnyPart {
     Parameters similar(double scale) const {
       return std::visit([scale](const auto& given) { return Parameters(given.similar(scale)); }, choice);
     }
+    /// ask(given) of the parameters that are chosen.
+    template <class Ask>
+    auto ask(const Ask& ask) const {
+      return std::visit(ask, choice);
+    }
+    // What the parts of this kind say of themselves (parts.h); the others do not compile.
+    bool attracts() const {
+      return ask([](const auto& given) { return given.attracts(); });
+    }
+    bool repeats_surface_forces() const {
+      return ask([](const auto& given) { return given.repeats_surface_forces(); });
+    }
+    bool surface_forces() const {
+      return ask([](const auto& given) { return given.surface_forces(); });
+    }
+    bool damping_in_load() const {
+      return ask([](const auto& given) { return given.damping_in_load(); });
+    }
+    bool dissipates() const {
+      return ask([](const auto& given) { return given.dissipates(); });
+    }
+    double hertzian_modulus() const {
+      return ask([](const auto& given) { return given.hertzian_modulus(); });
+    }
+    double linear_stiffness() const {
+      return ask([](const auto& given) { return given.linear_stiffness(); });
+    }
+    void run_in_steps_of(double time_step) {
+      std::visit([time_step](auto& given) { given.run_in_steps_of(time_step); }, choice);
+    }
+    double largest_friction() const {
+      return ask([](const auto& given) { return given.largest_friction(); });
+    }
     /// The parameters of one part, or null if another is chosen.
     template <class SomePart>
     const typename SomePart::Parameters* of() const {
@@ -104,6 +138,19 @@ class AnyPart {
      ...);
     return most;
   }();
+  /// kMemorySigns for any of the parts, which must agree where several use a number.
+  static constexpr auto shared_signs() {
+    MemorySigns<static_cast<std::size_t>(kMostMemory)> signs = {};
+    const auto take = [&](const auto& of_part) {
+      for (std::size_t k = 0; k < of_part.size(); ++k) {
+        if (signs[k] != 0 && signs[k] != of_part[k])
+          throw std::logic_error("parts of one kind disagree on which of their memory turns its sign");
+        signs[k] = of_part[k];
+      }
+    };
+    (take(Parts::kMemorySigns), ...);
+    return signs;
+  }
 
  private:
   /// Calls use(type_identity) of the chosen part.
@@ -126,6 +173,10 @@ template <NormalPart... Parts>
 struct AnyNormalOf : AnyPart<Parts...> {
   using AnyPart<Parts...>::AnyPart;
   static constexpr int kMemory = AnyPart<Parts...>::kMostMemory;
+  static constexpr auto kMemorySigns = AnyPart<Parts...>::shared_signs();
+  bool hysteretic() const {
+    return this->with([]<class Part>(const Part&) { return Part::hysteretic(); });
+  }
   StaticForce force(double overlap, double root_overlap, double* memory) const {
     return this->with([&](const auto& part) { return part.force(overlap, root_overlap, memory); });
   }
@@ -143,12 +194,16 @@ struct AnyDampingOf : AnyPart<Parts...> {
   double force(double overlap, double root_overlap, double separation_speed) const {
     return this->with([&](const auto& part) { return part.force(overlap, root_overlap, separation_speed); });
   }
+  double damping(double overlap, double root_overlap) const {
+    return this->with([&](const auto& part) { return part.damping(overlap, root_overlap); });
+  }
 };
 
 template <FrictionPart... Parts>
 struct AnyFrictionOf : AnyPart<Parts...> {
   using AnyPart<Parts...>::AnyPart;
   static constexpr int kMemory = AnyPart<Parts...>::kMostMemory;
+  static constexpr auto kMemorySigns = AnyPart<Parts...>::shared_signs();
   Vector3 force(double* memory, Vector3 normal, Vector3 sliding, double root_overlap, double load,
                 double time_step) const {
     return this->with(
@@ -160,6 +215,10 @@ template <RollingPart... Parts>
 struct AnyRollingOf : AnyPart<Parts...> {
   using AnyPart<Parts...>::AnyPart;
   static constexpr int kMemory = AnyPart<Parts...>::kMostMemory;
+  static constexpr auto kMemorySigns = AnyPart<Parts...>::shared_signs();
+  bool follows_time_step() const {
+    return this->with([]<class Part>(const Part&) { return Part::follows_time_step(); });
+  }
   Vector3 torque(double* memory, Vector3 normal, Vector3 relative_spin, double root_overlap,
                  StaticForce static_force, double load, double time_step) const {
     return this->with([&](const auto& part) {
@@ -172,6 +231,7 @@ template <AttractionPart... Parts>
 struct AnyAttractionOf : AnyPart<Parts...> {
   using AnyPart<Parts...>::AnyPart;
   static constexpr int kMemory = AnyPart<Parts...>::kMostMemory;
+  static constexpr auto kMemorySigns = AnyPart<Parts...>::shared_signs();
   double range() const {
     return this->with([](const auto& part) { return part.range(); });
   }

@@ -13,6 +13,7 @@ struct BierwischDamping {
     double damping = 0;  ///< Pa s, gamma_n
     void check() const { require_range("damping", damping, 0); }
     Parameters similar(double l) const { return {l * damping}; }
+    bool dissipates() const { return damping > 0; }
   };
   HertzianDamping dashpot;
 
@@ -21,6 +22,7 @@ struct BierwischDamping {
   double force(double, double root_overlap, double separation_speed) const {
     return dashpot.force(root_overlap, separation_speed);
   }
+  double damping(double, double root_overlap) const { return dashpot.at(root_overlap); }
 };
 
 static_assert(DampingPart<BierwischDamping>);

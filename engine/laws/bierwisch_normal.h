@@ -19,8 +19,15 @@ struct BierwischNormal {
       require_range("work of adhesion", work_of_adhesion, 0);
     }
     Parameters similar(double l) const { return {reduced_modulus, l * work_of_adhesion}; }
+    bool attracts() const { return work_of_adhesion > 0; }
+    bool repeats_surface_forces() const { return work_of_adhesion > 0; }
+    bool damping_in_load() const { return true; }
+    double hertzian_modulus() const { return 0.5 * reduced_modulus; }
+    double linear_stiffness() const { return 0; }
   };
   static constexpr int kMemory = 0;
+  static constexpr MemorySigns<0> kMemorySigns = {};
+  static constexpr bool hysteretic() { return false; }
   Hertz elastic;
   HertzianCohesion cohesion;
 

@@ -30,12 +30,15 @@ struct CapillaryBridge {
     Parameters similar(double l) const {
       return {l * surface_tension, contact_angle, liquid_fraction, bridge_share, l * smallest_gap};
     }
+    bool surface_forces() const { return false; }
+    bool attracts() const { return surface_tension > 0; }
   };
   static constexpr int kMemory = 1;  ///< 1 while there is a bridge
-  double strength = 0;               ///< N, 4 pi R* gamma_L cos(theta)
-  double spread = 0;                 ///< m^2, lambda / (pi R*)
-  double rupture = 0;                ///< m
-  double smallest = 0;               ///< m, S_min
+  static constexpr MemorySigns<1> kMemorySigns = {1};
+  double strength = 0;  ///< N, 4 pi R* gamma_L cos(theta)
+  double spread = 0;    ///< m^2, lambda / (pi R*)
+  double rupture = 0;   ///< m
+  double smallest = 0;  ///< m, S_min
 
   CapillaryBridge(const Parameters& given, const PairProperties& pair) : smallest(given.smallest_gap) {
     const double volume = bridge_volume(given, pair);

@@ -71,6 +71,17 @@ struct ComposedLaw {
   static constexpr int kRollingMemory = kFrictionMemory + Friction::kMemory;
   static constexpr int kAttractionMemory = kRollingMemory + Rolling::kMemory;
   static constexpr int kMemory = kAttractionMemory + Attraction::kMemory;
+  /// As in parts.h, of all parts. Numbers that no part uses keep their sign.
+  static constexpr MemorySigns<static_cast<std::size_t>(kMemory)> kMemorySigns = [] {
+    MemorySigns<static_cast<std::size_t>(kMemory)> signs = {};
+    std::size_t place = 0;
+    const auto append = [&](const auto& of_part) {
+      for (const double sign : of_part) signs[place++] = sign != 0 ? sign : 1;
+    };
+    append(Normal::kMemorySigns), append(Friction::kMemorySigns);
+    append(Rolling::kMemorySigns), append(Attraction::kMemorySigns);
+    return signs;
+  }();
 
   Normal normal;
   Damping damping;

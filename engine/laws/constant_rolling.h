@@ -32,10 +32,11 @@ struct LoadRolling {
     double rolling_friction = 0;  ///< mu_r
     void check() const { require_range("rolling friction coefficient", rolling_friction, 0); }
     Parameters similar(double) const { return *this; }
+    void run_in_steps_of(double) {}
   };
   static constexpr int kMemory = 3;  ///< torque on i, N m
-  /// The spring is as stiff as the time step allows: it asks for none.
-  static constexpr bool kFollowsTimeStep = true;
+  static constexpr MemorySigns<3> kMemorySigns = kVectorSigns;
+  static constexpr bool follows_time_step() { return true; }
   double arm;      ///< m, mu_r R*
   double inertia;  ///< kg m^2, reduced
 
@@ -64,9 +65,11 @@ struct ElasticRolling {
       require_positive("stiffness", stiffness);
     }
     Parameters similar(double l) const { return {rolling_friction, l * stiffness, harmonic_mean}; }
+    void run_in_steps_of(double) {}
   };
   static constexpr int kMemory = 3;  ///< torque on i before its part along the normal is left out, N m
-  static constexpr bool kFollowsTimeStep = true;
+  static constexpr MemorySigns<3> kMemorySigns = kVectorSigns;
+  static constexpr bool follows_time_step() { return true; }
   double coefficient;  ///< N, mu_roll k_1 R
   double inertia;      ///< kg m^2, reduced
 

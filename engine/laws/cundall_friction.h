@@ -21,8 +21,10 @@ struct CundallFriction {
       require_range("friction coefficient", friction, 0);
     }
     Parameters similar(double l) const { return {l * tangential, friction, cut_back}; }
+    double largest_friction() const { return friction; }
   };
   static constexpr int kMemory = 3;  ///< xi, m
+  static constexpr MemorySigns<3> kMemorySigns = kVectorSigns;
   TangentialSpring<true> spring;
   double cut_back;  ///< 1 or 0; a number, as loops with a flag do not vectorise
 

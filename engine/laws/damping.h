@@ -18,6 +18,8 @@ struct HertzianDamping {
   double force(double root_overlap, double separation_speed) const {
     return -coefficient * root_overlap * separation_speed;
   }
+  /// kg/s, what the speed is multiplied by, given sqrt(h).
+  double at(double root_overlap) const { return coefficient * root_overlap; }
 };
 
 }  // namespace diefill::engine::laws

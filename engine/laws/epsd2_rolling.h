@@ -20,10 +20,13 @@ struct Epsd2Rolling {
       require_positive("shear modulus G*", shear_modulus);
     }
     Parameters similar(double) const { return *this; }
+    void run_in_steps_of(double) {}
   };
   static constexpr int kMemory = 3;  ///< torque on i, N m
-  double coefficient;                ///< N m^(1/2) per radian, 8 G* R*^(5/2)
-  double arm;                        ///< m, mu_r R*
+  static constexpr MemorySigns<3> kMemorySigns = kVectorSigns;
+  static constexpr bool follows_time_step() { return false; }
+  double coefficient;  ///< N m^(1/2) per radian, 8 G* R*^(5/2)
+  double arm;          ///< m, mu_r R*
 
   Epsd2Rolling(const Parameters& given, const PairProperties& pair)
       : coefficient(8 * given.shear_modulus * std::sqrt(pair.effective_radius()) * pair.effective_radius() *

@@ -24,7 +24,7 @@ class GeneralContactLaw {
   GeneralContactLaw(const LawParameters& parameters, const coarse_graining::ForceScaling& scaling,
                     const PairProperties& pair)
       : law_(scaling, make_law(parameters, scaling.original(pair))),
-        hysteretic_(parameters.normal.of<LudingNormal>() ? 1 : 0),
+        hysteretic_(law_.parts().normal.hysteretic() ? 1 : 0),
         form_(law_.parts().form()) {}
 
   /// m, largest gap at which the pair acts on each other.
@@ -59,14 +59,9 @@ class GeneralContactLaw {
     return law_.contact_energy(overlap, memory);
   }
 
-  /// Springs of friction and rolling point the other way for the other sphere; depth, slip and bridge do not.
+  /// What remembered numbers are multiplied by for the other sphere.
   static std::vector<double> memory_signs() {
-    std::vector<double> signs(static_cast<std::size_t>(kMemory), 1.0);
-    for (int k = 0; k < 3; ++k) {
-      signs[static_cast<std::size_t>(GeneralLaw::kFrictionMemory + k)] = -1;
-      signs[static_cast<std::size_t>(GeneralLaw::kRollingMemory + k)] = -1;
-    }
-    return signs;
+    return {GeneralLaw::kMemorySigns.begin(), GeneralLaw::kMemorySigns.end()};
   }
 
  private:

@@ -10,6 +10,7 @@
 #include "engine/laws/composed_law.h"
 #include "engine/laws/constant_rolling.h"
 #include "engine/laws/cundall_friction.h"
+#include "engine/laws/edinburgh_normal.h"
 #include "engine/laws/epsd2_rolling.h"
 #include "engine/laws/hertz_mindlin_normal.h"
 #include "engine/laws/jkr_normal.h"
@@ -28,6 +29,7 @@ using AnyNormal = AnyNormalOf<BierwischNormal,     //
                               HertzMindlinNormal,  //
                               LinearNormal,        //
                               LudingNormal,        //
+                              EdinburghNormal,     //
                               JkrNormal>;
 using AnyDamping = AnyDampingOf<NoDamping,           //
                                 BierwischDamping,    //

@@ -14,8 +14,15 @@ struct HertzMindlinNormal {
     double modulus = 1e7;  ///< Pa, E*
     void check() const { require_positive("modulus E*", modulus); }
     Parameters similar(double) const { return *this; }
+    bool attracts() const { return false; }
+    bool repeats_surface_forces() const { return false; }
+    bool damping_in_load() const { return true; }
+    double hertzian_modulus() const { return modulus; }
+    double linear_stiffness() const { return 0; }
   };
   static constexpr int kMemory = 0;
+  static constexpr MemorySigns<0> kMemorySigns = {};
+  static constexpr bool hysteretic() { return false; }
   double coefficient = 0;  ///< N/m^(3/2)
 
   HertzMindlinNormal(const Parameters& given, const PairProperties& pair)

@@ -27,8 +27,15 @@ struct JkrNormal {
       require_range("surface energy", surface_energy, 0);
     }
     Parameters similar(double l) const { return {modulus, l * surface_energy, load}; }
+    bool attracts() const { return surface_energy > 0; }
+    bool repeats_surface_forces() const { return true; }
+    bool damping_in_load() const { return false; }  ///< Hu 2024
+    double hertzian_modulus() const { return modulus; }
+    double linear_stiffness() const { return 0; }
   };
   static constexpr int kMemory = 0;
+  static constexpr MemorySigns<0> kMemorySigns = {};
+  static constexpr bool hysteretic() { return false; }
   double radius;            ///< m, R*
   double modulus;           ///< Pa, E*
   double neck;              ///< m^(1/2), sqrt(4 pi gamma / E*)

@@ -1,45 +1,25 @@
 #include "engine/laws/law_parameters.h"
 
-#include <optional>
+#include <cmath>
 
 namespace diefill::engine::laws {
 namespace {
 
-/// E* in Pa of the Hertzian spring in use, if it is one.
-std::optional<double> hertzian_modulus(const AnyNormal::Parameters& normal) {
-  if (const auto* given = normal.of<BierwischNormal>()) return 0.5 * given->reduced_modulus;
-  if (const auto* given = normal.of<HertzMindlinNormal>()) return given->modulus;
-  if (const auto* given = normal.of<JkrNormal>()) return given->modulus;
-  return {};
-}
-
-/// k_1 in N/m of the linear or hysteretic spring in use, if it is one.
-std::optional<double> linear_stiffness(const AnyNormal::Parameters& normal) {
-  if (const auto* given = normal.of<LinearNormal>()) return given->stiffness;
-  if (const auto* given = normal.of<LudingNormal>()) return given->loading;
-  return {};
-}
-
-/// Throws unless `found` exists and equals `wanted` but for rounding.
-void require_same(const std::string& who, const std::string& what, double wanted,
-                  std::optional<double> found) {
+/// Throws unless `found` equals `wanted` but for rounding; `found` is 0 where there is none.
+void require_same(const std::string& who, const std::string& what, double wanted, double found) {
   std::ostringstream line;
   line << who << " is set for " << what << " " << wanted << ", but the normal spring has ";
-  if (found)
-    line << *found << "; give both the same value";
+  if (found > 0)
+    line << found << "; give both the same value";
   else
     line << "none; choose another combination of normal force and " << who;
-  require(found && std::abs(*found - wanted) <= 1e-9 * wanted, line.str());
+  require(std::abs(found - wanted) <= 1e-9 * wanted, line.str());
 }
 
 void require_one_surface_force(const LawParameters& parameters) {
-  if (parameters.attraction.of<VanDerWaals>() == nullptr) return;
-  const char* reason =
-      "van der Waals attraction repeats the adhesion of the normal force; use one of the two: set the "
-      "attraction to none, or take a normal force without adhesion";
-  require(parameters.normal.of<JkrNormal>() == nullptr, reason);
-  const auto* bierwisch = parameters.normal.of<BierwischNormal>();
-  require(bierwisch == nullptr || bierwisch->work_of_adhesion == 0, reason);
+  require(!parameters.attraction.surface_forces() || !parameters.normal.repeats_surface_forces(),
+          "van der Waals attraction repeats the adhesion of the normal force; use one of the two: set the "
+          "attraction to none, or take a normal force without adhesion");
 }
 
 }  // namespace
@@ -58,13 +38,13 @@ void require_sensible(const LawParameters& parameters) {
   require_one_surface_force(parameters);
   if (const auto* given = parameters.damping.of<RestitutionDamping>())
     require_same("Hertzian restitution damping", "modulus E*", given->modulus,
-                 hertzian_modulus(parameters.normal));
+                 parameters.normal.hertzian_modulus());
   if (const auto* given = parameters.damping.of<LinearRestitutionDamping>())
     require_same("linear restitution damping", "stiffness k_1", given->stiffness,
-                 linear_stiffness(parameters.normal));
+                 parameters.normal.linear_stiffness());
   if (const auto* given = parameters.rolling.of<ElasticRolling>())
     require_same("rolling resistance by elastic product", "stiffness k_1", given->stiffness,
-                 linear_stiffness(parameters.normal));
+                 parameters.normal.linear_stiffness());
 }
 
 const LawParameters& law_between(std::span<const MaterialPairLaw> laws, const std::string& a,

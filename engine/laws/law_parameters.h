@@ -19,15 +19,16 @@ struct LawParameters {
   AnyAttraction::Parameters attraction = {};
   LoadRule load_rule = LoadRule::with_damping;
 
+  /// Whether grains stick to what they touch.
+  bool attracts() const { return normal.attracts() || attraction.attracts(); }
   /// The parameters that give l^2 times the forces at `scale` l times the lengths and the same speeds.
   LawParameters similar(double scale) const;
 };
 
 /// Throws std::invalid_argument with one line of reason when a parameter or a combination makes no sense:
-/// - JKR, or Bierwisch's cohesion, with van der Waals attraction: the same surface forces twice;
-/// - damping from a restitution that belongs to another spring: Hertzian damping wants Hertz, Bierwisch or
-/// JKR
-///   with the same modulus, linear damping a linear or Luding spring with the same k_1;
+/// - van der Waals attraction beside a normal force with the same surface forces, such as JKR's;
+/// - damping from a restitution that belongs to another spring: Hertzian damping wants a Hertzian spring of
+///   the same modulus, linear damping a linear first loading of the same k_1;
 /// - rolling resistance of the elastic product k_1 h without a spring of that k_1.
 /// Luding's friction goes with every spring: its limit comes from the normal part.
 void require_sensible(const LawParameters& parameters);

@@ -15,11 +15,13 @@ struct ConstantDamping {
     double coefficient = 0;  ///< kg/s, gamma
     void check() const { require_range("damping coefficient", coefficient, 0); }
     Parameters similar(double l) const { return {l * l * coefficient}; }
+    bool dissipates() const { return coefficient > 0; }
   };
   double coefficient;  ///< kg/s
 
   ConstantDamping(const Parameters& given, const PairProperties&) : coefficient(given.coefficient) {}
   double force(double, double, double separation_speed) const { return -coefficient * separation_speed; }
+  double damping(double, double) const { return coefficient; }
 };
 
 /// gamma = sqrt(4 M k_1 / (1 + (pi / ln e)^2)) with the reduced mass M (Kottlan 2018, Eq. 7; the printed
@@ -33,6 +35,7 @@ struct LinearRestitutionDamping {
       require_positive("stiffness", stiffness);
     }
     Parameters similar(double l) const { return {restitution, l * stiffness}; }
+    bool dissipates() const { return restitution < 1; }
   };
   double coefficient;  ///< kg/s
 
@@ -40,6 +43,7 @@ struct LinearRestitutionDamping {
       : coefficient(2 * restitution_damping_ratio(given.restitution) *
                     std::sqrt(pair.effective_mass() * given.stiffness)) {}
   double force(double, double, double separation_speed) const { return -coefficient * separation_speed; }
+  double damping(double, double) const { return coefficient; }
 };
 
 static_assert(DampingPart<ConstantDamping> && DampingPart<LinearRestitutionDamping>);

@@ -12,8 +12,15 @@ struct LinearNormal {
     double stiffness = 100;  ///< N/m, k
     void check() const { require_positive("normal stiffness", stiffness); }
     Parameters similar(double l) const { return {l * stiffness}; }
+    bool attracts() const { return false; }
+    bool repeats_surface_forces() const { return false; }
+    bool damping_in_load() const { return true; }
+    double hertzian_modulus() const { return 0; }
+    double linear_stiffness() const { return stiffness; }
   };
   static constexpr int kMemory = 0;
+  static constexpr MemorySigns<0> kMemorySigns = {};
+  static constexpr bool hysteretic() { return false; }
   double spring = 0;  ///< N/m
 
   LinearNormal(const Parameters& given, const PairProperties&) : spring(given.stiffness) {}

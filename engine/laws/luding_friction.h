@@ -30,8 +30,10 @@ struct LudingFriction {
     Parameters similar(double l) const {
       return {l * stiffness, l * l * damping, static_friction, dynamic_friction, slip_memory};
     }
+    double largest_friction() const { return static_friction; }
   };
   static constexpr int kMemory = 4;  ///< xi in m; 1 while sliding with slip memory
+  static constexpr MemorySigns<4> kMemorySigns = {-1, -1, -1, 1};
   double stiffness, damping, static_friction, dynamic_friction;
   double slip_memory;  ///< 1 or 0; a number, as loops with a flag do not vectorise
 

@@ -29,9 +29,17 @@ struct LudingNormal {
     Parameters similar(double l) const {
       return {l * loading, l * unloading, l * cohesion, plasticity_depth};
     }
+    bool attracts() const { return cohesion > 0; }
+    /// Kottlan 2018 has van der Waals attraction beside the limb.
+    bool repeats_surface_forces() const { return false; }
+    bool damping_in_load() const { return true; }
+    double hertzian_modulus() const { return 0; }
+    double linear_stiffness() const { return loading; }
   };
   static constexpr int kMemory = 1;  ///< deepest overlap so far, m
-  double k1, k2, kc;                 ///< N/m
+  static constexpr MemorySigns<1> kMemorySigns = {1};
+  static constexpr bool hysteretic() { return true; }
+  double k1, k2, kc;     ///< N/m
   double plastic_limit;  ///< m, overlap beyond which unloading is as stiff as k_2 (Kottlan 2018, Eq. 4)
 
   LudingNormal(const Parameters& given, const PairProperties& pair)

@@ -31,11 +31,14 @@ struct LudingRolling {
     Parameters similar(double l) const {
       return {rolling_friction, l * tangential_stiffness, stiffness_ratio, damping_ratio, l * time_step};
     }
+    void run_in_steps_of(double seconds) { time_step = seconds; }
   };
   static constexpr int kMemory = 3;  ///< spring torque on j, N m
-  double stiffness;                  ///< N m per radian, k_r
-  double damping;                    ///< N m s, c_r
-  double arm;                        ///< m, mu_roll R
+  static constexpr MemorySigns<3> kMemorySigns = kVectorSigns;
+  static constexpr bool follows_time_step() { return false; }
+  double stiffness;  ///< N m per radian, k_r
+  double damping;    ///< N m s, c_r
+  double arm;        ///< m, mu_roll R
 
   /// Throws std::invalid_argument for a pair the time step cannot resolve.
   LudingRolling(const Parameters& given, const PairProperties& pair)

@@ -27,12 +27,14 @@ struct MindlinFriction {
       require_range("coefficient of restitution", restitution, 0, 1);
     }
     Parameters similar(double) const { return *this; }
+    double largest_friction() const { return friction; }
   };
   static constexpr int kMemory = 3;  ///< xi, m
-  double spring_coefficient;         ///< N/m^(3/2)
-  double dashpot_coefficient;        ///< kg/(s m^(1/4))
-  double friction;                   ///< mu_s
-  double tested_share;               ///< of the dashpot in the slip test, 1 or 0
+  static constexpr MemorySigns<3> kMemorySigns = kVectorSigns;
+  double spring_coefficient;   ///< N/m^(3/2)
+  double dashpot_coefficient;  ///< kg/(s m^(1/4))
+  double friction;             ///< mu_s
+  double tested_share;         ///< of the dashpot in the slip test, 1 or 0
 
   MindlinFriction(const Parameters& given, const PairProperties& pair)
       : spring_coefficient(8 * given.shear_modulus * std::sqrt(pair.effective_radius())),

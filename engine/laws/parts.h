@@ -4,16 +4,21 @@
 //
 // Signs: the normal n points from j to i, a positive normal force repels, the overlap h is positive in
 // contact and the separation speed (v_i - v_j) . n positive when separating. `memory` points to the part's
-// kMemory doubles of the pair; they are zero when a contact begins.
+// kMemory doubles of the pair; they are zero when a contact begins. `kMemorySigns` has one factor for each:
+// -1 where the number turns its sign when the pair is stored the other way round, i and j exchanged, as parts
+// of vectors do, otherwise 1.
 //
 // Each `Parameters` also knows
 //   check()      throws std::invalid_argument when a value makes no sense;
 //   similar(l)   the parameters that give l^2 times the force at l times the lengths and the same speeds:
-//   what
-//                coarse graining by parameters needs (Bierwisch 2009, Eq. 3.7; Hu 2024, section 3.4).
+//                what coarse graining by parameters needs (Bierwisch 2009, Eq. 3.7; Hu 2024, section 3.4).
+// and the facts of its kind that others ask for: a part's formula and what follows from it stand in its file
+// alone.
 #pragma once
 
+#include <array>
 #include <concepts>
+#include <cstddef>
 
 #include "engine/laws/pair_properties.h"
 #include "engine/vector3.h"
@@ -26,6 +31,16 @@ struct StaticForce {
   double limit = 0;  ///< N, what friction and rolling limits are taken of, damping left out
 };
 
+/// kMemorySigns of a part that remembers `kCount` numbers.
+template <std::size_t kCount>
+using MemorySigns = std::array<double, kCount>;
+
+template <class T>
+concept Remembers = requires {
+  { T::kMemory } -> std::convertible_to<int>;
+  requires T::kMemorySigns.size() == static_cast<std::size_t>(T::kMemory);
+};
+
 template <class T>
 concept Part = requires(const typename T::Parameters& parameters, const PairProperties& pair, double scale) {
   T(parameters, pair);
@@ -35,41 +50,69 @@ concept Part = requires(const typename T::Parameters& parameters, const PairProp
 
 /// force(h, sqrt(h), memory) in N; energy(h, memory): J that can be had back, zero at h = 0;
 /// stiffness(h, memory): N/m, the steepest slope to resolve in time.
+///   hysteretic()             whether the force depends on earlier overlaps, so that cycles take out energy
+/// and of its parameters
+///   damping_in_load()        whether the load of friction limits has damping in it, unless a scene says
+///                            otherwise
+///   attracts()               whether touching spheres stick
+///   repeats_surface_forces() whether its adhesion is the surface forces that an attraction may have, too
+///   hertzian_modulus()       Pa, E* of a first loading 4/3 E* sqrt(R*) h^(3/2), or 0
+///   linear_stiffness()       N/m, k_1 of a first loading k_1 h, or 0
 template <class T>
-concept NormalPart = Part<T> && requires(const T& part, double x, double* memory, const double* past) {
-  { T::kMemory } -> std::convertible_to<int>;
+concept NormalPart = Part<T> && Remembers<T> &&
+    requires(const T& part, double x, double* memory, const double* past,
+             const typename T::Parameters& given) {
+  { part.hysteretic() } -> std::same_as<bool>;
+  { given.damping_in_load() } -> std::same_as<bool>;
+  { given.attracts() } -> std::same_as<bool>;
+  { given.repeats_surface_forces() } -> std::same_as<bool>;
+  { given.hertzian_modulus() } -> std::same_as<double>;
+  { given.linear_stiffness() } -> std::same_as<double>;
   { part.force(x, x, memory) } -> std::same_as<StaticForce>;
   { part.energy(x, past) } -> std::same_as<double>;
   { part.stiffness(x, past) } -> std::same_as<double>;
 };
 
-/// force(h, sqrt(h), separation speed) in N.
+/// force(h, sqrt(h), separation speed) in N; damping(h, sqrt(h)): kg/s, what the speed is multiplied by.
+/// dissipates(): whether it takes out any energy.
 template <class T>
-concept DampingPart = Part<T> && requires(const T& part, double x) {
+concept DampingPart = Part<T> && requires(const T& part, double x, const typename T::Parameters& given) {
+  { given.dissipates() } -> std::same_as<bool>;
+  { part.damping(x, x) } -> std::same_as<double>;
   { part.force(x, x, x) } -> std::same_as<double>;
 };
 
 /// force(memory, n, sliding velocity in m/s, sqrt(h), load in N, time step in s): tangential force on i in N.
-/// Advances the memory over the time step.
+/// Advances the memory over the time step. largest_friction(): Coulomb's coefficient, the larger one where
+/// there are two.
 template <class T>
-concept FrictionPart = Part<T> && requires(const T& part, double* memory, Vector3 v, double x) {
-  { T::kMemory } -> std::convertible_to<int>;
+concept FrictionPart = Part<T> && Remembers<T> &&
+    requires(const T& part, double* memory, Vector3 v, double x, const typename T::Parameters& given) {
+  { given.largest_friction() } -> std::same_as<double>;
   { part.force(memory, v, v, x, x, x) } -> std::same_as<Vector3>;
 };
 
 /// torque(memory, n, omega_i - omega_j in rad/s, sqrt(h), static force, load in N, time step in s): couple on
-/// i in N m; j receives the opposite. Advances the memory over the time step.
+/// i in N m; j receives the opposite. Advances the memory over the time step. follows_time_step(): whether
+/// its spring is made for the time step, and so asks for none. run_in_steps_of(s) tells its parameters the
+/// time step of the original grains.
 template <class T>
-concept RollingPart = Part<T> && requires(const T& part, double* memory, Vector3 v, double x, StaticForce f) {
-  { T::kMemory } -> std::convertible_to<int>;
+concept RollingPart = Part<T> && Remembers<T> && requires(const T& part, double* memory, Vector3 v, double x,
+                                                          StaticForce f, typename T::Parameters& given) {
+  given.run_in_steps_of(x);
+  { part.follows_time_step() } -> std::same_as<bool>;
   { part.torque(memory, v, v, x, f, x, x) } -> std::same_as<Vector3>;
 };
 
 /// range(): m, the largest gap at which it acts; force(gap, memory): N, negative (attraction), gap < 0 in
-/// contact; energy(gap, memory): J, zero beyond the range.
+/// contact; energy(gap, memory): J, zero beyond the range. attracts(): whether there is any force;
+/// surface_forces(): whether it is the forces between dry surfaces.
 template <class T>
-concept AttractionPart = Part<T> && requires(const T& part, double x, double* memory, const double* past) {
-  { T::kMemory } -> std::convertible_to<int>;
+concept AttractionPart = Part<T> && Remembers<T> &&
+    requires(const T& part, double x, double* memory, const double* past,
+             const typename T::Parameters& given) {
+  { given.surface_forces() } -> std::same_as<bool>;
+  { given.attracts() } -> std::same_as<bool>;
   { part.range() } -> std::same_as<double>;
   { part.force(x, memory) } -> std::same_as<double>;
   { part.energy(x, past) } -> std::same_as<double>;

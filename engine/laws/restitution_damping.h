@@ -21,6 +21,7 @@ struct RestitutionDamping {
       require_positive("modulus E*", modulus);
     }
     Parameters similar(double) const { return *this; }
+    bool dissipates() const { return restitution < 1; }
   };
   double coefficient;  ///< kg/(s m^(1/4))
 
@@ -30,6 +31,7 @@ struct RestitutionDamping {
   double force(double, double root_overlap, double separation_speed) const {
     return -coefficient * std::sqrt(root_overlap) * separation_speed;
   }
+  double damping(double, double root_overlap) const { return coefficient * std::sqrt(root_overlap); }
 };
 
 static_assert(DampingPart<RestitutionDamping>);

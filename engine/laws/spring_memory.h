@@ -1,9 +1,13 @@
 // Vectors kept in a contact's memory, and their turning with the contact plane.
 #pragma once
 
+#include "engine/laws/parts.h"
 #include "engine/vector3.h"
 
 namespace diefill::engine::laws {
+
+/// kMemorySigns of a vector: it points the other way for the other sphere.
+inline constexpr MemorySigns<3> kVectorSigns = {-1, -1, -1};
 
 inline Vector3 load_vector(const double* memory) {
   return {memory[0], memory[1], memory[2]};

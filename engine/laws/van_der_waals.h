@@ -23,8 +23,11 @@ struct VanDerWaals {
     Parameters similar(double l) const {
       return {l * l * l * hamaker, l * smallest_gap, l * largest_gap, harmonic_mean, walls_at_distance};
     }
+    bool surface_forces() const { return true; }
+    bool attracts() const { return hamaker > 0; }
   };
   static constexpr int kMemory = 0;
+  static constexpr MemorySigns<0> kMemorySigns = {};
   double coefficient;  ///< N m^2, A r_eff / 6
   double smallest;     ///< m
   double largest;      ///< m, 0 where it acts on touch only

@@ -50,8 +50,7 @@ engine::GeneralContact general_contact(const ContactSpec& spec, double scale, do
   const bool unscaled = spec.coarse_graining == kUnscaled;
   // Parameters are those of the original grains, whose collisions are shorter.
   for (auto* law : {&contact.grains, &contact.walls})
-    if (auto* rolling = std::get_if<engine::laws::LudingRolling::Parameters>(&law->rolling.choice))
-      rolling->time_step = unscaled ? time_step : time_step / scale;
+    law->rolling.run_in_steps_of(unscaled ? time_step : time_step / scale);
   if (spec.coarse_graining == kBierwischScaling)
     return {contact.grains.similar(scale), contact.walls.similar(scale), {}};
   contact.scaling = engine::coarse_graining::force_scaling(spec.coarse_graining, scale);

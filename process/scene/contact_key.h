@@ -104,6 +104,22 @@ ContactKey<Parameters> choice_key(std::string name, Value Parameters::*member, C
           }};
 }
 
+/// A key that is in use for some values of keys read before it, and otherwise refused with `reason`.
+template <class Parameters>
+ContactKey<Parameters> key_where(const std::function<bool(const Parameters&)>& in_use,
+                                 const ContactKey<Parameters>& key, std::string reason) {
+  ContactKey<Parameters> limited = key;
+  limited.read = [=](TableReader& table, const PowderSpec& powder, Parameters& parameters) {
+    if (in_use(parameters)) return key.read(table, powder, parameters);
+    if (table.has(key.name)) table.reject(key.name, reason);
+  };
+  limited.shown = [=](const Parameters& parameters) {
+    return in_use(parameters) ? key.shown(parameters) : std::string();
+  };
+  if (!in_use({})) limited.example.clear();
+  return limited;
+}
+
 /// A bare number that [powder] gives under the same name where it is left out.
 template <class Parameters>
 ContactKey<Parameters> number_of_powder(std::string name, double Parameters::*member, NumberRule rule,

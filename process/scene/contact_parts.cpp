@@ -19,6 +19,7 @@ constexpr ContactQuantity
     kTangential = {{Dimension::pressure, "1 MPa", "0 Pa", "1e12 Pa"}, "N/m"},
     kHamaker = {{Dimension::torque, "6.5e-20 J", "0 J", "1e-6 J"}, "J"},
     kGap = {{Dimension::length, "5 nm", "0 nm", "1 mm", true}, "m"},
+    kPullOff = {{Dimension::force, "1e-6 N", "0 N", "1e3 N"}, "N"},
     kTension = {{Dimension::work_of_adhesion, "0.072 N/m", "0 N/m", "10 N/m"}, "N/m"},
     kAngle = {{Dimension::angle, "30 deg", "0 deg", "90 deg"}, "rad"};
 constexpr NumberRule kFriction = {0, 10, false, "0.5"};
@@ -26,6 +27,7 @@ constexpr NumberRule kRestitution = {0, 1, false, "0.5"};
 constexpr NumberRule kRollingDamping = {0, 0.3, false, "0.3"};
 constexpr NumberRule kRatio = {0, 1e3, true, "1"};
 constexpr NumberRule kDepth = {0, 1, true, "0.05"};
+constexpr NumberRule kPlasticity = {0, 0.99, false, "0.5"};
 constexpr NumberRule kLiquid = {0, 1, false, "0.05"};
 
 /// The entry of a `Part`, with its keys.
@@ -87,6 +89,7 @@ using Bierwisch = BierwischNormal::Parameters;
 using Hertz = HertzMindlinNormal::Parameters;
 using Jkr = JkrNormal::Parameters;
 using Luding = LudingNormal::Parameters;
+using Edinburgh = EdinburghNormal::Parameters;
 using Cundall = CundallFriction::Parameters;
 using Mindlin = MindlinFriction::Parameters;
 using TwoFrictions = LudingFriction::Parameters;
@@ -94,6 +97,8 @@ using LudingRolls = LudingRolling::Parameters;
 using Bridge = CapillaryBridge::Parameters;
 
 const Choices<JkrLoad> kJkrLoads = {{"corrected", JkrLoad::corrected}, {"printed", JkrLoad::printed}};
+const Choices<EdinburghBranch> kBranches = {{"Hertzian", EdinburghBranch::hertzian},
+                                            {"linear", EdinburghBranch::linear}};
 const Choices<SlipTest> kSlipTests = {{"spring and dashpot", SlipTest::spring_and_dashpot},
                                       {"spring alone", SlipTest::spring_alone}};
 
@@ -117,6 +122,18 @@ const ContactParts<AnyNormal::Parameters>& normal_parts() {
                      quantity_key("unloading_stiffness", &Luding::unloading, kUnloading),
                      quantity_key("cohesion_stiffness", &Luding::cohesion, kLimb, Need::optional),
                      number_key("plasticity_depth", &Luding::plasticity_depth, kDepth, Need::optional)}),
+      normal<EdinburghNormal>(
+          "Edinburgh",
+          {choice_key("branch", &Edinburgh::branch, kBranches),
+           key_where<Edinburgh>(&Edinburgh::is_hertzian,
+                                quantity_key("modulus", &Edinburgh::modulus, kModulus),
+                                "branch = \"linear\" takes `loading_stiffness` in N/m instead"),
+           key_where<Edinburgh>(&Edinburgh::is_linear,
+                                quantity_key("loading_stiffness", &Edinburgh::stiffness, kStiffness),
+                                "branch = \"Hertzian\" takes `modulus` in Pa instead"),
+           number_key("plasticity_ratio", &Edinburgh::plasticity_ratio, kPlasticity),
+           quantity_key("surface_energy", &Edinburgh::surface_energy, kSurfaceEnergy),
+           quantity_key("pull_off_force", &Edinburgh::pull_off, kPullOff, Need::optional)}),
   };
   return parts;
 }

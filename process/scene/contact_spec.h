@@ -39,10 +39,4 @@ struct ContactSpec {
 std::optional<ContactSpec> read_contact(TableReader& document, const PowderSpec& powder,
                                         const WallSpec& walls);
 
-/// Coulomb coefficient of a law: the larger one where static and dynamic differ; 0 without friction.
-double friction_coefficient(const engine::laws::LawParameters& law);
-
-/// Whether grains stick to what they touch.
-bool attracts(const engine::laws::LawParameters& law);
-
 }  // namespace diefill::process

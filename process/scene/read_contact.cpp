@@ -74,39 +74,23 @@ auto* parameters_of(Chosen& chosen) {
   return std::get_if<typename Part::Parameters>(&chosen.parameters.choice);
 }
 
-/// N/m, k_1 of the normal spring; 0 for Hertz'.
-double linear_stiffness(ChosenLaw& law) {
-  if (const auto* given = parameters_of<LinearNormal>(law.normal)) return given->stiffness;
-  if (const auto* given = parameters_of<LudingNormal>(law.normal)) return given->loading;
-  return 0;
-}
-
-/// Pa, E* of the normal spring; 0 for linear ones.
-double hertzian_modulus(ChosenLaw& law) {
-  if (const auto* given = parameters_of<BierwischNormal>(law.normal)) return 0.5 * given->reduced_modulus;
-  if (const auto* given = parameters_of<HertzMindlinNormal>(law.normal)) return given->modulus;
-  if (const auto* given = parameters_of<JkrNormal>(law.normal)) return given->modulus;
-  return 0;
-}
-
 /// Damping and rolling resistance that belong to a spring take its stiffness.
 void link_to_spring(ChosenLaw& law) {
   if (auto* given = parameters_of<RestitutionDamping>(law.damping)) {
-    given->modulus = hertzian_modulus(law);
+    given->modulus = law.normal.parameters.hertzian_modulus();
     if (given->modulus == 0)
-      law.damping.refuse(
-          "which needs a Hertzian spring; with a linear or Luding spring use \"linear restitution\"");
+      law.damping.refuse("which needs a Hertzian spring; with a linear spring use \"linear restitution\"");
   }
   if (auto* given = parameters_of<LinearRestitutionDamping>(law.damping)) {
-    given->stiffness = linear_stiffness(law);
+    given->stiffness = law.normal.parameters.linear_stiffness();
     if (given->stiffness == 0)
-      law.damping.refuse("which needs a linear or Luding spring; with a Hertzian spring use \"restitution\"");
+      law.damping.refuse("which needs a linear spring; with a Hertzian spring use \"restitution\"");
   }
   if (auto* given = parameters_of<ElasticRolling>(law.rolling)) {
-    given->stiffness = linear_stiffness(law);
+    given->stiffness = law.normal.parameters.linear_stiffness();
     if (given->stiffness == 0)
       law.rolling.refuse(
-          "which needs k_1 of a linear or Luding spring; with a Hertzian spring use \"CDT\" or \"EPSD2\"");
+          "which needs k_1 of a linear spring; with a Hertzian spring use \"CDT\" or \"EPSD2\"");
   }
 }
 
@@ -183,8 +167,7 @@ ChosenLaw read_law(TableReader& contact, TableReader* walls, const PowderSpec& p
                 read_part("rolling", contact, walls, rolling_parts(), powder),
                 read_part("attraction", contact, walls, attraction_parts(), powder),
                 LoadRule::with_damping};
-  // Hu 2024 takes friction limits of JKR contacts without damping.
-  if (parameters_of<JkrNormal>(law.normal)) law.load_rule = LoadRule::without;
+  if (!law.normal.parameters.damping_in_load()) law.load_rule = LoadRule::without;
   law.load_rule = contact.choice("load_rule", load_rules()).value_or(law.load_rule);
   link_to_spring(law);
   link_to_friction(law);
@@ -227,21 +210,6 @@ void refuse_idle_tables(TableReader& document, const ChosenLaw& grains, const Ch
 }
 
 }  // namespace
-
-double friction_coefficient(const LawParameters& law) {
-  if (const auto* given = law.friction.of<CundallFriction>()) return given->friction;
-  if (const auto* given = law.friction.of<MindlinFriction>()) return given->friction;
-  if (const auto* given = law.friction.of<LudingFriction>()) return given->static_friction;
-  return 0;
-}
-
-bool attracts(const LawParameters& law) {
-  if (law.attraction.of<NoAttraction>() == nullptr) return true;
-  if (const auto* given = law.normal.of<BierwischNormal>()) return given->work_of_adhesion > 0;
-  if (const auto* given = law.normal.of<JkrNormal>()) return given->surface_energy > 0;
-  if (const auto* given = law.normal.of<LudingNormal>()) return given->cohesion > 0;
-  return false;
-}
 
 std::optional<ContactSpec> read_contact(TableReader& document, const PowderSpec& powder,
                                         const WallSpec& walls) {

@@ -31,15 +31,15 @@ void check_opening(const TableReader& numerics, const Scene& scene) {
 double stickiness(const engine::laws::LawParameters& law) {
   constexpr double kSome = 1e-3;
   const auto* own = law.normal.of<engine::laws::BierwischNormal>();
-  return own != nullptr ? own->work_of_adhesion : attracts(law) ? kSome : 0;
+  return own != nullptr ? own->work_of_adhesion : law.attracts() ? kSome : 0;
 }
 
 /// What is reckoned from the powder's friction and stickiness, such as how loosely it will lie, follows the
 /// laws in use.
 void follow_contact(const ContactSpec& contact, Scene& scene) {
-  scene.powder.friction = friction_coefficient(contact.grains.law);
+  scene.powder.friction = contact.grains.law.friction.largest_friction();
   scene.powder.work_of_adhesion = stickiness(contact.grains.law);
-  scene.walls.friction = friction_coefficient(contact.walls.law);
+  scene.walls.friction = contact.walls.law.friction.largest_friction();
   scene.walls.work_of_adhesion = stickiness(contact.walls.law);
 }
 

@@ -44,7 +44,7 @@ TEST(SceneContact, FollowsTheVariant) {
                 std::string(kHertz) + "friction = { law = \"Bierwisch\", friction = 0.3 }\n\n" + tool) +
       "\n[[variant]]\nname = \"rough\"\ncontact.friction.friction = 0.6\n"));
   ASSERT_EQ(variants.size(), 1U);
-  EXPECT_EQ(friction_coefficient(variants[0].scene.contact->grains.law), 0.6);
+  EXPECT_EQ(variants[0].scene.contact->grains.law.friction.largest_friction(), 0.6);
 }
 
 TEST(SceneContact, ReadsEveryPartInSiUnits) {
@@ -87,6 +87,45 @@ rolling = { law = "Luding", rolling_friction = 0.2 }
   const LawParameters rolls = luding.contact->grains.law;
   EXPECT_EQ(rolls.damping.of<LinearRestitutionDamping>()->stiffness, 150);
   EXPECT_EQ(rolls.rolling.of<LudingRolling>()->tangential_stiffness, 60);
+}
+
+/// The Edinburgh law with `keys` beside its ratio and its surface energy.
+std::string edinburgh(const std::string& keys) {
+  return "[contact]\nnormal = { law = \"Edinburgh\", plasticity_ratio = 0.6, surface_energy = \"2 J/m^2\", " +
+         keys + " }\n";
+}
+
+TEST(SceneContact, ReadsBothBranchesOfTheEdinburghLaw) {
+  const LawParameters curved =
+      with_contact(edinburgh("modulus = \"5 MPa\", pull_off_force = \"1 uN\"")).contact->grains.law;
+  const auto* given = curved.normal.of<EdinburghNormal>();
+  ASSERT_NE(given, nullptr);
+  EXPECT_TRUE(given->is_hertzian());
+  EXPECT_EQ(given->modulus, 5e6);
+  EXPECT_EQ(given->plasticity_ratio, 0.6);
+  EXPECT_EQ(given->surface_energy, 2);
+  EXPECT_NEAR(given->pull_off, 1e-6, 1e-18);
+  const LawParameters straight =
+      with_contact(edinburgh("branch = \"linear\", loading_stiffness = \"80 N/m\"") +
+                   "damping = { law = \"linear restitution\", restitution = 0.5 }\n")
+          .contact->grains.law;
+  EXPECT_TRUE(straight.normal.of<EdinburghNormal>()->is_linear());
+  EXPECT_EQ(straight.normal.of<EdinburghNormal>()->stiffness, 80);
+  EXPECT_EQ(straight.damping.of<LinearRestitutionDamping>()->stiffness, 80);
+}
+
+TEST(SceneContact, RefusesTheKeyOfTheOtherEdinburghBranch) {
+  for (const auto& [keys, word] : std::vector<std::pair<std::string, std::string>>{
+           {"branch = \"linear\", loading_stiffness = \"80 N/m\", modulus = \"5 MPa\"", "loading_stiffness"},
+           {"modulus = \"5 MPa\", loading_stiffness = \"80 N/m\"", "`modulus` in Pa"},
+           {"branch = \"linear\"", "loading_stiffness"},
+           {"branch = \"round\", modulus = \"5 MPa\"", "Hertzian"}})
+    try {
+      with_contact(edinburgh(keys));
+      ADD_FAILURE() << "not refused: " << keys;
+    } catch (const SceneError& error) {
+      EXPECT_NE(std::string(error.what()).find(word), std::string::npos) << error.what();
+    }
 }
 
 TEST(SceneContact, LeavesToThePowderWhatBierwischsPartsDoNotSay) {

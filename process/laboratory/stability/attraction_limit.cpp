@@ -55,10 +55,17 @@ void luding(const ExperimentOptions& options, results::ExperimentResult& result)
   ExperimentSeries measured{.name = "rebound right within 0.05", .x = {}, .y = {}};
   ExperimentSeries theory{.name = "2 sqrt(m_eff / k_2)", .role = Role::predicted, .x = {}, .y = {}};
   ExperimentSeries loading{.name = "2 sqrt(m_eff / k_1)", .role = Role::predicted, .x = {}, .y = {}};
+  const auto spring_of = [](double ratio) {
+    return laws::LudingNormal::Parameters{
+        .loading = kLoading, .unloading = ratio * kLoading, .plasticity_depth = 1e-4};
+  };
+  const auto predicted = [&](double ratio) {
+    const double radius = thesis_grain(GrainKind::sphere).sphere_radius;
+    return 2 * std::sqrt(mass / laws::LudingNormal(spring_of(ratio), {radius, radius, 2 * mass, 2 * mass})
+                                    .stiffness(0, nullptr));
+  };
   const auto step_for = [&](double ratio) {
-    const auto settings =
-        with_law({.normal = laws::LudingNormal::Parameters{
-                      .loading = kLoading, .unloading = ratio * kLoading, .plasticity_depth = 1e-4}});
+    const auto settings = with_law({.normal = spring_of(ratio)});
     const double period = std::numbers::pi * std::sqrt(mass / kLoading);
     const double fine = 1e-3 * 2 * std::sqrt(mass / (ratio * kLoading));
     auto exact_settings = settings;
@@ -71,11 +78,11 @@ void luding(const ExperimentOptions& options, results::ExperimentResult& result)
   for (const double ratio : logarithmic_range(1.2, 600, options.quick ? 8 : 16)) {
     for (auto* curve : {&measured, &theory, &loading}) curve->x.push_back(ratio);
     measured.y.push_back(1e6 * step_for(ratio));
-    theory.y.push_back(2e6 * std::sqrt(mass / (ratio * kLoading)));
+    theory.y.push_back(1e6 * predicted(ratio));
     loading.y.push_back(2e6 * std::sqrt(mass / kLoading));
   }
   result.limits.push_back({"Luding, k_2 / k_1 = 20: step with rebound right within 0.05", step_for(20),
-                           2 * std::sqrt(mass / (20 * kLoading)), "s", "2 sqrt(m_eff / k_2)"});
+                           predicted(20), "s", "2 sqrt(m_eff / k_2)"});
   chart.series = {measured, theory, loading};
   result.charts.push_back(chart);
 }
@@ -100,11 +107,11 @@ void van_der_waals(const ExperimentOptions& options, results::ExperimentResult& 
   ExperimentSeries theory{.name = "smallest gap over speed", .role = Role::predicted, .x = {}, .y = {}};
   const double radius = thesis_grain(GrainKind::sphere).sphere_radius;
   for (const double gap : logarithmic_range(1e-9, 2e-8, options.quick ? 7 : 13)) {
+    const laws::VanDerWaals::Parameters attraction{
+        .hamaker = kHamaker, .smallest_gap = gap, .largest_gap = kLargestGap};
     const auto settings =
-        with_law({.normal = laws::HertzMindlinNormal::Parameters{.modulus = 5e6},
-                  .attraction = laws::VanDerWaals::Parameters{
-                      .hamaker = kHamaker, .smallest_gap = gap, .largest_gap = kLargestGap}});
-    const double well = kHamaker * radius / 6 * (1 / gap - 1 / kLargestGap);
+        with_law({.normal = laws::HertzMindlinNormal::Parameters{.modulus = 5e6}, .attraction = attraction});
+    const double well = -laws::VanDerWaals(attraction, {radius, radius}).energy(gap, nullptr);
     const double speed = speed_above(well), passing = gap / speed;
     const double duration = 40 * kLargestGap / speed + 4e-4;
     const auto limit = largest_that_holds(0.05 * passing, kContactStep, 0.05, [&](double time_step) {

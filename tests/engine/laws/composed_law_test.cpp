@@ -61,7 +61,7 @@ TEST(GeneralLawOfAnyParts, ReactsAsTheFixedLaw) {
 
 TEST(ComposedLawMemory, HasRoomForTheLargestPartAndIsWipedApart) {
   EXPECT_EQ(FixedLaw::kMemory, 1 + 4 + 3 + 0);
-  EXPECT_EQ(GeneralLaw::kMemory, 1 + 4 + 3 + 1);
+  EXPECT_EQ(GeneralLaw::kMemory, 2 + 4 + 3 + 1);
   const auto law = make_law(full_parameters(), kPair);
   std::vector<double> memory(GeneralLaw::kMemory);
   auto state = state_at(50);

@@ -38,11 +38,15 @@ inline std::vector<NamedLaw> laws_of_the_sources() {
       .stiffness = 90, .damping = 1e-4, .static_friction = 0.7, .dynamic_friction = 0.5};
   kottlan.rolling = ElasticRolling::Parameters{.rolling_friction = 0.1, .stiffness = 150};
   kottlan.attraction = VanDerWaals::Parameters{.hamaker = 5e-18};
+  LawParameters edinburgh = hu;
+  edinburgh.normal =
+      EdinburghNormal::Parameters{.modulus = modulus, .pull_off = 1e-7, .surface_energy = 0.02};
   LawParameters luding = kottlan;
   luding.rolling = LudingRolling::Parameters{
       .rolling_friction = 0.1, .tangential_stiffness = 90, .stiffness_ratio = 0.1, .time_step = 1e-7};
   return {{"Bierwisch", bierwisch}, {"Hertz", hu},        {"JKR", jkr},
-          {"capillary", wet},       {"Kottlan", kottlan}, {"Luding rolling", luding}};
+          {"capillary", wet},       {"Kottlan", kottlan}, {"Luding rolling", luding},
+          {"Edinburgh", edinburgh}};
 }
 
 /// A law under a method of coarse graining (coarse_graining/methods.h) at a scale.
