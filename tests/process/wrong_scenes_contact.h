@@ -66,7 +66,7 @@ inline std::vector<WrongScene> wrong_contacts() {
                     {"contact.damping.law", "needs a Hertzian spring", "\"linear restitution\""}),
       spoil_contact("contact_linear_restitution_with_hertz",
                     hertz + "damping = { law = @\"linear restitution\", restitution = 0.5 }",
-                    {"contact.damping.law", "needs a linear or Luding spring", "\"restitution\""}),
+                    {"contact.damping.law", "needs a linear spring", "\"restitution\""}),
       spoil_contact("contact_adhesion_twice",
                     jkr + "attraction = { law = @\"van der Waals\", hamaker_constant = \"6.5e-20 J\" }",
                     {"contact.attraction.law", "repeats the adhesion of the normal force"}),
