@@ -148,8 +148,6 @@ inline std::vector<WrongScene> wrong_numerics() {
             {"numerics.most_sheared", "found 0.5", "at most 0.1"}),
       spoil("most_sheared_of_none", time, "pinched_grains = \"stop\"\nmost_sheared = @0.01",
             {"numerics.most_sheared", "found 0.01", "leave one of the two out"}),
-      spoil("energy_ledger_in_quotes", time, "energy_ledger = @\"true\"",
-            {"numerics.energy_ledger", "found \"true\"", "true or false without quotes"}),
       spoil("period_too_short", time, "periodic = { y = @\"2.16 mm\" }",
             {"numerics.periodic.y", "found \"2.16 mm\"", "at least 7.5264 mm is allowed",
              "four grain diameters"}),
@@ -203,14 +201,8 @@ inline std::vector<WrongScene> wrong_economies() {
             {"economy.carry_beyond", "economy.sleep is on", "leave one"}),
       spoil_two("economy_carry_while_shaken", step, shaking + step, "[economy]\ncarry_beyond = @\"10 mm\"",
                 {"economy.carry_beyond", "vibration", "would not be shaken along", "leave"}),
-      spoil("economy_rotation_of_clumps", measure, "[economy]\nskip_rotation = @false\n\n" + measure,
-            {"economy.skip_rotation", "found false", "only grains of model A", "leave"}),
-      spoil("economy_zero_terms_of_named_laws", measure,
-            "[economy]\nskip_zero_terms = @false\n\n[contact]\nnormal = { law = \"Bierwisch\", "
-            "reduced_modulus = \"5 MPa\" "
-            "}\n\n" +
-                measure,
-            {"economy.skip_zero_terms", "found false", "have no other terms", "leave"}),
+      spoil("economy_drop_spilled_in_quotes", measure, "[economy]\ndrop_spilled = @\"true\"\n\n" + measure,
+            {"economy.drop_spilled", "found \"true\"", "true or false without quotes"}),
       spoil_two("economy_mirror_across_a_period", time, time + "\nperiodic = { y = \"29 mm\" }",
                 "[economy]\nmirror = @\"y\"",
                 {"economy.mirror", "numerics.periodic repeats the scene along y", "leave one"}),
