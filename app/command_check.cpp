@@ -142,10 +142,11 @@ void print_simulation(const process::Scene& scene, const process::Tooling& tooli
 }
 
 int check(const CheckArguments& arguments) {
-  const process::Scene scene = wanted_scene(arguments.scene, arguments.setting);
+  process::Scene scene = wanted_scene(arguments.scene, arguments.setting);
   if (arguments.json || !arguments.picture.empty()) refuse_unusable(arguments, scene);
   const double sphere = process::smallest_sphere(process::engine_settings(scene, 1.0));
   const auto tooling = checked_tooling(arguments, scene);
+  scene = process::with_prepared_steps(std::move(scene), tooling);
   const auto setup = process::setup_findings(scene, tooling);
   const auto foreseen = foreseen_of(scene, tooling);
   const auto diagnosis = process::diagnose(scene, tooling, sphere);

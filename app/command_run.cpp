@@ -79,12 +79,13 @@ int unfinished(const process::FillRun& fill) {
 }
 
 int run(const RunArguments& arguments) {
-  const process::Scene scene = wanted_scene(arguments.scene, arguments.setting);
+  process::Scene scene = wanted_scene(arguments.scene, arguments.setting);
   process::RunOptions options = options_of(arguments, scene);
   std::optional<OutputDirectory> output;
   // Before work that a second run would do in vain.
   if (std::filesystem::exists(options.directory)) output.emplace(options.directory);
   const auto tooling = prepared_tooling(scene, !arguments.quiet);
+  scene = process::with_prepared_steps(std::move(scene), tooling);
   if (arguments.resume && is_finished(options.directory, scene, tooling)) return kDone;
   const auto folder = [&](const std::string& name) {
     return options.directory / "snapshots" / results::group_names({name}).front();

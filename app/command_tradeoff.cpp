@@ -197,7 +197,7 @@ void add_tradeoff(CLI::App& program, Action& chosen) {
       "  diefill tradeoff my_die.toml --vary 'step.1.velocity=0.1 m/s,0.2 m/s' --target solid_fraction=0.34\n"
       "  diefill tradeoff sample_tools/tradeoff/narrow_ring.toml --variants --reference base\n"
       "Knobs: grain_diameter, time_step, reduced_modulus, wall_sphere_radius, wall_spacing, powder_height,\n"
-      "slice_length, skin, grain_model; or the path of a key, such as numerics.energy_ledger.\n"
+      "slice_length, skin, grain_model; or the path of a key, such as powder.friction.\n"
       "Run the same command again to continue after a stop; finished runs are kept. Writes tradeoff.csv, "
       "tradeoff.json,\n"
       "tradeoff.png and knob_<name>.png. Exit codes: 0 done, 1 no result to evaluate, 2 bad input, 130 "

@@ -47,8 +47,8 @@ Passage::Passage(PassageSpec spec) : spec_(std::move(spec)) {
   if (spec_.travel) crossing_.emplace(*spec_.travel, spec_.velocity, spec_.acceleration);
 }
 
-void Passage::prepare(const MachineContext& context) {
-  if (spec_.travel) return;
+std::shared_ptr<const Step> Passage::prepared(const MachineContext& context) const {
+  if (spec_.travel) return nullptr;
   const Extent cavity = along(spec_.direction, context.cavity_lower, context.cavity_upper);
   if (!(cavity.upper > cavity.lower)) {
     throw SceneError(
@@ -63,7 +63,9 @@ void Passage::prepare(const MachineContext& context) {
         number_in_words((tool.lower - cavity.upper) * 1e3) +
         " mm past it along the direction of motion); start it on the other side or reverse direction");
   }
-  crossing_.emplace(travel, spec_.velocity, spec_.acceleration);
+  auto passage = std::make_shared<Passage>(*this);
+  passage->crossing_.emplace(travel, spec_.velocity, spec_.acceleration);
+  return passage;
 }
 
 const StraightMove& Passage::crossing() const {

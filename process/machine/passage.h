@@ -32,14 +32,15 @@ class Passage final : public Step {
  public:
   explicit Passage(PassageSpec spec);
 
-  /// Without a given travel: so far that the tool's whole box, trailing wall included, has passed the cavity
+  /// Without a given travel, one that goes so far that the tool's whole box, trailing wall included, has passed the cavity
   /// by the clearance. The box is taken because the thickness of a CAD tool's trailing wall is not known
   /// here; powder inside the tool has then left the cavity by wall thickness plus clearance. Throws
   /// SceneError when the scene has no cavity, or the tool stands beyond it already.
-  void prepare(const MachineContext& context) override;
+  std::shared_ptr<const Step> prepared(const MachineContext& context) const override;
   bool needs_cavity() const override { return true; }
   std::vector<std::string> tools() const override { return {spec_.tool}; }
-  /// s of all crossings and the pauses between them. Throws std::logic_error when not prepared.
+  /// s of all crossings and the pauses between them. Throws std::logic_error where the travel is not known: of a
+  /// passage without one that is not prepared().
   std::optional<double> duration() const override;
   ToolMotion motion(double time) const override;
   double stopping_time(double) const override { return 2 * spec_.velocity / spec_.acceleration; }

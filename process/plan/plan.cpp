@@ -61,6 +61,7 @@ Plan make_plan(const Scene& scene, const PlanOptions& options) {
   const double sphere = smallest_sphere(engine_settings(plan.scene, 1.0));
   const auto began = std::chrono::steady_clock::now();
   plan.tooling = build_tooling(plan.scene, sphere, largest_grain(plan.scene.powder), options.tell);
+  plan.scene = with_prepared_steps(std::move(plan.scene), plan.tooling);
   plan.tooling_seconds = seconds_since(began);
   plan.needs = needs_of(plan.scene, plan.tooling);
   plan.statements = in_words(plan.needs, plan.scene, plan.tooling);

@@ -55,12 +55,11 @@ geometry::Box box_before(const Scene& scene, const Tooling& tooling, std::size_t
   return box;
 }
 
-/// Tells steps what they may ask, in order: those that need no cavity first, which may make it, or the
-/// others.
-void prepare_steps(const Scene& scene, const Tooling& tooling, bool need_cavity) {
+/// The scene with some of its steps prepared, in order: those that need no cavity, which may make it, or the
+/// others, once those are.
+Scene prepare_steps(Scene scene, const Tooling& tooling, bool need_cavity) {
   for (std::size_t k = 0; k < scene.steps.size(); ++k) {
-    Step& step = *scene.steps[k];
-    if (step.needs_cavity() != need_cavity) continue;
+    if (scene.steps[k]->needs_cavity() != need_cavity) continue;
     MachineContext context;
     context.gravity = scene.gravity;
     if (tooling.cavity.found) {
@@ -73,8 +72,9 @@ void prepare_steps(const Scene& scene, const Tooling& tooling, bool need_cavity)
       context.tool_lower = box.lower;
       context.tool_upper = box.upper;
     }
-    step.prepare(context);
+    if (auto prepared = scene.steps[k]->prepared(context)) scene.steps[k] = std::move(prepared);
   }
+  return scene;
 }
 
 /// Steps that can be followed before the cavity is known.
@@ -118,10 +118,10 @@ std::size_t die_of(const Scene& scene) {
   return best;
 }
 
-/// Steps that need the cavity; where there is none, the likeliest reason is told.
-void prepare_passages(const Scene& scene, const Tooling& tooling, const std::vector<ToolPose>& poses) {
+/// Prepares steps that need the cavity; where there is none, the likeliest reason is told.
+Scene prepare_passages(const Scene& scene, const Tooling& tooling, const std::vector<ToolPose>& poses) {
   try {
-    prepare_steps(scene, tooling, true);
+    return prepare_steps(scene, tooling, true);
   } catch (const SceneError& error) {
     if (tooling.cavity.found) throw;
     const std::string message = error.what(), remedy = "; give the distance";
@@ -337,27 +337,34 @@ Tooling read_tooling(const Scene& scene, const TellProgress& tell) {
   tooling.die = die_of(scene);
   tooling.fill_plane =
       scene.measure.fill_plane.value_or(tooling.tools[tooling.die].mesh.bounding_box().upper.z());
-  prepare_steps(scene, tooling, false);
-  const auto poses = poses_at_end(scene, tooling);
+  Scene followed = prepare_steps(scene, tooling, false);
+  const auto poses = poses_at_end(followed, tooling);
   auto cavities = cavities_between(tooling, poses);
   if (!cavities.empty()) {
     tooling.cavity = cavities.front();
     tooling.other_cavities.assign(cavities.begin() + 1, cavities.end());
   }
-  prepare_passages(scene, tooling, poses);
-  refuse_endless_schedule(scene, tooling);
-  refuse_collisions(scene, tooling);
+  followed = prepare_passages(followed, tooling, poses);
+  tooling.steps = followed.steps;
+  refuse_endless_schedule(followed, tooling);
+  refuse_collisions(followed, tooling);
   tooling.mirror = scene.economy.mirror;
-  refuse_asymmetry(scene, tooling);
-  carried_powder(scene, tooling);  // said now, before long work, where it cannot be
-  find_standing(scene, tooling);
+  refuse_asymmetry(followed, tooling);
+  carried_powder(followed, tooling);  // said now, before long work, where it cannot be
+  find_standing(followed, tooling);
   return tooling;
 }
 
-Tooling build_tooling(const Scene& scene, double smallest_radius, double grain_diameter,
+Scene with_prepared_steps(Scene scene, const Tooling& tooling) {
+  scene.steps = tooling.steps;
+  return scene;
+}
+
+Tooling build_tooling(const Scene& as_read, double smallest_radius, double grain_diameter,
                       const TellProgress& tell) {
-  refuse_endless(scene);
-  Tooling tooling = read_tooling(scene, tell);
+  refuse_endless(as_read);
+  Tooling tooling = read_tooling(as_read, tell);
+  const Scene scene = with_prepared_steps(as_read, tooling);
   tell(kToolsFit, "finding surfaces that powder can reach");
   const ReachableSurface reachable(scene, tooling, grain_diameter);
   const auto needs_wall = [&](std::size_t tool, const Eigen::Vector3d& point, const Eigen::Vector3d& normal) {

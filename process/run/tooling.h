@@ -2,6 +2,7 @@
 // with wall spheres.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
@@ -54,6 +55,8 @@ struct Tooling {
   geometry::Box standing;     ///< m, box round the tools that stay at their place and the room they need
   geometry::Box all;          ///< m, box round all tools at the start
   std::optional<int> mirror;  ///< axis at right angles to the mirror plane of a half model
+  /// The scene's steps with what they left to the geometry settled (Step::prepared).
+  std::vector<std::shared_ptr<const Step>> steps;
 
   std::size_t wall_spheres() const;
   /// All cavities as one, for motions and planning: the largest with the box and the volume of all and the
@@ -72,12 +75,15 @@ Tool read_tool(const Scene& scene, const ToolSpec& spec);
 /// Throws SceneError when the tool's mesh encloses no solid.
 void refuse_unusable(const Scene& scene, const Tool& tool);
 
-/// Reads and examines the tools, settles what the scene's steps leave to the geometry (Step::prepare), and
+/// Reads and examines the tools, settles what the scene's steps leave to the geometry (Tooling::steps), and
 /// covers what powder can reach with wall spheres. `smallest_radius` (m) is that of the powder's spheres: a
 /// wall it could pass is refused. `tell` hears how far this is, which takes long for tools of millions of
 /// triangles. Throws SceneError or geometry::MeshError for tools that cannot be used.
 Tooling build_tooling(const Scene& scene, double smallest_radius, double grain_diameter,
                       const TellProgress& tell = tell_nobody);
+
+/// The scene as a run with these tools follows it, which is what all that moves them takes.
+Scene with_prepared_steps(Scene scene, const Tooling& tooling);
 
 /// The tool's motion in a step as an engine pose of its body frame.
 struct ToolPose {

@@ -3,6 +3,7 @@
 #include <cctype>
 #include <cstdio>
 
+#include "engine/coarse_graining/methods.h"
 #include "process/run/assemble.h"
 #include "process/run/law_terms.h"
 #include "process/run/tool_surface.h"
@@ -111,6 +112,8 @@ results::Topic model_topic(const Scene& scene, const engine::SimulationSettings&
   state(topic, "Rule of coarse graining",
         !contact || contact->coarse_graining == kBierwischScaling
             ? "Bierwisch 2009, chapter 3: preserves free fall, bulk flow and packing"
+        : engine::coarse_graining::parameter_rule(contact->coarse_graining) != nullptr
+            ? contact->coarse_graining + ", which scales parameters of the laws"
             : contact->coarse_graining + ", which scales forces");
   return topic;
 }

@@ -154,7 +154,8 @@ const Choices<LoadRule>& load_rules() {
 }
 
 Choices<std::string> scaling_rules() {
-  Choices<std::string> rules = {{kBierwischScaling, kBierwischScaling}};
+  Choices<std::string> rules;
+  for (const auto& rule : engine::coarse_graining::kParameterRules) rules.emplace_back(rule.name, rule.name);
   for (const auto& method : engine::coarse_graining::kMethods) rules.emplace_back(method.name, method.name);
   return rules;
 }

@@ -71,8 +71,6 @@ void read_economy(TableReader table, Scene& scene) {
   economy.sleep_energy = table.number("sleep_energy", kSleepEnergy).value_or(economy.sleep_energy);
   economy.wake_force = table.number("wake_force", kWakeForce).value_or(economy.wake_force);
   economy.mirror = table.choice("mirror", planes);
-  economy.skip_zero_terms = table.flag("skip_zero_terms").value_or(economy.skip_zero_terms);
-  economy.skip_rotation = table.flag("skip_rotation").value_or(economy.skip_rotation);
   economy.drop_spilled = table.flag("drop_spilled").value_or(economy.drop_spilled);
   economy.skip_far_walls = table.flag("skip_far_walls").value_or(economy.skip_far_walls);
   economy.carry_beyond = table.quantity("carry_beyond", kCarryBeyond);
@@ -86,12 +84,6 @@ void read_economy(TableReader table, Scene& scene) {
           "carry_beyond",
           "carrying powder cannot be combined with economy.sleep, which is on; remove one of the two");
   }
-  if (!economy.skip_zero_terms && (scene.contact || !scene.powder.sizes.empty()))
-    table.reject("skip_zero_terms",
-                 "the laws of [contact] and of grains of several sizes contain only the named parts, so "
-                 "there are no terms to skip; remove the key");
-  if (!economy.skip_rotation && scene.powder.model != GrainModel::A)
-    table.reject("skip_rotation", "only grains of model A do not rotate; remove the key");
   if (economy.mirror) {
     economy.mirror_place = table.where("mirror");
     check_mirror(table, scene);

@@ -53,7 +53,6 @@ NumericsSpec read_numerics(TableReader table, const PowderSpec& powder) {
       table.choice("tangential_spring", springs).value_or(numerics.tangential_spring);
   numerics.opening = table.choice("opening", openings).value_or(numerics.opening);
   read_pinched_grains(table, numerics);
-  numerics.energy_ledger = table.flag("energy_ledger").value_or(numerics.energy_ledger);
   numerics.skin = table.quantity("skin", kSkin).value_or(numerics.skin);
   numerics.max_time = table.quantity("max_time", kMaxTime).value_or(numerics.max_time);
   numerics.checkpoint_interval =

@@ -8,7 +8,7 @@
 namespace diefill::process {
 namespace {
 
-using Steps = std::vector<std::shared_ptr<Step>>;
+using Steps = std::vector<std::shared_ptr<const Step>>;
 
 StepPlan read_plan(TableReader& table, const std::vector<std::string>& tools) {
   StepPlan plan;
@@ -91,14 +91,15 @@ void refuse_endless(const Step& step, TableReader& table) {
 
 }  // namespace
 
-std::vector<std::shared_ptr<Step>> read_steps(TableReader& document, const std::vector<ToolSpec>& tools) {
+std::vector<std::shared_ptr<const Step>> read_steps(TableReader& document, const std::vector<ToolSpec>& tools) {
   std::vector<std::string> names;
   for (const ToolSpec& tool : tools) names.push_back(tool.name);
   Steps steps;
   for (TableReader& table : document.tables("step")) {
     const StepFactory make = table.required_choice("kind", step_kinds());
-    steps.push_back(make(table, tools));
-    steps.back()->plan = read_plan(table, names);
+    const auto step = make(table, tools);
+    step->plan = read_plan(table, names);
+    steps.push_back(step);
     table.finish();
     refuse_same_names(steps, table);
     refuse_endless(*steps.back(), table);

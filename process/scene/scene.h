@@ -116,7 +116,6 @@ struct NumericsSpec {
   std::array<std::optional<double>, 2> period;  ///< m, periodic length along x and y, centred on the origin
   PinchedGrains pinched_grains = PinchedGrains::shear_off;
   double most_sheared = 0.005;  ///< share of all grains poured that may be sheared off before the run stops
-  bool energy_ledger = true;
   double skin = 0;                  ///< m, of the neighbour lists; 0: follows the motion of the powder
   double max_time = 0;              ///< s of simulated time allowed in all; 0: no limit
   double checkpoint_interval = 60;  ///< s of wall-clock time
@@ -163,6 +162,8 @@ struct MeasureSpec {
   std::vector<HeapSpec> heaps;
 };
 
+/// A value: a copy may be changed without the original noticing. Copies share `contact` and the steps, which
+/// nobody changes; steps that depend on the tools are prepared for a run in a copy (with_prepared_steps()).
 struct Scene {
   std::filesystem::path file;
   std::string text;  ///< as read
@@ -174,7 +175,7 @@ struct Scene {
   WallSpec walls;
   std::vector<ToolSpec> tools;
   PourSpec pour;
-  std::vector<std::shared_ptr<Step>> steps;
+  std::vector<std::shared_ptr<const Step>> steps;
   std::vector<ProbeSpec> probes;
   std::vector<SnapshotSpec> snapshots;
   NumericsSpec numerics;

@@ -27,22 +27,6 @@ void check_opening(const TableReader& numerics, const Scene& scene) {
                           tool.name + "\" has none (walls = \"mesh\"); remove one of the two");
 }
 
-/// J/m^2: whether grains stick; how much where Bierwisch's law says so.
-double stickiness(const engine::laws::LawParameters& law) {
-  constexpr double kSome = 1e-3;
-  const auto* own = law.normal.of<engine::laws::BierwischNormal>();
-  return own != nullptr ? own->work_of_adhesion : law.attracts() ? kSome : 0;
-}
-
-/// What is reckoned from the powder's friction and stickiness, such as how loosely it will lie, follows the
-/// laws in use.
-void follow_contact(const ContactSpec& contact, Scene& scene) {
-  scene.powder.friction = contact.grains.law.friction.largest_friction();
-  scene.powder.work_of_adhesion = stickiness(contact.grains.law);
-  scene.walls.friction = contact.walls.law.friction.largest_friction();
-  scene.walls.work_of_adhesion = stickiness(contact.walls.law);
-}
-
 }  // namespace
 
 Scene scene_of(const toml::table& parsed, const std::string& text, const std::filesystem::path& file) {
@@ -59,10 +43,8 @@ Scene scene_of(const toml::table& parsed, const std::string& text, const std::fi
   scene.coarse_graining = read_coarse_graining(powder);
   scene.powder = read_powder(powder);
   scene.walls = read_walls(table_or_empty(document, "walls", empty), scene.powder);
-  if (auto contact = read_contact(document, scene.powder, scene.walls)) {
-    follow_contact(*contact, scene);
+  if (auto contact = read_contact(document, scene.powder, scene.walls))
     scene.contact = std::make_shared<const ContactSpec>(std::move(*contact));
-  }
   scene.tools = read_tools(document, scene.walls, scene.powder);
   const TableReader numerics = table_or_empty(document, "numerics", empty);
   scene.numerics = read_numerics(numerics, scene.powder);

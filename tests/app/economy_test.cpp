@@ -103,14 +103,6 @@ TEST(Economy, PowderIsNotCarriedWhereThatWouldBeWrong) {
   expect_refused(without_shoe, {"no tool has the role \"shoe\"", "remove the key"}, key);
 }
 
-TEST(Economy, TermsOfZeroComeToNothing) {
-  for (const char* key : {"skip_zero_terms = false", "skip_rotation = false"}) {
-    const auto report = Economical(key).filled();
-    EXPECT_EQ(number(report, "filled_mass_kg"), number(plain(), "filled_mass_kg")) << key;
-    EXPECT_EQ(number(report, "steps"), number(plain(), "steps")) << key;
-  }
-}
-
 /// Runs until a first checkpoint is there, is killed, and resumes.
 void expect_restart_ends_alike(const std::string& lines) {
   const Economical unbroken(lines), broken(lines);

@@ -147,8 +147,6 @@ inline std::vector<WrongScene> wrong_numerics() {
             {"numerics.most_sheared", "found 0.5", "at most 0.1"}),
       spoil("most_sheared_of_none", time, "pinched_grains = \"stop\"\nmost_sheared = @0.01",
             {"numerics.most_sheared", "found 0.01", "remove one of the two"}),
-      spoil("energy_ledger_in_quotes", time, "energy_ledger = @\"true\"",
-            {"numerics.energy_ledger", "found \"true\"", "true or false without quotes"}),
       spoil("period_too_short", time, "periodic = { y = @\"2.16 mm\" }",
             {"numerics.periodic.y", "found \"2.16 mm\"", "allowed: at least 7.5264 mm",
              "four grain diameters"}),
@@ -202,14 +200,8 @@ inline std::vector<WrongScene> wrong_economies() {
             {"economy.carry_beyond", "economy.sleep, which is on", "remove one"}),
       spoil_two("economy_carry_while_shaken", step, shaking + step, "[economy]\ncarry_beyond = @\"10 mm\"",
                 {"economy.carry_beyond", "vibration", "would not move with it", "remove"}),
-      spoil("economy_rotation_of_clumps", measure, "[economy]\nskip_rotation = @false\n\n" + measure,
-            {"economy.skip_rotation", "found false", "only grains of model A", "remove"}),
-      spoil("economy_zero_terms_of_named_laws", measure,
-            "[economy]\nskip_zero_terms = @false\n\n[contact]\nnormal = { law = \"Bierwisch\", "
-            "reduced_modulus = \"5 MPa\" "
-            "}\n\n" +
-                measure,
-            {"economy.skip_zero_terms", "found false", "no terms to skip", "remove"}),
+      spoil("economy_drop_spilled_in_quotes", measure, "[economy]\ndrop_spilled = @\"true\"\n\n" + measure,
+            {"economy.drop_spilled", "found \"true\"", "true or false without quotes"}),
       spoil_two("economy_mirror_across_a_period", time, time + "\nperiodic = { y = \"29 mm\" }",
                 "[economy]\nmirror = @\"y\"",
                 {"economy.mirror", "numerics.periodic repeats the scene along y", "remove one"}),

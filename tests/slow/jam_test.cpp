@@ -26,7 +26,8 @@ TEST(Jams, DoNotStopAFillingAgainstFineWallSpheresAtALongStep) {
   RunOptions options;
   options.directory = folder.path();
   options.show_progress = false;
-  FillRun run(scene, tooling, options);
+  const Scene followed = with_prepared_steps(scene, tooling);
+  FillRun run(followed, tooling, options);
   run.run();
   EXPECT_LT(run.simulation().energy_balance_error(), 0.005);
   EXPECT_GT(run.grains_sheared(), 0U);
