@@ -65,10 +65,7 @@ process::Tooling checked_tooling(const CheckArguments& arguments, const process:
   }
 }
 
-void print_json(const process::Tooling& tooling, const process::Diagnosis& diagnosis,
-                const std::vector<process::SetupFinding>& setup = {}) {
-  auto json = tools_as_json(tooling, diagnosis);
-  json["warnings"] = setup_as_json(setup);
+void print_json(const nlohmann::ordered_json& json) {
   std::printf("%s\n", json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace).c_str());
 }
 
@@ -79,7 +76,11 @@ void refuse_unusable(const CheckArguments& arguments, const process::Scene& scen
                                   [](const auto& tool) { return tool.findings.usable(); });
   if (usable) return;
   draw_picture(arguments.picture, scene, tooling, {});
-  if (arguments.json) print_json(tooling, {});
+  if (arguments.json) {
+    auto json = tools_as_json(tooling, {});
+    json["warnings"] = setup_as_json({});
+    print_json(json);
+  }
   for (const auto& tool : tooling.tools) process::refuse_unusable(scene, tool);
 }
 
@@ -124,6 +125,13 @@ Foreseen foreseen_of(const process::Scene& scene, const process::Tooling& toolin
   return few ? placed(scene, tooling) : counted(scene, tooling);
 }
 
+nlohmann::ordered_json as_json(const Foreseen& foreseen) {
+  return {{"grains", foreseen.grains},
+          {"spheres", foreseen.grains * foreseen.settings.shape.spheres()},
+          {"time_step_s", foreseen.settings.time_step},
+          {"critical_time_step_s", foreseen.critical_step}};
+}
+
 void print_simulation(const process::Scene& scene, const process::Tooling& tooling,
                       const Foreseen& foreseen) {
   const auto& settings = foreseen.settings;
@@ -153,7 +161,10 @@ int check(const CheckArguments& arguments) {
 
   draw_picture(arguments.picture, scene, tooling, diagnosis, setup_marks(scene, tooling, setup));
   if (arguments.json) {
-    print_json(tooling, diagnosis, setup);
+    auto json = tools_as_json(tooling, diagnosis);
+    json["simulation"] = as_json(foreseen);
+    json["warnings"] = setup_as_json(setup);
+    print_json(json);
     return kDone;
   }
   for (std::size_t k = 0; k < tooling.tools.size(); ++k) print_tool(tooling.tools[k], &diagnosis.symmetry[k]);

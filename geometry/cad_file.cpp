@@ -156,6 +156,12 @@ void check_stl(const std::string& name, const std::string& bytes) {
                     " bytes, but a binary STL has a header of 84 bytes; export or copy it again");
   std::uint32_t triangles = 0;
   std::memcpy(&triangles, bytes.data() + kStlHeader - sizeof triangles, sizeof triangles);
+  if (triangles == 0)
+    throw MeshError(name + " holds no triangles: its header counts none" +
+                    (bytes.size() == kStlHeader ? std::string(", and nothing follows it")
+                                                : ", and the " + std::to_string(bytes.size() - kStlHeader) +
+                                                      " bytes behind it are no whole triangles of 50 bytes") +
+                    "; export the part again, as a solid");
   const std::size_t expected = kStlHeader + kStlTriangle * triangles;
   if (bytes.size() < expected)
     throw MeshError(name + " is truncated: its header announces " + std::to_string(triangles) +

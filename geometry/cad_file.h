@@ -11,8 +11,9 @@ namespace diefill::geometry {
 std::string read_cad_file(const std::filesystem::path& file);
 
 /// Throws MeshError when `bytes` of a file that ends in `ending` (lower case) are those of another kind of
-/// file or text in UTF-16, fewer than a header promises (binary STL, PLY, OFF) or end before `endsolid` (text
-/// STL): importers take some such files without a word and ask for memory without end on others.
+/// file or text in UTF-16, hold no triangles (binary STL) or fewer than a header promises (binary STL, PLY,
+/// OFF), or end before `endsolid` (text STL): importers take some such files without a word and ask for memory
+/// without end on others.
 void check_is_what_it_says(const std::filesystem::path& file, const std::string& ending,
                            const std::string& bytes);
 

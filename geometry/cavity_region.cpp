@@ -1,6 +1,7 @@
 #include "geometry/cavity_region.h"
 
 #include <algorithm>
+#include <iterator>
 #include <optional>
 
 namespace diefill::geometry {
@@ -95,11 +96,31 @@ class Components {
   std::vector<Enclosed> enclosed_;
 };
 
+// The voxels from the first to the last of a region along each axis.
+struct VoxelRange {
+  Eigen::Vector3i first, last;
+
+  explicit VoxelRange(const CavityRegion& region)
+      : first(region.grid.counts), last(-Eigen::Vector3i::Ones()) {
+    const Eigen::Vector3i& counts = region.grid.counts;
+    for (int k = 0; k < counts.z(); ++k)
+      for (int j = 0; j < counts.y(); ++j) {
+        const auto row = region.inside.begin() + static_cast<std::ptrdiff_t>(region.grid.index(0, j, k));
+        const auto end = row + counts.x(), begin = std::find(row, end, 1);
+        if (begin == end) continue;
+        const auto last_in_row = std::find(std::reverse_iterator(end), std::reverse_iterator(begin), 1);
+        first = first.cwiseMin(Eigen::Vector3i(static_cast<int>(begin - row), j, k));
+        last = last.cwiseMax(Eigen::Vector3i(static_cast<int>(last_in_row.base() - row) - 1, j, k));
+      }
+  }
+};
+
 // Follows the lines of voxel centres along one axis through the cavity, from solid to solid.
 class LineMeasure {
  public:
-  LineMeasure(const CavityRegion& region, std::span<const Mesh* const> solids, int axis)
-      : region_(region), axis_(axis), u_((axis + 1) % 3), v_((axis + 2) % 3) {
+  LineMeasure(const CavityRegion& region, const VoxelRange& range, std::span<const Mesh* const> solids,
+              int axis)
+      : region_(region), range_(range), axis_(axis), u_((axis + 1) % 3), v_((axis + 2) % 3) {
     std::vector<SolidRows> rows;
     for (const auto* mesh : solids) rows.emplace_back(*mesh, region.grid, axis);
     std::vector<const SolidRows*> pointers;
@@ -116,8 +137,8 @@ class LineMeasure {
     const auto& counts = region_.grid.counts;
     std::size_t begin = 0;
     Eigen::Vector3i line = Eigen::Vector3i::Zero();
-    for (line[v_] = 0; line[v_] < counts[v_]; ++line[v_]) {
-      for (line[u_] = 0; line[u_] < counts[u_]; ++line[u_]) {
+    for (line[v_] = range_.first[v_]; line[v_] <= range_.last[v_]; ++line[v_]) {
+      for (line[u_] = range_.first[u_]; line[u_] <= range_.last[u_]; ++line[u_]) {
         const auto row = static_cast<std::size_t>(line[v_] * counts[u_] + line[u_]);
         while (begin < rows_.size() && rows_[begin].row < row) ++begin;
         auto end = begin;
@@ -133,7 +154,7 @@ class LineMeasure {
   }
 
   void measure_line(const Eigen::Vector3i& line, std::span<const SolidRows::Row> solid) {
-    for (int first = 0; first < region_.grid.counts[axis_]; ++first) {
+    for (int first = range_.first[axis_]; first <= range_.last[axis_]; ++first) {
       if (!inside(line, first) || inside(line, first - 1)) continue;
       int last = first;
       while (inside(line, last + 1)) ++last;
@@ -162,6 +183,7 @@ class LineMeasure {
   }
 
   const CavityRegion& region_;
+  const VoxelRange& range_;
   int axis_, u_, v_;
   std::vector<SolidRows::Row> rows_;
 };
@@ -173,8 +195,9 @@ CavityRegion region_of(std::span<const Mesh* const> solids, const VoxelGrid& gri
   region.inside.resize(grid.size());
   std::transform(labels.begin(), labels.end(), region.inside.begin(),
                  [label](std::int32_t other) { return static_cast<std::uint8_t>(other == label); });
+  const VoxelRange range(region);
   for (int axis = 0; axis < 3; ++axis) {
-    const LineMeasure lines(region, solids, axis);
+    const LineMeasure lines(region, range, solids, axis);
     region.box.lower[axis] = lines.lower;
     region.box.upper[axis] = lines.upper;
     region.volume = lines.volume;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <functional>
 #include <iterator>
 #include <optional>
@@ -218,10 +219,13 @@ bool Reach::reachable(std::size_t solid, const Eigen::Vector3d& point_in_body,
   const Eigen::Vector3i upper =
       grid.voxel_at(point_in_body + reach).cwiseMin(grid.counts - Eigen::Vector3i::Ones());
   if ((lower.array() > upper.array()).any() || !surroundings.any_block(lower, upper)) return false;
+  const auto length = static_cast<std::size_t>(upper.x() - lower.x() + 1);
   for (int k = lower.z(); k <= upper.z(); ++k) {
     for (int j = lower.y(); j <= upper.y(); ++j) {
+      const auto* const row = &reached[grid.index(lower.x(), j, k)];
+      if (std::memchr(row, 1, length) == nullptr) continue;  // as most rows are
       for (int i = lower.x(); i <= upper.x(); ++i) {
-        if (!is_reached({i, j, k})) continue;
+        if (!row[i - lower.x()]) continue;
         const Eigen::Vector3d offset = grid.centre({i, j, k}) - point_in_body;
         if (offset.dot(outward_normal) > 0 && offset.squaredNorm() <= radius * radius) return true;
       }

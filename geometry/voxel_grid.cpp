@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdio>
 #include <optional>
+#include <utility>
 
 #include "geometry/all_cores.h"
 #include "geometry/topology.h"
@@ -83,27 +84,44 @@ class TriangleLines {
   std::array<Eigen::Vector2d, 3> flat_;
 };
 
+// Arrays that tools on their way need again at every place: where freed ones go back to the system, to take
+// and to free them costs more than the sums. No work is handed to other threads while they are in use.
+struct Scratch {
+  std::vector<Crossing> crossings, sorted;
+  std::vector<std::size_t> ends;
+
+  void clear() {
+    constexpr std::size_t kMostKept = 1 << 17;  // crossings, 3 MB
+    if (crossings.capacity() > kMostKept || ends.capacity() > kMostKept) *this = Scratch();
+  }
+};
+
 // Crossings of all lines with all triangles, in the order of the triangles.
-std::vector<Crossing> crossings_with(const Mesh& mesh, const VoxelGrid& grid, int axis) {
+void find_crossings(const Mesh& mesh, const VoxelGrid& grid, int axis, std::vector<Crossing>& all) {
   constexpr std::size_t kOfAPart = 16384;  // triangles
-  std::vector<std::vector<Crossing>> parts(mesh.triangles.size() / kOfAPart + 1);
-  on_all_cores(parts.size(), [&](std::size_t part) {
-    TriangleLines lines(grid, axis, parts[part]);
+  const auto find = [&](std::size_t part, std::vector<Crossing>& crossings) {
+    TriangleLines lines(grid, axis, crossings);
     const std::size_t end = std::min(mesh.triangles.size(), (part + 1) * kOfAPart);
     for (std::size_t t = part * kOfAPart; t < end; ++t) lines.add(corners_of(mesh, t));
-  });
-  std::vector<Crossing> all;
+  };
+  all.clear();
+  std::vector<std::vector<Crossing>> parts(mesh.triangles.size() / kOfAPart + 1);
+  if (parts.size() == 1) {
+    find(0, all);
+    return;
+  }
+  on_all_cores(parts.size(), [&](std::size_t part) { find(part, parts[part]); });
   for (const auto& part : parts) all.insert(all.end(), part.begin(), part.end());
-  return all;
 }
 
 // By line, then along the line. Entering comes first where shells touch, so that they become one stretch.
 // Lines have few crossings each: counting them out by line is many times faster than comparing all.
-void sort(std::vector<Crossing>& crossings, std::size_t lines) {
-  std::vector<std::size_t> ends(lines + 1, 0);
+void sort(Scratch& scratch, std::size_t lines) {
+  auto& [crossings, sorted, ends] = scratch;
+  ends.assign(lines + 1, 0);
   for (const auto& crossing : crossings) ++ends[crossing.row + 1];
   for (std::size_t line = 0; line < lines; ++line) ends[line + 1] += ends[line];
-  std::vector<Crossing> sorted(crossings.size());
+  sorted.resize(crossings.size());
   for (const auto& crossing : crossings) sorted[ends[crossing.row]++] = crossing;
   const auto before = [](const Crossing& one, const Crossing& other) {
     return one.along != other.along ? one.along < other.along : one.winding > other.winding;
@@ -113,7 +131,7 @@ void sort(std::vector<Crossing>& crossings, std::size_t lines) {
     if (end - begin > 1) std::sort(begin, end, before);
     begin = end;
   }
-  crossings = std::move(sorted);
+  crossings.swap(sorted);
 }
 
 bool starts_before(const SolidRows::Row& one, const SolidRows::Row& other) {
@@ -147,9 +165,15 @@ Eigen::Vector3i VoxelGrid::voxel_at(const Eigen::Vector3d& point) const {
 }
 
 SolidRows::SolidRows(const Mesh& mesh, const VoxelGrid& grid, int axis) : axis_(axis) {
-  std::vector<Crossing> crossings = crossings_with(mesh, grid, axis);
-  sort(crossings, static_cast<std::size_t>(grid.counts[(axis + 1) % 3]) *
-                      static_cast<std::size_t>(grid.counts[(axis + 2) % 3]));
+  // In an array of its own until all threads are done: this one may take up other work while it waits.
+  static thread_local Scratch scratch;
+  std::vector<Crossing> found = std::exchange(scratch.crossings, {});
+  find_crossings(mesh, grid, axis, found);
+  scratch.crossings = std::move(found);
+  sort(scratch, static_cast<std::size_t>(grid.counts[(axis + 1) % 3]) *
+                    static_cast<std::size_t>(grid.counts[(axis + 2) % 3]));
+  const std::vector<Crossing>& crossings = scratch.crossings;
+  rows_.reserve(crossings.size() / 2);
   int depth = 0;
   for (std::size_t i = 0; i < crossings.size(); ++i) {
     const auto& crossing = crossings[i];
@@ -158,16 +182,21 @@ SolidRows::SolidRows(const Mesh& mesh, const VoxelGrid& grid, int axis) : axis_(
     depth = std::max(0, depth + crossing.winding);
     if (!rows_.empty() && rows_.back().row == crossing.row) rows_.back().span.end = crossing.along;
   }
+  scratch.clear();
 }
 
 std::vector<SolidRows::Row> joined_rows(std::span<const SolidRows* const> solids, double closing) {
   std::vector<SolidRows::Row> all;
+  std::size_t count = 0;
+  for (const auto* solid : solids) count += solid->rows().size();
+  all.reserve(count);
   for (const auto* solid : solids) {
     const auto middle = static_cast<std::ptrdiff_t>(all.size());
     all.insert(all.end(), solid->rows().begin(), solid->rows().end());
     std::inplace_merge(all.begin(), all.begin() + middle, all.end(), starts_before);
   }
   std::vector<SolidRows::Row> joined;
+  joined.reserve(count);
   for (const auto& row : all) {
     const bool continues =
         !joined.empty() && joined.back().row == row.row && row.span.begin < joined.back().span.end + closing;

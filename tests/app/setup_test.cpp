@@ -69,6 +69,44 @@ TEST(Setup, PowderPouredBesideTheShoeIsTold) {
   expect_says(report.at("warnings").dump(), "left the tools");
 }
 
+/// Powder that rains on the shoe before its passage.
+void let_in(const SmallDie& die, const std::string& from, const std::string& to, const std::string& rate) {
+  die.exchange("[[step]]", "[[step]]\nname = \"rain\"\nkind = \"inflow\"\nfrom = " + from + "\nto = " + to +
+                               "\nmass = \"0.05 g\"\nrate = \"" + rate + "\"\n\n[[step]]");
+}
+
+TEST(Inflow, ThatFallsFasterThanItsBoxHasRoomForIsTold) {
+  const SmallDie slow, fast;
+  const std::string from = R"(["1 mm", "-2 mm", "11 mm"])", to = R"(["5 mm", "2 mm", "20 mm"])";
+  let_in(slow, from, to, "0.1 g/s");
+  let_in(fast, from, to, "400 g/s");
+  const Outcome checked = fast.check();
+  EXPECT_EQ(checked.exit_code, 0) << checked.err;
+  expect_says(checked.out,
+              "rate is 400 g/s, but the box from (1, -2, 11) to (5, 2, 20) mm gives at most about ");
+  expect_says(checked.out, "make the box larger, let grains come in with a velocity, or lower the rate");
+  const Outcome as_it_can = slow.check();
+  EXPECT_EQ(as_it_can.exit_code, 0) << as_it_can.err;
+  EXPECT_EQ(as_it_can.out.find("gives at most about"), std::string::npos) << as_it_can.out;
+}
+
+TEST(Inflow, FromABoxInsideAToolIsRefused) {
+  const SmallDie die;
+  let_in(die, R"(["-14 mm", "-2 mm", "-4 mm"])", R"(["-8 mm", "2 mm", "-1 mm"])", "0.1 g/s");
+  expect_refused(die, "the box from (-14, -2, -4) to (-8, 2, -1) mm lies in a tool, or leaves no grain room");
+}
+
+TEST(FineWalls, AreRemarkedOnFromATwelfthOfTheGrainsRadiusOn) {
+  const SmallDie die;
+  // Refused soon afterwards, so that nothing need be covered.
+  die.write("die.stl", cad::binary_stl(cad::prism(cad::rectangle(-15, 6, -3.5, 3.5), -5, 0)));
+  die.exchange("sphere_radius = \"0.25 mm\"", "sphere_radius = \"0.041 mm\"");
+  const std::string remark = "note: walls.sphere_radius is 0.041 mm, 1/12 of the grains' radius of 0.5 mm";
+  expect_says(die.check().err, remark);
+  die.exchange("sphere_radius = \"0.041 mm\"", "sphere_radius = \"0.043 mm\"");
+  EXPECT_EQ(die.check().err.find("note: walls.sphere_radius"), std::string::npos);
+}
+
 TEST(Setup, AShoeAboveTheDieIsTold) {
   const SmallDie die;
   die.exchange(kShoePlace, "[\"3 mm\", \"0 mm\", \"3 mm\"]");
@@ -126,12 +164,12 @@ TEST(NoCavity, WithAPunchTooLow) {
 
 TEST(NoCavity, WithAPunchInInches) {
   const ThroughDie die;
-  die.exchange("sphere_radius = \"0.25 mm\"", "sphere_radius = \"0.03 mm\"");
   cad::Part punch = punch_to(-4);
   for (auto& triangle : punch)
     for (auto& corner : triangle)
       for (double& x : corner) x /= 25.4;
   die.add_tool("punch", "punch", punch, "[\"0 mm\", \"0 mm\", \"0 mm\"]");
+  die.exchange("file = \"punch.stl\"", "file = \"punch.stl\"\nsphere_radius = \"0.03 mm\"");
   expect_refused(
       die,
       "25.4 times too small for the other tools: its file seems to be in inch; write length_unit = "

@@ -52,6 +52,35 @@ TEST(ForeseenWork, SnapshotsWithoutEndAreCounted) {
       {"snapshot \"s\": every 1e-09 s of 0.25 s are 2.5e+08 folders", "allowed: at most 1e+04; raise every"});
 }
 
+/// What is said of a face of 0.24 m^2 that powder reaches all of, covered with spheres of `radius` (mm).
+std::string complaint_about_walls(const std::string& radius) {
+  const SceneFolder folder;
+  const Scene scene = read_scene(folder.write(support::exchanged(
+      faultless_scene(), "sphere_radius = \"0.15 mm\"", "sphere_radius = \"" + radius + " mm\"")));
+  Tooling tooling;
+  tooling.tools.emplace_back();
+  tooling.tools[0].spec = scene.tools[0];
+  tooling.tools[0].mesh.vertices = {{0, 0, 0}, {0.6, 0, 0}, {0.6, 0.4, 0}, {0, 0.4, 0}};
+  tooling.tools[0].mesh.triangles = {{0, 1, 2}, {0, 2, 3}};
+  try {
+    refuse_too_many_wall_spheres(scene, tooling, [](auto&&...) { return true; });
+  } catch (const SceneError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(ForeseenWork, TwoMillionWallSpheresAreTheMost) {
+  // In squares of 1.6 radii.
+  EXPECT_EQ(complaint_about_walls("0.22"), "");
+  const std::string message = complaint_about_walls("0.2"), advice = "take a radius of ";
+  expect_parts(message,
+               {"tool \"die\": some 2.34e+06 wall spheres of radius 0.2 mm", "and 2e+06 at most are allowed",
+                "(walls.sphere_radius or the tool's), or a wider spacing"});
+  const auto begin = message.find(advice) + advice.size();
+  EXPECT_EQ(complaint_about_walls(message.substr(begin, message.find(" mm", begin) - begin)), "") << message;
+}
+
 TEST(ForeseenWork, MemoryOfTheMachineIsKnown) {
   EXPECT_GT(machine_memory(), 1e8);
   EXPECT_LT(machine_memory(), 1e14);
