@@ -11,6 +11,7 @@
 
 #include "process/plan/setting.h"
 #include "process/plan/variant_setting.h"
+#include "process/run/build_tooling.h"
 #include "process/run/foreseen_work.h"
 #include "process/run/material.h"
 

@@ -5,6 +5,7 @@
 #include <set>
 
 #include "process/run/beginning.h"
+#include "process/run/build_tooling.h"
 #include "process/run/law_terms.h"
 #include "process/run/material.h"
 #include "process/run/powder_domain.h"

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "process/plan/memory.h"
+#include "process/run/build_tooling.h"
 #include "process/run/material.h"
 
 namespace diefill::process::plan {

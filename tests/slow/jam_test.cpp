@@ -2,6 +2,7 @@
 // would bear and a jam would not: what swings up is sheared off before it gains energy.
 #include <gtest/gtest.h>
 
+#include "process/run/build_tooling.h"
 #include "process/run/fill_run.h"
 #include "process/run/material.h"
 #include "process/run/tooling.h"
