@@ -132,10 +132,10 @@ void print_tool(const process::Tool& tool, const geometry::Symmetry* symmetry) {
   std::printf("%s (%s): %zu triangles, %.2f x %.2f x %.2f mm, volume %.4g cm3\n", tool.spec.name.c_str(),
               process::in_words(tool.spec.role).c_str(), tool.mesh.triangles.size(), size[0], size[1],
               size[2], 1e6 * tool.mesh.volume());
-  std::printf("  place: from (%.2f, %.2f, %.2f) to (%.2f, %.2f, %.2f) mm\n", lower[0], lower[1], lower[2],
+  std::printf("  extent: from (%.2f, %.2f, %.2f) to (%.2f, %.2f, %.2f) mm\n", lower[0], lower[1], lower[2],
               upper[0], upper[1], upper[2]);
   if (tool.chord_tolerance)
-    std::printf("  curved surfaces as triangles within %.3g mm, unit %.4g mm as the file states\n",
+    std::printf("  curved surfaces triangulated within %.3g mm, file unit %.4g mm\n",
                 1e3 * *tool.chord_tolerance, 1e3 * tool.metres_per_unit);
   for (const auto& remark : tool.file_remarks) std::printf("  file: %s\n", remark.c_str());
   if (!tool.repairs.empty())
@@ -172,9 +172,8 @@ void print_cavities(const process::Tooling& tooling) {
   print_cavity("cavity", tooling.cavity, tooling.fill_plane);
   for (const auto& other : tooling.other_cavities) print_cavity("smaller cavity", other, tooling.fill_plane);
   if (!tooling.other_cavities.empty())
-    std::printf(
-        "figures and maps are of the largest of the %zu cavities; report.json says what the others hold\n",
-        tooling.other_cavities.size() + 1);
+    std::printf("figures and maps refer to the largest of the %zu cavities; report.json lists the others\n",
+                tooling.other_cavities.size() + 1);
 }
 
 Json tools_as_json(const process::Tooling& tooling, const process::Diagnosis& diagnosis) {

@@ -1,4 +1,4 @@
-// What `check` says about the tools: in words, as JSON, and as marks on a picture.
+// Report of `check` about the tools: as text, as JSON, and as marks on a picture.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -14,7 +14,7 @@ namespace diefill::app {
 void print_tool(const process::Tool& tool, const geometry::Symmetry* symmetry);
 /// How neighbouring tools fit.
 void print_pairs(const process::Diagnosis& diagnosis);
-/// What is to be filled.
+/// The cavities.
 void print_cavities(const process::Tooling& tooling);
 
 /// All that the above print, lengths in m. `diagnosis` may be empty when tools were refused.
@@ -26,7 +26,7 @@ std::vector<render::FindingMark> marks_of(const process::Tooling& tooling,
 /// Where powder is poured, and what was found about the set-up.
 std::vector<render::FindingMark> marks_of(const process::Scene& scene,
                                           const std::vector<process::SetupFinding>& setup);
-/// The way of a moving tool through the steps, which must have been prepared.
+/// The path of a moving tool through the steps, which must have been prepared.
 render::FindingMark way_mark(const process::Scene& scene, const process::Tool& tool);
 nlohmann::ordered_json setup_as_json(const std::vector<process::SetupFinding>& setup);
 /// A block of the lines under the word WARNING; nothing for none.

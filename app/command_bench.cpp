@@ -118,13 +118,12 @@ void refuse_endless(const BenchOptions& options, RaceBed kind, std::size_t grain
       options.state ? static_cast<double>(grains) * copies * (kind == RaceBed::clumps ? kSpheresOfClump : 1)
                     : static_cast<double>(options.spheres);
   const std::string bed = "bench: " + process::number_in_words(spheres) + " spheres";
-  process::refuse_memory(bed, spheres, 0, 0, "take fewer (--spheres, --copies)");
+  process::refuse_memory(bed, spheres, 0, 0, "use fewer (--spheres, --copies)");
   const double sphere_steps = spheres * options.steps;
   if (sphere_steps > process::kMostSphereSteps)
     throw process::SceneError(bed + " over " + std::to_string(options.steps) + " steps are " +
-                              process::number_in_words(sphere_steps) + " sphere-steps, " +
-                              process::number_in_words(process::kMostSphereSteps) +
-                              " at most are allowed; take fewer (--steps)");
+                              process::number_in_words(sphere_steps) + " sphere-steps, allowed: at most " +
+                              process::number_in_words(process::kMostSphereSteps) + "; use fewer (--steps)");
 }
 
 /// The bed that the options ask for.
@@ -168,7 +167,7 @@ void add_bench(CLI::App& program, Action& chosen) {
       ->check(CLI::IsMember({"spheres", "clumps"}));
   command
       ->add_option("--state", options->state,
-                   "settled bed to start from (CSV, plain or gzip); otherwise one is made")
+                   "settled bed to start from (CSV, plain or gzip; default: generate one)")
       ->check(CLI::ExistingFile);
   command->add_option("--width", options->width, "side in mm of the periodic box of --state")
       ->check(CLI::Range(1.0, 1000.0))
@@ -176,21 +175,21 @@ void add_bench(CLI::App& program, Action& chosen) {
       ->needs("--state");
   command
       ->add_option("--copies", options->copies,
-                   "N: start from N x N copies of --state side by side, to see what size costs")
+                   "N: start from N x N copies of --state side by side, to measure the effect of size")
       ->check(CLI::Range(1, 100))
       ->needs("--state");
   command->add_option("--trace", options->trace,
-                      "instead of timing, write kinetic energies and the final grains into this folder");
-  command->add_option("--every", options->every, "steps between energies of --trace")
+                      "instead of timing, write kinetic energies and the final grains to this folder");
+  command->add_option("--every", options->every, "steps between energy outputs of --trace")
       ->check(CLI::Range(1, 100000000));
-  command->add_option("--spheres", options->spheres, "size of a bed that is made")
+  command->add_option("--spheres", options->spheres, "size of a generated bed")
       ->check(CLI::Range(1000, 20000000));
   command->add_option("--threads", options->threads, "threads")->check(CLI::Range(1, 1024));
   command->add_option("--steps", options->steps, "steps to time")->check(CLI::Range(1, 100000000));
   command->add_flag("--json", options->json, "print JSON");
   command->footer(
       "Examples:\n  diefill bench clumps\n  diefill bench spheres --threads 2 --steps 2000 --json\n"
-      "Machines are noisy: compare figures of one session only, taken in turns.");
+      "Timings are noisy: compare only figures measured alternately in one session.");
   command->callback([options, &chosen] { chosen = [options] { return bench(*options); }; });
 }
 

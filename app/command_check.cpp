@@ -113,7 +113,8 @@ Foreseen counted(const process::Scene& scene, const process::Tooling& tooling) {
   for (const auto& state : process::foreseen(process::Stages(scene), 0))
     foreseen.seconds = std::max(foreseen.seconds, state.ended);
   foreseen.warnings.emplace_back(
-      "so many grains are counted here, not placed; whether one touches a tool is seen as the run begins");
+      "too many grains to place here, so they are only counted; the run checks at its start whether one "
+      "touches a tool");
   return foreseen;
 }
 
@@ -138,21 +139,22 @@ void print_simulation(const process::Scene& scene, const process::Tooling& tooli
               scene.powder.name.c_str(), foreseen.grains, 1e3 * scene.powder.grain_diameter,
               foreseen.grains * settings.shape.spheres(), tooling.wall_spheres());
   if (!scene.powder.sizes.empty())
-    std::printf("sizes: %s; d is that of mean mass\n", scene.powder.sizes_in_words.c_str());
+    std::printf("sizes: %s; d is the size of the mean mass\n", scene.powder.sizes_in_words.c_str());
   std::printf("time step: %.3g s, %.2f of the critical %.3g s\n", settings.time_step,
               settings.time_step / foreseen.critical_step, foreseen.critical_step);
   std::printf("laws in use: %s\n", process::joined(process::law_terms(scene, settings).used).c_str());
-  std::printf("strategy: %s, %.3g s and the time to come to rest\n",
-              process::strategy_in_words(scene).c_str(), foreseen.seconds);
+  std::printf("strategy: %s, %.3g s plus settling time\n", process::strategy_in_words(scene).c_str(),
+              foreseen.seconds);
   for (const auto& remark : tooling.remarks()) std::printf("note: %s\n", remark.c_str());
   for (const auto& warning : foreseen.warnings) std::printf("note: %s\n", warning.c_str());
 }
 
 int check(const CheckArguments& arguments) {
-  const process::Scene scene = wanted_scene(arguments.scene, arguments.setting);
+  process::Scene scene = wanted_scene(arguments.scene, arguments.setting);
   if (arguments.json || !arguments.picture.empty()) refuse_unusable(arguments, scene);
   const double sphere = process::smallest_sphere(process::engine_settings(scene, 1.0));
   const auto tooling = checked_tooling(arguments, scene);
+  scene = process::with_prepared_steps(std::move(scene), tooling);
   const auto setup = process::setup_findings(scene, tooling);
   const auto foreseen = foreseen_of(scene, tooling);
   const auto diagnosis = process::diagnose(scene, tooling, sphere);
@@ -177,18 +179,16 @@ int check(const CheckArguments& arguments) {
 }  // namespace
 
 void add_check(CLI::App& program, Action& chosen) {
-  auto* command = program.add_subcommand("check", "Examine the tools and the scene without simulating");
+  auto* command = program.add_subcommand("check", "Check the tools and the scene without simulating");
   auto arguments = std::make_shared<CheckArguments>();
   command->add_option("SCENE", arguments->scene, "scene file (TOML)")->required();
   add_setting(*command, arguments->setting);
-  command->add_flag("--json", arguments->json, "what was found about the tools as JSON, lengths in m");
-  command->add_option("--picture", arguments->picture, "PNG of the tools with a mark at each finding");
+  command->add_flag("--json", arguments->json, "print the findings about the tools as JSON, lengths in m");
+  command->add_option("--picture", arguments->picture, "write a PNG of the tools with each finding marked");
   command->footer(
-      "Prints for each tool what its mesh is like, what was repaired, how many wall spheres stand for it, "
-      "how "
-      "far their\nenvelope is from the CAD surface and the largest gap between them; how tools fit; then "
-      "cavity, "
-      "powder and time step.\n"
+      "Prints for each tool the state of its mesh, repairs, the number of wall spheres, the distance of "
+      "their\nenvelope from the CAD surface and the largest gap between them; then fits between tools, "
+      "cavity, powder and time step.\n"
       "Examples:\n  diefill check sample_tools/narrow_ring/fill.toml\n"
       "  diefill check my_die.toml --picture findings.png");
   command->callback([arguments, &chosen] { chosen = [arguments] { return check(*arguments); }; });

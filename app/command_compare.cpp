@@ -58,7 +58,8 @@ int gather(const std::filesystem::path& directory) {
 
 std::vector<process::Variant> checked_variants(const CompareArguments& arguments) {
   if (arguments.scene.empty())
-    throw process::SceneError("SCENE: a scene file is needed, or --collect with a directory of runs");
+    throw process::SceneError(
+        "SCENE: found nothing, expected a scene file, or --collect with a directory of runs");
   auto variants = wanted_variants(arguments.scene, arguments.setting);
   process::check_seeds(variants, arguments.seeds);
   return variants;
@@ -83,10 +84,10 @@ int export_jobs(const CompareArguments& arguments) {
   const auto list = jobs_in(directory, arguments, variants);
   write_output([&] { process::write_job_scripts(directory, list, say_note); });
   std::printf(
-      "%zu runs in %s; copy it anywhere and there\n"
+      "%zu runs in %s; copy it to where they should run and start them there:\n"
       "  sbatch slurm.sh                                 on a Slurm cluster\n"
       "  xargs -d '\\n' -n 1 -P 4 sh -c < jobs.txt        on one machine (or ./run_here.sh 4)\n"
-      "then diefill compare --collect %s\n",
+      "then run diefill compare --collect %s\n",
       list.jobs.size(), directory.string().c_str(), directory.string().c_str());
   return kDone;
 }
@@ -113,38 +114,37 @@ int compare(const CompareArguments& arguments) {
 }  // namespace
 
 void add_compare(CLI::App& program, Action& chosen) {
-  auto* command = program.add_subcommand("compare",
-                                         "Run all [[variant]]s of a scene and say what differs by more than "
-                                         "the scatter over seeds");
+  auto* command = program.add_subcommand(
+      "compare", "Run all [[variant]]s of a scene and report differences larger than the scatter over seeds");
   auto arguments = std::make_shared<CompareArguments>();
   command->add_option("SCENE", arguments->scene, "scene file (TOML) with [[variant]] tables");
-  command->add_option("--seeds", arguments->seeds, "runs of each variant, with seeds counted up (default: 1)")
+  command->add_option("--seeds", arguments->seeds, "runs of each variant with consecutive seeds (default: 1)")
       ->check(CLI::Range(1, 1000));
-  command->add_option("--jobs", arguments->jobs, "runs at a time, which share the cores (default: 1)")
+  command->add_option("--jobs", arguments->jobs, "runs at a time, sharing the cores (default: 1)")
       ->check(CLI::Range(1, 1024));
   add_setting(*command, arguments->setting);
   command->add_option("--out", arguments->out, "directory for results (default: out/<folder>_<scene>)");
-  command->add_flag("--quiet", arguments->quiet, "no progress");
-  auto* exporting = command->add_option("--export-jobs", arguments->export_to,
-                                        "do not run: write scenes, command lines and job scripts there");
+  command->add_flag("--quiet", arguments->quiet, "print no progress");
+  auto* exporting =
+      command->add_option("--export-jobs", arguments->export_to,
+                          "do not run: write scenes, command lines and job scripts to this directory");
   command
-      ->add_option("--collect", arguments->collect_from, "do not run: gather the results of such a directory")
+      ->add_option("--collect", arguments->collect_from,
+                   "do not run: collect the results of such a directory")
       ->excludes(exporting)
       ->excludes("--setting");
   command->footer(
       "Examples:\n"
       "  diefill compare sample_tools/narrow_ring/strategies.toml --jobs 2 --seeds 3\n"
-      "  diefill compare strategies.toml --setting quick                  a first look, grains alike for "
-      "all\n"
+      "  diefill compare strategies.toml --setting quick                  a first look with the same grains "
+      "for all\n"
       "  diefill compare strategies.toml --seeds 5 --export-jobs jobs     then sbatch slurm.sh there\n"
       "  diefill compare --collect jobs\n"
-      "The same command goes on where it was stopped; finished runs are kept. Variants that differ only in\n"
-      "later steps share what comes before: with one job at a time it is computed once. Writes "
+      "Run the same command again to continue after a stop; finished runs are kept. Variants that differ "
+      "only in\nlater steps share their common start: with one job at a time it is computed once. Writes "
       "comparison.json,\n"
       "comparison.csv and comparison.png. Exit codes: 0 all runs finished, 1 some did not, 2 bad input, 3 "
-      "some "
-      "left the\n"
-      "method's valid range (the others are compared), 130 stopped.");
+      "some left the\nvalid range of the method (the others are compared), 130 stopped.");
   command->callback([arguments, &chosen] { chosen = [arguments] { return compare(*arguments); }; });
 }
 

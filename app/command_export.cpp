@@ -8,6 +8,7 @@
 #include "app/exit_code.h"
 #include "app/paraview_series.h"
 #include "process/measure/gaussian_field.h"
+#include "process/measure/measured_fields.h"
 #include "process/measure/stress_field.h"
 #include "process/results/result_file.h"
 #include "process/run/assemble.h"
@@ -76,13 +77,14 @@ double averaging_width_of(const std::string& given, const results::FillResult& r
   } catch (const process::UnitError& error) {
     throw process::SceneError("--averaging-width: found \"" + given + "\": " + error.what());
   }
-  throw process::SceneError("--averaging-width: found \"" + given + "\"; it must be positive");
+  throw process::SceneError("--averaging-width: found \"" + given + "\", allowed: more than 0");
 }
 
 int export_results(const std::string& directory, const std::string& wanted_out, const std::string& width) {
   const auto result = results::read_results(directory);
   if (result.powder.position.empty())
-    throw process::SceneError(directory + ": these results hold no powder; there is nothing to export");
+    throw process::SceneError(directory +
+                              ": the results contain no powder to export; run the scene again with powder");
   const double averaging_width = averaging_width_of(width, result);
   const std::filesystem::path out =
       wanted_out.empty() ? std::filesystem::path(directory) / "paraview" : std::filesystem::path(wanted_out);
@@ -112,8 +114,8 @@ void add_export(CLI::App& program, Action& chosen) {
                       "half the grain size)");
   command->footer(
       "Writes powder.vtp (grains with velocity, solid fraction, pressure), tools.vtp, and fields.vti "
-      "(Gaussian averages over the cavity). Where the scene asks for measure.snapshot_interval also "
-      "filling.pvd, which plays powder and tools over time, with its files powder_*.vtp and tool_*.vtp. "
+      "(Gaussian averages over the cavity). If the scene sets measure.snapshot_interval, also writes "
+      "filling.pvd, which plays powder and tools over time, and its files powder_*.vtp and tool_*.vtp. "
       "Lengths are in m.\n\nExample:\n  diefill export out/narrow_ring");
   command->callback([arguments, &chosen] {
     chosen = [arguments] {

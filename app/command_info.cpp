@@ -58,7 +58,7 @@ int info(const std::string& directory) {
 }  // namespace
 
 void add_info(CLI::App& program, Action& chosen) {
-  auto* command = program.add_subcommand("info", "Say what is in a results directory");
+  auto* command = program.add_subcommand("info", "Print the contents of a results directory");
   auto directory = std::make_shared<std::string>();
   command->add_option("DIR", *directory, "results directory of a run")->required();
   command->footer("Example:\n  diefill info out/narrow_ring");

@@ -30,9 +30,10 @@ struct Family {
 };
 
 const Family kFamilies[] = {
-    {"stability", "Find where each method fails, against theory", process::laboratory::stability_experiments},
-    {"walls", "Hold wall spheres against the exact surface", process::laboratory::wall_experiments},
-    {"bulk_density", "How dense beds of sticky powders lie, against published ones",
+    {"stability", "Find the limits of each method and compare them with theory",
+     process::laboratory::stability_experiments},
+    {"walls", "Compare wall spheres with the exact surface", process::laboratory::wall_experiments},
+    {"bulk_density", "Compare the bulk density of cohesive powders with published values",
      process::laboratory::bulk_density_experiments, true},
 };
 
@@ -44,9 +45,9 @@ std::vector<Experiment> wanted(const Family& family, const std::string& name) {
     if (name == experiment.name) return {experiment};
     names.push_back(experiment.name);
   }
-  std::string message = std::string("lab ") + family.name + ": there is no experiment \"" + name + "\"";
+  std::string message = std::string("lab ") + family.name + ": unknown experiment \"" + name + "\"";
   if (const auto nearest = process::nearest_key(name, names)) message += "; did you mean " + *nearest + "?";
-  message += " (all";
+  message += " (allowed: all";
   for (const auto& known : names) message += ", " + known;
   throw process::SceneError(message + ")");
 }
@@ -85,7 +86,7 @@ int experiment(const Family& family, const LabArguments& arguments) {
       results::write_limits(out, family.name, found);
     });
   }
-  std::printf("tables and charts in %s: %s.csv, %s.json, one PNG and CSV a chart\n", out.string().c_str(),
+  std::printf("tables and charts in %s: %s.csv, %s.json, one PNG and CSV per chart\n", out.string().c_str(),
               family.name, family.name);
   return kDone;
 }
@@ -96,11 +97,10 @@ void add_family(CLI::App& lab, const Family& family, Action& chosen) {
   command->add_option("NAME", arguments->name, "experiment (default: all)");
   command->add_flag("--quick", arguments->options.quick, "small beds and few points");
   if (family.has_published_points)
-    command->add_flag("--published", arguments->options.published_only,
-                      "only the points that published figures exist for");
+    command->add_flag("--published", arguments->options.published_only, "only points with published values");
   command->add_option("--out", arguments->out,
                       std::string("directory for tables and charts (default: out/") + family.name + ")");
-  command->add_option("--threads", arguments->options.threads, "threads; results do not depend on it")
+  command->add_option("--threads", arguments->options.threads, "number of threads; does not affect results")
       ->check(CLI::Range(1, 1024));
   std::string names = "Experiments:\n";
   for (const auto& known : family.experiments()) names += "  " + known.name + ": " + known.question + "\n";
@@ -113,7 +113,7 @@ void add_family(CLI::App& lab, const Family& family, Action& chosen) {
 }  // namespace
 
 void add_lab(CLI::App& program, Action& chosen) {
-  auto* command = program.add_subcommand("lab", "Experiments with the method itself");
+  auto* command = program.add_subcommand("lab", "Numerical experiments with the method itself");
   command->require_subcommand(1);
   for (const auto& family : kFamilies) add_family(*command, family, chosen);
   command->footer(

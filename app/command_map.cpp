@@ -12,6 +12,7 @@
 #include "app/picture_kinds.h"
 #include "app/source_names.h"
 #include "process/measure/choose_cavity.h"
+#include "process/measure/measured_fields.h"
 #include "process/measure/time_average.h"
 #include "process/results/result_file.h"
 #include "process/scene/units.h"
@@ -69,7 +70,7 @@ Eigen::Vector3d normal_of(const std::string& text) {
     if (normal.norm() > 0) return normal;
   }
   throw process::SceneError("--normal: found \"" + text +
-                            "\"; allowed are x, y, z, or three numbers not all 0, such as 1,0,1");
+                            "\", allowed: x, y, z, or three numbers not all 0, such as 1,0,1");
 }
 
 /// A preset, or azimuth and elevation in degrees.
@@ -83,7 +84,7 @@ render::Camera camera_of(const std::string& text) {
   const auto numbers = numbers_in(text);
   if (numbers.size() == 2 && std::abs(numbers[1]) <= 90) return {numbers[0] * kDegree, numbers[1] * kDegree};
   throw process::SceneError("--camera: found \"" + text +
-                            "\"; allowed are front, side, corner, above, top, or azimuth and elevation in "
+                            "\", allowed: front, side, corner, above, top, or azimuth and elevation in "
                             "degrees, such as 30,20");
 }
 
@@ -106,7 +107,7 @@ double averaging_width_of(const MapArguments& arguments, const std::vector<Pictu
   const double width = length("--averaging-width", arguments.averaging_width);
   if (!(width > 0))
     throw process::SceneError("--averaging-width: found \"" + arguments.averaging_width +
-                              "\"; it must be positive");
+                              "\", allowed: more than 0");
   return width;
 }
 
@@ -142,11 +143,11 @@ void require_averages(const MapArguments& arguments) {
   for (const auto& kind : picture_kinds())
     if (kind.over_time == OverTime::average) allowed += std::string(" ") + kind.name;
   if (arguments.pictures.empty())
-    throw process::SceneError("--time-average: say which --picture to make; possible are" + allowed);
+    throw process::SceneError("--time-average: found no --picture; give one of" + allowed);
   for (const auto& name : arguments.pictures)
     if (picture_kind(name).over_time != OverTime::average)
       throw process::SceneError("--time-average: found --picture " + name +
-                                ", which shows one instant; possible are" + allowed);
+                                ", which shows one instant; allowed:" + allowed);
 }
 
 /// The result in a directory, as of the cavity that was asked for.
@@ -182,7 +183,7 @@ PictureRequest request_of(const MapArguments& arguments) {
   request.lower = arguments.range.empty() ? none : arguments.range[0];
   request.upper = arguments.range.empty() ? none : arguments.range[1];
   if (request.lower >= request.upper)
-    throw process::SceneError("--range: the first number must be below the second");
+    throw process::SceneError("--range: the first number must be less than the second");
   request.colour_by = arguments.colour_by;
   request.look = look_of(arguments);
   request.camera = camera_of(arguments.camera);
@@ -211,7 +212,7 @@ int map(const MapArguments& arguments) {
     picture_kind(name);  // says what is wrong before anything is read
   require_averages(arguments);
   if (arguments.pictures.empty() && arguments.directories.size() > 1)
-    throw process::SceneError("several results directories: say which --picture to make of them");
+    throw process::SceneError("several results directories: add --picture to choose what to draw");
   PictureRequest request = request_of(arguments);
   make_output_directory(request.out);
   if (arguments.pictures.empty()) return standard_pictures(request);
@@ -241,25 +242,25 @@ std::string kinds_in_words() {
 
 void add_look_options(CLI::App& command, MapArguments& arguments) {
   command
-      .add_option("--range", arguments.range,
-                  "ends of the colour scale, such as 0.3 0.42; of a difference the second counts to both "
-                  "sides")
+      .add_option(
+          "--range", arguments.range,
+          "limits of the colour scale, such as 0.3 0.42; for a difference, the second applies to both sides")
       ->expected(2);
-  command.add_option("--colour-by", arguments.colour_by, "of views and frames")
+  command.add_option("--colour-by", arguments.colour_by, "colour of grains in views and frames")
       ->check(CLI::IsMember({"solid-fraction", "speed", "layer", "coordination", "diameter"}))
       ->capture_default_str();
-  command.add_option("--tools", arguments.tools, "of views and frames")
+  command.add_option("--tools", arguments.tools, "tools in views and frames")
       ->check(CLI::IsMember({"cut", "translucent", "hidden"}))
       ->capture_default_str();
   command
       .add_option("--camera", arguments.camera,
                   "front, side, corner, above, top, or azimuth and elevation in degrees, such as 30,20")
       ->capture_default_str();
-  command.add_flag("--ambient-occlusion", arguments.ambient_occlusion, "darker gaps between grains");
-  command.add_option("--width", arguments.width, "of PNG files, pixels")
+  command.add_flag("--ambient-occlusion", arguments.ambient_occlusion, "shade gaps between grains");
+  command.add_option("--width", arguments.width, "width of PNG files in pixels")
       ->check(CLI::Range(400, 6400))
       ->capture_default_str();
-  command.add_flag("--pdf", arguments.pdf, "charts as PDF too");
+  command.add_flag("--pdf", arguments.pdf, "also write charts as PDF");
 }
 
 }  // namespace
@@ -268,18 +269,15 @@ void add_map(CLI::App& program, Action& chosen) {
   auto* command = program.add_subcommand(
       "map", "Draw pictures of results: maps, sections, differences, profiles, views, films");
   auto arguments = std::make_shared<MapArguments>();
-  command
-      ->add_option("DIR", arguments->directories,
-                   "results directories of runs; with several, scales are shared")
+  command->add_option("DIR", arguments->directories, "results directories of runs; several share one scale")
       ->required();
   command->add_option("--picture", arguments->pictures,
-                      "kinds of picture, see below (default: those that a run makes)");
+                      "kinds of picture, see below (default: those of a run)");
   command->add_option("--out", arguments->out, "directory for the pictures (default: the first DIR)");
   command
       ->add_option(
           "--cavity", arguments->cavity,
-          "which cavity of a die with several, by its number in the report; give --out with it to keep "
-          "the pictures of the largest")
+          "cavity to draw, by its number in the report; use --out to keep the pictures of the largest")
       ->capture_default_str();
   command->add_option("--averaging-width", arguments->averaging_width,
                       "Gaussian width sigma of the averaging, such as '1 mm' (default: the larger of 0.5 mm "
@@ -294,7 +292,7 @@ void add_map(CLI::App& program, Action& chosen) {
                       "scene");
   command->add_option("--to", arguments->to, "time of a later instant, or of the view (default: the end)");
   command->add_flag("--time-average", arguments->time_average,
-                    "average over all instants kept between --from and --to");
+                    "average over all stored instants between --from and --to");
   add_look_options(*command, *arguments);
   command->footer(
       kinds_in_words() +

@@ -28,7 +28,7 @@ struct PlanArguments {
 void say_within_time(const process::plan::Plan& plan, double minutes,
                      const std::optional<process::plan::Choice>& choice) {
   if (!plan.pilot) {
-    std::printf("within %.4g minutes: cannot tell without the pilot run\n", minutes);
+    std::printf("within %.4g minutes: unknown without the pilot run\n", minutes);
   } else if (!choice) {
     std::printf("within %.4g minutes: nothing fits; the quick setting takes %s\n", minutes,
                 process::duration_in_words(plan.choices[1].forecast.wall_seconds.value_or(0)).c_str());
@@ -40,7 +40,7 @@ void say_within_time(const process::plan::Plan& plan, double minutes,
 
 void say_within_error(const process::plan::Plan& plan, double error, const std::optional<std::size_t>& best) {
   if (!best) {
-    std::printf("error up to %.4g: cannot tell; no choice has a measured error that small\n", error);
+    std::printf("error up to %.4g: unknown; no choice has a measured error this small\n", error);
     return;
   }
   const auto& choice = plan.choices[*best];
@@ -89,7 +89,7 @@ int plan(const PlanArguments& arguments) {
     if (arguments.minutes) say_within_time(plan, *arguments.minutes, in_time);
     if (arguments.error) say_within_error(plan, *arguments.error, in_error);
     if (process::has_variants(plan.scene))
-      std::printf("this is the scene as it stands; diefill plan --variants foretells its [[variant]]s\n");
+      std::printf("this is the scene without its [[variant]]s; use diefill plan --variants to plan them\n");
     return kDone;
   }
   auto json = plan_as_json(plan);
@@ -106,7 +106,7 @@ int plan(const PlanArguments& arguments) {
 
 void add_plan(CLI::App& program, Action& chosen) {
   auto* command =
-      program.add_subcommand("plan", "Say what a scene needs, and what it would take: size, memory, time");
+      program.add_subcommand("plan", "Print what a scene needs and predict its size, memory and time");
   auto arguments = std::make_shared<PlanArguments>();
   command->add_option("SCENE", arguments->scene, "scene file (TOML)")->required();
   auto* minutes = command
@@ -120,22 +120,20 @@ void add_plan(CLI::App& program, Action& chosen) {
                        "pick the cheapest setting whose measured error is at most this share, such as 0.05")
           ->check(CLI::Range(1e-6, 1.0))
           ->check(finite_number());
-  command->add_option("--threads", arguments->threads, "threads of the run to come (default: all cores)")
+  command->add_option("--threads", arguments->threads, "threads of the planned run (default: all cores)")
       ->check(CLI::Range(1, 1024));
-  command->add_flag("--no-benchmark", arguments->no_benchmark, "no pilot run; wall times are then not known");
-  auto* variants =
-      command
-          ->add_flag("--variants", arguments->variants,
-                     "what diefill compare will take: every [[variant]] of the scene and all together")
-          ->excludes(minutes)
-          ->excludes(error);
+  command->add_flag("--no-benchmark", arguments->no_benchmark,
+                    "skip the pilot run; wall times are then unknown");
+  auto* variants = command
+                       ->add_flag("--variants", arguments->variants,
+                                  "predict diefill compare: each [[variant]] of the scene and all together")
+                       ->excludes(minutes)
+                       ->excludes(error);
   add_setting(*command, arguments->setting)->needs(variants);
   command->add_flag("--json", arguments->json, "print JSON, SI units");
   command->footer(
-      "Reads the tools, runs the scene itself with less and coarser powder for some ten seconds, and prints "
-      "what "
-      "the scene\nneeds and what it would take as it stands and with the settings quick, working and "
-      "reference "
+      "Reads the tools, runs the scene with less and coarser powder for about ten seconds, and prints what "
+      "the scene\nneeds and what it would cost as written and with the settings quick, working and reference "
       "(diefill run --setting).\n"
       "Examples:\n  diefill plan sample_tools/narrow_ring/fill.toml\n"
       "  diefill plan my_die.toml --minutes 60\n"

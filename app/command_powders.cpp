@@ -46,7 +46,7 @@ void print(const process::PresetUse& preset) {
   const std::string density =
       powder.apparent_density > 0
           ? results::in_significant_digits(1e-3 * powder.apparent_density, 3) + " g/cm3"
-          : "not known, runs estimate it";
+          : "unknown, estimated by runs";
   std::printf(
       "%s\n  use: %s\n  limits: %s\n  fitted to: %s; grain model %s of %.3g mm, apparent density %s\n",
       preset.name.c_str(), preset.use.c_str(), preset.limits.c_str(), preset.fitted_to.c_str(),
@@ -61,9 +61,8 @@ int powders(bool json) {
     return kDone;
   }
   std::printf(
-      "Powders that [powder] preset = \"...\" knows (Bierwisch 2009), those that fill dies first. Any "
-      "property "
-      "can be given beside it; powder.apparent_density is the one to take from your own weighing.\n");
+      "Values of [powder] preset (Bierwisch 2009), those for die filling first. A scene can override any "
+      "property; set powder.apparent_density to your measured value.\n");
   for (const auto& preset : process::preset_uses()) print(preset);
   return kDone;
 }
@@ -71,10 +70,9 @@ int powders(bool json) {
 }  // namespace
 
 void add_powders(CLI::App& program, Action& chosen) {
-  auto* command =
-      program.add_subcommand("powders", "List the powders that are built in: use, limits, density");
+  auto* command = program.add_subcommand("powders", "List the built-in powders: use, limits, density");
   auto json = std::make_shared<bool>(false);
-  command->add_flag("--json", *json, "as JSON, in SI units");
+  command->add_flag("--json", *json, "print JSON, SI units");
   command->footer("Examples:\n  diefill powders\n  diefill powders --json");
   command->callback([json, &chosen] { chosen = [json] { return powders(*json); }; });
 }

@@ -31,7 +31,8 @@ void add_comparison(std::vector<render::report::Run>& runs, const fs::path& dire
   std::ifstream stream(file);
   const auto comparison = nlohmann::json::parse(stream, nullptr, false);
   if (!comparison.is_object() || !comparison.contains("runs"))
-    throw process::SceneError(file.string() + ": no comparison written by diefill; name another directory");
+    throw process::SceneError(file.string() +
+                              ": not a comparison written by diefill; give another directory");
   std::size_t missing = 0;
   const std::size_t before = runs.size();
   for (const auto& run : comparison["runs"]) {
@@ -42,9 +43,9 @@ void add_comparison(std::vector<render::report::Run>& runs, const fs::path& dire
       ++missing;
   }
   if (runs.size() == before)
-    throw process::SceneError(file.string() + ": a comparison without any results; finish it first");
+    throw process::SceneError(file.string() + ": the comparison has no results; finish it first");
   if (missing > 0)
-    std::fprintf(stderr, "note: %zu runs of %s have no results and are left out\n", missing,
+    std::fprintf(stderr, "note: %zu runs of %s have no results and are omitted\n", missing,
                  directory.string().c_str());
 }
 
@@ -70,7 +71,7 @@ int report(const ReportArguments& arguments) {
   if (html.extension() == ".pdf")
     throw process::SceneError(
         "--out: found \"" + arguments.out +
-        "\"; it names the HTML page, such as \"report.html\"; --pdf writes the PDF beside it");
+        "\", expected the HTML page, such as \"report.html\"; --pdf writes the PDF next to it");
   make_output_directory(html.parent_path().empty() ? fs::path(".") : html.parent_path());
   write_output([&] {
     set_up_drawing();
@@ -89,18 +90,17 @@ int report(const ReportArguments& arguments) {
 
 void add_report(CLI::App& program, Action& chosen) {
   auto* command = program.add_subcommand(
-      "report", "Write one page about a run, or about several held against each other, to show and to print");
+      "report", "Write a report of a run, or a comparison of several runs, as one page");
   auto arguments = std::make_shared<ReportArguments>();
   command
-      ->add_option(
-          "DIR", arguments->directories,
-          "results directories of runs, or of a comparison; the first is what others are held against")
+      ->add_option("DIR", arguments->directories,
+                   "results directories of runs, or of a comparison; the first is the reference")
       ->required();
-  command->add_flag("--pdf", arguments->pdf, "also a PDF, beside the HTML page");
+  command->add_flag("--pdf", arguments->pdf, "also write a PDF next to the HTML page");
   command->add_option("--out", arguments->out,
                       "file of the HTML page (default: report.html in the first DIR)");
   command->footer(
-      "Runs whose scenes differ in nothing but the seed count as one strategy, and their scatter is given.\n"
+      "Runs whose scenes differ only in the seed count as one strategy; the report gives their scatter.\n"
       "Examples:\n"
       "  diefill report out/narrow_ring --pdf\n"
       "  diefill report out/slow out/fast out/fast_seed_2 --out out/strategies.html");

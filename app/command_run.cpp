@@ -43,7 +43,7 @@ void print_summary(const results::FillResult& result) {
   std::printf("%s: %s\n", result.title.c_str(), result.strategy.c_str());
   std::printf("%s", filling_in_words(result).c_str());
   std::printf(
-      "%.0f grains of d = %s, %.0f steps of %.3g s, %.3g s of powder time in %s, %.2f million "
+      "%.0f grains of d = %s, %.0f steps of %.3g s, %.3g s of simulated time in %s, %.2f million "
       "sphere-steps/s\n",
       figures.at("grains"), result.powder.sizes_in_words().c_str(), figures.at("steps"),
       figures.at("time_step_s"), figures.at("simulated_s"),
@@ -72,19 +72,20 @@ process::RunOptions options_of(const RunArguments& arguments, const process::Sce
 /// Says that numerics.max_time was over before the scene.
 int unfinished(const process::FillRun& fill) {
   std::fprintf(stderr,
-               "diefill: %s: results are of what there is; with a larger max_time the same command with "
-               "--resume goes on\n",
+               "diefill: %s: results cover the simulated time only; raise max_time and run the same command "
+               "with --resume to continue\n",
                fill.why_unfinished().c_str());
   return kUnfinished;
 }
 
 int run(const RunArguments& arguments) {
-  const process::Scene scene = wanted_scene(arguments.scene, arguments.setting);
+  process::Scene scene = wanted_scene(arguments.scene, arguments.setting);
   process::RunOptions options = options_of(arguments, scene);
   std::optional<OutputDirectory> output;
   // Before work that a second run would do in vain.
   if (std::filesystem::exists(options.directory)) output.emplace(options.directory);
   const auto tooling = prepared_tooling(scene, !arguments.quiet);
+  scene = process::with_prepared_steps(std::move(scene), tooling);
   if (arguments.resume && is_finished(options.directory, scene, tooling)) return kDone;
   const auto folder = [&](const std::string& name) {
     return options.directory / "snapshots" / results::group_names({name}).front();
@@ -129,36 +130,32 @@ int run(const RunArguments& arguments) {
 }  // namespace
 
 void add_run(CLI::App& program, Action& chosen) {
-  auto* command =
-      program.add_subcommand("run", "Fill the die of a scene; write density maps, results and report");
+  auto* command = program.add_subcommand("run", "Simulate a scene; write density maps, results and report");
   auto arguments = std::make_shared<RunArguments>();
   command->add_option("SCENE", arguments->scene, "scene file (TOML)")->required();
   command->add_option("--out", arguments->directory,
                       "directory for results (default: out/<folder of the scene>)");
   command
       ->add_option("--threads", arguments->threads,
-                   "threads (default: all cores); results do not depend on it")
+                   "number of threads (default: all cores); does not affect results")
       ->check(CLI::Range(1, 1024));
   add_setting(*command, arguments->setting);
   command->add_flag("--resume", arguments->resume,
-                    "go on from the checkpoint in the results directory; what is finished stays");
+                    "continue from the checkpoint in the results directory; a finished run is kept");
   command->add_option("--beginnings", arguments->beginnings,
-                      "directory in which runs that begin alike leave that part for each other");
-  command->add_flag("--no-pictures", arguments->no_pictures, "draw nothing; diefill map does it later");
-  command->add_flag("--quiet", arguments->quiet, "no progress");
+                      "directory where runs with the same start share it");
+  command->add_flag("--no-pictures", arguments->no_pictures, "draw nothing; use diefill map later");
+  command->add_flag("--quiet", arguments->quiet, "print no progress");
   command->footer(
       "Examples:\n"
       "  diefill run sample_tools/narrow_ring/fill.toml\n"
       "  diefill run my_die.toml --out results/my_die --threads 8\n"
-      "  diefill run my_die.toml --setting quick                   a first look (diefill plan says what it "
-      "is)\n"
+      "  diefill run my_die.toml --setting quick                   a first look (diefill plan describes it)\n"
       "  diefill run my_die.toml --out results/my_die --resume     after Ctrl-C or a crash\n"
-      "What an earlier run has left in the directory is kept in its folder previous-1, previous-2, ...\n"
-      "Exit codes: 0 done, 1 failed, 2 bad input, 3 the method's valid range was left, 4 unfinished: "
-      "numerics.max_time\n"
-      "was over before the scene (results of what there is; can be resumed with a larger one), 130 stopped "
-      "(can be\n"
-      "resumed).");
+      "Files of an earlier run in the directory are moved to its folder previous-1, previous-2, ...\n"
+      "Exit codes: 0 done, 1 failed, 2 bad input, 3 valid range of the method exceeded, 4 unfinished: "
+      "numerics.max_time\nended before the scene (results cover the simulated time; resume with a larger "
+      "one), 130 stopped (can be\nresumed).");
   command->callback([arguments, &chosen] { chosen = [arguments] { return run(*arguments); }; });
 }
 

@@ -47,7 +47,7 @@ std::pair<std::string, double> read_target(const std::string& text) {
     if (read.ec == std::errc() && read.ptr == end) return {text.substr(0, equals), value};
   }
   throw process::SceneError("--target: found \"" + text +
-                            "\", NAME=NUMBER is needed, in the unit of the CSV, such as filled_mass=12.5");
+                            "\", expected NAME=NUMBER in the unit of the CSV, such as filled_mass=12.5");
 }
 
 /// A word as a shell takes it.
@@ -147,48 +147,46 @@ int trade_off(const TradeoffArguments& arguments) {
 void add_options(CLI::App& command, TradeoffArguments& arguments) {
   command.add_option("SCENE", arguments.scene, "scene file (TOML)")->required();
   command
-      .add_option(
-          "--vary", arguments.vary,
-          "KNOB=VALUE,VALUE,...: a knob's values, or those of any key of the scene by its path; again for "
-          "more knobs (default: all knobs that do something in the scene)")
+      .add_option("--vary", arguments.vary,
+                  "KNOB=VALUE,VALUE,...: values of a knob, or of any scene key by its path; repeat for more "
+                  "knobs (default: all knobs that affect the scene)")
       ->allow_extra_args(false);
   command.add_flag("--variants", arguments.variants,
-                   "the scene's [[variant]] tables are settings too: several knobs turned together");
-  command.add_option("--seeds", arguments.seeds, "runs of each setting, with seeds counted up (default: 2)")
+                   "also use the scene's [[variant]] tables as settings: several knobs changed together");
+  command.add_option("--seeds", arguments.seeds, "runs of each setting with consecutive seeds (default: 2)")
       ->check(CLI::Range(1, 1000));
   command
       .add_option(
           "--budget", arguments.budget,
-          "core minutes of processor time for all runs together, those of earlier calls included (default: "
-          "no limit)")
+          "total processor time of all runs in core minutes, including earlier calls (default: no limit)")
       ->check(CLI::PositiveNumber)
       ->check(finite_number());
   command
       .add_option("--tolerance", arguments.tolerance,
-                  "error in percent that is accepted where the scatter over seeds is smaller (default: 2)")
+                  "accepted error in percent where the scatter over seeds is smaller (default: 2)")
       ->check(CLI::Range(0.0, 100.0))
       ->check(finite_number());
   command
       .add_option("--target", arguments.targets,
-                  "NAME=VALUE: hold a quantity (its key in tradeoff.json) against a published value")
+                  "NAME=VALUE: compare a quantity (its key in tradeoff.json) with a published value")
       ->allow_extra_args(false);
   command.add_option("--reference", arguments.reference,
-                     "setting to hold others against (default: the costliest that is nothing but finer)");
+                     "reference setting (default: the most expensive one that only refines)");
   command.add_option("--jobs", arguments.jobs, "runs at a time (default: 1)")->check(CLI::Range(1, 1024));
   command
       .add_option("--threads", arguments.threads,
-                  "threads of each run (default: 1, so that no waiting counts as cost)")
+                  "threads of each run (default: 1, so that waiting does not count as cost)")
       ->check(CLI::Range(1, 1024));
   command.add_option("--out", arguments.out,
                      "directory for results (default: out/<folder>_<scene>_tradeoff)");
-  command.add_flag("--quiet", arguments.quiet, "no progress");
+  command.add_flag("--quiet", arguments.quiet, "print no progress");
 }
 
 }  // namespace
 
 void add_tradeoff(CLI::App& program, Action& chosen) {
   auto* command = program.add_subcommand(
-      "tradeoff", "Run a scene over settings and chart what each costs and how far its results are off");
+      "tradeoff", "Run a scene with several settings and chart the cost and error of each");
   auto arguments = std::make_shared<TradeoffArguments>();
   add_options(*command, *arguments);
   command->footer(
@@ -199,10 +197,10 @@ void add_tradeoff(CLI::App& program, Action& chosen) {
       "  diefill tradeoff my_die.toml --vary 'step.1.velocity=0.1 m/s,0.2 m/s' --target solid_fraction=0.34\n"
       "  diefill tradeoff sample_tools/tradeoff/narrow_ring.toml --variants --reference base\n"
       "Knobs: grain_diameter, time_step, reduced_modulus, wall_sphere_radius, wall_spacing, powder_height,\n"
-      "slice_length, skin, grain_model; or the path of a key, such as numerics.energy_ledger.\n"
-      "The same command goes on where it was stopped; finished runs are kept. Writes tradeoff.csv, "
+      "slice_length, skin, grain_model; or the path of a key, such as powder.friction.\n"
+      "Run the same command again to continue after a stop; finished runs are kept. Writes tradeoff.csv, "
       "tradeoff.json,\n"
-      "tradeoff.png and knob_<name>.png. Exit codes: 0 done, 1 nothing could be judged, 2 bad input, 130 "
+      "tradeoff.png and knob_<name>.png. Exit codes: 0 done, 1 no result to evaluate, 2 bad input, 130 "
       "stopped.");
   command->callback([arguments, &chosen] { chosen = [arguments] { return trade_off(*arguments); }; });
 }

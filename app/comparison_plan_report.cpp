@@ -16,7 +16,7 @@ using Json = nlohmann::ordered_json;
 namespace plan = process::plan;
 
 std::string time_in_words(const std::optional<double>& seconds) {
-  return seconds ? process::duration_in_words(*seconds) : "not known";
+  return seconds ? process::duration_in_words(*seconds) : "unknown";
 }
 
 Json number_or_null(const std::optional<double>& number) {
@@ -58,12 +58,11 @@ void print_comparison_plan(const std::string& title, const plan::ComparisonForec
                            int threads) {
   std::printf("%s: %zu variants\n", title.c_str(), comparison.variants.size());
   print_table(comparison.variants);
-  std::printf("\nall of them, one after the other on %d threads (diefill compare): %s\n", threads,
+  std::printf("\nall variants one after the other on %d threads (diefill compare): %s\n", threads,
               time_in_words(comparison.wall_seconds).c_str());
   std::printf(
-      "shared: what a variant begins with and an earlier one has computed; wall time is that of the rest, "
-      "for "
-      "one seed\n");
+      "shared: start that an earlier variant has already computed; wall time covers the rest, for one "
+      "seed\n");
   for (const auto& powder : comparison.pilots) {
     std::printf("%s, ", powder.powder.c_str());
     print_pilot(powder.pilot);

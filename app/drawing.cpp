@@ -1,9 +1,11 @@
 #include "app/drawing.h"
 
 #include "process/measure/choose_cavity.h"
+#include "process/measure/measured_fields.h"
 #include "process/run/assemble.h"
 #include "render/comparison_picture.h"
 #include "render/pictures.h"
+#include "render/start_offscreen.h"
 
 namespace diefill::app {
 

@@ -11,7 +11,8 @@
 namespace diefill::app {
 namespace {
 
-constexpr const char* kAnew = "; run without --resume, which keeps them aside, or name another directory";
+constexpr const char* kAnew =
+    "; run without --resume, which moves them to previous-1, or choose another directory";
 
 results::FillResult earlier_results(const std::filesystem::path& directory) {
   try {
@@ -45,12 +46,12 @@ bool is_finished(const std::filesystem::path& directory, const process::Scene& s
   const auto result = earlier_results(directory);
   if (!are_of(result, scene, tooling))
     throw process::SceneError(directory.string() +
-                              ": the results belong to another scene or other CAD files " + "than " +
+                              ": the results belong to a different scene or different CAD files than " +
                               scene.file.string() + kAnew);
   if (!is_whole(result)) return false;
   std::printf(
-      "%s: this run is finished (state %s), nothing was computed; without --resume it runs anew and keeps "
-      "these results aside\n",
+      "%s: this run is already finished (state %s), nothing was computed; without --resume it starts again "
+      "and moves these results to previous-1\n",
       directory.c_str(), result.state_hash.c_str());
   return true;
 }
@@ -59,7 +60,7 @@ void keep_earlier_results(const std::filesystem::path& directory, bool resume) {
   if (resume && std::filesystem::exists(process::checkpoint_file(directory))) return;
   write_output([&] {
     if (const auto folder = results::set_aside(directory))
-      std::fprintf(stderr, "note: what an earlier run has left in %s is kept in %s\n", directory.c_str(),
+      std::fprintf(stderr, "note: files of an earlier run in %s were moved to %s\n", directory.c_str(),
                    folder->c_str());
   });
 }

@@ -1,4 +1,4 @@
-// What earlier runs have left in the directory that a run is to write into.
+// Files of earlier runs in the results directory.
 #pragma once
 
 #include <filesystem>
@@ -8,14 +8,14 @@
 
 namespace diefill::app {
 
-/// For a run that is to go on where it was stopped: whether the directory holds its finished results, so that
-/// nothing is left to do; says so. Throws process::SceneError or results::ResultError where it holds results
+/// For a run with --resume: whether the directory already holds its finished results, so that nothing is left
+/// to do; prints a note. Throws process::SceneError or results::ResultError where it holds results
 /// of another scene, or damaged ones, and no checkpoint.
 bool is_finished(const std::filesystem::path& directory, const process::Scene& scene,
                  const process::Tooling& tooling);
 
-/// Keeps earlier results and checkpoints aside, unless the run goes on from a checkpoint there, and says
-/// where.
+/// Moves earlier results and checkpoints to a backup folder unless the run continues from a checkpoint there,
+/// and prints where.
 void keep_earlier_results(const std::filesystem::path& directory, bool resume);
 
 }  // namespace diefill::app

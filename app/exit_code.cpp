@@ -38,7 +38,7 @@ int guarded(const std::function<int()>& action) {
   } catch (const process::Interrupted& stop) {
     return complain(stop.what(), kInterrupted);
   } catch (const std::bad_alloc&) {
-    return complain("out of memory: take larger grains or larger wall spheres", kFailed);
+    return complain("out of memory: use larger grains or larger wall spheres", kFailed);
   } catch (const std::exception& error) {
     return complain(error.what(), kFailed);
   }

@@ -13,7 +13,7 @@ inline CLI::Validator finite_number() {
       [](std::string& text) {
         double value = 0;
         const bool read = CLI::detail::lexical_cast(text, value);
-        return read && std::isfinite(value) ? std::string() : "found " + text + ", a finite number is needed";
+        return read && std::isfinite(value) ? std::string() : "found " + text + ", expected a finite number";
       },
       "");
 }

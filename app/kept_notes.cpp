@@ -10,7 +10,7 @@ void say_note(const std::string& line) {
 
 void say_what_is_kept(const std::optional<std::filesystem::path>& folder) {
   if (folder)
-    say_note("note: earlier tables of runs that are not among these are kept in " + folder->string());
+    say_note("note: earlier tables of runs that are not part of this call were moved to " + folder->string());
 }
 
 }  // namespace diefill::app

@@ -1,4 +1,4 @@
-// What is said of earlier results that a command keeps aside.
+// Notes about earlier results that a command has moved to another folder.
 #pragma once
 
 #include <filesystem>
@@ -10,7 +10,7 @@ namespace diefill::app {
 /// A line on standard error.
 void say_note(const std::string& line);
 
-/// Says where earlier tables and charts are kept, if they are.
+/// Reports where earlier tables and charts were moved, if they were.
 void say_what_is_kept(const std::optional<std::filesystem::path>& folder);
 
 }  // namespace diefill::app

@@ -15,7 +15,7 @@ std::string in_one_line(const CLI::App* program, const CLI::Error& error) {
   std::string command = "diefill";
   for (const CLI::App* chosen : program->get_subcommands()) command += ' ' + chosen->get_name();
   return "diefill: " + diefill::process::one_line(error.what(), kLongest) + "; " + command +
-         " --help says what it takes\n";
+         " --help lists the options\n";
 }
 
 }  // namespace
@@ -28,15 +28,14 @@ int main(int argc, char** argv) {
   program.failure_message(in_one_line);
   program.footer(
       "Examples:\n"
-      "  diefill check sample_tools/narrow_ring/fill.toml     is the tooling usable, what would be "
-      "simulated?\n"
-      "  diefill plan sample_tools/narrow_ring/fill.toml      what does it need, how long will it take?\n"
-      "  diefill powders                                      which powders are built in, and what for?\n"
-      "  diefill run sample_tools/narrow_ring/fill.toml       fill the die, write maps and report\n"
-      "  diefill compare sample_tools/narrow_ring/strategies.toml  which way of filling is more even?\n"
-      "  diefill map out/narrow_ring --averaging-width '1 mm' draw the maps again, smoother\n"
-      "  diefill info out/narrow_ring                         what is in these results?\n"
-      "  diefill bench clumps                                 how fast is this machine?");
+      "  diefill check sample_tools/narrow_ring/fill.toml     check tools and scene without simulating\n"
+      "  diefill plan sample_tools/narrow_ring/fill.toml      predict size, memory and wall time\n"
+      "  diefill powders                                      list the built-in powders\n"
+      "  diefill run sample_tools/narrow_ring/fill.toml       simulate, write maps and report\n"
+      "  diefill compare sample_tools/narrow_ring/strategies.toml  compare filling strategies\n"
+      "  diefill map out/narrow_ring --averaging-width '1 mm' redraw the maps with wider averaging\n"
+      "  diefill info out/narrow_ring                         print the contents of results\n"
+      "  diefill bench clumps                                 measure the speed of this machine");
   diefill::app::Action chosen;
   diefill::app::add_commands(program, chosen);
   try {

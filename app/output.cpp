@@ -20,8 +20,8 @@ void make_output_directory(const std::filesystem::path& directory) {
   if (!error && ::access(directory.c_str(), W_OK) != 0)
     error = std::error_code(errno, std::generic_category());
   if (error)
-    throw std::runtime_error("cannot write into " + directory.string() + ": " + error.message() +
-                             "; name another directory with --out");
+    throw std::runtime_error("cannot write to " + directory.string() + ": " + error.message() +
+                             "; choose another directory with --out");
 }
 
 OutputDirectory::OutputDirectory(const std::filesystem::path& directory,
@@ -32,10 +32,11 @@ OutputDirectory::OutputDirectory(const std::filesystem::path& directory,
   } catch (const results::DirectoryInUse&) {
     throw;
   } catch (const results::ResultError& error) {
-    throw std::runtime_error(std::string(error.what()) + "; name another directory with --out");
+    throw std::runtime_error(std::string(error.what()) + "; choose another directory with --out");
   }
   if (!lock_->held())
-    std::fprintf(stderr, "note: the file system of %s knows no locks: let no second run write into it\n",
+    std::fprintf(stderr,
+                 "note: the file system of %s does not support locks: do not start a second run in it\n",
                  directory.c_str());
   results::remove_abandoned_files(directory);
   for (const std::string& folder : folders) results::remove_abandoned_files(directory / folder);
@@ -46,8 +47,8 @@ bool standard_output_is_whole() {
   std::cout.flush();
   const bool flushed = std::fflush(stdout) == 0;
   if (flushed && std::ferror(stdout) == 0 && std::cout.good()) return true;
-  std::fprintf(stderr, "diefill: what was to be said could not be written to standard output%s%s\n",
-               errno == 0 ? "" : ": ", errno == 0 ? "" : std::strerror(errno));
+  std::fprintf(stderr, "diefill: cannot write to standard output%s%s\n", errno == 0 ? "" : ": ",
+               errno == 0 ? "" : std::strerror(errno));
   return false;
 }
 

@@ -48,7 +48,8 @@ Pictures make_height_profile(const PictureRequest& request) {
 Pictures make_azimuth_profile(const PictureRequest& request) {
   for (const auto& source : request.sources)
     if (!source.result.cavity.is_ring)
-      throw std::invalid_argument("an azimuth needs a ring; height-profile and plan-map take any cavity");
+      throw std::invalid_argument(
+          "an azimuth needs a ring; use height-profile or plan-map for other cavities");
   return spread_pictures(request, "azimuth_profile", "Solid fraction over azimuth",
                          process::profile_over_azimuth);
 }

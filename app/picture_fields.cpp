@@ -167,7 +167,7 @@ Pictures make_partial_volume_map(const PictureRequest& request) {
     render::FieldStyle style;
     style.pixels = pixels_of(request);
     style.note =
-        "exact partial volumes of cells over the whole ring width; cells that the surface cuts are left out";
+        "exact partial volumes of cells over the whole ring width; cells cut by the surface are omitted";
     const auto picture =
         render::compose_field(fields[n], title_of(request, source), subtitle_of(source), range, style);
     written.push_back(write_picture(request, file_of(request, "partial_volumes", source), picture.image));
@@ -183,7 +183,8 @@ Pictures make_section(const PictureRequest& request) {
     fields.push_back(process::plane_section(source.result.powder, source.result.solid_fraction,
                                             source.result.tools, planes.back(), request.averaging_width)
                          .field);
-    if (fields.back().first.empty()) throw std::invalid_argument("section: no powder is near the plane");
+    if (fields.back().first.empty())
+      throw std::invalid_argument("section: no powder near the plane; move it with --origin");
   }
   return write_fields(request, "section", fields, planes, style_of(request));
 }
@@ -250,7 +251,7 @@ Pictures make_velocity_section(const PictureRequest& request) {
     auto arrows = process::plane_vectors(process::velocities(source.result.powder), source.result, plane,
                                          request.averaging_width);
     if (arrows.field.first.empty())
-      throw std::invalid_argument("velocity-section: no powder is near the plane");
+      throw std::invalid_argument("velocity-section: no powder near the plane; move it with --origin");
     arrows = in_readable_unit(std::move(arrows));
     render::FieldStyle style;
     style.pixels = pixels_of(request);

@@ -17,17 +17,17 @@ const std::vector<PictureKind>& picture_kinds() {
       {"partial-volumes", "the same by exact partial volumes of cells, without averaging width",
        OverTime::one_instant, make_partial_volume_map},
       {"section", "solid fraction in a plane (--origin, --normal)", OverTime::average, make_section},
-      {"difference", "what changed: from the first DIR to each other one, or between --from and --to",
+      {"difference", "change from the first DIR to each other one, or between --from and --to",
        OverTime::one_instant, make_difference},
-      {"displacement", "where grains went between --from and --to, round the ring", OverTime::one_instant,
-       make_displacement},
-      {"velocity", "velocities round the ring", OverTime::average, make_velocity_map},
+      {"displacement", "displacement of grains between --from and --to around the ring",
+       OverTime::one_instant, make_displacement},
+      {"velocity", "velocities around the ring", OverTime::average, make_velocity_map},
       {"velocity-section", "velocities in a plane (--origin, --normal)", OverTime::average,
        make_velocity_section},
-      {"pressure", "pressure in the powder round the ring", OverTime::one_instant, make_pressure_map},
+      {"pressure", "pressure in the powder around the ring", OverTime::one_instant, make_pressure_map},
       {"pressure-section", "pressure in a plane (--origin, --normal)", OverTime::one_instant,
        make_pressure_section},
-      {"size-map", "mean grain diameter round the ring, of powder of several sizes", OverTime::average,
+      {"size-map", "mean grain diameter around the ring, for powder of several sizes", OverTime::average,
        make_size_map},
       {"size-section", "mean grain diameter in a plane (--origin, --normal)", OverTime::average,
        make_size_section},
@@ -35,10 +35,10 @@ const std::vector<PictureKind>& picture_kinds() {
        make_height_profile},
       {"azimuth-profile", "solid fraction over azimuth with its scatter over height", OverTime::average,
        make_azimuth_profile},
-      {"histogram", "how many grains have which solid fraction", OverTime::average, make_histogram},
-      {"fill-level", "powder surface over azimuth, or along the travel of a cavity that is no ring",
+      {"histogram", "histogram of the solid fraction of grains", OverTime::average, make_histogram},
+      {"fill-level", "powder surface over azimuth, or along the travel if the cavity is not a ring",
        OverTime::one_instant, make_fill_level},
-      {"coordination", "how many grains touch how many others", OverTime::one_instant, make_coordination},
+      {"coordination", "histogram of the coordination number", OverTime::one_instant, make_coordination},
       {"view", "shaded view (--colour-by, --tools, --camera, --ambient-occlusion)", OverTime::one_instant,
        make_view},
       {"frames", "the filling as numbered views, and as film.mp4 where ffmpeg is installed",
@@ -56,7 +56,7 @@ const PictureKind& picture_kind(const std::string& name) {
   std::string message = "--picture: found \"" + name + "\"";
   if (const auto nearest = process::nearest_key(name, names))
     message += "; did you mean \"" + *nearest + "\"?";
-  message += " Kinds:";
+  message += " Allowed:";
   for (const auto& known : names) message += " " + known;
   throw process::SceneError(message);
 }

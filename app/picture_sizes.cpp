@@ -43,7 +43,8 @@ Pictures make_size_section(const PictureRequest& request) {
                                            request.averaging_width,
                                            [&](const Eigen::Vector3d& point) { return size.at(point); })
                          .field);
-    if (fields.back().first.empty()) throw std::invalid_argument("size-section: no powder is near the plane");
+    if (fields.back().first.empty())
+      throw std::invalid_argument("size-section: no powder near the plane; move it with --origin");
     planes.push_back(plane);
   }
   return draw_sizes(request, "size_section", std::move(fields), planes);

@@ -18,7 +18,7 @@ Pictures draw_pressures(const PictureRequest& request, const std::string& kind,
   for (auto& field : fields) field.quantity = std::string("pressure");
   render::FieldStyle style;
   style.unit = "kPa";
-  style.note = "a third of the trace of the stress, contacts and motion; compression positive";
+  style.note = "one third of the trace of the stress from contacts and motion; compression positive";
   return write_fields(request, kind, fields, planes, style);
 }
 
@@ -47,7 +47,7 @@ Pictures make_pressure_section(const PictureRequest& request) {
                          [&](const Eigen::Vector3d& point) { return stress.pressure(point) / kKilopascal; })
                          .field);
     if (fields.back().first.empty())
-      throw std::invalid_argument("pressure-section: no powder is near the plane");
+      throw std::invalid_argument("pressure-section: no powder near the plane; move it with --origin");
     planes.push_back(plane);
   }
   return draw_pressures(request, "pressure_section", std::move(fields), planes);

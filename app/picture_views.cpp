@@ -52,7 +52,7 @@ void colour(render::ViewOptions& options, const std::string& by, const results::
     options.quantity = "grains touched";
     for (const int number : process::coordination_numbers(result.powder)) options.values.push_back(number);
   } else {
-    options.quantity = "height at the first instant kept";
+    options.quantity = "height at the first stored instant";
     options.unit = "mm";
     options.values = origin_layers(result, whole);
   }

@@ -14,22 +14,22 @@ void print_pilot(const plan::Pilot& pilot) {
   for (int k = 0; k < plan::kPhaseKinds; ++k) {
     const auto& cost = pilot.cost[static_cast<std::size_t>(k)];
     if (cost.sphere_steps > 0)
-      std::printf(" %s %.1f ns a sphere and step, %.0f %% of it searching%s;",
+      std::printf(" %s %.1f ns per sphere and step, %.0f %% of it for neighbour search%s;",
                   plan::in_words(static_cast<plan::PhaseKind>(k)), 1e9 * cost.seconds_per_sphere_step(),
-                  100 * cost.search_seconds / cost.wall_seconds, cost.whole ? "" : " (begun)");
+                  100 * cost.search_seconds / cost.wall_seconds, cost.whole ? "" : " (incomplete)");
     else
-      std::printf(" %s was not seen, and is taken to cost what settling does;",
+      std::printf(" %s not reached, assumed to cost the same as settling;",
                   plan::in_words(static_cast<plan::PhaseKind>(k)));
   }
-  std::printf(" reading the tools comes on top\n");
+  std::printf(" excluding the time to read the tools\n");
   if (pilot.size.points.size() > 1) {
-    std::printf("size: on this machine a sphere and step costs");
+    std::printf("size: the cost per sphere and step on this machine is");
     for (const auto& point : pilot.size.points)
-      std::printf("%s %.2f times as much (a search %.2f) with %.0f spheres",
+      std::printf("%s %.2f times (neighbour search %.2f) with %.0f spheres",
                   &point == &pilot.size.points.front() ? "" : ",",
                   pilot.size.factor(point.spheres, static_cast<double>(pilot.spheres)),
                   pilot.size.search_factor(point.spheres, static_cast<double>(pilot.spheres)), point.spheres);
-    std::printf(" as in the pilot run\n");
+    std::printf(" that of the pilot run\n");
   }
   if (!pilot.stopped.empty()) std::printf("note: the pilot run ended early: %s\n", pilot.stopped.c_str());
 }

@@ -33,11 +33,11 @@ std::string count(double number) {
 
 std::string time_of(const plan::Choice& choice) {
   const auto& seconds = choice.forecast.wall_seconds;
-  return seconds ? process::duration_in_words(*seconds) : "not known";
+  return seconds ? process::duration_in_words(*seconds) : "unknown";
 }
 
 std::string error_of(const plan::Choice& choice) {
-  return choice.error ? text("%.1f %%", 100 * choice.error->error) : "not known";
+  return choice.error ? text("%.1f %%", 100 * choice.error->error) : "unknown";
 }
 
 const std::vector<Row>& rows() {
@@ -81,11 +81,10 @@ void print_sources(const plan::Plan& plan) {
   std::printf("reading the tools took %.1f s\n", plan.tooling_seconds);
   for (const auto& choice : plan.choices)
     if (choice.error)
-      std::printf("expected error, %s: of the %s; %s\n", choice.name.c_str(), choice.error->quantity.c_str(),
+      std::printf("expected error, %s: %s; %s\n", choice.name.c_str(), choice.error->quantity.c_str(),
                   choice.error->source.c_str());
   std::printf(
-      "expected errors are measured ones of this powder at this grain size; where there is none, none is "
-      "given\n");
+      "expected errors are measured for this powder at this grain size; unknown where not measured\n");
 }
 
 Json phase_as_json(const plan::PhaseForecast& part) {

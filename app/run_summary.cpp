@@ -102,7 +102,7 @@ std::string mean_solid_fraction(const results::FillResult& result) {
   const auto& summary = result.summary;
   if (!std::isfinite(summary.mean)) {
     const std::string reason = results::reason_for(result, "solid_fraction");
-    return label("solid_fraction_mean") + ": not given" + (reason.empty() ? std::string() : ", " + reason) +
+    return label("solid_fraction_mean") + ": no value" + (reason.empty() ? std::string() : ", " + reason) +
            '\n';
   }
   return label("solid_fraction_mean") + ' ' + with_scatter(summary.mean, summary.std) +
@@ -126,7 +126,7 @@ std::string filling_in_words(const results::FillResult& result) {
     text += (rows.size() > 1 ? "cavity " + std::to_string(row.number) + ": " : "") + row.verdict + '\n';
   if (rows.size() > 1) text += cavity_table(rows);
   const CavityRow& first = rows.front();
-  text += label("expected_mass_kg") + ' ' + (std::isfinite(first.mass) ? mass_of(first) : "not known");
+  text += label("expected_mass_kg") + ' ' + (std::isfinite(first.mass) ? mass_of(first) : "unknown");
   if (rows.size() > 1) text += " in cavity 1";
   if (std::isfinite(first.fill_ratio))
     text += ", " + label("fill_ratio") + ' ' + results::at_decimals(first.fill_ratio, 2) +

@@ -11,6 +11,7 @@
 
 #include "process/plan/setting.h"
 #include "process/plan/variant_setting.h"
+#include "process/run/build_tooling.h"
 #include "process/run/foreseen_work.h"
 #include "process/run/material.h"
 
@@ -26,11 +27,11 @@ std::optional<std::string> fine_walls(const process::Scene& scene) {
   const double grain = 0.5 * process::largest_grain(scene.powder), wall = scene.walls.sphere_radius;
   if (scene.walls.kind == process::WallKind::mesh || grain < kFineWalls * wall) return std::nullopt;
   char text[300];
-  std::snprintf(
-      text, sizeof text,
-      "note: walls.sphere_radius is %.3g mm, 1/%.0f of the grains' radius of %.3g mm: many wall spheres, "
-      "and slow to set; %.2g mm, a fifth, takes about %.0f times fewer",
-      1e3 * wall, grain / wall, 1e3 * grain, 1e3 * grain / kUsualWalls, std::pow(grain / (kUsualWalls * wall), 2));
+  std::snprintf(text, sizeof text,
+                "note: walls.sphere_radius is %.3g mm, 1/%.0f of the grain radius of %.3g mm: placing so "
+                "many wall spheres is slow; %.2g mm, a fifth, needs about %.0f times fewer",
+                1e3 * wall, grain / wall, 1e3 * grain, 1e3 * grain / kUsualWalls,
+                std::pow(grain / (kUsualWalls * wall), 2));
   return text;
 }
 
@@ -67,10 +68,9 @@ class Ticker {
 }  // namespace
 
 CLI::Option* add_setting(CLI::App& command, std::string& setting) {
-  return command.add_option(
-      "--setting", setting,
-      "quick, working or reference: the planner's grain diameter, time step, wall spacing and "
-      "fill height in place of the scene's own numbers");
+  return command.add_option("--setting", setting,
+                            "quick, working or reference: use the planner's grain diameter, time step, wall "
+                            "spacing and fill height instead of those of the scene");
 }
 
 void say_what_was_chosen(const process::Scene& scene) {

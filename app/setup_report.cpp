@@ -13,7 +13,7 @@ constexpr int kMostPlaces = 60;  // marks of one finding
 constexpr int kWaySteps = 12;    // marks along the way of a shoe
 
 render::FindingMark pour_mark(const process::PourSpec& pour) {
-  render::FindingMark mark{render::MarkKind::kFact, "pour box, its corners", {}};
+  render::FindingMark mark{render::MarkKind::kFact, "corners of the pour box", {}};
   for (int corner = 0; corner < 8; ++corner)
     mark.places.emplace_back((corner & 1) != 0 ? pour.upper.x() : pour.lower.x(),
                              (corner & 2) != 0 ? pour.upper.y() : pour.lower.y(),
@@ -47,7 +47,7 @@ render::FindingMark way_mark(const process::Scene& scene, const process::Tool& t
   const Eigen::Vector3d edge(0.5 * (box.lower.x() + box.upper.x()), 0.5 * (box.lower.y() + box.upper.y()),
                              box.lower.z());
   render::FindingMark mark{
-      render::MarkKind::kFact, "way of " + tool.spec.name + ", middle of its lower edge", {edge}};
+      render::MarkKind::kFact, "path of " + tool.spec.name + ", middle of its lower edge", {edge}};
   for (const double time : process::instants(stages, states, kWaySteps)) {
     const auto pose = process::pose_of(stages, states, tool.spec.name, time);
     mark.places.push_back(pose.rotation * edge + pose.translation);

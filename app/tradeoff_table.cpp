@@ -29,7 +29,7 @@ std::string line(const std::string& name, std::size_t width, const std::string& 
 }
 
 std::string marks(const results::Tradeoff& tradeoff, const results::TradeoffPoint& point) {
-  std::string words = point.recommended ? "take this one" : point.pareto ? "none cheaper and better" : "";
+  std::string words = point.recommended ? "recommended" : point.pareto ? "Pareto-optimal" : "";
   if (point.reference) words += words.empty() ? "reference" : ", reference";
   for (const auto& quantity : tradeoff.quantities)
     if (std::ranges::find(point.beyond, quantity.key) != point.beyond.end())
@@ -65,7 +65,7 @@ std::string tradeoff_table(const results::Tradeoff& tradeoff) {
                  number(point->peak_memory_bytes / kMebibyte, "%.0f"), number(100 * point->error, "%.2g"),
                  marks(tradeoff, *point));
   if (std::isfinite(tradeoff.floor))
-    text += "another seed changes results by up to " + number(100 * tradeoff.floor, "%.2g") + " %\n";
+    text += "scatter over seeds up to " + number(100 * tradeoff.floor, "%.2g") + " %\n";
   text += tradeoff.advice + '\n';
   for (const auto& remark : tradeoff.remarks) text += "note: " + remark + '\n';
   return text;

@@ -103,20 +103,19 @@ auto with_arm(LeverArm arm, bool composed, const Use& use) {
 /// own is registered: one line each.
 template <class Use>
 auto with_law(const ContactParameters& parameters, LeverArm arm, bool composed, SpringLimit limit,
-              ZeroTerms zero_terms, const Use& use) {
-  const bool all = zero_terms == ZeroTerms::computed;
+              const Use& use) {
   const auto of = [&]<class Law>(std::type_identity<Law> law) {
     return with_arm(arm, composed,
                     [&](auto constant, auto is_composed) { return use(law, constant, is_composed); });
   };
   const auto with_friction = [&]<class Cohesion>(std::type_identity<Cohesion>) {
-    if (parameters.friction == 0 && !all)
+    if (parameters.friction == 0)
       return of(std::type_identity<laws::ContactLaw<Cohesion, laws::NoFriction>>{});
     if (limit == SpringLimit::cut_back)
       return of(std::type_identity<laws::ContactLaw<Cohesion, laws::TangentialSpring<true>>>{});
     return of(std::type_identity<laws::ContactLaw<Cohesion, laws::TangentialSpring<false>>>{});
   };
-  if (parameters.work_of_adhesion == 0 && !all) return with_friction(std::type_identity<laws::NoCohesion>{});
+  if (parameters.work_of_adhesion == 0) return with_friction(std::type_identity<laws::NoCohesion>{});
   return with_friction(std::type_identity<laws::HertzianCohesion>{});
 }
 

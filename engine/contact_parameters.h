@@ -38,10 +38,6 @@ enum class LeverArm {
 /// Whether the tangential spring is cut back to the Coulomb limit while sliding (OP-1).
 enum class SpringLimit { cut_back, free };
 
-/// Whether terms of a law whose coefficients are zero, and the rotation of grains that do not rotate, are
-/// left out or computed to come to nothing: to see what leaving them out saves.
-enum class ZeroTerms { left_out, computed };
-
 /// R_i R_j / (R_i + R_j) in m; R_i against a plane, whose radius is infinite.
 inline double effective_radius(double radius_i, double radius_j) {
   return std::isinf(radius_j) ? radius_i : radius_i * radius_j / (radius_i + radius_j);

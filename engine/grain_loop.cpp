@@ -284,9 +284,8 @@ std::unique_ptr<PairLoop> loop_over(Pairs pairs) {
 }  // namespace
 
 std::unique_ptr<PairLoop> make_grain_loop(const ContactParameters& parameters, LeverArm arm,
-                                          SpringLimit limit, ZeroTerms zero_terms, double sphere_radius,
-                                          bool composed) {
-  return with_law(parameters, arm, composed, limit, zero_terms,
+                                          SpringLimit limit, double sphere_radius, bool composed) {
+  return with_law(parameters, arm, composed, limit,
                   [&]<class Law, class Arm, class Composed>(std::type_identity<Law>, Arm, Composed) {
                     const Law law(parameters, effective_radius(sphere_radius, sphere_radius));
                     return loop_over<Arm::value, Composed::value>(AlikePairs<Law>(law, sphere_radius));

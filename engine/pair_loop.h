@@ -86,13 +86,12 @@ struct GeneralContact {
 
 /// The loop for pairs between grains of spheres of `sphere_radius` (m). `composed`: several spheres a grain.
 std::unique_ptr<PairLoop> make_grain_loop(const ContactParameters& parameters, LeverArm arm,
-                                          SpringLimit limit, ZeroTerms zero_terms, double sphere_radius,
-                                          bool composed);
+                                          SpringLimit limit, double sphere_radius, bool composed);
 /// The loop for pairs of grains with walls: parameters and radius of wall spheres (m, infinite for planes and
 /// flat triangles) of every body.
 std::unique_ptr<PairLoop> make_wall_loop(const std::vector<ContactParameters>& parameters, LeverArm arm,
-                                         SpringLimit limit, ZeroTerms zero_terms, double sphere_radius,
-                                         bool composed, const std::vector<double>& wall_radii);
+                                         SpringLimit limit, double sphere_radius, bool composed,
+                                         const std::vector<double>& wall_radii);
 /// The same for laws put together while the program runs. Throw std::invalid_argument where parts of the law
 /// do not go together, or walls are to attract from afar.
 std::unique_ptr<PairLoop> make_general_grain_loop(const GeneralContact& contact, LeverArm arm,

@@ -79,7 +79,6 @@ void Simulation::add_grains(const std::vector<NewGrain>& added) {
     grains_.velocity[g] = grain.velocity;
     if (kinds_.composed()) grains_.orientation[g] = grain.orientation.normalized();
     grains_.spin[g] = rotation_matrix(grains_.orientation_of(g)).transpose() * grain.angular_velocity;
-    if (is_held(shape_of(g))) grains_.spin[g].setZero();
     grains_.force[g] = shape_of(g).mass * settings_.gravity;
     grains_.torque[g].setZero();
   }

@@ -38,9 +38,6 @@ struct SimulationSettings {
   double time_step = 0;  ///< s
   std::array<std::optional<double>, 2> period;  ///< m along x and y, box centred on the origin
   double skin = 0;                              ///< m; 0: follows the motion of the powder
-  /// Of the law that `grain_contact` and `wall_contact` are for.
-  ZeroTerms zero_terms = ZeroTerms::left_out;
-  ZeroTerms rotation_of_fixed_grains = ZeroTerms::left_out;  ///< where GrainShape::rotates is false
   /// Tools far from all powder do not age the list of near pairs by moving.
   bool skip_far_walls = true;
   std::optional<SleepSettings> sleep;  ///< settled grains are put to sleep

@@ -14,17 +14,6 @@ LeverArm arm_for(const KindTable& kinds, LeverArm wanted) {
   return kinds.composed() ? wanted : LeverArm::surface;
 }
 
-/// Factor of moments of inertia, and one (kg m^2) that no grain has without it.
-constexpr double kNothingTurnsIt = 1e30, kTooHeavy = 1;
-
-/// So heavy to turn that nothing turns it, where the rotation of grains that do not rotate is computed.
-GrainShape as_computed(GrainShape shape, const SimulationSettings& settings) {
-  if (shape.rotates || settings.rotation_of_fixed_grains == ZeroTerms::left_out) return shape;
-  shape.rotates = true;
-  shape.inertia *= kNothingTurnsIt;
-  return shape;
-}
-
 std::vector<double> radii_of(const std::vector<WallBodySpec>& walls) {
   std::vector<double> radii;
   for (const auto& wall : walls)
@@ -52,24 +41,17 @@ std::unique_ptr<PairLoop> mixed_wall_loop_for(const SimulationSettings& settings
 
 }  // namespace
 
-bool is_held(const GrainShape& shape) {
-  return shape.rotates && shape.inertia.minCoeff() > kTooHeavy;
-}
-
 KindTable kinds_of(const SimulationSettings& settings) {
   if (settings.mix && settings.general_contact)
     throw std::invalid_argument("a powder of several kinds has laws of its own: give no general contact law");
   if (!settings.mix) {
     if (settings.shape.sphere_offsets.empty()) throw std::invalid_argument("the grain shape has no spheres");
-    GrainShape shape = as_computed(settings.shape, settings);
+    GrainShape shape = settings.shape;
     if (settings.general_contact) shape.inertia /= settings.general_contact->scaling.torque_factor();
     return KindTable({{std::move(shape), {}}});
   }
   auto kinds = settings.mix->kinds;
-  for (auto& kind : kinds) {
-    kind.shape = as_computed(std::move(kind.shape), settings);
-    kind.shape.inertia /= settings.mix->scaling.torque_factor();
-  }
+  for (auto& kind : kinds) kind.shape.inertia /= settings.mix->scaling.torque_factor();
   return KindTable(std::move(kinds));
 }
 
@@ -90,7 +72,7 @@ std::unique_ptr<PairLoop> grain_loop_for(const SimulationSettings& settings, con
   if (settings.general_contact)
     return make_general_grain_loop(*settings.general_contact, settings.lever_arm, settings.shape);
   return make_grain_loop(settings.grain_contact, settings.lever_arm, settings.spring_limit,
-                         settings.zero_terms, settings.shape.sphere_radius, settings.shape.spheres() > 1);
+                         settings.shape.sphere_radius, settings.shape.spheres() > 1);
 }
 
 std::unique_ptr<PairLoop> wall_loop_for(const SimulationSettings& settings, const KindTable& kinds,
@@ -105,7 +87,7 @@ std::unique_ptr<PairLoop> wall_loop_for(const SimulationSettings& settings, cons
   }
   if (settings.general_contact)
     return make_general_wall_loop(*settings.general_contact, settings.lever_arm, settings.shape, radii);
-  return make_wall_loop(contacts, settings.lever_arm, settings.spring_limit, settings.zero_terms,
+  return make_wall_loop(contacts, settings.lever_arm, settings.spring_limit,
                         settings.shape.sphere_radius, settings.shape.spheres() > 1, radii);
 }
 

@@ -13,10 +13,6 @@ namespace diefill::engine {
 /// The kinds as they move: where forces are scaled, with the moments of inertia that torques balance with.
 KindTable kinds_of(const SimulationSettings& settings);
 
-/// Whether grains of this shape, of kinds_of(), do not rotate although their rotation is computed: it is too
-/// heavy to turn, and must be given no spin.
-bool is_held(const GrainShape& shape);
-
 /// The settings as the simulation keeps them: with the lever arm that such grains have, and the shape of the
 /// first kind.
 SimulationSettings checked(SimulationSettings settings, const KindTable& kinds);

@@ -237,15 +237,15 @@ class WallLoop final : public PairLoop {
 }  // namespace
 
 std::unique_ptr<PairLoop> make_wall_loop(const std::vector<ContactParameters>& parameters, LeverArm arm,
-                                         SpringLimit limit, ZeroTerms zero_terms, double sphere_radius,
-                                         bool composed, const std::vector<double>& wall_radii) {
+                                         SpringLimit limit, double sphere_radius, bool composed,
+                                         const std::vector<double>& wall_radii) {
   // One loop for all bodies: it has the terms that any of them needs.
   ContactParameters any;
   for (const auto& body : parameters) {
     any.friction = std::max(any.friction, body.friction);
     any.work_of_adhesion = std::max(any.work_of_adhesion, body.work_of_adhesion);
   }
-  return with_law(any, arm, composed, limit, zero_terms,
+  return with_law(any, arm, composed, limit,
                   [&]<class Law, class Arm, class Composed>(std::type_identity<Law>, Arm,
                                                             Composed) -> std::unique_ptr<PairLoop> {
                     std::vector<Law> laws;

@@ -192,7 +192,7 @@ void send(const CadParts& contents, Sender& sender) {
   } catch (const std::exception& error) {
     reason = error.what();
   } catch (...) {
-    reason = "the importer gave up without a word";
+    reason = "the importer failed without a message";
   }
   sender.value(kReason);
   sender.text(reason);
@@ -216,20 +216,20 @@ CadParts receive(Receiver& receiver) {
 
 std::string in_words(int status) {
   if (WIFSIGNALED(status) && (WTERMSIG(status) == SIGXCPU || WTERMSIG(status) == SIGKILL))
-    return "reading it does not come to an end";
-  return "the importer crashed on it, so its bytes must be damaged";
+    return "reading it does not terminate";
+  return "the importer crashed on it, so the file must be damaged";
 }
 
 }  // namespace
 
 CadParts read_in_child(const std::function<CadParts()>& read, const ChildLimits& limits) {
   int ends[2];
-  if (::pipe2(ends, O_CLOEXEC) != 0) throw std::runtime_error("no pipe for reading it could be opened");
+  if (::pipe2(ends, O_CLOEXEC) != 0) throw std::runtime_error("cannot open a pipe to read it");
   const pid_t child = ::fork();
   if (child < 0) {
     ::close(ends[0]);
     ::close(ends[1]);
-    throw std::runtime_error("no process for reading it could be started");
+    throw std::runtime_error("cannot start a process to read it");
   }
   if (child == 0) {
     ::close(ends[0]);

@@ -1,4 +1,4 @@
-// Reads CAD files in a child process: whatever a broken file makes the libraries do, this process goes on.
+// Reads CAD files in a child process: a crash of a library on a broken file does not end this process.
 #pragma once
 
 #include <functional>
@@ -7,7 +7,7 @@
 
 namespace diefill::geometry {
 
-/// What a child may take.
+/// Limits of a child.
 struct ChildLimits {
   std::size_t file_bytes = 0;  ///< size of the file to be read
   unsigned seconds = 60;       ///< of processor time for a small file

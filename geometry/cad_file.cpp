@@ -64,7 +64,7 @@ void check_beginning(const std::string& name, const std::string& ending, const s
   for (const Beginning& other : beginnings()) {
     if (!bytes.starts_with(other.bytes)) continue;
     if (std::find(other.endings.begin(), other.endings.end(), ending) != other.endings.end()) continue;
-    throw MeshError(name + " is in truth " + other.kind + ", whatever its name ends in: " +
+    throw MeshError(name + " is actually " + other.kind + ", despite its file extension: " +
                     (other.endings.empty() ? "export the part from the CAD program"
                                            : "rename it to ." + other.endings.front()));
   }
@@ -77,7 +77,7 @@ void check_encoding(const std::string& name, const std::string& bytes) {
 }
 
 void refuse_count(const std::string& name, std::uint64_t count, const std::string& what, std::size_t bytes) {
-  throw MeshError(name + " is cut short: its header promises " + std::to_string(count) + " " + what +
+  throw MeshError(name + " is truncated: its header announces " + std::to_string(count) + " " + what +
                   ", more than its " + std::to_string(bytes) + " bytes can hold; export or copy it again");
 }
 
@@ -118,7 +118,7 @@ std::vector<PlyElement> ply_elements(const std::string& name, const std::string&
     if (type == "list") words >> type;                            // a list may hold nothing but its length
     elements.back().least_bytes += is_text ? 2 : bytes_of(type);  // a digit and a blank
   }
-  throw MeshError(name + " is cut short: its header has no line 'end_header'; export or copy it again");
+  throw MeshError(name + " is truncated: its header has no line 'end_header'; export or copy it again");
 }
 
 void check_ply(const std::string& name, const std::string& bytes) {
@@ -143,17 +143,17 @@ void check_stl(const std::string& name, const std::string& bytes) {
   if (is_text_stl(bytes)) {
     if (lower_case(bytes).find("endsolid") == std::string::npos)
       throw MeshError(name +
-                      " is cut short: it is text without a closing 'endsolid'; export or copy it again");
+                      " is truncated: it is text without a closing 'endsolid'; export or copy it again");
     return;
   }
   if (is_plain_text(bytes))
     throw MeshError(name +
-                    " is text, but no STL: it does not begin with 'solid' and has no facets; name the "
-                    "file that the CAD program wrote");
+                    " is text, but not STL: it does not begin with 'solid' and has no facets; give the file "
+                    "exported from CAD");
   if (is_binary_stl(bytes)) return;
   if (bytes.size() < kStlHeader)
-    throw MeshError(name + " is cut short: " + std::to_string(bytes.size()) +
-                    " bytes, while a binary STL has a header of 84 bytes; export or copy it again");
+    throw MeshError(name + " is truncated: " + std::to_string(bytes.size()) +
+                    " bytes, but a binary STL has a header of 84 bytes; export or copy it again");
   std::uint32_t triangles = 0;
   std::memcpy(&triangles, bytes.data() + kStlHeader - sizeof triangles, sizeof triangles);
   if (triangles == 0)
@@ -164,8 +164,8 @@ void check_stl(const std::string& name, const std::string& bytes) {
                     "; export the part again, as a solid");
   const std::size_t expected = kStlHeader + kStlTriangle * triangles;
   if (bytes.size() < expected)
-    throw MeshError(name + " is cut short: its header promises " + std::to_string(triangles) +
-                    " triangles (" + std::to_string(expected) + " bytes), the file has " +
+    throw MeshError(name + " is truncated: its header announces " + std::to_string(triangles) +
+                    " triangles (" + std::to_string(expected) + " bytes), but the file has " +
                     std::to_string(bytes.size()) + " bytes; export or copy it again");
 }
 
@@ -177,13 +177,13 @@ namespace {
 std::string kind_in_words(std::filesystem::file_type type) {
   switch (type) {
     case std::filesystem::file_type::directory:
-      return "a directory: name the CAD file inside it";
+      return "a directory: give the CAD file inside it";
     case std::filesystem::file_type::fifo:
-      return "a pipe: name a regular file";
+      return "a pipe: give a regular file";
     case std::filesystem::file_type::socket:
-      return "a socket: name a regular file";
+      return "a socket: give a regular file";
     default:
-      return "a device: name a regular file";
+      return "a device: give a regular file";
   }
 }
 
@@ -192,17 +192,17 @@ std::size_t size_of_regular(const std::filesystem::path& file) {
   std::error_code error;
   const auto status = std::filesystem::status(file, error);
   if (!std::filesystem::exists(status))
-    throw MeshError(named(file) + (error && error != std::errc::no_such_file_or_directory
-                                       ? " cannot be reached: " + error.message()
-                                       : " does not exist: check the path, it is taken relative to the "
-                                         "scene file"));
+    throw MeshError(named(file) +
+                    (error && error != std::errc::no_such_file_or_directory
+                         ? " cannot be reached: " + error.message()
+                         : " does not exist: check the path, which is relative to the scene file"));
   if (!std::filesystem::is_regular_file(status))
     throw MeshError(named(file) + " is " + kind_in_words(status.type()));
   const std::uintmax_t size = std::filesystem::file_size(file, error);
   if (error) throw MeshError(named(file) + " cannot be read: " + error.message());
   if (size > kLargestFile)
-    throw MeshError(named(file) + " has " + std::to_string(size >> 20U) + " MiB, up to " +
-                    std::to_string(kLargestFile >> 20U) + " MiB are read: export it with fewer triangles");
+    throw MeshError(named(file) + " has " + std::to_string(size >> 20U) + " MiB, allowed: up to " +
+                    std::to_string(kLargestFile >> 20U) + " MiB: export it with fewer triangles");
   return static_cast<std::size_t>(size);
 }
 

@@ -100,7 +100,7 @@ CadParts read_by_kind(const std::filesystem::path& file, const CadFormat& format
 CadParts read_cad_parts(const std::filesystem::path& file, const CadFormat& format, double chord_tolerance) {
   CadParts contents = read_by_kind(file, format, chord_tolerance);
   std::erase_if(contents.parts, [](const CadPart& part) { return part.mesh.triangles.empty(); });
-  if (contents.parts.empty()) throw std::runtime_error("it holds no surface");
+  if (contents.parts.empty()) throw std::runtime_error("it contains no surface");
   make_names_unique(contents.parts);
   return contents;
 }

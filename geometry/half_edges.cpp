@@ -17,7 +17,7 @@ HalfEdges::HalfEdges(const Mesh& mesh, const Topology& topology,
                      const std::function<bool(std::size_t)>& takes_part) {
   const std::size_t triangles = mesh.triangles.size();
   if (triangles > kMostTriangles)
-    throw MeshError("the mesh has " + std::to_string(triangles) + " triangles, more than " +
+    throw MeshError("the mesh has " + std::to_string(triangles) + " triangles, allowed: up to " +
                     std::to_string(kMostTriangles) + ": export it with a coarser tolerance");
   const auto ends = [&](std::size_t t, int k) {
     const std::int64_t from = topology.corner(mesh, t, k), to = topology.corner(mesh, t, (k + 1) % 3);

@@ -174,7 +174,7 @@ void Examination::find_inward_shells() {
 
 void Examination::list_places() {
   const std::pair<const std::size_t*, const char*> kinds[] = {
-      {&findings_.not_finite, "impossible corner"},
+      {&findings_.not_finite, "invalid corner"},
       {&findings_.open_edges, "open edge"},
       {&findings_.non_manifold_edges, "edge of more than two triangles"},
       {&findings_.self_intersections, "crossing"},

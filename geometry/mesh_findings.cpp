@@ -45,8 +45,8 @@ bool MeshFindings::usable() const {
 std::vector<std::string> MeshFindings::in_words() const {
   if (triangles == 0) return {"no triangles: there is no surface; export the solid as a surface mesh"};
   Writer writer(places);
-  writer.write(not_finite, "triangle with an impossible corner", "triangles with an impossible corner",
-               "a coordinate is no finite number or a corner does not exist, place unknown, written",
+  writer.write(not_finite, "triangle with an invalid corner", "triangles with an invalid corner",
+               "a coordinate is not a finite number or a corner does not exist, location unknown, shown",
                "export it again");
   writer.write(open_edges, "open edge", "open edges", "the surface has a hole", "close the solid in CAD");
   writer.write(non_manifold_edges, "edge shared by more than two triangles",
@@ -55,13 +55,13 @@ std::vector<std::string> MeshFindings::in_words() const {
   writer.write(self_intersections, "pair of triangles that cross", "pairs of triangles that cross",
                "the surface passes through itself", "unite overlapping solids in CAD");
   writer.write(badly_oriented_edges, "edge with neighbours facing opposite ways",
-               "edges with neighbours facing opposite ways", "triangles are turned over",
+               "edges with neighbours facing opposite ways", "triangles are flipped",
                "recalculate the normals in CAD");
   const std::string consequence = inward_shells == shells && volume < 0
                                       ? "the whole surface is inside out, normals point into the solid,"
                                       : "it is inside out or lies inside another solid,";
   writer.write(inward_shells, "shell faces the wrong way", "shells face the wrong way", consequence,
-               "turn the normals round in CAD or take the inner solid away");
+               "reverse the normals in CAD or remove the inner solid");
   writer.write(degenerate_triangles, "triangle without area", "triangles without area",
                "slivers from the export", "harmless by themselves");
   writer.write(duplicate_triangles, "triangle twice", "triangles twice", "the same corners again",

@@ -14,8 +14,8 @@
 #include "geometry/lie_apart.h"
 #include "geometry/point_grid.h"
 #include "geometry/read_binary_stl.h"
-#include "geometry/referred_files.h"
 #include "geometry/read_text_stl.h"
+#include "geometry/referred_files.h"
 #include "geometry/shown_text.h"
 #include "geometry/wanted_part.h"
 
@@ -70,7 +70,7 @@ void check_corners(const Mesh& mesh, const std::filesystem::path& file) {
   const auto bad = std::find_if(mesh.vertices.begin(), mesh.vertices.end(),
                                 [](const Eigen::Vector3d& v) { return !v.allFinite(); });
   if (bad != mesh.vertices.end())
-    throw MeshError(named(file) + " holds a corner that is no finite number (corner " +
+    throw MeshError(named(file) + " has a corner with a non-finite coordinate (corner " +
                     std::to_string(bad - mesh.vertices.begin() + 1) + "): export it again");
   const auto count = static_cast<int>(mesh.vertices.size());
   for (const Eigen::Vector3i& triangle : mesh.triangles)
@@ -92,10 +92,10 @@ double unit_of(const std::filesystem::path& file, const CadParts& contents, cons
   const auto& given = options.metres_per_unit;
   const auto& stated = contents.metres_per_unit;
   if (!stated && !given)
-    throw MeshError(named(file) + " does not say what unit its coordinates are in: state it");
+    throw MeshError(named(file) + " does not state its unit of length: give length_unit");
   if (stated && given && std::abs(*given / *stated - 1) > kSameUnit)
     throw MeshError(named(file) + " states its unit, " + unit_in_words(*stated) + ", but " +
-                    unit_in_words(*given) + " is asked for: leave the unit out, or export the file again");
+                    unit_in_words(*given) + " is given: remove the unit, or export the file again");
   return stated ? *stated : *given;
 }
 
@@ -145,12 +145,11 @@ void check_digits(const std::string& file, const Mesh& mesh, std::vector<std::st
   if (step < kRemarkedStep * size) return;
   char text[240];
   std::snprintf(text, sizeof text,
-                "%.4g m from the origin its single precision rounds corners to steps of about %.2g mm",
+                "at %.4g m from the origin single precision rounds corners to steps of about %.2g mm",
                 farthest, 1e3 * step);
   if (step > kRefusedStep * size)
-    throw MeshError(
-        file + ": " + text +
-        ", so that digits of its shape are lost; move it to the origin in CAD and export it again");
+    throw MeshError(file + ": " + text +
+                    ", which distorts its shape; move it to the origin in CAD and export it again");
   remarks.emplace_back(text);
 }
 
@@ -171,7 +170,7 @@ ImportedPart import_part(const std::filesystem::path& file, const ImportOptions&
   const std::string bytes = read_cad_file(file);
   const CadFormat* format = cad_format(file);
   if (format == nullptr)
-    throw MeshError(named(file) + " is of an unknown format '" +
+    throw MeshError(named(file) + " has an unsupported format '" +
                     shown(file.extension().string().substr(file.has_extension() ? 1 : 0), 40) +
                     "': export it as " + cad_formats_in_words());
   check_is_what_it_says(file, format->ending, bytes);

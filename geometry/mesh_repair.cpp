@@ -107,7 +107,7 @@ bool Repair::stitch() {
   const bool sheets_meet = check_mesh(mesh_).non_manifold_edges > 0;
   if (sheets_meet && mesh_.volume() < 0) {
     for (auto& triangle : mesh_.triangles) std::swap(triangle[1], triangle[2]);
-    say("the surface turned right side out");
+    say("surface normals reversed to point outward");
   }
   if (sheets_meet && stitch_shells()) return true;
   cgal::Soup soup = cgal::soup_of(mesh_);
@@ -115,10 +115,10 @@ bool Repair::stitch() {
   if (soup.triangles.empty()) return false;
   if (!processing::orient_polygon_soup(soup.points, soup.triangles) && sheets_meet) {
     refused_.push_back(
-        "edges with more than two triangles: which of them bound the solid is for the CAD program to say");
+        "edges with more than two triangles: ambiguous which bound the solid, repair it in CAD");
     return false;
   }
-  if (findings_.badly_oriented_edges > 0) say("triangles turned so that neighbours agree about outside");
+  if (findings_.badly_oriented_edges > 0) say("triangles flipped so that neighbours agree on the outside");
   if (!processing::is_polygon_soup_a_polygon_mesh(soup.triangles)) return false;
   processing::polygon_soup_to_polygon_mesh(soup.points, soup.triangles, surface_);
   return true;
@@ -187,12 +187,12 @@ void Repair::turn_outward() {
   if (findings.inward_shells == 0 || findings.self_intersections > 0) return;
   if (findings.inward_shells == findings.shells && findings.volume < 0) {
     processing::reverse_face_orientations(surface_);
-    say("the surface turned right side out");
+    say("surface normals reversed to point outward");
     return;
   }
   processing::orient_to_bound_a_volume(surface_);
   say(counted(findings.inward_shells, "shell", "shells") +
-      " turned round, so that outer shells face out and shells inside others bound hollows");
+      " reversed, so that outer shells face outward and inner shells bound cavities");
 }
 
 void Repair::unite_shells() {
@@ -202,8 +202,7 @@ void Repair::unite_shells() {
   processing::split_connected_components(surface_, shells);
   for (Surface& shell : shells) {
     if (processing::does_self_intersect(shell)) {
-      refused_.push_back(
-          "a surface that passes through itself: which side is solid is for the CAD program to say");
+      refused_.push_back("a surface that intersects itself: ambiguous which side is solid, repair it in CAD");
       return;
     }
     if (processing::volume(shell) < 0) processing::reverse_face_orientations(shell);
@@ -259,7 +258,7 @@ RepairedMesh Repair::run() {
     result.refused = refused_;
     if (options_.level == RepairLevel::kWrap) wrap(result);
   } catch (const std::exception&) {
-    result.refused.push_back("CGAL gave up on it");
+    result.refused.push_back("CGAL could not repair it");
   }
   return result;
 }

@@ -1,11 +1,11 @@
-// Wraps a new closed surface round an old one of whatever state (CGAL's alpha wrap).
+// Wraps a new closed surface around an arbitrary one (CGAL's alpha wrap).
 #pragma once
 
 #include "geometry/mesh.h"
 
 namespace diefill::geometry {
 
-/// A closed surface round `mesh` that follows features down to the size `detail` (m); narrower openings are
+/// A closed surface around `mesh` that follows features down to the size `detail` (m); narrower openings are
 /// closed over. It stands off by a thirtieth of `detail`. Deterministic.
 Mesh wrapped(const Mesh& mesh, double detail);
 

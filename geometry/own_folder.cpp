@@ -63,9 +63,9 @@ std::string OwnFolder::reason_against(const std::filesystem::path& place) const 
       std::filesystem::canonical(file_.parent_path().empty() ? "." : file_.parent_path(), error);
   const auto target = std::filesystem::weakly_canonical(place, error);
   if (error || *target.lexically_relative(folder).begin() == "..")
-    return "which lies outside the folder of the CAD file: copy it there and write its bare name";
-  if (!std::filesystem::exists(target, error)) return "which is not there: copy it beside the CAD file";
-  if (!std::filesystem::is_regular_file(target, error)) return "which is no regular file";
+    return "which is outside the folder of the CAD file: copy it there and refer to it by its file name";
+  if (!std::filesystem::exists(target, error)) return "which does not exist: copy it next to the CAD file";
+  if (!std::filesystem::is_regular_file(target, error)) return "which is not a regular file";
   return "";
 }
 

@@ -79,18 +79,18 @@ class Collector {
   void add(void* object, const Placement& placement, const std::vector<std::string>& assemblies,
            const std::string& name) {
     if (assemblies.size() > kDeepestNesting)
-      throw std::runtime_error("its components contain each other without end");
+      throw std::runtime_error("its components contain each other recursively");
     auto* resource = static_cast<NMR::PLib3MFModelObjectResource*>(object);
     BOOL is_mesh = 0;
     check(NMR::lib3mf_object_ismeshobject(resource, &is_mesh), object);
     const std::string own = name_of(object);
     const std::string& called = own.empty() ? name : own;
     if (!is_mesh) return add_components(object, placement, assemblies, called);
-    if (parts_.size() == kMostParts) throw std::runtime_error("its components make too many parts");
+    if (parts_.size() == kMostParts) throw std::runtime_error("its components produce too many parts");
     parts_.push_back({called, {}, {}, assemblies});
     add_mesh(object, placement, parts_.back().mesh);
     corners_ += parts_.back().mesh.vertices.size();
-    if (corners_ > kMostCorners) throw std::runtime_error("its components make too many corners");
+    if (corners_ > kMostCorners) throw std::runtime_error("its components produce too many corners");
   }
 
  private:

@@ -72,8 +72,7 @@ CadParts read_binary_stl(const std::string& bytes) {
     at += kHeader + kTriangle * count;
   }
   if (at < bytes.size())
-    contents.remarks.push_back(std::to_string(bytes.size() - at) +
-                               " bytes behind the last triangle not read");
+    contents.remarks.push_back(std::to_string(bytes.size() - at) + " bytes after the last triangle ignored");
   return contents;
 }
 

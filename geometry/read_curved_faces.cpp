@@ -135,15 +135,14 @@ void refuse_tessellation(const std::string& file) {
                                  "COMPLEX_TRIANGULATED_FACE", "TRIANGULATED_SURFACE_SET"})
     if (bytes.find(word) != std::string::npos)
       throw std::runtime_error(
-          "it holds triangles alone (tessellated shapes of AP242), of which OpenCASCADE 7.6 reads none: "
-          "write "
-          "STEP with solids (AP203, AP214 or AP242 with exact geometry), or STL");
+          "it contains only triangles (tessellated shapes of AP242), which OpenCASCADE 7.6 cannot read: "
+          "export STEP with solids (AP203, AP214 or AP242 with exact geometry), or STL");
 }
 
 void add_face(const TopoDS_Face& face, Mesh& mesh) {
   TopLoc_Location place;
   const Handle(Poly_Triangulation) triangulation = BRep_Tool::Triangulation(face, place);
-  if (triangulation.IsNull()) throw std::runtime_error("a face of it cannot be turned into triangles");
+  if (triangulation.IsNull()) throw std::runtime_error("one of its faces cannot be triangulated");
   const gp_Trsf& pose = place.Transformation();
   const int offset = static_cast<int>(mesh.vertices.size()) - 1;
   for (int i = 1; i <= triangulation->NbNodes(); ++i) {
@@ -189,7 +188,7 @@ double read_step(const std::string& file, Handle(TDocStd_Document) & document) {
   reader.SetColorMode(Standard_False);
   reader.SetLayerMode(Standard_False);
   if (reader.ReadFile(file.c_str()) != IFSelect_RetDone)
-    throw std::runtime_error("it is no STEP file or is cut short");
+    throw std::runtime_error("it is not a STEP file or is truncated");
   TColStd_SequenceOfAsciiString lengths;
   TColStd_SequenceOfAsciiString angles;
   TColStd_SequenceOfAsciiString solid_angles;
@@ -205,7 +204,7 @@ double read_iges(const std::string& file, Handle(TDocStd_Document) & document) {
   IGESCAFControl_Reader reader;
   reader.SetNameMode(Standard_True);
   if (reader.ReadFile(file.c_str()) != IFSelect_RetDone)
-    throw std::runtime_error("it is no IGES file or is cut short");
+    throw std::runtime_error("it is not an IGES file or is truncated");
   const auto model = Handle(IGESData_IGESModel)::DownCast(reader.Model());
   const int flag = model.IsNull() ? 0 : model->GlobalSection().UnitFlag();
   const double millimetres = IGESData_BasicEditor::UnitFlagValue(flag);

@@ -93,8 +93,7 @@ double amf_unit(const std::filesystem::path& file) {
   static const std::regex unit("<amf[^>]*\\sunit\\s*=\\s*[\"']([a-zA-Z]*)[\"']");
   if (!std::regex_search(head, found, unit)) return 1e-3;  // the default of ISO/ASTM 52915
   const auto known = units.find(found[1]);
-  if (known == units.end())
-    throw std::runtime_error("its unit '" + found[1].str() + "' is none that AMF has");
+  if (known == units.end()) throw std::runtime_error("its unit '" + found[1].str() + "' is not an AMF unit");
   return known->second;
 }
 
@@ -112,7 +111,7 @@ CadParts read_triangles(const std::filesystem::path& file, const CadFormat& form
   if (scene == nullptr || scene->mRootNode == nullptr) {
     if (!files->refused().empty()) throw std::runtime_error(files->refused());
     const std::string words = importer.GetErrorString();
-    throw std::runtime_error(words.empty() ? "its inner layout is not known to the importer"
+    throw std::runtime_error(words.empty() ? "the importer does not support its internal layout"
                                            : words.substr(0, words.find('\n')));
   }
   CadParts contents;

@@ -142,7 +142,7 @@ std::string Symmetry::in_words() const {
             direction_in_words(planes[k]);
   for (const SymmetryAxis& axis : axes) {
     text += text.empty() ? "" : "; ";
-    text += (axis.order == 0 ? "round" : std::to_string(axis.order) + "-fold") + " about " +
+    text += (axis.order == 0 ? "axisymmetric" : std::to_string(axis.order) + "-fold") + " about " +
             direction_in_words(axis.direction);
   }
   if (text.empty()) return "none found";

@@ -143,10 +143,10 @@ bool starts_before(const SolidRows::Row& one, const SolidRows::Row& other) {
 VoxelGrid VoxelGrid::over(const Box& box, double edge) {
   const Eigen::Vector3d voxels = box.size() / edge;
   if (!(voxels.cwiseMax(1).prod() <= kMostVoxels)) {
-    char text[200];
+    char text[280];
     std::snprintf(text, sizeof text,
-                  "the space of %.4g x %.4g x %.4g mm that tools and powder take up is too large to be "
-                  "searched in steps of %.3g mm; see whether a position or a motion has the wrong unit",
+                  "the volume of %.4g x %.4g x %.4g mm occupied by tools and powder is too large to search "
+                  "in steps of %.3g mm; check whether a position or a motion has the wrong unit",
                   1e3 * box.size()[0], 1e3 * box.size()[1], 1e3 * box.size()[2], 1e3 * edge);
     throw MeshError(text);
   }

@@ -26,7 +26,7 @@ constexpr double kSameGuess = 1e-9;
   text << std::setprecision(4) << "the solid is only " << 1e3 * thickness << " mm thick near ("
        << 1e3 * place.x() << ", " << 1e3 * place.y() << ", " << 1e3 * place.z()
        << ") mm, thinner than a wall sphere of " << 2e3 * radius
-       << " mm diameter: make sphere_radius smaller than " << 0.5e3 * thickness << " mm or the part thicker";
+       << " mm diameter: reduce sphere_radius below " << 0.5e3 * thickness << " mm or thicken the part";
   throw MeshError(text.str());
 }
 

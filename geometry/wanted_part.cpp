@@ -32,11 +32,11 @@ class Search {
     if (assemblies.size() == 1 && contains(assemblies.begin()->second, called))
       return assemblies.begin()->second;
     if (assemblies.size() > 1) refuse_assemblies(assemblies);
-    if (called.size() > 1) refuse(called, "is there more than once");
+    if (called.size() > 1) refuse(called, "occurs more than once");
     const Indices begun = those([&](const CadPart& part) { return part.name.starts_with(name_ + " "); });
     if (begun.size() == 1) return begun;
-    if (begun.size() > 1) refuse(begun, "may be one of several");
-    throw UnknownPart(file_ + " has no part \"" + shown(name_) + "\": it holds " + list(all(), false),
+    if (begun.size() > 1) refuse(begun, "matches several");
+    throw UnknownPart(file_ + " has no part \"" + shown(name_) + "\": it contains " + list(all(), false),
                       names());
   }
 
@@ -72,7 +72,7 @@ class Search {
     for (const std::size_t k : indices) box.include(parts_[k].mesh.bounding_box());
     const Eigen::Vector3d middle = millimetres_ * (box.lower + box.upper) / 2;
     char text[120];
-    std::snprintf(text, sizeof text, " round (%.2f, %.2f, %.2f) mm", middle.x(), middle.y(), middle.z());
+    std::snprintf(text, sizeof text, " around (%.2f, %.2f, %.2f) mm", middle.x(), middle.y(), middle.z());
     return text;
   }
 
@@ -94,7 +94,7 @@ class Search {
 
   [[noreturn]] void refuse(const Indices& indices, const std::string& why) const {
     throw MeshError(file_ + ": part \"" + shown(name_) + "\" " + why + ": " + list(indices, true) +
-                    "; write the whole name of the one that is meant");
+                    "; write the full name of the one you mean");
   }
 
   [[noreturn]] void refuse_assemblies(const std::map<std::string, Indices>& assemblies) const {
@@ -107,7 +107,7 @@ class Search {
     std::sort(members.begin(), members.end());
     throw MeshError(file_ + ": assembly \"" + shown(name_) + "\" is placed " +
                     std::to_string(assemblies.size()) + " times," + places +
-                    "; name one of its parts: " + list(members, true));
+                    "; choose one of its parts: " + list(members, true));
   }
 
   const std::vector<CadPart>& parts_;

@@ -102,7 +102,7 @@ Interval axis_range(const ChartAxis& axis, const std::vector<double>& values, bo
   if (!std::isnan(axis.upper)) range.upper = axis.upper;
   if (!std::isfinite(range.length()) || range.lower >= range.upper || (axis.logarithmic && range.lower <= 0))
     throw std::runtime_error("axis '" + axis.label + "': limits " + std::to_string(range.lower) + " to " +
-                             std::to_string(range.upper) + " must rise" +
+                             std::to_string(range.upper) + " must increase" +
                              (axis.logarithmic ? " and be positive (logarithmic axis)" : ""));
   return range;
 }
@@ -116,7 +116,7 @@ void check_chart(const Chart& chart) {
       throw std::runtime_error("chart '" + chart.title + "', curve '" + curve.name +
                                "': " + std::to_string(curve.x.size()) + " x, " +
                                std::to_string(curve.y.size()) + " y and " +
-                               std::to_string(curve.y_error.size()) + " errors do not belong together");
+                               std::to_string(curve.y_error.size()) + " errors have unequal lengths");
   }
 }
 

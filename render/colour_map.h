@@ -30,7 +30,7 @@ enum class ColourScale {
 };
 
 /// Colour at `fraction` of a scale, clamped to 0..1; NaN gives kNoValueColour. The diverging one is
-/// ColorBrewer's RdBu, turned round: lightness rises evenly to the white middle and falls evenly from there.
+/// ColorBrewer's RdBu, reversed: lightness rises evenly to the white middle and falls evenly from there.
 Rgb scale_colour(ColourScale scale, double fraction);
 
 /// map_colour of `value` on the scale lower..upper. Throws nothing; equal limits give the middle colour.

@@ -125,7 +125,7 @@ void draw_foot(QPainter& painter, double height, const results::Field2D& field, 
 }  // namespace
 
 ComparisonPicture compose_comparison(const std::vector<ComparedField>& fields, const std::string& title) {
-  if (fields.empty()) throw std::runtime_error("a comparison without fields cannot be drawn");
+  if (fields.empty()) throw std::runtime_error("cannot draw a comparison without fields");
   for (const auto& [name, field] : fields) check_field(field);
   constexpr double kFromData = std::numeric_limits<double>::quiet_NaN();
   ComparisonPicture picture;

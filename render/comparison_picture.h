@@ -1,4 +1,4 @@
-// Density maps of several ways of filling side by side, on one colour scale.
+// Density maps of several filling strategies side by side, on one colour scale.
 #pragma once
 
 #include <QImage>
@@ -12,7 +12,7 @@
 
 namespace diefill::render {
 
-/// The field of one way of filling.
+/// The field of one filling strategy.
 struct ComparedField {
   std::string name;
   results::Field2D field;

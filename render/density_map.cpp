@@ -117,7 +117,7 @@ QString note_text(const results::Field2D& field, const FieldStyle& style, const 
   if (field.averaging_width > 0)
     add(QStringLiteral("Gaussian average, σ = %1 mm").arg(field.averaging_width * 1e3, 0, 'g', 3));
   if (!style.note.empty()) add(QString::fromStdString(style.note));
-  if (broken_scales) add(QStringLiteral("axes not to the same scale"));
+  if (broken_scales) add(QStringLiteral("axes have different scales"));
   return note;
 }
 

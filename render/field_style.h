@@ -23,7 +23,7 @@ struct FieldStyle {
   std::vector<results::PlaneArrow> arrows;  ///< drawn in black with a white edge
   double arrow_length = 0;  ///< value (in `unit`) of the arrow in the legend; 0: from the arrows
   std::string note;         ///< small print added at the foot, such as what was compared
-  /// Whether a place (the field's coordinates) lies in a cavity: what holds no powder there is told from air.
+  /// Whether a place (the field's coordinates) lies in a cavity: distinguishes an empty cavity from air.
   std::function<bool(double first, double second)> in_cavity;
   /// Second coordinate of the fill plane, marked by a line with its name; NaN: none.
   double fill_plane = std::numeric_limits<double>::quiet_NaN();

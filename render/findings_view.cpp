@@ -180,7 +180,7 @@ FindingsPicture compose_findings(const std::vector<MarkedPart>& parts,
   picture.image = white_canvas(kWidth, kHeight);
   QPainter painter(&picture.image);
   painter.setRenderHints(QPainter::Antialiasing | QPainter::TextAntialiasing);
-  const Heading heading(title, "red: fault, orange: look at it, blue: for information", kWidth - 2 * kMargin);
+  const Heading heading(title, "red: error, orange: warning, blue: information", kWidth - 2 * kMargin);
   heading.draw(painter, kMargin, kMargin - 8);
   const double top = std::round(kMargin + heading.height() + 12);
   const QRectF scene(kMargin, top, kWidth - 3 * kMargin - kLegendWidth, kHeight - top - kMargin);

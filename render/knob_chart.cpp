@@ -94,7 +94,7 @@ void draw_cost_labels(QPainter& painter, const PlotArea& plot, const Curve& curv
 KnobPicture compose_knob(const Tradeoff& tradeoff, const KnobRow& knob) {
   const auto curves = deviations(tradeoff, knob), cost = costs(tradeoff, knob);
   const Heading heading(tradeoff.title,
-                        "What the knob \"" + knob.name + "\" alone changes; bars: scatter over seeds",
+                        "Effect of the knob \"" + knob.name + "\" alone; bars: scatter over seeds",
                         kWidth - 2 * kMargin);
   KnobPicture picture;
   picture.deviation.x = value_axis(knob, false);

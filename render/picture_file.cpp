@@ -10,8 +10,7 @@
 namespace diefill::render {
 
 QImage white_canvas(int width, int height, double pixels) {
-  if (!(pixels >= 1))
-    throw std::invalid_argument("pictures are drawn with at least one pixel a layout point");
+  if (!(pixels >= 1)) throw std::invalid_argument("pictures need at least one pixel per layout point");
   QImage canvas(static_cast<int>(std::lround(width * pixels)), static_cast<int>(std::lround(height * pixels)),
                 QImage::Format_RGB32);
   canvas.setDevicePixelRatio(pixels);
@@ -32,18 +31,18 @@ void write_pdf_page(const std::filesystem::path& pdf, const QSizeF& size,
     writer.setResolution(1200);
     writer.setTitle(QStringLiteral("diefill"));
     QPainter painter;
-    if (!painter.begin(&writer)) throw std::runtime_error("the page could not be stored");
+    if (!painter.begin(&writer)) throw std::runtime_error("cannot write the page");
     const double scale = writer.width() / size.width();
     painter.scale(scale, scale);
     paint(painter);
-    if (!painter.end()) throw std::runtime_error("the page could not be stored");
+    if (!painter.end()) throw std::runtime_error("cannot write the page");
   });
 }
 
 void write_png(const std::filesystem::path& png, const QImage& image) {
   results::write_atomically(png, [&](const std::filesystem::path& temporary) {
     if (!image.save(QString::fromStdString(temporary.string()), "PNG"))
-      throw std::runtime_error("the picture could not be stored");
+      throw std::runtime_error("cannot write the picture");
   });
 }
 

@@ -10,10 +10,6 @@
 
 namespace diefill::render {
 
-/// Sets up drawing without a screen. Call once, before any picture; `argc` and `argv` go to Qt.
-/// Throws std::runtime_error when no software renderer is available.
-void start_offscreen(int& argc, char** argv);
-
 /// Range of a colour scale; both NaN: from the data.
 struct ColourRange {
   double lower, upper;

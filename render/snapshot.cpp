@@ -152,8 +152,8 @@ SnapshotPicture compose_snapshot(const results::FillResult& result, const ViewOp
                      ? *options.view
                      : choose_view(result, picture.scene.width() / picture.scene.height(), options.camera);
   if (picture.view.empty) {
-    draw_centred(painter, picture.scene.center(), QStringLiteral("neither powder nor tools to show"),
-                 kLabelPixels, picture.scene.width());
+    draw_centred(painter, picture.scene.center(), QStringLiteral("no powder or tools to show"), kLabelPixels,
+                 picture.scene.width());
     return picture;
   }
   const QSize size = (picture.scene.toRect().size().toSizeF() * options.pixels).toSize();

@@ -1,4 +1,5 @@
-// Sets up Qt and the renderer for pictures without a screen.
+#include "render/start_offscreen.h"
+
 #include <vtkSmartPointer.h>
 
 #include <QFontDatabase>
@@ -8,7 +9,6 @@
 #include <stdexcept>
 
 #include "render/offscreen.h"
-#include "render/pictures.h"
 
 namespace diefill::render {
 

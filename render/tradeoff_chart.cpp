@@ -37,8 +37,7 @@ Drawn drawable(const Tradeoff& tradeoff) {
     drawn.cost.push_back(point.core_seconds);
     drawn.error.push_back(100 * point.error);
   }
-  if (drawn.points.empty())
-    throw std::runtime_error("a tradeoff without any setting that has a cost and an error");
+  if (drawn.points.empty()) throw std::runtime_error("no setting has both a cost and an error");
   return drawn;
 }
 
@@ -133,9 +132,9 @@ std::vector<LegendEntry> legend_of(const Tradeoff& tradeoff) {
   const auto any = [&](const auto& is) { return std::ranges::any_of(tradeoff.points, is); };
   std::vector<LegendEntry> entries;
   if (any([](const TradeoffPoint& point) { return point.recommended; }))
-    entries.push_back(mark_entry(QStringLiteral("take this one"), chosen));
+    entries.push_back(mark_entry(QStringLiteral("recommended"), chosen));
   const std::vector<LegendEntry> always = {
-      {QStringLiteral("none cheaper and better"),
+      {QStringLiteral("Pareto-optimal"),
        [front](QPainter& painter, const QPointF& at) {
          painter.setPen(QPen(kFront, 3));
          painter.drawLine(at - QPointF(26, 0), at + QPointF(26, 0));
@@ -298,7 +297,7 @@ QString note_of(const Tradeoff& tradeoff, bool some_below) {
       missing += (missing.isEmpty() ? "" : ", ") + QString::fromStdString(point.label);
   }
   if (!missing.isEmpty()) names += QStringLiteral("; failed: ") + missing;
-  if (some_below) names += QStringLiteral("; on the lower edge: that or less");
+  if (some_below) names += QStringLiteral("; lower edge: that or less");
   return QStringLiteral("Largest error of: ") + names;
 }
 

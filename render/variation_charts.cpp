@@ -30,7 +30,7 @@ Chart spread_chart(const std::vector<Named<results::SpreadProfile>>& profiles, c
   for (const auto& [name, profile] : profiles)
     chart.curves.push_back({name, profile.mean.x, profile.mean.y, CurveStyle::kLine, {}, profile.spread});
   const std::string over = profiles.front().data.mean.x_name == "azimuth" ? "height" : "azimuth";
-  chart.note = "Mean over " + over + "; band: one standard deviation over " + over + " to both sides";
+  chart.note = "Mean over " + over + "; band: +- one standard deviation over " + over;
   return chart;
 }
 

@@ -1,4 +1,5 @@
-// The force-scaling rules by name, as a scene gives them.
+// The rules of coarse graining by name, as a scene gives them: those that scale forces while the simulation
+// runs, and those that scale the parameters of the laws before.
 #pragma once
 
 #include <array>
@@ -10,6 +11,7 @@
 #include "engine/coarse_graining/hu_methods.h"
 #include "engine/coarse_graining/sakai_koshizuka.h"
 #include "engine/coarse_graining/scaled_up_particle.h"
+#include "engine/coarse_graining/thakur.h"
 #include "engine/coarse_graining/unscaled.h"
 
 namespace diefill::engine::coarse_graining {
@@ -32,6 +34,27 @@ inline constexpr std::array kMethods = {
     Method{"Sakai-Koshizuka", sakai_koshizuka},
     Method{"Chu", chu},
 };
+
+/// A rule that scales parameters. Torques stay force times radius.
+struct ParameterRule {
+  std::string_view name;
+  /// Parameters of the law between grains `scale` times as large.
+  laws::LawParameters (*scaled)(const laws::LawParameters& fine, double scale);
+};
+
+/// All rules that work by parameters, the usual one first. A new rule is registered by its line here.
+inline constexpr std::array kParameterRules = {
+    ParameterRule{"bierwisch",
+                  [](const laws::LawParameters& fine, double scale) { return fine.similar(scale); }},
+    ParameterRule{"Thakur", thakur},
+};
+
+/// Null where no rule of that name works by parameters.
+inline const ParameterRule* parameter_rule(std::string_view name) {
+  for (const auto& rule : kParameterRules)
+    if (rule.name == name) return &rule;
+  return nullptr;
+}
 
 /// The rule of that name at `scale` l = d_S / d_O. Throws std::invalid_argument with the names there are.
 inline ForceScaling force_scaling(std::string_view name, double scale) {

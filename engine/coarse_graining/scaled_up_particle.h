@@ -2,7 +2,6 @@
 #pragma once
 
 #include "engine/coarse_graining/force_scaling.h"
-#include "engine/laws/law_parameters.h"
 
 namespace diefill::engine::coarse_graining {
 
@@ -10,13 +9,6 @@ namespace diefill::engine::coarse_graining {
 /// they are (Hu 2024, Eqs. 3.21 to 3.45).
 inline ForceScaling scaled_up_particle(double scale) {
   return {.scale = scale, .force_exponent = 2, .attraction_exponent = 2, .torque_exponent = 2};
-}
-
-/// The same rule without a scaled law: the ordinary law at the scaled size with these parameters (surface
-/// energy and surface tension times l and so on), and every grain's torque times torque_factor() = 1 / l.
-/// Identical forces (Hu 2024, Eqs. 3.46 to 3.48).
-inline laws::LawParameters scaled_up_particle(const laws::LawParameters& fine, double scale) {
-  return fine.similar(scale);
 }
 
 }  // namespace diefill::engine::coarse_graining

@@ -85,10 +85,4 @@ struct LudingNormal {
 
 static_assert(NormalPart<LudingNormal>);
 
-/// k_1 = 4/3 Y r sqrt(delta') in N/m: Hertz' secant stiffness at the reference overlap delta' (over the
-/// radius) of a sphere of `radius` in m and Young's modulus in Pa (Kottlan 2018, Eq. 3).
-inline double luding_loading_stiffness(double young, double radius, double reference_overlap) {
-  return 4.0 / 3.0 * young * radius * std::sqrt(reference_overlap);
-}
-
 }  // namespace diefill::engine::laws

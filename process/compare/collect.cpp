@@ -44,7 +44,7 @@ results::ComparedRun compared_run(const std::filesystem::path& directory, const 
     if (const auto* field = compared_field(result)) fields.push_back(*field);
   } catch (const results::ResultError& error) {
     run.state = "failed";
-    run.reason = error.what() + std::string("; move its folder away and it can be run again");
+    run.reason = error.what() + std::string("; move its folder away to run it again");
     run.exit_code = 1;
   }
   return run;

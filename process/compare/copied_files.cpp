@@ -19,7 +19,7 @@ constexpr const char* kFolder = "tools";
 
 std::string contents(const fs::path& file) {
   std::ifstream stream(file, std::ios::binary);
-  if (!stream) throw results::ResultError("cannot copy " + file.string() + ": it cannot be read");
+  if (!stream) throw results::ResultError("cannot copy " + file.string() + ": cannot read it");
   return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
 }
 

@@ -72,7 +72,7 @@ results::JobList earlier_list(const fs::path& directory, const Say& say) {
     return results::read_job_list(directory);
   } catch (const results::ResultError& error) {
     const fs::path aside = set_one_aside(results::job_list_file(directory));
-    if (say) say("note: " + std::string(error.what()) + "; it is kept as " + aside.filename().string());
+    if (say) say("note: " + std::string(error.what()) + "; it was renamed to " + aside.filename().string());
     return {};
   }
 }
@@ -132,8 +132,8 @@ void check_seeds(const std::vector<Variant>& variants, int seeds) {
   for (const Variant& variant : variants)
     if (variant.scene.seed > kLargest - more)
       throw SceneError(variant.scene.file.string() + ": seed: found " + std::to_string(variant.scene.seed) +
-                       ", and " + std::to_string(seeds) + " seeds counted up from it pass " +
-                       std::to_string(kLargest) + ", the largest; give one from 0 to " +
+                       ", and " + std::to_string(seeds) + " consecutive seeds exceed " +
+                       std::to_string(kLargest) + ", the largest seed; give one from 0 to " +
                        std::to_string(kLargest - more));
 }
 
@@ -156,11 +156,10 @@ results::JobList write_jobs(const fs::path& directory, const WantedJobs& wanted,
     }
   const auto missing = left_out(directory, earlier, list, wanted.later);
   if (say && !aside.empty())
-    say("note: in " + directory.string() +
-        ", runs of another scene than today's are kept aside: " + listed(aside));
+    say("note: in " + directory.string() + ", runs of a different scene were renamed: " + listed(aside));
   if (say && !missing.empty())
     say("note: in " + directory.string() +
-        ", earlier runs are in the list no more and stay where they are: " + listed(missing));
+        ", earlier runs are no longer in the list and were left in place: " + listed(missing));
   results::write_job_list(directory, list);
   return list;
 }
@@ -177,7 +176,8 @@ JobState state_of(const fs::path& directory, const results::Job& job) {
     state.stage = JobState::Stage::failed;
     state.exit_code = code;
     state.reason = last_complaint(folder / kJobLog);
-    if (state.reason.empty()) state.reason = "ended with exit code " + std::to_string(code) + " and no word";
+    if (state.reason.empty())
+      state.reason = "ended with exit code " + std::to_string(code) + " without a message";
   }
   return state;
 }

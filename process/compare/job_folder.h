@@ -1,5 +1,5 @@
-// The runs of a comparison as folders that stand alone: a scene file each, the files it needs copied beside
-// them.
+// The runs of a comparison as self-contained folders: a scene file each, with copies of the files it
+// needs.
 #pragma once
 
 #include <filesystem>
@@ -12,15 +12,15 @@
 
 namespace diefill::process {
 
-/// What is said on the way, a line at a time; nothing: nobody listens.
+/// Receives messages, one line at a time; nothing: no messages.
 using Say = std::function<void(const std::string&)>;
 
-/// What is to be run, each variant with `seeds` seeds counted up from its own.
+/// What is to be run, each variant with `seeds` consecutive seeds from its own.
 struct WantedJobs {
   std::string title;  ///< of the scene
   std::vector<Variant> variants;
   int seeds = 1;
-  /// Names of variants that are run later: that they are not among these is nothing to speak of.
+  /// Names of variants that are run later: their absence here is not reported.
   std::vector<std::string> later;
 };
 
@@ -30,20 +30,20 @@ void check_seeds(const std::vector<Variant>& variants, int seeds);
 /// Writes into `directory`: `<variant>/seed-<k>/scene.toml` for every job; the files that scenes name into
 /// `tools/` (copied_files.h); and jobs.json. Jobs are listed seed by seed, so that all variants have their
 /// first result early. A folder whose scene asks for another computation now (scene/identity.h) is kept as
-/// `seed-<k>-previous-<n>`, with all that is in it; that, and results that are in the list no more, is said.
+/// `seed-<k>-previous-<n>`, with its contents; this, and results no longer in the list, is reported.
 /// Throws results::ResultError, and SceneError as check_seeds does.
 results::JobList write_jobs(const std::filesystem::path& directory, const WantedJobs& wanted, const Say& say);
 
 /// Writes what runs the jobs elsewhere: jobs.txt, one command line each; run_here.sh, which runs several at a
-/// time; and slurm.sh, an array job. Those of other contents are set aside, and that is said. Throws
+/// time; and slurm.sh, an array job. Files with other contents are renamed, which is reported. Throws
 /// results::ResultError.
 void write_job_scripts(const std::filesystem::path& directory, const results::JobList& list, const Say& say);
 
-/// How far a job has come.
+/// State of a job.
 struct JobState {
   enum class Stage { open, finished, failed } stage = Stage::open;
   int exit_code = 0;   ///< of a failed run
-  std::string reason;  ///< what a failed run said
+  std::string reason;  ///< error message of a failed run
   bool out_of_range() const { return stage == Stage::failed && exit_code == 3; }
 };
 
@@ -51,7 +51,7 @@ JobState state_of(const std::filesystem::path& directory, const results::Job& jo
 
 /// Files of a job's folder besides results and checkpoint.
 inline constexpr const char* kJobScene = "scene.toml";
-inline constexpr const char* kJobLog = "run.log";         ///< what the program said
-inline constexpr const char* kJobExitCode = "exit_code";  ///< how it ended
+inline constexpr const char* kJobLog = "run.log";         ///< messages of the program
+inline constexpr const char* kJobExitCode = "exit_code";  ///< exit code of the program
 
 }  // namespace diefill::process

@@ -65,7 +65,7 @@ void write_job_scripts(const fs::path& directory, const results::JobList& list, 
                             write_file(directory / "slurm.sh", slurm_script(list.jobs.size()), true)})
     if (aside) kept += (kept.empty() ? "" : ", ") + *aside;
   if (say && !kept.empty())
-    say("note: in " + directory.string() + ", earlier job scripts are kept aside: " + kept);
+    say("note: in " + directory.string() + ", earlier job scripts were renamed: " + kept);
 }
 
 }  // namespace diefill::process

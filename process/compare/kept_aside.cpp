@@ -14,8 +14,8 @@ namespace fs = std::filesystem;
 using Json = nlohmann::json;
 
 [[noreturn]] void fail(const fs::path& path, const std::error_code& error) {
-  throw results::ResultError("cannot keep " + path.string() + " aside: " + error.message() +
-                             "; name another directory");
+  throw results::ResultError("cannot back up " + path.string() + ": " + error.message() +
+                             "; choose another directory");
 }
 
 /// `start` and the first number that no file or folder has behind it.
@@ -68,7 +68,7 @@ bool all_there(const fs::path& file, const char* list, const std::function<bool(
 void make_folder(const fs::path& folder) {
   std::error_code error;
   fs::create_directories(folder, error);
-  if (error) throw results::ResultError("cannot make " + folder.string() + ": " + error.message());
+  if (error) throw results::ResultError("cannot create " + folder.string() + ": " + error.message());
 }
 
 fs::path set_one_aside(const fs::path& path) {

@@ -71,7 +71,7 @@ class JobPool {
     }
     done_ = all_ - waiting_.size();
     if (done_ > 0)
-      progress_.say(std::to_string(done_) + " of " + std::to_string(all_) + " runs stand already");
+      progress_.say(std::to_string(done_) + " of " + std::to_string(all_) + " runs are already done");
   }
 
   void run() {
@@ -170,7 +170,7 @@ class JobPool {
     const double share = (static_cast<double>(done_) + share_of_running_) /
                          static_cast<double>(std::max<std::size_t>(all_, 1));
     progress_.show(share, std::to_string(done_) + " of " + std::to_string(all_) + " runs done",
-                   std::to_string(running_.size()) + " at work");
+                   std::to_string(running_.size()) + " running");
   }
 
   void stop_running() {
@@ -189,8 +189,9 @@ class JobPool {
 
   [[noreturn]] void stop() {
     stop_running();
-    throw Interrupted("stopped with " + std::to_string(waiting_.size()) +
-                      " runs not begun and those under way at a checkpoint; the same command goes on");
+    throw Interrupted(
+        "stopped with " + std::to_string(waiting_.size()) +
+        " runs not started and the active ones at a checkpoint; run the same command again to continue");
   }
 
   const fs::path& directory_;

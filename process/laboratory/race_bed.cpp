@@ -26,9 +26,9 @@ std::vector<std::string> lines_of(const std::filesystem::path& path) {
   constexpr std::size_t kMostLines = 20'000'000;
   std::error_code error;
   if (!std::filesystem::is_regular_file(path, error))
-    throw results::ResultError(path.string() + ": no regular file; name a CSV file, plain or gzip");
+    throw results::ResultError(path.string() + ": not a regular file; give a CSV file, plain or gzip");
   gzFile file = gzopen(path.c_str(), "rb");
-  if (!file) throw results::ResultError(path.string() + ": cannot be opened");
+  if (!file) throw results::ResultError(path.string() + ": cannot be opened; check its permissions");
   std::vector<std::string> lines;
   std::array<char, 4096> buffer;
   while (lines.size() <= kMostLines && gzgets(file, buffer.data(), static_cast<int>(buffer.size())))
@@ -37,9 +37,10 @@ std::vector<std::string> lines_of(const std::filesystem::path& path) {
   gzerror(file, &problem);
   gzclose(file);
   if (lines.size() > kMostLines)
-    throw results::ResultError(path.string() + ": more than " + std::to_string(kMostLines) + " lines");
+    throw results::ResultError(path.string() + ": more lines than the allowed " + std::to_string(kMostLines) +
+                               "; use a smaller bed");
   if (problem != Z_OK && problem != Z_STREAM_END)
-    throw results::ResultError(path.string() + ": broken gzip file");
+    throw results::ResultError(path.string() + ": damaged gzip file; copy it again");
   return lines;
 }
 
@@ -55,8 +56,8 @@ std::vector<double> numbers_of(const std::string& line, std::size_t columns, con
     at = next + 1;
   }
   if (numbers.size() != columns)
-    throw results::ResultError(where + ": " + std::to_string(columns) + " numbers are expected in a line, " +
-                               std::to_string(numbers.size()) + " can be read");
+    throw results::ResultError(where + ": " + std::to_string(columns) + " numbers per line expected, found " +
+                               std::to_string(numbers.size()));
   return numbers;
 }
 
@@ -101,7 +102,7 @@ RaceBedState read_race_bed(RaceBed kind, const std::filesystem::path& file, doub
     grain.angular_velocity = vector();
     bed.grains.push_back(grain);
   }
-  if (bed.grains.empty()) throw results::ResultError(file.string() + ": holds no grains");
+  if (bed.grains.empty()) throw results::ResultError(file.string() + ": contains no grains");
   return bed;
 }
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "process/machine/step.h"
-#include "process/scene/scene.h"
+#include "process/machine/tool_spec.h"
 #include "process/scene/table_reader.h"
 
 namespace diefill::process {
@@ -23,7 +23,7 @@ class Clear final : public Step {
   explicit Clear(const PowderRemoval& removal) : removal_(removal) {}
   std::optional<double> duration() const override { return 0; }
   const PowderRemoval* removal() const override { return &removal_; }
-  std::string in_words() const override { return "powder outside the die taken away"; }
+  std::string in_words() const override { return "removal of powder outside the die"; }
 
  private:
   PowderRemoval removal_;

@@ -21,7 +21,8 @@ void read_rest(TableReader& table, Condition& condition) {
   const auto energy = table.number("rest_energy", kRestEnergy);
   const auto time = table.quantity("rest_time", kRestTime);
   if (!energy && !time) return;
-  if (!condition.at_rest) table.reject(energy ? "rest_energy" : "rest_time", "at_rest = true goes with it");
+  if (!condition.at_rest)
+    table.reject(energy ? "rest_energy" : "rest_time", "this key requires at_rest = true; add it");
   condition.limits.emplace();
   condition.limits->energy = energy.value_or(condition.limits->energy);
   condition.limits->time = time.value_or(condition.limits->time);
@@ -46,12 +47,12 @@ std::optional<Condition> read_condition(TableReader& owner, const std::string& k
   if (condition.force)
     condition.on = table->required_choice("on", as_choices(tools));
   else if (table->has("on"))
-    table->reject("on", "force = \"5 N\" goes with it");
+    table->reject("on", "this key requires a force; add one, such as force = \"5 N\"");
   table->finish();
   const bool dated = !condition.after.empty() || !condition.with.empty() || condition.at || delay;
   if (!dated && !condition.measures())
     owner.reject(key,
-                 "it says nothing to wait for; give one or more of after, with, at, delay, at_rest, "
+                 "the condition is empty; give one or more of after, with, at, delay, at_rest, "
                  "filled_mass, force");
   return condition;
 }

@@ -8,7 +8,7 @@
 
 #include "process/machine/rotation_axis.h"
 #include "process/machine/step.h"
-#include "process/scene/scene.h"
+#include "process/machine/tool_spec.h"
 #include "process/scene/table_reader.h"
 
 namespace diefill::process {

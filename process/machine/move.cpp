@@ -16,15 +16,16 @@ constexpr QuantityRule kPause = {Dimension::time, "50 ms", "0 s", "60 s"};
 std::vector<double> read_stations(TableReader& table) {
   const auto distance = table.quantity("distance", kDistance);
   std::vector<double> stations = table.quantities("stations", kStation);
-  if (distance && !stations.empty()) table.reject("stations", "distance is given as well; leave one out");
+  if (distance && !stations.empty())
+    table.reject("stations", "distance is given as well; remove one of the two");
   if (distance) return {*distance};
   if (stations.empty()) table.require("distance", "\"20 mm\"");
   double before = 0;
   for (const double station : stations) {
     if (station == before)
       table.reject("stations",
-                   "two that follow each other are the same (the first follows 0 mm); "
-                   "a rest is a pause or a step of kind \"wait\"");
+                   "two consecutive stations are the same (the start is 0 mm); use pause or a step of kind "
+                   "\"wait\" for a rest");
     before = station;
   }
   return stations;

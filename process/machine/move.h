@@ -8,12 +8,12 @@
 
 #include "process/machine/step.h"
 #include "process/machine/straight_move.h"
-#include "process/scene/scene.h"
+#include "process/machine/tool_spec.h"
 #include "process/scene/table_reader.h"
 
 namespace diefill::process {
 
-/// What a move is told by the scene. SI units.
+/// Parameters of a move from the scene. SI units.
 struct MoveSpec {
   std::vector<std::string> tools;
   Eigen::Vector3d direction = -Eigen::Vector3d::UnitZ();  ///< unit vector

@@ -17,7 +17,7 @@ std::string read_moving_tool(TableReader& table, const std::vector<ToolSpec>& to
   if (!fits(tool)) {
     std::string roles;
     for (const ToolRole role : allowed) roles += (roles.empty() ? "" : " or ") + in_words(role);
-    table.reject("tool", "its role is " + in_words(tool.role) + ", and this kind of step moves a " + roles);
+    table.reject("tool", "its role is " + in_words(tool.role) + ", but this kind of step moves a " + roles);
   }
   return tool.name;
 }
@@ -26,7 +26,7 @@ std::vector<std::string> read_moving_tools(TableReader& table, const std::vector
   Choices<const ToolSpec*> names;
   for (const ToolSpec& tool : tools) names.emplace_back(tool.name, &tool);
   if (!table.has("tools")) return {table.required_choice("tool", names)->name};
-  if (table.has("tool")) table.reject("tool", "tools is given as well; leave one out");
+  if (table.has("tool")) table.reject("tool", "tools is given as well; remove one of the two");
   const std::vector<std::string> wanted = table.texts("tools", tools.front().name);
   for (auto name = wanted.begin(); name != wanted.end(); ++name) {
     const bool known =
@@ -34,7 +34,7 @@ std::vector<std::string> read_moving_tools(TableReader& table, const std::vector
     if (known && std::find(wanted.begin(), name, *name) == name) continue;
     std::string all;
     for (const ToolSpec& tool : tools) all += (all.empty() ? "\"" : ", \"") + tool.name + '"';
-    table.reject("tools", (known ? "\"" + *name + "\" stands there twice" : "there is no \"" + *name + '"') +
+    table.reject("tools", (known ? "\"" + *name + "\" is listed twice" : "there is no \"" + *name + '"') +
                               "; the tools of this scene are " + all);
   }
   return wanted;

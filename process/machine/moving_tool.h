@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "process/scene/scene.h"
+#include "process/machine/tool_spec.h"
 #include "process/scene/table_reader.h"
 
 namespace diefill::process {

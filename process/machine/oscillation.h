@@ -1,5 +1,5 @@
-// An oscillation in time, of whatever quantity: e(t) A sin(2 pi f t + phi) with an envelope e that swells and
-// dies away (Bierwisch 2009, Eq. 6.1 and section 6.5.2).
+// An oscillation in time of any quantity: e(t) A sin(2 pi f t + phi) with an envelope e that ramps up
+// and down (Bierwisch 2009, Eq. 6.1 and section 6.5.2).
 #pragma once
 
 #include <vector>
@@ -17,7 +17,7 @@ struct Oscillation {
 
   double value(double time, const Envelope& envelope) const;  ///< m or rad
   double rate(double time, const Envelope& envelope) const;   ///< m/s or rad/s
-  /// s: of an oscillation that lasts `length` s, the first instant at full swing and the one half a period
+  /// s: of an oscillation that lasts `length` s, the first instant at full amplitude and one half a period
   /// later, on the other side; fewer where it ends before.
   std::vector<double> turning_points(double length) const;
 };

@@ -35,10 +35,9 @@ Eigen::Vector3d level_direction(TableReader& table) {
   const Eigen::Vector3d direction = *table.direction("direction");
   constexpr double kLevel = 1e-6;
   if (std::abs(direction.z()) > kLevel)
-    table.reject(
-        "direction",
-        "a passage is level: \"-x\", \"+x\", \"-y\", \"+y\" or two numbers and 0, such as [-1, 1, 0], is "
-        "needed; kind = \"move\" goes anywhere");
+    table.reject("direction",
+                 "a passage is horizontal: expected \"-x\", \"+x\", \"-y\", \"+y\" or two numbers and 0, "
+                 "such as [-1, 1, 0]; for other directions use kind = \"move\"");
   return direction;
 }
 
@@ -48,8 +47,8 @@ Passage::Passage(PassageSpec spec) : spec_(std::move(spec)) {
   if (spec_.travel) crossing_.emplace(*spec_.travel, spec_.velocity, spec_.acceleration);
 }
 
-void Passage::prepare(const MachineContext& context) {
-  if (spec_.travel) return;
+std::shared_ptr<const Step> Passage::prepared(const MachineContext& context) const {
+  if (spec_.travel) return nullptr;
   const Extent cavity = along(spec_.direction, context.cavity_lower, context.cavity_upper);
   if (!(cavity.upper > cavity.lower)) {
     throw SceneError(
@@ -60,11 +59,13 @@ void Passage::prepare(const MachineContext& context) {
   const double travel = cavity.upper + spec_.clearance - tool.lower;
   if (!(tool.lower < cavity.upper)) {
     throw SceneError(
-        spec_.where + ": found \"" + spec_.tool + "\" beyond the cavity already (" +
+        spec_.where + ": found \"" + spec_.tool + "\" already beyond the cavity (" +
         number_in_words((tool.lower - cavity.upper) * 1e3) +
-        " mm past it in the direction of motion); start it on the other side or reverse direction");
+        " mm past it along the direction of motion); start it on the other side or reverse direction");
   }
-  crossing_.emplace(travel, spec_.velocity, spec_.acceleration);
+  auto passage = std::make_shared<Passage>(*this);
+  passage->crossing_.emplace(travel, spec_.velocity, spec_.acceleration);
+  return passage;
 }
 
 const StraightMove& Passage::crossing() const {

@@ -1,4 +1,4 @@
-// The shoe passes over the cavity, once or several times to and fro, as in die filling (Bierwisch 2009,
+// The shoe passes over the cavity, once or several times back and forth, as in die filling (Bierwisch 2009,
 // chapter 6).
 #pragma once
 
@@ -9,17 +9,17 @@
 
 #include "process/machine/step.h"
 #include "process/machine/straight_move.h"
-#include "process/scene/scene.h"
+#include "process/machine/tool_spec.h"
 #include "process/scene/table_reader.h"
 
 namespace diefill::process {
 
-/// What a passage is told by the scene. SI units.
+/// Parameters of a passage from the scene. SI units.
 struct PassageSpec {
   std::string tool;
-  double velocity = 0.2;     ///< m/s, once accelerated
-  double acceleration = 10;  ///< m/s^2, also of braking
-  int passages = 1;          ///< single crossings; the second goes back, the third forth again
+  double velocity = 0.2;                                  ///< m/s, once accelerated
+  double acceleration = 10;                               ///< m/s^2, also of braking
+  int passages = 1;                                       ///< single crossings; every second one goes back
   Eigen::Vector3d direction = -Eigen::Vector3d::UnitX();  ///< unit vector of the first crossing
   double clearance = 2e-3;       ///< m between the cavity and the tool's box when it stops
   double pause = 0.05;           ///< s at rest between crossings
@@ -32,14 +32,15 @@ class Passage final : public Step {
  public:
   explicit Passage(PassageSpec spec);
 
-  /// Without a given travel: so far that the tool's whole box, trailing wall included, has passed the cavity
+  /// Without a given travel, one that goes so far that the tool's whole box, trailing wall included, has passed the cavity
   /// by the clearance. The box is taken because the thickness of a CAD tool's trailing wall is not known
   /// here; powder inside the tool has then left the cavity by wall thickness plus clearance. Throws
   /// SceneError when the scene has no cavity, or the tool stands beyond it already.
-  void prepare(const MachineContext& context) override;
+  std::shared_ptr<const Step> prepared(const MachineContext& context) const override;
   bool needs_cavity() const override { return true; }
   std::vector<std::string> tools() const override { return {spec_.tool}; }
-  /// s of all crossings and the pauses between them. Throws std::logic_error when not prepared.
+  /// s of all crossings and the pauses between them. Throws std::logic_error where the travel is not known: of a
+  /// passage without one that is not prepared().
   std::optional<double> duration() const override;
   ToolMotion motion(double time) const override;
   double stopping_time(double) const override { return 2 * spec_.velocity / spec_.acceleration; }

@@ -13,8 +13,8 @@ constexpr QuantityRule kVelocity = {Dimension::velocity, "-0.3 m/s", "-10 m/s", 
 std::string Inflow::in_words() const {
   const std::string amount =
       inflow_.mass ? number_in_words(1e3 * *inflow_.mass) + " g of powder" : std::string("powder");
-  return amount + (inflow_.rate ? " coming in at " + number_in_words(1e3 * *inflow_.rate) + " g/s"
-                                : " coming in as room comes free");
+  return amount + (inflow_.rate ? " fed at " + number_in_words(1e3 * *inflow_.rate) + " g/s"
+                                : " fed as space becomes free");
 }
 
 std::shared_ptr<Step> read_inflow(TableReader& table, const std::vector<ToolSpec>& tools) {
@@ -23,7 +23,7 @@ std::shared_ptr<Step> read_inflow(TableReader& table, const std::vector<ToolSpec
   inflow.lower = table.required_point("from", kCorner);
   inflow.upper = table.required_point("to", kCorner);
   if (((inflow.upper - inflow.lower).array() < 0).any())
-    table.reject("to", "it must not lie below from along any axis");
+    table.reject("to", "it must not be less than from along any axis");
   inflow.velocity = table.point("velocity", kVelocity).value_or(inflow.velocity);
   inflow.mass = table.quantity("mass", kMass);
   inflow.rate = table.quantity("rate", kRate);

@@ -8,7 +8,7 @@
 
 #include "process/machine/rotation_axis.h"
 #include "process/machine/swelling_motion.h"
-#include "process/scene/scene.h"
+#include "process/machine/tool_spec.h"
 
 namespace diefill::process {
 

@@ -1,4 +1,4 @@
-// Turning to and fro about an axis (Bierwisch 2009, Eq. 6.1).
+// Rotational oscillation about an axis (Bierwisch 2009, Eq. 6.1).
 #pragma once
 
 #include <memory>
@@ -8,7 +8,7 @@
 
 #include "process/machine/oscillation.h"
 #include "process/machine/rotation_axis.h"
-#include "process/scene/scene.h"
+#include "process/machine/tool_spec.h"
 
 namespace diefill::process {
 

@@ -23,7 +23,7 @@ struct ToolMotion {
   Eigen::Vector3d angular_velocity = Eigen::Vector3d::Zero();  ///< rad/s, laboratory frame
 };
 
-/// What a step may ask about the scene when the run prepares it.
+/// What a step may ask about the scene when it is prepared for a run.
 struct MachineContext {
   Eigen::Vector3d cavity_lower = Eigen::Vector3d::Zero(),
                   cavity_upper = Eigen::Vector3d::Zero();  ///< m; empty if equal
@@ -50,9 +50,9 @@ class Step {
   virtual ~Step() = default;
   /// True if the step must know the cavity and where its tools stand; it is then prepared after all others.
   virtual bool needs_cavity() const { return false; }
-  /// Settles whatever depends on the geometry, such as how far a passage has to go. Called once, before the
-  /// run. Throws SceneError when the geometry leaves no sensible answer.
-  virtual void prepare(const MachineContext&) {}
+  /// The step with whatever depends on the geometry settled, such as how far a passage has to go; null where
+  /// the step can be followed as it stands. Throws SceneError when the geometry leaves no sensible answer.
+  virtual std::shared_ptr<const Step> prepared(const MachineContext&) const { return nullptr; }
   /// Names of the tools that move, all alike; empty when none does.
   virtual std::vector<std::string> tools() const { return {}; }
   /// True if the step's duration is left open: it lasts until its plan says, or until the powder is at rest.

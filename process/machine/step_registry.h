@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "process/machine/step.h"
-#include "process/scene/scene.h"
+#include "process/machine/tool_spec.h"
 #include "process/scene/table_reader.h"
 
 namespace diefill::process {

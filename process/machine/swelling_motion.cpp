@@ -24,7 +24,7 @@ Swelling read_swelling(TableReader& table, double ramp) {
   swelling.ramp = table.quantity("ramp", kRamp).value_or(ramp);
   swelling.duration = table.quantity("duration", kDuration);
   if (swelling.duration && *swelling.duration < 2 * swelling.ramp)
-    table.reject("duration", "its two ramps alone take " +
+    table.reject("duration", "its two ramps take " +
                                  numbers_apart(2 * swelling.ramp, *swelling.duration).first +
                                  " s; give a longer duration or a shorter ramp");
   return swelling;

@@ -1,5 +1,5 @@
 // What vibrations, oscillations and rotations have in common: tools that move about one place, and a motion
-// that swells when it begins and dies away when it ends or is told to stop.
+// that ramps up when it begins and ramps down when it ends or is stopped.
 #pragma once
 
 #include <optional>
@@ -15,10 +15,10 @@ namespace diefill::process {
 
 /// How long such a motion lasts. SI units.
 struct Swelling {
-  double ramp = 0;                 ///< s of swelling and of dying away
-  std::optional<double> duration;  ///< s, ramps included; nothing: until told to stop
+  double ramp = 0;                 ///< s of ramping up and of ramping down
+  std::optional<double> duration;  ///< s, ramps included; nothing: until stopped
 
-  /// Envelope of a motion told to stop at `stop` s; infinite: never.
+  /// Envelope of a motion that is stopped at `stop` s; infinite: never.
   Envelope envelope(double stop) const;
 };
 

@@ -48,7 +48,7 @@ Column column_of(const std::string& heading, const std::string& place) {
   const auto found = std::find(names.begin(), names.end(), name);
   if (found == names.end() || trimmed(unit).empty())
     throw SceneError(place + ": found column \"" + one_line(heading) +
-                     "\"; allowed are time, x, y, z and angle, each with its unit, such as \"x mm\"");
+                     "\"; allowed: time, x, y, z and angle, each with its unit, such as \"x mm\"");
   return {static_cast<int>(found - names.begin()) - 1, trimmed(unit)};
 }
 
@@ -56,8 +56,8 @@ void add_point(MotionTable& table, const std::vector<Column>& columns, const std
                const std::string& place) {
   const auto cells = cells_of(line);
   if (cells.size() != columns.size())
-    throw SceneError(place + ": found " + std::to_string(cells.size()) + " values, " +
-                     std::to_string(columns.size()) + " are needed, as many as columns");
+    throw SceneError(place + ": found " + std::to_string(cells.size()) + " values, expected " +
+                     std::to_string(columns.size()) + ", one per column");
   double time = 0;
   Eigen::Vector4d position = Eigen::Vector4d::Zero();
   for (std::size_t k = 0; k < cells.size(); ++k) {
@@ -71,9 +71,9 @@ void add_point(MotionTable& table, const std::vector<Column>& columns, const std
   }
   const bool first = table.time.empty();
   if (first ? time != 0 || position.norm() != 0 : time <= table.time.back())
-    throw SceneError(place + (first
-                                  ? ": the first point must be all 0: a motion begins where it finds the tool"
-                                  : ": times must rise from line to line"));
+    throw SceneError(place + (first ? ": the first point must be all zeros, because a motion starts at the "
+                                      "current position of the tool"
+                                    : ": times must increase from line to line"));
   table.time.push_back(time);
   table.position.push_back(position);
 }
@@ -84,10 +84,10 @@ std::string motion_text(const std::filesystem::path& file, const std::string& wh
   constexpr std::string_view kMark = "\xEF\xBB\xBF";
   try {
     std::string text =
-        load_text_file(file, {"motion table", "a motion is a CSV text of times and places", kLargest});
+        load_text_file(file, {"motion table", "but a motion is a CSV file of times and positions", kLargest});
     return text.starts_with(kMark) ? text.substr(kMark.size()) : text;
   } catch (const std::runtime_error& reason) {
-    throw SceneError(where + ": found \"" + file.string() + "\": " + reason.what() + "; name a CSV file");
+    throw SceneError(where + ": found \"" + file.string() + "\": " + reason.what() + "; give a CSV file");
   }
 }
 
@@ -105,16 +105,16 @@ MotionTable read_motion_table(const std::filesystem::path& file, const std::stri
       add_point(table, columns, line, place);
       if (table.time.size() > kMostPoints)
         throw SceneError(place + ": found more than " + std::to_string(kMostPoints) +
-                         " points; leave out those that lie on a smooth way");
+                         " points; remove points on smooth parts of the path");
       continue;
     }
     for (const auto& heading : cells_of(line)) columns.push_back(column_of(heading, place));
     if (std::none_of(columns.begin(), columns.end(), [](const Column& c) { return c.quantity < 0; }))
-      throw SceneError(place + ": found no column time; begin the heading with \"time s\"");
+      throw SceneError(place + ": found no time column; start the heading with \"time s\"");
   }
   if (table.time.size() < 2)
     throw SceneError(where + ": found " + std::to_string(table.time.size()) + " points in " + file.string() +
-                     "; a motion needs two or more below the line of headings");
+                     "; a motion needs two or more below the heading line");
   return table;
 }
 
@@ -149,7 +149,7 @@ ToolMotion TableMotion::motion(double time) const {
 }
 
 std::string TableMotion::in_words() const {
-  return names_in_words(tools_) + " after a table of " + std::to_string(table_.time.size()) + " points";
+  return names_in_words(tools_) + " following a table of " + std::to_string(table_.time.size()) + " points";
 }
 
 std::shared_ptr<Step> read_table_motion(TableReader& table, const std::vector<ToolSpec>& tools) {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "process/machine/rotation_axis.h"
-#include "process/scene/scene.h"
+#include "process/machine/tool_spec.h"
 
 namespace diefill::process {
 

@@ -32,7 +32,7 @@ Axes axes_of(BoxView view, const results::CavityState& cavity) {
 
 void check(const results::CavityState& cavity) {
   if (!((cavity.upper_corner - cavity.lower_corner).array() > 0).all())
-    throw std::invalid_argument("a map of a cavity needs a cavity: the tools enclose none");
+    throw std::invalid_argument("a cavity map needs a cavity, but the tools enclose none");
 }
 
 /// Even nodes from end to end, m, about `step` apart.

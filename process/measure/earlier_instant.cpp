@@ -19,10 +19,10 @@ std::string seconds(double time) {
 void refuse(const results::FillResult& result, double time) {
   if (result.instants.empty())
     throw std::invalid_argument(
-        "the results hold the end of the run only (t = " + seconds(result.powder.time) +
-        "); set measure.snapshot_interval in the scene and run it again to keep earlier times");
+        "the results contain only the end of the run (t = " + seconds(result.powder.time) +
+        "); set measure.snapshot_interval in the scene and run it again to store earlier times");
   throw std::invalid_argument(
-      "no instant near t = " + seconds(time) + ": the results hold " +
+      "no instant near t = " + seconds(time) + ": the results contain " +
       std::to_string(result.instants.size()) + " from " + seconds(result.instants.front().time) + " to " +
       seconds(result.instants.back().time) + ", and the end at " + seconds(result.powder.time));
 }

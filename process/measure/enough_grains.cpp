@@ -55,17 +55,17 @@ void withhold_undetermined(results::FillResult& result) {
     if (std::none_of(std::begin(group), std::end(group), beyond)) continue;
     for (const char* name : group)
       if (name != nullptr && result.figures.contains(name))
-        results::give_no_value(result, name, "the grains lie in too small a part of the cavity to tell");
+        results::give_no_value(result, name, "the grains occupy too small a part of the cavity");
   }
 }
 
 }  // namespace
 
 std::string too_few_in_words(std::size_t grains, const std::string& where, std::size_t needed) {
-  const std::string found = grains == 0   ? "no grain lies "
-                            : grains == 1 ? "1 grain lies "
-                                          : std::to_string(grains) + " grains lie ";
-  return found + where + ", " + std::to_string(needed) + " are needed";
+  const std::string found = grains == 0   ? "found no grain "
+                            : grains == 1 ? "found 1 grain "
+                                          : "found " + std::to_string(grains) + " grains ";
+  return found + where + ", need at least " + std::to_string(needed);
 }
 
 results::SolidFractionSummary worth_giving(results::SolidFractionSummary summary) {
@@ -92,7 +92,7 @@ void withhold_poor_figures(results::FillResult& result) {
                              too_few_in_words(grains, rule.deep ? kDeep : "in the cavity", needed));
     else if (!std::isfinite(figure->second))
       results::give_no_value(result, rule.figure,
-                             "a part of the cavity that is compared holds no grain to count");
+                             "one of the compared regions of the cavity contains no grain to count");
   }
   withhold_undetermined(result);
 }

@@ -14,7 +14,7 @@ namespace diefill::process {
 namespace {
 
 std::string no_bed(const PowderBed& bed) {
-  return "no powder left outside the cavity to compare with: " +
+  return "no powder outside the cavity to compare with: " +
          too_few_in_words(bed.grains, "two diameters deep there", kFewestGrains);
 }
 
@@ -60,7 +60,7 @@ void add_real_mass(results::FillResult& result, const RealPowder& powder, const 
     figures["apparent_density_is_estimate"] = weighed ? 0 : 1;
     figures["full_die_mass_kg"] = apparent * volume;
   } else {
-    results::give_no_value(result, "apparent_density_kg_m3", "not known: give powder.apparent_density");
+    results::give_no_value(result, "apparent_density_kg_m3", "unknown: set powder.apparent_density");
   }
   if (stands) {
     const double ratio = solid / volume / bed.solid_fraction;

@@ -123,7 +123,7 @@ double top_minus_bottom(const results::PowderState& powder, std::vector<std::siz
 
 std::vector<double> by_grain(const results::PowderState& powder, bool with_diameter) {
   if (powder.alike())
-    throw std::invalid_argument("all grains are of one size: there is no mean diameter to show");
+    throw std::invalid_argument("all grains have one size, so there is no mean diameter to show");
   std::vector<double> values;
   for (std::size_t k = 0; k < powder.position.size(); ++k)
     values.push_back(powder.mass_of(k) * (with_diameter ? 1e3 * powder.diameter_of(k) : 1));

@@ -41,7 +41,8 @@ StressField::StressField(const results::FillResult& result, double averaging_wid
   const auto& powder = result.powder;
   if (result.contact_stress.normal.size() != powder.position.size() || powder.position.empty())
     throw std::invalid_argument(
-        "the results hold no contact stress: they stem from an earlier version or instant; run the scene "
+        "the results contain no contact stress: an earlier version wrote them, or this is an earlier "
+        "instant; run the scene "
         "again");
   const auto motion = motion_stress_times_volume(powder, averaging_width);
   std::vector<Eigen::Vector3d> places;

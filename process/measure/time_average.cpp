@@ -17,11 +17,11 @@ std::vector<double> instants_between(const results::FillResult& result, double f
 }
 
 void refuse(const results::FillResult& result, std::size_t found, double from, double to) {
-  char text[200];
+  char text[280];
   std::snprintf(
       text, sizeof text,
-      "an average over time needs at least two instants; from %.4g s to %.4g s the results hold %zu of "
-      "%zu and the end at %.4g s (measure.snapshot_interval in the scene sets how many are kept)",
+      "an average over time needs at least two instants; from %.4g s to %.4g s the results contain %zu of "
+      "%zu and the end at %.4g s (measure.snapshot_interval in the scene sets how many are stored)",
       from, to, found, result.instants.size(), result.powder.time);
   throw std::invalid_argument(text);
 }

@@ -89,7 +89,7 @@ results::Field2D difference(const results::Field2D& before, const results::Field
       value = both ? after.value[*row * after.first.size() + *column] - value : kNone;
       common |= both;
     }
-  if (!common) throw std::invalid_argument("the two maps have no node in common");
+  if (!common) throw std::invalid_argument("the two maps have no common grid point");
   return change;
 }
 

@@ -63,10 +63,10 @@ std::string filling(const results::FillResult& result) {
   if (!std::isfinite(ratio)) {
     const double guess = value(result, "estimated_mass_kg");
     return (std::isfinite(guess) ? "holds about " + results::mass_in_words(guess, 2) + "; " : std::string()) +
-           "how full is not known: " + results::reason_for(result, "fill_ratio");
+           "fill ratio unknown: " + results::reason_for(result, "fill_ratio");
   }
   if (results::is_full(ratio))
-    return "full (" + percent(ratio) + "): " + holds + ", where a die full at apparent density holds " + full;
+    return "full (" + percent(ratio) + "): " + holds + ", a die full at apparent density holds " + full;
   return percent(ratio) + " full: " + holds + " of the " + full + " of a die full at apparent density";
 }
 
@@ -135,14 +135,15 @@ std::string loosest_part(const results::FillResult& result, bool& told) {
 std::string verdict(const results::FillResult& result) {
   const auto& inside = result.solid_fraction.in_cavity;
   const auto filled = static_cast<std::size_t>(std::count(inside.begin(), inside.end(), 1));
-  if (filled == 0) return "empty: no powder lies in the cavity";
+  if (filled == 0) return "empty: no powder in the cavity";
   bool told = false;
   const std::string loose = loosest_part(result, told);
   std::string text = filling(result);
   if (!loose.empty())
     text += "; loosest " + loose;
   else
-    text += told ? "; no part looser than its grains scatter" : "; too few grains to say where it is loose";
+    text +=
+        told ? "; no region significantly looser than the rest" : "; too few grains to locate loose regions";
   return text + surface(result);
 }
 

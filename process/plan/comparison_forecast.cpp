@@ -5,6 +5,7 @@
 #include <set>
 
 #include "process/run/beginning.h"
+#include "process/run/build_tooling.h"
 #include "process/run/law_terms.h"
 #include "process/run/material.h"
 #include "process/run/powder_domain.h"
@@ -22,7 +23,9 @@ struct Prepared {
   Prepared(const Variant& variant, const TellProgress& tell)
       : scene(settled_scene(variant.scene, std::nullopt)),
         tooling(build_tooling(scene, smallest_sphere(engine_settings(scene, 1.0)),
-                              largest_grain(scene.powder), tell)) {}
+                              largest_grain(scene.powder), tell)) {
+    scene = with_prepared_steps(std::move(scene), tooling);
+  }
 };
 
 std::string powder_in_words(const PowderSpec& powder) {

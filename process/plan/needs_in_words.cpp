@@ -24,22 +24,22 @@ void say_width(const Needs& needs, std::vector<std::string>& said) {
   const double d = 1e3 * needs.grain_diameter;
   if (!(needs.coarsest_grain > 0)) {
     said.push_back(
-        line("width: no cavity below the fill plane, so the CAD does not say how coarse grains may "
-             "be; keep d (%.4g mm) below a third of the narrowest opening",
+        line("width: no cavity below the fill plane, so the largest allowable grain is unknown; keep d (%.4g "
+             "mm) below a third of the narrowest opening",
              d));
     return;
   }
   const Eigen::Vector3d place = 1e3 * cavity.narrowest_place;
   said.push_back(
-      line("width: the cavity is narrowest, %.3f mm, near (%.2f, %.2f, %.2f) mm; a map to decide "
-           "from asks for d up to a third of it, %.4g mm; here d is %.4g mm, %.2f of it",
+      line("width: the cavity is narrowest, %.3f mm, near (%.2f, %.2f, %.2f) mm; a reliable density map "
+           "needs d of at most a third of it, %.4g mm; here d is %.4g mm, %.2f of it",
            1e3 * cavity.narrowest_width, place[0], place[1], place[2], 1e3 * needs.coarsest_grain, d,
            needs.grain_diameter / cavity.narrowest_width));
   if (needs.grain_diameter > needs.calibrated_diameter * (1 + 1e-9))
     said.push_back(
-        line("width as felt: to grains of %.4g mm instead of %.4g mm an opening acts as if narrower "
-             "by 1.4 times the difference: %.3f mm acts like %.3f mm (Bierwisch 2009, section "
-             "3.2.2); a ring drawn b0 + 1.4 d wide makes up for it",
+        line("effective width: for grains of %.4g mm instead of %.4g mm an opening acts narrower by 1.4 "
+             "times the difference: %.3f mm acts like %.3f mm (Bierwisch 2009, section 3.2.2); a ring drawn "
+             "b0 + 1.4 d wide compensates for it",
              d, 1e3 * needs.calibrated_diameter, 1e3 * cavity.narrowest_width, 1e3 * needs.width_as_felt));
 }
 
@@ -50,18 +50,18 @@ void say_step(const Needs& needs, const Scene& scene, std::vector<std::string>& 
            "gain energy from 0.49 on, %.1f times as long (engine/STABILITY.md)",
            needs.time_step, share, needs.critical_step, needs.impact_speed, 0.49 / share));
   if (needs.time_step > needs.wedged_step * (1 + 1e-9))
-    said.push_back(line(
-        "time step: longer than the %.3g s up to which grains stay stable that moving tools wedge: they are "
-        "sheared off sooner, and where they are many the run stops; leave out the step that the scene gives, "
-        "or make it shorter",
-        needs.wedged_step));
+    said.push_back(
+        line("time step: longer than the %.3g s up to which grains wedged by moving tools stay stable: such "
+             "grains are sheared off sooner, and if there are many the run stops; remove the time step from "
+             "the scene or reduce it",
+             needs.wedged_step));
   else if (needs.time_step > kBinds * needs.wedged_step)
     said.push_back(
-        std::string("time step: as short as grains need that moving tools wedge") +
+        std::string("time step: limited by grains wedged by moving tools") +
         (scene.walls.kind == WallKind::mesh
              ? ""
-             : "; these meet many wall spheres at once: larger ones (walls.sphere_radius) or the CAD "
-               "mesh itself (walls.kind = \"mesh\") allow longer steps"));
+             : "; these touch many wall spheres at once: larger wall spheres (walls.sphere_radius) or the "
+               "CAD mesh itself (walls.kind = \"mesh\") allow longer steps"));
 }
 
 void say_stiffness(const Needs& needs, const Scene& scene, std::vector<std::string>& said) {
@@ -69,10 +69,8 @@ void say_stiffness(const Needs& needs, const Scene& scene, std::vector<std::stri
       needs.piston_pressure > 0 ? line(" and %.3g kPa under the piston", 1e-3 * needs.piston_pressure) : "";
   if (scene.contact) {
     said.push_back(
-        line("stiffness: powder's weight presses with %.3g kPa at most", 1e-3 * needs.weight_pressure) +
-        piston +
-        "; [contact] names the spring: overlaps beyond 0.2 of the sphere radius are reported while "
-        "it runs");
+        line("stiffness: the weight of the powder exerts at most %.3g kPa", 1e-3 * needs.weight_pressure) +
+        piston + "; [contact] sets the spring: the run reports overlaps above 0.2 of the sphere radius");
     return;
   }
   const std::string verdict =
@@ -80,13 +78,13 @@ void say_stiffness(const Needs& needs, const Scene& scene, std::vector<std::stri
           ? line("%.3g MPa is %.1f times that", 1e-6 * needs.modulus, needs.modulus / needs.least_modulus)
           : line("%.3g MPa is too soft: raise powder.reduced_modulus", 1e-6 * needs.modulus);
   said.push_back(
-      line("stiffness: powder's weight presses with %.3g kPa at most", 1e-3 * needs.weight_pressure) +
-      piston + line(", which asks for E~ of %.3g MPa (3000 times as much); ", 1e-6 * needs.least_modulus) +
+      line("stiffness: the weight of the powder exerts at most %.3g kPa", 1e-3 * needs.weight_pressure) +
+      piston + line(", which requires E~ of %.3g MPa (3000 times as much); ", 1e-6 * needs.least_modulus) +
       verdict);
   if (needs.damping_over_radius > kMostDamping)
     said.push_back(
-        line("damping: gamma_n / R of %.2g Pa s/m is beyond 3e6, where it changes nothing but the "
-             "cost of a step; lower powder.damping_over_radius",
+        line("damping: gamma_n / R of %.2g Pa s/m is above 3e6, where it only shortens the time step; reduce "
+             "powder.damping_over_radius",
              needs.damping_over_radius));
 }
 
@@ -97,10 +95,10 @@ void say_walls(const Scene& scene, const Tooling& tooling, std::vector<std::stri
   const bool all = !scene.economy.skip_far_walls;
   said.push_back(
       "walls: " + std::to_string(tooling.wall_spheres()) + " wall spheres " +
-      (all ? "on all surfaces (" : "where powder can come (") + each + ")" +
+      (all ? "on all surfaces (" : "where powder can reach (") + each + ")" +
       line(", radius %.3g mm, spacing %.2g radii; ", 1e3 * scene.walls.sphere_radius, scene.walls.spacing) +
-      (all ? "economy.skip_far_walls would spare those out of its reach"
-           : "surfaces out of its reach have none"));
+      (all ? "economy.skip_far_walls would save those that powder cannot reach"
+           : "surfaces that powder cannot reach have none"));
 }
 
 void say_powder(const Needs& needs, const Scene& scene, std::vector<std::string>& said) {
@@ -108,7 +106,7 @@ void say_powder(const Needs& needs, const Scene& scene, std::vector<std::string>
   const double takes = needs.cavity.found ? needs.cavity.volume / (size[0] * size[1]) : 0;
   const double left = needs.fill_height - takes;
   const char* verdict = left >= kEnoughPowder
-                            ? "deep enough: beyond 19 mm depth changes nothing"
+                            ? "deep enough: depth has no effect above 19 mm"
                             : "shallow: discharge at 10 mm differed from that at 19 and 41 mm";
   said.push_back(line("powder height: %.4g mm in the shoe, %.3g mm when the cavity is full; ",
                       1e3 * needs.fill_height, 1e3 * left) +
@@ -117,14 +115,16 @@ void say_powder(const Needs& needs, const Scene& scene, std::vector<std::string>
 
 void say_symmetry(const Needs& needs, std::vector<std::string>& said) {
   if (needs.planes.empty())
-    said.push_back("symmetry: the tools have no upright mirror plane across x or y in common");
+    said.push_back("symmetry: the tools have no common vertical mirror plane across x or y");
   for (const auto& plane : needs.planes) {
     const char axis = std::abs(plane.normal[0]) > 0.5 ? 'x' : 'y';
     const std::string where = line("symmetry: the tools are mirror images across %c = %.3g mm", axis,
                                    std::round(1e6 * plane.offset) / 1e3 + 0.0);
-    said.push_back(where + (plane.spoiler.empty() ? ", and so are powder and motion: one half could stand "
-                                                    "for the whole (economy.mirror: try it first)"
-                                                  : ", but not " + plane.spoiler));
+    said.push_back(
+        where +
+        (plane.spoiler.empty()
+             ? ", and so are powder and motion: a half model is possible (economy.mirror; verify it first)"
+             : ", but not " + plane.spoiler));
   }
 }
 
@@ -139,7 +139,7 @@ std::vector<std::string> in_words(const Needs& needs, const Scene& scene, const 
   say_powder(needs, scene, said);
   say_symmetry(needs, said);
   said.push_back("laws in use: " + joined(needs.laws.used));
-  said.push_back("left out, their coefficients being zero: " + joined(needs.laws.left_out));
+  said.push_back("omitted laws (zero coefficient): " + joined(needs.laws.left_out));
   return said;
 }
 

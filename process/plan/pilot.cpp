@@ -150,7 +150,7 @@ class PilotRun {
       run.run();
       pilot_.stopped = run.why_unfinished();
     } catch (const Interrupted&) {
-      pilot_.stopped = "its time was over";
+      pilot_.stopped = "time limit reached";
     } catch (const engine::OutOfRange& error) {
       pilot_.stopped = error.what();
     }

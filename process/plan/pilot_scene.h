@@ -6,8 +6,8 @@
 
 namespace diefill::process::plan {
 
-/// The scene with as much less and coarser powder as makes it cost at most `sphere_steps`, or as little as
-/// that still says something. As it stands where it costs no more.
+/// The scene with less and coarser powder, so that it costs at most `sphere_steps`, down to the least that is
+/// still representative. Unchanged where it costs no more.
 Scene pilot_scene(const Scene& scene, const Tooling& tooling, double sphere_steps);
 
 }  // namespace diefill::process::plan

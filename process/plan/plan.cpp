@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "process/plan/memory.h"
+#include "process/run/build_tooling.h"
 #include "process/run/material.h"
 
 namespace diefill::process::plan {
@@ -61,6 +62,7 @@ Plan make_plan(const Scene& scene, const PlanOptions& options) {
   const double sphere = smallest_sphere(engine_settings(plan.scene, 1.0));
   const auto began = std::chrono::steady_clock::now();
   plan.tooling = build_tooling(plan.scene, sphere, largest_grain(plan.scene.powder), options.tell);
+  plan.scene = with_prepared_steps(std::move(plan.scene), plan.tooling);
   plan.tooling_seconds = seconds_since(began);
   plan.needs = needs_of(plan.scene, plan.tooling);
   plan.statements = in_words(plan.needs, plan.scene, plan.tooling);
@@ -80,7 +82,7 @@ void add_choices(Plan& plan) {
 
 std::optional<Choice> finest_within(const Plan& plan, double minutes) {
   if (!plan.pilot) return std::nullopt;
-  refuse_sizes(plan.scene, "a choice of the grain size that fits a time");
+  refuse_sizes(plan.scene, "a choice of the grain size for a given time");
   SettingNumbers numbers = numbers_of(Setting::working, plan.scene, plan.tooling.all_cavities());
   const auto with = [&](double diameter) {
     numbers.grain_diameter = diameter;

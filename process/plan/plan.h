@@ -1,4 +1,4 @@
-// A plan of a scene: what it needs, and what it would take as it stands and with each setting.
+// A plan of a scene: what it needs, and its predicted cost as written and with each setting.
 #pragma once
 
 #include <optional>
@@ -34,9 +34,9 @@ struct Plan {
 /// What to plan with.
 struct PlanOptions {
   int threads = 2;
-  bool pilot = true;                ///< run a pilot; without it no time is known
+  bool pilot = true;                ///< run a pilot; without it wall times are unknown
   double pilot_limit = 15;          ///< s of wall-clock time
-  TellProgress tell = tell_nobody;  ///< hears how far the tools are
+  TellProgress tell = tell_nobody;  ///< receives the progress of reading tools
 };
 
 /// Reads the tools, runs the pilot, and puts the plan together. Throws as a run of the scene would.

@@ -44,7 +44,8 @@ void bound_by_box(const Scene& scene, std::vector<Bound>& bounds) {
       bounds.push_back({*period / kGrainsAcross, line("a quarter of the period of %.4g mm", 1e3 * *period)});
     const auto i = static_cast<Eigen::Index>(axis);
     const double width = scene.pour.upper[i] - scene.pour.lower[i];
-    bounds.push_back({width / kGrainsAcross, line("a quarter of the pour box's %.4g mm", 1e3 * width)});
+    bounds.push_back(
+        {width / kGrainsAcross, line("a quarter of the pour box width of %.4g mm", 1e3 * width)});
   }
 }
 
@@ -53,16 +54,16 @@ Bound coarsest(Setting setting, const Scene& scene, const geometry::Cavity& cavi
   const bool quick = setting == Setting::quick;
   std::vector<Bound> bounds;
   if (setting == Setting::reference) {
-    bounds.push_back({calibrated, "the powder's own, without coarse graining"});
+    bounds.push_back({calibrated, "the calibrated size, without coarse graining"});
   } else {
     const double factor = (quick ? 2 : 1) * kProvenFactor;
-    bounds.push_back({factor * calibrated,
-                      quick ? line("%.3g times the calibrated size, beyond what was held against published "
-                                   "figures",
-                                   factor)
-                            : line("%.3g times the calibrated size, as far as coarse graining was held "
-                                   "against published figures",
-                                   factor)});
+    bounds.push_back(
+        {factor * calibrated,
+         quick ? line("%.3g times the calibrated size, above the range validated against published figures",
+                      factor)
+               : line("%.3g times the calibrated size, the limit of the range validated against published "
+                      "figures",
+                      factor)});
   }
   if (cavity.found && cavity.narrowest_width > 0) {
     const double share = quick ? kCoarsestRun : kCoarsestToDecide;
@@ -98,11 +99,11 @@ void choose_fill_height(SettingNumbers& numbers, Setting setting, const Scene& s
   numbers.fill_height = keep ? given : std::min(given, enough);
   if (numbers.fill_height < given)
     numbers.reasons.push_back(
-        line("powder in the shoe %.4g mm deep: 19 mm, beyond which depth changes nothing "
-             "(Bierwisch 2009, section 4.1.6), and what the cavity takes",
+        line("powder in the shoe %.4g mm deep: 19 mm, above which depth has no effect (Bierwisch 2009, "
+             "section 4.1.6), plus what the cavity takes",
              1e3 * numbers.fill_height));
   else
-    numbers.reasons.push_back(line("powder in the shoe %.4g mm deep, as the scene has it", 1e3 * given));
+    numbers.reasons.push_back(line("powder in the shoe %.4g mm deep, as in the scene", 1e3 * given));
 }
 
 /// Scenes write 0.47 mm for the 0.4704 mm of model D (process/scene/README.md).
@@ -122,7 +123,7 @@ void replace(toml::table& document, const std::string& table, const std::string&
   const std::string before = into.contains(key) ? show() : "";
   into.insert_or_assign(key, value);
   if (before != show())
-    said.push_back(table + "." + key + " = " + show() + (before.empty() ? "" : ", in place of " + before));
+    said.push_back(table + "." + key + " = " + show() + (before.empty() ? "" : ", replacing " + before));
 }
 
 }  // namespace
@@ -134,7 +135,7 @@ double calibrated_diameter(const PowderSpec& powder) {
 void refuse_sizes(const Scene& scene, const std::string& what) {
   if (scene.powder.sizes.empty()) return;
   throw SceneError(scene.file.string() + ": [powder.sizes]: found " + scene.powder.sizes_in_words + ", but " +
-                   what + " gives all grains one size; leave one of the two out");
+                   what + " uses one size for all grains; remove one of the two");
 }
 
 SettingNumbers numbers_of(Setting setting, const Scene& scene, const geometry::Cavity& cavity) {
@@ -145,12 +146,12 @@ SettingNumbers numbers_of(Setting setting, const Scene& scene, const geometry::C
   const double factor = bound.diameter / calibrated_diameter(scene.powder);
   const double sphere_radius = factor * scene.powder.sphere_radius;
   if (setting == Setting::quick) numbers.wall_spacing = coarsest_spacing(scene, sphere_radius);
-  numbers.reasons.push_back(line("wall spheres %.2g of their radius apart", numbers.wall_spacing));
+  numbers.reasons.push_back(line("wall spheres spaced %.2g radii apart", numbers.wall_spacing));
   if (setting == Setting::reference) {
     constexpr double kPublishedStep = 2e-6;  // s at the calibrated size (Bierwisch 2009, Table C.4)
     numbers.time_step = kPublishedStep * factor;
     numbers.reasons.push_back(
-        line("time step of %.3g s, the published one in proportion to the grain size", *numbers.time_step));
+        line("time step of %.3g s, the published one scaled with the grain size", *numbers.time_step));
   }
   choose_fill_height(numbers, setting, scene, cavity);
   return numbers;

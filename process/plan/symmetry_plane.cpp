@@ -52,7 +52,7 @@ std::string spoiler_of(const Scene& scene, const SymmetryPlane& plane, double to
   const auto period = scene.numerics.period[plane.normal[0] > 0.5 ? 0 : 1];
   if (period && std::abs(plane.offset) > tolerance) return "the period";
   for (const auto& step : scene.steps) {
-    if (step->inflow() != nullptr) return "powder that comes in at places of its own";
+    if (step->inflow() != nullptr) return "the inflow of powder";
     if (!step->tools().empty() && !moves_alike(*step, plane)) return "the motion: " + step->in_words();
   }
   return {};

@@ -1,5 +1,5 @@
-// The upright plane across which tools, powder and motion are mirror images: half the scene would tell the
-// whole.
+// The vertical plane across which tools, powder and motion are mirror images, so that a half model is
+// possible.
 #pragma once
 
 #include <optional>
@@ -10,14 +10,14 @@
 
 namespace diefill::process::plan {
 
-/// A plane of symmetry of the whole scene, or what spoils one of the tools' planes.
+/// A symmetry plane of the tools, and what breaks the symmetry of the scene, if anything.
 struct SymmetryPlane {
   Eigen::Vector3d normal = Eigen::Vector3d::UnitY();
   double offset = 0;    ///< m, of the plane from the origin along the normal
   std::string spoiler;  ///< empty: none; else what is not symmetric, such as "the motion of shoe"
 };
 
-/// Upright planes that all tools have in common within `tolerance` (m), from `symmetry` (one a tool), each
+/// Vertical planes that all tools have in common within `tolerance` (m), from `symmetry` (one a tool), each
 /// checked against the pour box, the periods and the steps' motions. Steps must have been prepared.
 std::vector<SymmetryPlane> common_planes(const Scene& scene, const Tooling& tooling,
                                          const std::vector<geometry::Symmetry>& symmetry, double tolerance);

@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 
 [[noreturn]] void fail(const fs::path& target, const std::string& reason) {
   throw ResultError("cannot write " + target.string() + ": " + reason +
-                    "; nothing was changed: make room or choose another directory, then write again");
+                    "; nothing was changed: free some space or choose another directory, then try again");
 }
 
 [[noreturn]] void fail_with_errno(const fs::path& target) {

@@ -40,7 +40,7 @@ bool lies_at(int file, const fs::path& path) {
 [[noreturn]] void refuse(const fs::path& directory, std::optional<pid_t> holder) {
   const std::string who = holder.value_or(0) > 0 ? " (process " + std::to_string(*holder) + ")" : "";
   throw DirectoryInUse(directory.string() + ": locked, another run" + who +
-                       " is writing into it; wait for its end or name another directory with --out");
+                       " is writing to it; wait until it ends or choose another directory with --out");
 }
 
 }  // namespace

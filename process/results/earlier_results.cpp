@@ -55,8 +55,8 @@ std::optional<fs::path> set_aside(const fs::path& directory) {
     for (const fs::path& file : files) fs::rename(file, folder / file.filename());
     return folder;
   } catch (const fs::filesystem_error& error) {
-    throw ResultError("cannot keep the earlier results in " + directory.string() +
-                      " aside: " + error.code().message() + "; name another directory with --out");
+    throw ResultError("cannot back up the earlier results in " + directory.string() + ": " +
+                      error.code().message() + "; choose another directory with --out");
   }
 }
 

@@ -7,12 +7,12 @@ hid_t open(const std::filesystem::path& file) {
   std::error_code error;
   if (!std::filesystem::is_regular_file(file, error))
     throw ResultError(file.string() +
-                      ": no such results file; run the scene first or name another directory");
+                      ": no such results file; run the scene first or give another directory");
   Hdf5Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
   H5Pset_file_locking(access.id(), false, true);
   const hid_t id = H5Fopen(file.c_str(), H5F_ACC_RDONLY, access.id());
   if (id < 0)
-    throw ResultError(file.string() + ": not an HDF5 file, or damaged or cut short; run the scene again");
+    throw ResultError(file.string() + ": not an HDF5 file, damaged or truncated; run the scene again");
   return id;
 }
 
@@ -69,7 +69,7 @@ std::vector<hsize_t> Hdf5Reader::shape_of(const std::string& name, std::size_t d
 void Hdf5Reader::read(const std::string& name, NumberType type, void* data) const {
   Hdf5Handle dataset(H5Dopen2(file_.id(), (path_ + "/" + name).c_str(), H5P_DEFAULT), H5Dclose);
   Hdf5Handle stored(H5Dget_type(dataset.id()), H5Tclose);
-  if (H5Tequal(stored.id(), type.file) <= 0) fail(name, "holds another kind of value");
+  if (H5Tequal(stored.id(), type.file) <= 0) fail(name, "contains another type of value");
   if (H5Dread(dataset.id(), type.memory, H5S_ALL, H5S_ALL, H5P_DEFAULT, data) < 0)
     fail(name, "cannot be read");
 }
@@ -78,7 +78,7 @@ std::vector<std::string> Hdf5Reader::read_texts(const std::string& name, std::si
   const std::vector<hsize_t> shape = shape_of(name, dimensions);
   Hdf5Handle dataset(H5Dopen2(file_.id(), (path_ + "/" + name).c_str(), H5P_DEFAULT), H5Dclose);
   Hdf5Handle stored(H5Dget_type(dataset.id()), H5Tclose), type(text_type(), H5Tclose);
-  if (!is_text(stored.id())) fail(name, "holds no text");
+  if (!is_text(stored.id())) fail(name, "is not a text");
   std::vector<char*> raw(shape.empty() ? 1 : shape[0], nullptr);
   std::vector<std::string> texts(raw.size());
   if (raw.empty()) return texts;

@@ -27,14 +27,14 @@ class Hdf5Reader {
     value = stored != 0;
   }
   void field(const std::string& name, Eigen::Vector3d& value, const char*, const char*) {
-    if (shape_of(name, 1) != std::vector<hsize_t>{3}) fail(name, "is no vector of three numbers");
+    if (shape_of(name, 1) != std::vector<hsize_t>{3}) fail(name, "is not a vector of three numbers");
     read(name, number_type(0.0), value.data());
   }
   template <class T>
   void field(const std::string& name, std::vector<T>& values, const char*, const char*) {
     using Layout = Row<T>;
     const std::vector<hsize_t> shape = shape_of(name, Layout::length > 0 ? 2 : 1);
-    if (Layout::length > 0 && shape[1] != Layout::length) fail(name, "has rows of another length");
+    if (Layout::length > 0 && shape[1] != Layout::length) fail(name, "has rows of the wrong length");
     values.resize(shape[0]);
     if (!values.empty()) read(name, number_type(typename Layout::Number{}), values.data());
   }

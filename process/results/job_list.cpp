@@ -51,11 +51,11 @@ JobList read_job_list(const std::filesystem::path& directory) {
   std::ifstream file(path);
   if (!file)
     throw ResultError(path.string() +
-                      ": cannot be read; name a directory of diefill compare --out or --export-jobs");
+                      ": cannot be read; give a directory of diefill compare --out or --export-jobs");
   try {
     return from_json(Json::parse(file));
   } catch (const std::exception&) {
-    throw ResultError(path.string() + ": found no list of jobs; let diefill compare write it again");
+    throw ResultError(path.string() + ": not a valid job list; run diefill compare to write it again");
   }
 }
 

@@ -42,13 +42,13 @@ std::vector<std::string> exceeded_in_words(const FillResult& result) {
     if (margin.name == title_of(figure_called(kEnergy)))
       lines.push_back("energy balance: " + percent(std::abs(margin.found)) +
                       " of the energy turned over was " + (margin.found < 0 ? "lost" : "gained") +
-                      " with nothing to explain it, beyond the limit of " + percent(margin.limit) +
-                      " either way: do not decide from this run; take a shorter time step "
+                      " without explanation, above the limit of +-" + percent(margin.limit) +
+                      ": do not rely on this run; use a shorter time step "
                       "(numerics.time_step_fraction) and compare");
     else
       lines.push_back(margin.name + " reached " + in_significant_digits(margin.found, 3) +
-                      ", beyond the limit of " + in_significant_digits(margin.limit, 3) +
-                      ": do not decide from this run; take a shorter time step "
+                      ", above the limit of " + in_significant_digits(margin.limit, 3) +
+                      ": do not rely on this run; use a shorter time step "
                       "(numerics.time_step_fraction) and compare");
   }
   return lines;

@@ -10,10 +10,10 @@ namespace diefill::results {
 /// Topic under which results keep the reasons.
 inline constexpr const char* kNoValueTopic = "no value";
 
-/// Takes a figure's value away (NaN) and says why; a reason that stands already is kept.
+/// Sets a figure to no value (NaN) and stores the reason; an existing reason is kept.
 void give_no_value(FillResult& result, const std::string& figure, const std::string& reason);
 
-/// Why `figure` has no value ("solid_fraction" for the summary); empty where nothing is known of it.
+/// Why `figure` has no value ("solid_fraction" for the summary); empty where no reason is stored.
 std::string reason_for(const FillResult& result, const std::string& figure);
 
 /// The statement `name` of a topic; empty where there is none.

@@ -34,7 +34,7 @@ void check_tool(const ToolState& tool) {
   const int vertices = static_cast<int>(tool.vertices.size());
   for (const auto& triangle : tool.triangles)
     if (triangle.minCoeff() < 0 || triangle.maxCoeff() >= vertices)
-      throw ResultError("tool \"" + tool.name + "\" has a triangle without its vertices");
+      throw ResultError("tool \"" + tool.name + "\" has a triangle with missing vertices");
 }
 
 }  // namespace
@@ -66,7 +66,7 @@ void check_lengths(const FillResult& result) {
                        instant.tool_displacement.size() == result.tools.size();
     if (!whole)
       throw ResultError("instant at t = " + std::to_string(instant.time) +
-                        " s: its arrays do not belong together");
+                        " s: its arrays have unequal lengths");
   }
   for (const Field2D& map : result.maps) check_field(map, "map");
   for (const SectionField& section : result.sections) check_field(section.field, "section");

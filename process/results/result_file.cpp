@@ -22,8 +22,8 @@ void make_directory(const std::filesystem::path& directory) {
   std::error_code error;
   std::filesystem::create_directories(directory, error);
   if (error)
-    throw ResultError("cannot make the directory " + directory.string() + ": " + error.message() +
-                      "; name a directory that can be written");
+    throw ResultError("cannot create the directory " + directory.string() + ": " + error.message() +
+                      "; choose a writable directory");
 }
 
 /// Derived from the rest and not read back.
@@ -56,7 +56,7 @@ std::string file_image(const FillResult& result) {
 /// Throws unless the file holds results of a version that can be read.
 void check_format(Hdf5Reader& file, const std::filesystem::path& path) {
   if (file.file_text("format") != kFormat)
-    throw ResultError(path.string() + ": an HDF5 file, but not results of diefill; name another directory");
+    throw ResultError(path.string() + ": an HDF5 file, but not diefill results; give another directory");
   const int version = file.file_number("schema_version");
   if (version < kOldestSchemaVersion || version > kSchemaVersion)
     throw ResultError(path.string() + ": results of schema version " + std::to_string(version) +
@@ -84,21 +84,19 @@ std::string earlier_image(const std::filesystem::path& path) {
   check_format(file, path);
   if (file.file_number(kSealed) == 1)
     throw ResultError(path.string() +
-                      ": damaged or cut short: the hash of its contents, which stands at its "
-                      "end, is not there; run the scene again");
+                      ": damaged or truncated: the hash at its end is missing; run the scene again");
   return file_image(described_in(file, path));
 }
 
 FillResult read_checked(const std::filesystem::path& path) {
   if (std::error_code error; !std::filesystem::is_regular_file(path, error))
     throw ResultError(path.string() +
-                      ": no such results file; run the scene first or name another directory");
+                      ": no such results file; run the scene first or give another directory");
   if (ends_in_seal(path)) {
     const auto contents = read_sealed(path);
     if (!contents)
       throw ResultError(path.string() +
-                        ": damaged: its contents are not those that were written (their hash "
-                        "is another); run the scene again");
+                        ": damaged: its contents do not match their hash; run the scene again");
     Hdf5Reader file(path, *contents);
     return described_in(file, path);
   }
@@ -106,8 +104,7 @@ FillResult read_checked(const std::filesystem::path& path) {
   Hdf5Reader file(path, image);
   FillResult result = described_in(file, path);
   result.warnings.emplace_back(
-      "these results are of an earlier version, which kept no hash of them: damage to single numbers would "
-      "go unnoticed");
+      "these results were written by an earlier version without a hash: damaged numbers would go unnoticed");
   return result;
 }
 

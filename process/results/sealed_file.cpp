@@ -53,7 +53,7 @@ bool ends_in_seal(const std::filesystem::path& file) {
 std::optional<std::string> read_sealed(const std::filesystem::path& file) {
   auto stream = opened(file);
   std::string bytes = end_of(stream, static_cast<std::streamoff>(std::filesystem::file_size(file)));
-  if (!stream) throw ResultError(file.string() + ": cannot be read to its end; is the disk damaged?");
+  if (!stream) throw ResultError(file.string() + ": cannot be read completely; check the disk");
   if (bytes.size() < kSealLength) return std::nullopt;
   const std::string seal = bytes.substr(bytes.size() - kSealLength);
   bytes.resize(bytes.size() - kSealLength);

@@ -93,7 +93,7 @@ std::string read_in_child(const std::filesystem::path& file, const std::function
   const bool ended = WIFEXITED(status) && WEXITSTATUS(status) == 0 && !answer.empty();
   if (!ended)
     throw ResultError(file.string() + ": damaged: reading it " +
-                      (WIFSIGNALED(status) && WTERMSIG(status) == SIGXCPU ? "does not end" : "fails") +
+                      (WIFSIGNALED(status) && WTERMSIG(status) == SIGXCPU ? "does not terminate" : "fails") +
                       "; run the scene again");
   if (answer.front() == kReason) throw ResultError(answer.substr(1));
   return answer.substr(1);

@@ -1,9 +1,6 @@
 // Turns a finished run into results: measures the filled die and writes down all figures of the report.
 #pragma once
 
-#include <array>
-#include <optional>
-
 #include "process/results/fill_result.h"
 #include "process/run/fill_run.h"
 
@@ -14,22 +11,5 @@ std::string program_version();
 
 /// Everything about the finished run: powder, tools, fields and figures.
 results::FillResult assemble(const Scene& scene, const Tooling& tooling, const FillRun& run);
-
-/// What to look at when fields are measured.
-struct FieldRequest {
-  double averaging_width = 0;  ///< m, sigma of Eq. 2.27; 0: the larger of 0.5 mm and d/2
-  std::vector<results::SectionPlane>
-      sections;  ///< empty: the plane through the cavity's axis along azimuth 0
-};
-
-/// m: sigma of Eq. 2.27 where none is given, the larger of 0.5 mm (Bierwisch 2009, Figs. 3.6, 4.12) and d/2.
-double default_averaging_width(double grain_diameter);
-
-/// Measures maps, sections and profiles of `result` anew from its powder and solid fractions.
-void measure_fields(results::FillResult& result, const FieldRequest& request, int azimuth_bins);
-
-/// A plane with horizontal and vertical (or two horizontal) in-plane axes for a normal of any direction.
-results::SectionPlane section_plane(const std::string& name, const Eigen::Vector3d& origin,
-                                    const Eigen::Vector3d& normal);
 
 }  // namespace diefill::process

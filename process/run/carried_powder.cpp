@@ -8,15 +8,15 @@ namespace diefill::process {
 namespace {
 
 [[noreturn]] void refuse(const Scene& scene, const std::string& why) {
-  throw SceneError(scene.economy.carry_place + ": " + why + "; leave the key out");
+  throw SceneError(scene.economy.carry_place + ": " + why + "; remove the key");
 }
 
 std::size_t only_shoe(const Scene& scene, const Tooling& tooling) {
   const auto is_shoe = [](const Tool& tool) { return tool.spec.role == ToolRole::shoe; };
   const auto count = std::count_if(tooling.tools.begin(), tooling.tools.end(), is_shoe);
-  if (count == 0) refuse(scene, "no tool has the role \"shoe\", so that nothing carries powder");
+  if (count == 0) refuse(scene, "no tool has the role \"shoe\", so nothing carries powder");
   if (count > 1)
-    refuse(scene, std::to_string(count) + " tools have the role \"shoe\", and powder is carried by one");
+    refuse(scene, std::to_string(count) + " tools have the role \"shoe\", but only one can carry powder");
   const auto shoe = std::find_if(tooling.tools.begin(), tooling.tools.end(), is_shoe);
   return static_cast<std::size_t>(shoe - tooling.tools.begin());
 }
@@ -39,12 +39,11 @@ void check_steps(const Scene& scene, const std::string& shoe, const std::string&
     };
     if (moves(die))
       refuse(scene, "the step \"" + step->in_words() +
-                        "\" moves the die, and with it the places where powder "
-                        "must be free to flow");
+                        "\" moves the die, and with it the region where powder must be free to flow");
     if (moves(shoe) && turns(*step))
-      refuse(scene,
-             "the step \"" + step->in_words() +
-                 "\" turns the shoe or moves it by force, and powder is carried along a known way only");
+      refuse(scene, "the step \"" + step->in_words() +
+                        "\" turns the shoe or moves it by force, but powder can only be carried along a "
+                        "prescribed path");
   }
 }
 
@@ -65,7 +64,7 @@ std::optional<engine::SleepSettings> carried_powder(const Scene& scene, const To
   const auto& beyond = scene.economy.carry_beyond;
   if (!beyond) return std::nullopt;
   if (!tooling.cavity.found)
-    refuse(scene, "the tools enclose no cavity, so that it is not known where powder flows");
+    refuse(scene, "the tools enclose no cavity, so the region where powder flows is unknown");
   const std::size_t shoe = only_shoe(scene, tooling);
   check_steps(scene, tooling.tools[shoe].spec.name, tooling.tools[tooling.die].spec.name);
   auto settings = engine::riding_on(shoe);

@@ -59,7 +59,7 @@ class Reader {
 
  private:
   void take(void* target, std::size_t size) {
-    if (bytes_.size() - at_ < size) throw results::ResultError("it ends too early");
+    if (bytes_.size() - at_ < size) throw results::ResultError("it is truncated");
     if (size > 0) std::memcpy(target, bytes_.data() + at_, size);
     at_ += size;
   }
@@ -165,13 +165,13 @@ std::optional<Checkpoint> read_checkpoint(const std::filesystem::path& path) {
   text << file.rdbuf();
   const std::string all = text.str();
   const auto refuse = [&](const std::string& why) {
-    return results::ResultError(path.string() + ": not a checkpoint that can be resumed: " + why +
+    return results::ResultError(path.string() + ": cannot resume from this checkpoint: " + why +
                                 "; delete it or run without --resume");
   };
   std::uint64_t hash = 0;
   const std::size_t header = kMagic.size() + sizeof hash;
   if (all.size() < header || std::memcmp(all.data(), kMagic.data(), kMagic.size()) != 0)
-    throw refuse("it is no checkpoint of this program version");
+    throw refuse("it is not a checkpoint of this program version");
   std::memcpy(&hash, all.data() + kMagic.size(), sizeof hash);
   const std::string contents = all.substr(header);
   if (hash_of(contents) != hash) throw refuse("its contents are damaged");

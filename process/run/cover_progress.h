@@ -1,4 +1,4 @@
-// How far the covering of tools is, while they are covered side by side.
+// Progress of covering tools with wall spheres in parallel.
 #pragma once
 
 #include <atomic>
@@ -11,7 +11,7 @@
 
 namespace diefill::process {
 
-/// Each tool counts by its triangles; each is told of by the thread that covers it.
+/// Each tool counts by its triangles; the thread that covers it reports its progress.
 class CoverProgress {
  public:
   struct Part {
@@ -20,10 +20,10 @@ class CoverProgress {
   };
   explicit CoverProgress(const std::vector<Part>& parts);
 
-  /// Tells of tool k (by number in `parts`) the share that is done, 0 to 1.
+  /// Reports the completed share of tool k (by number in `parts`), 0 to 1.
   void done(std::size_t k, double share) { shares_[k].store(share, std::memory_order_relaxed); }
 
-  /// Waits for the spheres of tool k and meanwhile tells the share of all that is done, `from` to 1.
+  /// Waits for the spheres of tool k and meanwhile reports the completed share of all, `from` to 1.
   geometry::WallSpheres wait_for(std::size_t k, std::future<geometry::WallSpheres>& spheres, double from,
                                  const TellProgress& tell) const;
 

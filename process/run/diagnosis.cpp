@@ -94,19 +94,18 @@ geometry::Gap gap_between(const Surroundings& around, std::size_t one, std::size
 std::string in_words(const PairDiagnosis& pair, const Scene& scene, double sphere_radius) {
   std::string text;
   if (pair.overlap > kNothing)
-    text = "overlap by " + millimetres(pair.overlap) + near(pair.overlap_place) + ", as fits that rub do";
+    text = "overlap by " + millimetres(pair.overlap) + near(pair.overlap_place) + " (interference fit)";
   if (!pair.gap.found) return text;
   if (!text.empty()) text += "; ";
-  if (pair.gap.widest <= kNothing) return text + "touch without a gap";
+  if (pair.gap.widest <= kNothing) return text + "in contact without a gap";
   text += "gap of " + millimetres(pair.gap.narrowest) + " to " + millimetres(pair.gap.widest);
   if (pair.powder_enters)
-    return text + near(pair.gap.widest_place) + ": powder enters, its spheres measure " +
-           millimetres(2 * sphere_radius);
+    return text + near(pair.gap.widest_place) + ": powder enters (spheres of " +
+           millimetres(2 * sphere_radius) + ")";
   if (pair.real_powder_enters)
     return text + near(pair.gap.widest_place) +
-           ": closed to the model's grains, but the real powder, whose spheres "
-           "measure " +
-           millimetres(2 * scene.powder.sphere_radius) + ", may enter";
+           ": closed to the model grains, but the real powder (spheres of " +
+           millimetres(2 * scene.powder.sphere_radius) + ") may enter";
   return text + ": closed to the powder";
 }
 

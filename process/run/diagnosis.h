@@ -1,4 +1,4 @@
-// What an engineer wants to know about tools before filling them: play, rub and symmetry.
+// Diagnosis of tools before a run: gaps, overlaps and symmetry.
 #pragma once
 
 #include <string>

@@ -14,7 +14,7 @@ std::string left_out(const engine::Simulation& simulation, std::uint64_t sphere_
   char text[80];
   const double share = static_cast<double>(simulation.sphere_steps_left_out()) /
                        static_cast<double>(std::max<std::uint64_t>(1, sphere_steps));
-  std::snprintf(text, sizeof text, "%.1f %% of all sphere-steps were left out", 100 * share);
+  std::snprintf(text, sizeof text, "%.1f %% of all sphere-steps were skipped", 100 * share);
   return text;
 }
 
@@ -24,15 +24,15 @@ std::vector<std::string> economies_in_words(const Scene& scene, const engine::Si
                                             std::uint64_t sphere_steps) {
   std::vector<std::string> lines;
   if (scene.economy.mirror)
-    lines.push_back(
-        std::string("half model: computed on one side of the plane ") +
-        (*scene.economy.mirror == 0 ? "x" : "y") +
-        " = 0 alone, and shown with its mirror image; differences between both halves are left out");
+    lines.push_back(std::string("half model: only one side of the plane ") +
+                    (*scene.economy.mirror == 0 ? "x" : "y") +
+                    " = 0 was computed; the other half is its mirror image, so differences between the "
+                    "halves are not captured");
   if (scene.economy.sleep)
-    lines.push_back("settled grains were put to sleep: " + left_out(simulation, sphere_steps));
+    lines.push_back("settled grains were frozen (economy.sleep): " + left_out(simulation, sphere_steps));
   if (scene.economy.carry_beyond)
     lines.push_back("powder in the shoe farther than " + number_in_words(1e3 * *scene.economy.carry_beyond) +
-                    " mm from a cavity was carried along as a block: " + left_out(simulation, sphere_steps));
+                    " mm from a cavity was moved as a rigid block: " + left_out(simulation, sphere_steps));
   if (const std::string limit = preset_warning(scene.powder); !limit.empty()) lines.push_back(limit);
   return lines;
 }

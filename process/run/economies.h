@@ -1,4 +1,4 @@
-// What a run left out for the sake of speed, to be said in its results.
+// Approximations that saved time in a run, for its results.
 #pragma once
 
 #include <cstdint>
@@ -10,8 +10,8 @@
 
 namespace diefill::process {
 
-/// A line for each economy of the scene that is not there by default, and one for a preset that is not fit
-/// for fillings. `sphere_steps`: spheres times steps of the run, those left out included.
+/// A line for each economy of the scene that is off by default, and one for a preset that is unsuitable
+/// for die filling. `sphere_steps`: spheres times steps of the run, those left out included.
 std::vector<std::string> economies_in_words(const Scene& scene, const engine::Simulation& simulation,
                                             std::uint64_t sphere_steps);
 

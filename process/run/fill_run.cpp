@@ -69,9 +69,8 @@ FillRun::FillRun(const Scene& scene, const Tooling& tooling, const RunOptions& o
   if (tooling.cavity.found && width > 0 && largest > width / 3) {
     char text[240];
     std::snprintf(text, sizeof text,
-                  "grain diameter over cavity width is %.2f, beyond 1/3 (%.2f mm in %.2f mm): a quick look, "
-                  "too coarse for a "
-                  "density map to decide from",
+                  "grain diameter over cavity width is %.2f, above 1/3 (%.2f mm in %.2f mm): too coarse for "
+                  "a reliable density map, use it only for a first look",
                   largest / width, 1e3 * largest, 1e3 * width);
     warnings_.emplace_back(text);
   }
@@ -190,11 +189,10 @@ void FillRun::shear_off_pinched_grains() {
   simulation_->remove_grains(ids);
   const double most = scene_.numerics.most_sheared;
   if (static_cast<double>(sheared_.grains()) > std::max(kFewSheared, most * poured))
-    throw engine::OutOfRange(
-        shear_warning() + " by t = " + std::to_string(simulation_->time()) + " s, more than " +
-        number_in_words(100 * most) +
-        " % of all (numerics.most_sheared): take smaller model grains or a shorter time step, chamfer the "
-        "edges that move past each other, or allow more");
+    throw engine::OutOfRange(shear_warning() + " by t = " + std::to_string(simulation_->time()) +
+                             " s, more than " + number_in_words(100 * most) +
+                             " % of all (numerics.most_sheared): use smaller model grains or a shorter time "
+                             "step, chamfer the edges that move past each other, or raise the limit");
 }
 
 std::string FillRun::shear_warning() const {
@@ -202,8 +200,7 @@ std::string FillRun::shear_warning() const {
   char text[240];
   std::snprintf(
       text, sizeof text,
-      "%llu grains (%.3g g) were wedged between tools moving past each other and sheared off, that is, "
-      "taken out of the computation",
+      "%llu grains (%.3g g) were wedged between tools moving past each other and were removed (sheared off)",
       static_cast<unsigned long long>(sheared), 1e3 * copies(tooling_) * sheared_.mass(simulation_->kinds()));
   return text;
 }
@@ -266,7 +263,7 @@ double FillRun::wall_seconds() const {
 std::vector<std::string> FillRun::warnings() const {
   std::vector<std::string> all = warnings_;
   if (ran_out_of_time())
-    all.insert(all.begin(), "unfinished: " + why_unfinished() + "; all figures are of this instant");
+    all.insert(all.begin(), "unfinished: " + why_unfinished() + "; all figures refer to this time");
   for (auto& economy : economies_in_words(scene_, *simulation_, sphere_steps_))
     all.push_back(std::move(economy));
   all.insert(all.end(), health_.warnings().begin(), health_.warnings().end());

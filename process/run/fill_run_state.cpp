@@ -13,7 +13,7 @@ void FillRun::start_or_resume() {
     progress_.say("resuming at t = " + std::to_string(simulation_->time()) + " s");
   } else if (const auto shared = shared_beginning()) {
     go_on_from(*shared);
-    progress_.say("the first " + std::to_string(simulation_->time()) + " s are those of an earlier run");
+    progress_.say("the first " + std::to_string(simulation_->time()) + " s are taken from an earlier run");
   } else if (options_.resume) {
     progress_.say("no checkpoint in " + options_.directory.string() + ": starting from the beginning");
   }
@@ -24,9 +24,10 @@ std::optional<Checkpoint> FillRun::own_checkpoint() const {
   const auto path = checkpoint_file(options_.directory);
   auto checkpoint = read_checkpoint(path);
   if (checkpoint && checkpoint->scene_hash != scene_hash())
-    throw SceneError(path.string() + ": the checkpoint belongs to another scene or other CAD files than " +
-                     scene_.file.string() +
-                     "; run without --resume, which keeps it aside, or name another directory");
+    throw SceneError(
+        path.string() + ": the checkpoint belongs to a different scene or different CAD files than " +
+        scene_.file.string() +
+        "; run without --resume, which moves it to a backup folder, or choose another directory");
   return checkpoint;
 }
 
@@ -76,25 +77,25 @@ Checkpoint FillRun::checkpoint() const {
 bool FillRun::write_checkpoint() {
   last_checkpoint_ = std::chrono::steady_clock::now();
   return keep([this] { process::write_checkpoint(checkpoint_file(options_.directory), checkpoint()); },
-              "no checkpoint written, the one before still stands");
+              "no checkpoint written, the previous one is still valid");
 }
 
 void FillRun::stop_with_checkpoint() {
   const bool kept = write_checkpoint();
   const std::string stopped = "stopped at t = " + std::to_string(simulation_->time()) + " s";
-  if (kept) throw Interrupted(stopped + "; the same command with --resume goes on");
+  if (kept) throw Interrupted(stopped + "; run the same command with --resume to continue");
   if (std::filesystem::exists(checkpoint_file(options_.directory)))
     throw Interrupted(stopped +
-                      " without room for a checkpoint; the same command with --resume goes on from "
-                      "the one before");
-  throw Interrupted(stopped + " without room for a checkpoint: what was computed is lost");
+                      " without space for a checkpoint; run the same command with --resume to continue from "
+                      "the previous one");
+  throw Interrupted(stopped + " without space for a checkpoint: the computed results are lost");
 }
 
 void FillRun::leave_beginning() {
   // Air flows through what the whole schedule makes of the tools.
   if (options_.beginnings.empty() || scene_.suction) return;
   keep([this] { process::leave_beginning(options_.beginnings, checkpoint()); },
-       "no beginning left for other runs, which will compute it themselves");
+       "could not store the shared start for other runs, which will compute it themselves");
 }
 
 /// Writes; where that fails for want of room, a warning tells what is so `otherwise`, and the run goes on.
@@ -121,12 +122,12 @@ bool FillRun::out_of_time() const {
 
 std::string FillRun::why_unfinished() const {
   if (schedule_.finished()) return {};
-  std::string why = "the scene was not over ";
+  std::string why = "the scene had not ended ";
   if (out_of_time())
     why += "after numerics.max_time of " + number_in_words(scene_.numerics.max_time) + " s";
   else
     why += "at t = " + number_in_words(simulation_->time()) + " s";
-  return why + " (on: " + schedule_.in_words() + ')';
+  return why + " (current step: " + schedule_.in_words() + ')';
 }
 
 std::uint64_t FillRun::beginning_hash(const ScheduleState& schedule, double now) const {

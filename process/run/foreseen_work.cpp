@@ -49,27 +49,26 @@ void refuse_steps(const Scene& scene, double seconds, double time_step, double s
   const double steps = at_most(scene, seconds) / time_step;
   if (steps <= kMostSteps && steps * spheres <= kMostSphereSteps) return;
   const std::string advice =
-      "; take a longer time step (numerics.time_step_fraction, numerics.time_step, a softer "
-      "powder.reduced_modulus), larger grains or shorter and slower steps";
+      "; use a longer time step (numerics.time_step_fraction, numerics.time_step, a softer "
+      "powder.reduced_modulus), larger grains or shorter steps";
   if (!(steps <= kMostSteps))
     throw SceneError(place(scene) +
-                     line("%.3g s of powder time in time steps of %.3g s are %.3g steps, ",
+                     line("%.3g s of simulated time in time steps of %.3g s are %.3g steps, ",
                           at_most(scene, seconds), time_step, steps) +
-                     line("%.3g at most are allowed: the run would not end", kMostSteps) + advice);
+                     line("allowed: at most %.3g, because the run would never end", kMostSteps) + advice);
   throw SceneError(place(scene) +
                    line("%.3g spheres over %.3g time steps of %.3g s are %.3g sphere-steps, ", spheres, steps,
                         time_step, steps * spheres) +
-                   line("%.3g at most are allowed: the run would not end", kMostSphereSteps) + advice);
+                   line("allowed: at most %.3g, because the run would never end", kMostSphereSteps) + advice);
 }
 
 /// Whatever max_time says: nobody can tell where tools are after such times.
 void refuse_endless_motion(const Scene& scene, double seconds) {
   constexpr double kLongest = 1e8;  // s
   if (seconds <= kLongest) return;
-  throw SceneError(place(scene) +
-                   line("the steps take %.3g s of powder time, %.3g s at most are allowed; see "
-                        "whether a velocity, an acceleration or a ramp is too small",
-                        seconds, kLongest));
+  throw SceneError(place(scene) + line("the steps take %.3g s of simulated time, allowed: at most %.3g s; "
+                                       "check whether a velocity, an acceleration or a ramp is too small",
+                                       seconds, kLongest));
 }
 
 /// Bytes of what measure.snapshot_interval keeps.
@@ -81,11 +80,11 @@ double kept_bytes(const Scene& scene, double seconds, double grains) {
 void refuse_snapshots(const Scene& scene, double seconds) {
   for (const auto& snapshot : scene.snapshots) {
     if (!snapshot.every || at_most(scene, seconds) / *snapshot.every <= kMostSnapshots) continue;
-    throw SceneError(place(scene) + "snapshot \"" + snapshot.name + "\": " +
-                     line("every %.3g s of %.3g s are %.3g folders of results, %.3g at most are allowed; "
-                          "give a longer time for every",
-                          *snapshot.every, at_most(scene, seconds), at_most(scene, seconds) / *snapshot.every,
-                          kMostSnapshots));
+    throw SceneError(
+        place(scene) + "snapshot \"" + snapshot.name + "\": " +
+        line("every %.3g s of %.3g s makes %.3g folders of results, allowed: at most %.3g; raise every",
+             *snapshot.every, at_most(scene, seconds), at_most(scene, seconds) / *snapshot.every,
+             kMostSnapshots));
   }
 }
 
@@ -94,58 +93,9 @@ std::string larger_grains(const Scene& scene, double spheres) {
   constexpr double kRoundedUp = 1.05;
   const double base = plan::predicted_memory(0, 0), room = std::max(0.1 * base, machine_memory() - base);
   const double factor = std::cbrt((plan::predicted_memory(spheres, 0) - base) / room);
-  return line("take grains of %.2g mm or more (powder.grain_diameter)",
+  return line("use grains of %.2g mm or more (powder.grain_diameter)",
               kRoundedUp * factor * 1e3 * scene.powder.grain_diameter) +
-         ", pour less, or compute on a machine with more memory";
-}
-
-/// m^2 of the mesh, and points spread over it by area, each with the outward normal there.
-class SpreadPoints {
- public:
-  explicit SpreadPoints(const geometry::Mesh& mesh) : mesh_(mesh) {
-    for (std::size_t k = 0; k < mesh.triangles.size(); ++k) {
-      area_ += 0.5 * twice_area(k).norm();
-      up_to_.push_back(area_);
-    }
-  }
-  double area() const { return area_; }
-
-  /// Calls visit(point, normal) for `count` points.
-  template <class Visit>
-  void each(int count, const Visit& visit) const {
-    constexpr double kGolden = 0.6180339887498949, kPlastic = 0.7548776662466927;
-    for (int n = 0; n < count; ++n) {
-      const double at = area_ * (n + 0.5) / count;
-      const auto k =
-          static_cast<std::size_t>(std::lower_bound(up_to_.begin(), up_to_.end(), at) - up_to_.begin());
-      if (k >= up_to_.size()) continue;
-      double u = std::fmod(n * kGolden, 1.0), v = std::fmod(n * kPlastic, 1.0);
-      if (u + v > 1) u = 1 - u, v = 1 - v;
-      const Eigen::Vector3d a = corner(k, 0);
-      visit(Eigen::Vector3d(a + u * (corner(k, 1) - a) + v * (corner(k, 2) - a)),
-            Eigen::Vector3d(twice_area(k).normalized()));
-    }
-  }
-
- private:
-  const Eigen::Vector3d& corner(std::size_t k, int which) const {
-    return mesh_.vertices[static_cast<std::size_t>(mesh_.triangles[k][which])];
-  }
-  Eigen::Vector3d twice_area(std::size_t k) const {
-    return (corner(k, 1) - corner(k, 0)).cross(corner(k, 2) - corner(k, 0));
-  }
-
-  const geometry::Mesh& mesh_;
-  std::vector<double> up_to_;
-  double area_ = 0;
-};
-
-bool beyond_period(const Scene& scene, const Eigen::Vector3d& point) {
-  for (std::size_t axis = 0; axis < 2; ++axis)
-    if (const auto& period = scene.numerics.period[axis];
-        period && std::abs(point[static_cast<Eigen::Index>(axis)]) > 0.5 * *period)
-      return true;
-  return false;
+         ", pour less, or run on a machine with more memory";
 }
 
 }  // namespace
@@ -155,10 +105,10 @@ void refuse_memory(const std::string& what, double spheres, double wall_spheres,
   const double bytes = plan::predicted_memory(spheres, wall_spheres) + more_bytes;
   const double there = machine_memory();
   if (bytes <= there) return;
-  throw SceneError(
-      what +
-      line(" would take about %.3g GB of memory, and %.3g GB are there; ", 1e-9 * bytes, 1e-9 * there) +
-      advice);
+  throw SceneError(what +
+                   line(" would need about %.3g GB of memory, but only %.3g GB are available; ", 1e-9 * bytes,
+                        1e-9 * there) +
+                   advice);
 }
 
 void refuse_endless(const Scene& scene) {
@@ -192,41 +142,7 @@ void refuse_endless_schedule(const Scene& scene, const Tooling& tooling) {
   if (scene.measure.snapshot_interval > 0)
     refuse_memory(place(scene) + line("%.3g instants of %.3g grains (measure.snapshot_interval)",
                                       at_most(scene, end) / scene.measure.snapshot_interval, grains),
-                  spheres, 0, kept_bytes(scene, end, grains), "keep fewer of them");
-}
-
-void refuse_too_many_wall_spheres(
-    const Scene& scene, const Tooling& tooling,
-    const std::function<bool(std::size_t, const Eigen::Vector3d&, const Eigen::Vector3d&)>& reachable) {
-  constexpr int kPoints = 4000;
-  const double room = machine_memory() - plan::predicted_memory(0, 0),
-               each = plan::predicted_memory(0, 1) - plan::predicted_memory(0, 0);
-  const double most = std::clamp(room / each, 1e5, kMostWallSpheres);
-  double all = 0;
-  for (std::size_t k = 0; k < tooling.tools.size(); ++k) {
-    const Tool& tool = tooling.tools[k];
-    const double radius = tool.spec.sphere_radius.value_or(scene.walls.sphere_radius),
-                 spacing = tool.spec.spacing.value_or(scene.walls.spacing);
-    const SpreadPoints points(tool.mesh);
-    double spheres = points.area() / std::pow(spacing * radius, 2);
-    if (spheres + all <= 0.1 * most) {
-      all += spheres;
-      continue;
-    }
-    int met = 0;
-    points.each(kPoints, [&](const Eigen::Vector3d& point, const Eigen::Vector3d& normal) {
-      if (!beyond_period(scene, point) && reachable(k, point, normal)) ++met;
-    });
-    spheres *= static_cast<double>(met) / kPoints;
-    all += spheres;
-    if (all <= most) continue;
-    constexpr double kRoundedUp = 1.1;
-    throw SceneError(tool_in_words(scene, tool.spec) +
-                     line(": some %.3g wall spheres of radius %.4g mm would cover what powder reaches, and "
-                          "%.3g at most are allowed here; take a radius of %.2g mm or more "
-                          "(walls.sphere_radius or the tool's), or a wider spacing",
-                          all, 1e3 * radius, most, kRoundedUp * 1e3 * radius * std::sqrt(all / most)));
-  }
+                  spheres, 0, kept_bytes(scene, end, grains), "keep fewer instants");
 }
 
 }  // namespace diefill::process

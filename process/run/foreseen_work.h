@@ -1,8 +1,8 @@
-// Scenes whose work cannot end on this machine, seen before it begins: more grains, wall spheres or kept
-// instants than its memory holds, more time steps than anybody waits for. Real work of days or weeks passes.
+// Refuses scenes that cannot finish on this machine before they start: more grains, wall spheres or stored
+// instants than fit into memory, or too many time steps. Runs of days or weeks are allowed.
 #pragma once
 
-#include <functional>
+#include <string>
 
 #include "process/run/tooling.h"
 #include "process/scene/scene.h"
@@ -13,22 +13,15 @@ namespace diefill::process {
 inline constexpr double kMostSteps = 1e10;
 /// Spheres of grains times steps at most: months on some tens of cores.
 inline constexpr double kMostSphereSteps = 1e15;
-/// Wall spheres of all tools at most.
-inline constexpr double kMostWallSpheres = 2e6;
 /// Snapshots at most, each a folder of results.
 inline constexpr double kMostSnapshots = 10000;
 
-/// What the scene's text alone tells: grains, memory, and steps as far as they do not depend on the tools.
+/// Checks the scene without its tools: grains, memory, and steps as far as they do not depend on the tools.
 /// Throws SceneError with the numbers and what to change.
 void refuse_endless(const Scene& scene);
 
-/// The same with what the tools tell, whose steps have been prepared: the whole schedule.
+/// Checks the whole schedule with the tools, whose steps have been prepared.
 void refuse_endless_schedule(const Scene& scene, const Tooling& tooling);
-
-/// Throws SceneError where a tool would take too many wall spheres for what powder reaches of it.
-void refuse_too_many_wall_spheres(
-    const Scene& scene, const Tooling& tooling,
-    const std::function<bool(std::size_t, const Eigen::Vector3d&, const Eigen::Vector3d&)>& reachable);
 
 /// Throws SceneError where so many spheres of grains do not fit into the memory of this machine; `what`
 /// begins the message.

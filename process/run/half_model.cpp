@@ -44,11 +44,10 @@ void refuse_asymmetric_tool(const Scene& scene, const Tool& tool, int axis) {
   });
   if (across && std::abs(symmetry.centre[axis]) <= tolerance) return;
   char text[200];
-  std::snprintf(
-      text, sizeof text,
-      " is not its own mirror image across the plane %s, to %.3g mm; leave the key out, or choose the "
-      "plane that the tools have (diefill check names it)",
-      plane_in_words(axis).c_str(), 1e3 * tolerance);
+  std::snprintf(text, sizeof text,
+                " is not symmetric across the plane %s within %.3g mm; remove the key, or choose the "
+                "symmetry plane of the tools (diefill check prints it)",
+                plane_in_words(axis).c_str(), 1e3 * tolerance);
   throw SceneError(scene.economy.mirror_place + ": tool \"" + tool.spec.name + "\"" + text);
 }
 
@@ -85,7 +84,7 @@ void refuse_asymmetry(const Scene& scene, const Tooling& tooling) {
     if (step->tools().empty() || step_lies_in_plane(*step, axis)) continue;
     throw SceneError(scene.economy.mirror_place + ": the step \"" + step->in_words() +
                      "\" moves a tool out of the mirror plane " + plane_in_words(axis) +
-                     ", so that one half is not the image of the other; leave the key out");
+                     ", so the two halves are not mirror images; remove the key");
   }
 }
 

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "process/run/fill_run.h"
 #include "process/run/material.h"
 #include "process/run/pour.h"
 

@@ -87,17 +87,17 @@ std::vector<SetupFinding> inflow_findings(const Scene& scene, const Tooling& too
     const Eigen::Vector3d middle = 0.5 * (inflow->lower + inflow->upper);
     const std::string step = scene.steps[k]->plan.where;
     if (room == 0)
-      throw SceneError(
-          step + ": " + box_in_words(*inflow) +
-          " lies in a tool, or leaves no grain room between tools: no powder could come in; move it");
+      throw SceneError(step + ": " + box_in_words(*inflow) +
+                       " lies inside a tool or leaves no space for a grain between tools, so no powder can "
+                       "enter; move it");
     if (!inflow->rate) continue;
     const double most = largest_rate(scene, *inflow, room, settings);
     if (*inflow->rate <= most) continue;
     char text[300];
     std::snprintf(
         text, sizeof text,
-        "rate is %.4g g/s, but %s gives at most about %.2g g/s, as fast as grains fall out of it: the powder "
-        "comes more slowly; make the box larger, let grains come in with a velocity, or lower the rate",
+        "rate is %.4g g/s, but %s delivers at most about %.2g g/s, as fast as grains fall out of it: powder "
+        "will enter more slowly; enlarge the box, give the grains a velocity, or reduce the rate",
         1e3 * *inflow->rate, box_in_words(*inflow).c_str(), 1e3 * most);
     findings.push_back({step + ": " + text, {middle}});
   }

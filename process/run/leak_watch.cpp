@@ -35,11 +35,11 @@ void LeakWatch::has_left(const Eigen::Vector3d& place) {
 std::optional<std::string> LeakWatch::warning(std::uint64_t poured) const {
   if (static_cast<double>(grains_) <= kStrays * static_cast<double>(poured)) return std::nullopt;
   char text[240];
-  std::snprintf(
-      text, sizeof text,
-      "%.0f of %.0f grains ran out beneath the cavity: unless they are meant to, the tools leave an "
-      "opening there while they move (a punch too short for its travel, say)",
-      copies(tooling_) * static_cast<double>(grains_), copies(tooling_) * static_cast<double>(poured));
+  std::snprintf(text, sizeof text,
+                "%.0f of %.0f grains leaked out below the cavity: unless this is intended, the moving tools "
+                "leave an opening there (for example a punch too short for its travel)",
+                copies(tooling_) * static_cast<double>(grains_),
+                copies(tooling_) * static_cast<double>(poured));
   return text;
 }
 

@@ -15,12 +15,11 @@ engine::OutOfRange through_the_wall(const engine::Simulation& simulation, std::s
                                     const std::string& tool) {
   const Eigen::Vector3d place = 1e3 * simulation.grains().position[k];
   char text[300];
-  std::snprintf(
-      text, sizeof text,
-      "grain %llu is %.3g mm inside tool \"%s\" at (%.2f, %.2f, %.2f) mm, t = %.6g s: it went through "
-      "the wall; lower the spacing of the wall spheres or the tool's speed",
-      static_cast<unsigned long long>(simulation.grains().id[k]), 1e3 * depth, tool.c_str(), place[0],
-      place[1], place[2], simulation.time());
+  std::snprintf(text, sizeof text,
+                "grain %llu is %.3g mm inside tool \"%s\" at (%.2f, %.2f, %.2f) mm, t = %.6g s: it passed "
+                "through the wall; reduce the spacing of the wall spheres or the speed of the tool",
+                static_cast<unsigned long long>(simulation.grains().id[k]), 1e3 * depth, tool.c_str(),
+                place[0], place[1], place[2], simulation.time());
   return engine::OutOfRange(text);
 }
 

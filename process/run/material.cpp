@@ -51,8 +51,8 @@ engine::GeneralContact general_contact(const ContactSpec& spec, double scale, do
   // Parameters are those of the original grains, whose collisions are shorter.
   for (auto* law : {&contact.grains, &contact.walls})
     law->rolling.run_in_steps_of(unscaled ? time_step : time_step / scale);
-  if (spec.coarse_graining == kBierwischScaling)
-    return {contact.grains.similar(scale), contact.walls.similar(scale), {}};
+  if (const auto* rule = engine::coarse_graining::parameter_rule(spec.coarse_graining))
+    return {rule->scaled(contact.grains, scale), rule->scaled(contact.walls, scale), {}};
   contact.scaling = engine::coarse_graining::force_scaling(spec.coarse_graining, scale);
   return contact;
 }
@@ -132,7 +132,7 @@ std::vector<engine::SimulationSettings> kinds_alone(const engine::SimulationSett
 /// edge. No limit where no tool moves.
 double shortest_pinch_step(const Scene& scene, const engine::SimulationSettings& settings) {
   double shortest = std::numeric_limits<double>::infinity();
-  const auto moves = [](const std::shared_ptr<Step>& step) { return !step->tools().empty(); };
+  const auto moves = [](const auto& step) { return !step->tools().empty(); };
   if (std::none_of(scene.steps.begin(), scene.steps.end(), moves)) return shortest;
   const auto kinds = kinds_alone(settings);
   const double depth = deepest_wedging(scene);
@@ -153,7 +153,7 @@ double chosen_time_step(const Scene& scene, const engine::SimulationSettings& se
   const auto [found, longest] = numbers_apart(*numerics.time_step, critical);
   throw SceneError(scene.file.string() + ": numerics.time_step: found " + found +
                    " s, which is above the critical step of " + longest +
-                   " s for this powder; give a shorter one or leave the key out");
+                   " s for this powder; reduce it or remove the key");
 }
 
 /// Puts the laws for steps of `time_step` (s) into the settings, where they are not those of a powder of one
@@ -168,6 +168,20 @@ void set_laws(const Scene& scene, double time_step, engine::SimulationSettings& 
     settings.mix = grain_mix(scene, settings.shape, contact);
   else
     settings.general_contact = std::move(contact);
+}
+
+/// Coulomb coefficient of the law in use.
+double friction_among_grains(const Scene& scene) {
+  return scene.contact ? scene.contact->grains.law.friction.largest_friction() : scene.powder.friction;
+}
+
+/// By the law in use.
+bool grains_stick(const Scene& scene) {
+  if (!scene.contact) return scene.powder.work_of_adhesion > 0;
+  // Bierwisch's spheres lie as loosely as their own work of adhesion makes them.
+  const auto& law = scene.contact->grains.law;
+  const auto* own = law.normal.of<engine::laws::BierwischNormal>();
+  return own != nullptr ? own->work_of_adhesion > 0 : law.attracts();
 }
 
 }  // namespace
@@ -189,11 +203,6 @@ engine::SimulationSettings engine_settings(const Scene& scene, double impact_spe
   settings.gravity = scene.gravity;
   settings.air_viscosity = material.air_viscosity;
   settings.period = scene.numerics.period;
-  const auto computed = [](bool skips) {
-    return skips ? engine::ZeroTerms::left_out : engine::ZeroTerms::computed;
-  };
-  settings.zero_terms = computed(scene.economy.skip_zero_terms);
-  settings.rotation_of_fixed_grains = computed(scene.economy.skip_rotation);
   settings.skip_far_walls = scene.economy.skip_far_walls;
   if (scene.economy.sleep) {
     settings.sleep = engine::SleepSettings{};
@@ -238,8 +247,8 @@ double smallest_sphere(const engine::SimulationSettings& settings) {
 
 double expected_solid_fraction(const Scene& scene) {
   if (scene.pour.solid_fraction > 0) return scene.pour.solid_fraction;
-  const bool sticky = scene.powder.work_of_adhesion > 0;
-  const bool rough = scene.powder.friction >= 0.5;
+  const bool sticky = grains_stick(scene);
+  const bool rough = friction_among_grains(scene) >= 0.5;
   switch (scene.powder.model) {
     case GrainModel::A:
       return sticky ? 0.48 : rough ? 0.55 : 0.58;

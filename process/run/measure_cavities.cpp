@@ -3,6 +3,7 @@
 #include "process/measure/counted_grains.h"
 #include "process/measure/enough_grains.h"
 #include "process/measure/figures.h"
+#include "process/measure/measured_fields.h"
 #include "process/measure/verdict.h"
 #include "process/results/cavity_rows.h"
 #include "process/results/no_value.h"

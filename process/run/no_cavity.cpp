@@ -99,12 +99,11 @@ std::string wrong_fill_plane(const Standing& standing) {
   const double plane = standing.tooling.fill_plane;
   if (std::abs(plane - die.upper.z()) < kFit || !encloses(standing.meshes, die.upper.z())) return "";
   char text[240];
-  std::snprintf(
-      text, sizeof text,
-      "measure.fill_plane is %.4g mm, but die \"%s\" stands at %s: with the fill plane at its top there is "
-      "a cavity; write fill_plane = \"%.6g mm\", or leave it out",
-      1e3 * plane, standing.tooling.tools[standing.tooling.die].spec.name.c_str(), in_z(die).c_str(),
-      1e3 * die.upper.z());
+  std::snprintf(text, sizeof text,
+                "measure.fill_plane is %.4g mm, but die \"%s\" is at %s: a fill plane at its top gives a "
+                "cavity; write fill_plane = \"%.6g mm\", or remove the key",
+                1e3 * plane, standing.tooling.tools[standing.tooling.die].spec.name.c_str(),
+                in_z(die).c_str(), 1e3 * die.upper.z());
   return text;
 }
 
@@ -136,7 +135,7 @@ std::string turned(const Standing& standing) {
       if (!encloses(meshes, meshes[standing.die].bounding_box().upper.z())) continue;
       char text[300];
       std::snprintf(text, sizeof text,
-                    "%s drawn %s: turned by %g deg about %s there is a cavity; write rotation = { axis = "
+                    "%s drawn %s: a rotation by %g deg about %s gives a cavity; write rotation = { axis = "
                     "\"%s\", angle = \"%g deg\" } at %s, and z is up",
                     die_alone ? "the die seems to be" : "the tools seem to be", turn.drawn, turn.degrees,
                     turn.axis, turn.axis, turn.degrees, die_alone ? "it" : "each tool");
@@ -167,31 +166,28 @@ std::string punch_in_words(const Standing& standing, std::size_t which, const ge
   char text[300];
   if (!meet(punch, hole.box, 0)) {
     std::snprintf(text, sizeof text,
-                  " stands beside the hole of the die (%s, %s; the hole: %s, %s); move it there",
+                  " is beside the hole of the die (%s, %s; the hole: %s, %s); move it into the hole",
                   range("x", punch.lower.x(), punch.upper.x()).c_str(),
                   range("y", punch.lower.y(), punch.upper.y()).c_str(),
                   range("x", hole.box.lower.x(), hole.box.upper.x()).c_str(),
                   range("y", hole.box.lower.y(), hole.box.upper.y()).c_str());
   } else if (punch.upper.z() < die.lower.z()) {
-    std::snprintf(
-        text, sizeof text,
-        " is too low: its top is at z = %.4g mm, %.4g mm below the die, which stands at %s; raise it by more "
-        "than that",
-        1e3 * punch.upper.z(), 1e3 * (die.lower.z() - punch.upper.z()), in_z(die).c_str());
+    std::snprintf(text, sizeof text,
+                  " is too low: its top is at z = %.4g mm, %.4g mm below the die, which is at %s; raise it "
+                  "by more than that",
+                  1e3 * punch.upper.z(), 1e3 * (die.lower.z() - punch.upper.z()), in_z(die).c_str());
   } else if (punch.upper.z() >= standing.tooling.fill_plane) {
-    std::snprintf(
-        text, sizeof text,
-        " fills the hole: its top is at z = %.4g mm, the fill plane at z = %.4g mm; lower it by the depth of "
-        "the cavity",
-        1e3 * punch.upper.z(), 1e3 * standing.tooling.fill_plane);
+    std::snprintf(text, sizeof text,
+                  " fills the hole: its top is at z = %.4g mm, the fill plane at z = %.4g mm; lower the "
+                  "punch by the cavity depth",
+                  1e3 * punch.upper.z(), 1e3 * standing.tooling.fill_plane);
   } else {
     const Eigen::Vector3d play = 1e3 * (hole.box.size() - punch.size());
-    std::snprintf(
-        text, sizeof text,
-        " leaves the hole open: the hole measures %.4g x %.4g mm, the punch %.4g x %.4g mm, %.3g and %.3g mm "
-        "less, and gaps above %.1f mm count as open; widen it or move it",
-        1e3 * hole.box.size().x(), 1e3 * hole.box.size().y(), 1e3 * punch.size().x(), 1e3 * punch.size().y(),
-        play.x(), play.y(), 1e3 * kFit);
+    std::snprintf(text, sizeof text,
+                  " leaves the hole open: the hole measures %.4g x %.4g mm, the punch %.4g x %.4g mm, %.3g "
+                  "and %.3g mm less, and gaps above %.1f mm count as open; widen or move the punch",
+                  1e3 * hole.box.size().x(), 1e3 * hole.box.size().y(), 1e3 * punch.size().x(),
+                  1e3 * punch.size().y(), play.x(), play.y(), 1e3 * kFit);
   }
   return name + text;
 }
@@ -204,9 +200,8 @@ std::string nothing_below(const Standing& standing) {
       return punch_in_words(standing, k, hole);
   char text[240];
   std::snprintf(text, sizeof text,
-                "nothing closes the die from below: its hole of %.4g x %.4g mm goes through, and no tool is "
-                "a punch; add "
-                "one [[tool]] with role = \"punch\" whose top is at the cavity's floor",
+                "nothing closes the die from below: it has a through hole of %.4g x %.4g mm, and no tool is "
+                "a punch; add a [[tool]] with role = \"punch\" whose top is the cavity floor",
                 1e3 * hole.box.size().x(), 1e3 * hole.box.size().y());
   return text;
 }
@@ -226,8 +221,9 @@ std::string why_no_cavity(const Scene& scene, const Tooling& tooling, const std:
     if (!words.empty()) return words;
   }
   const geometry::Box die = standing.meshes[standing.die].bounding_box();
-  return "die \"" + tooling.tools[tooling.die].spec.name + "\" stands at " + in_z(die) +
-         " and has no hole or pocket that opens upwards; z is up, and the fill plane is its top";
+  return "die \"" + tooling.tools[tooling.die].spec.name + "\" is at " + in_z(die) +
+         " and has no hole or pocket open at the top; z must point up, and the fill plane is the top of the "
+         "die";
 }
 
 }  // namespace diefill::process

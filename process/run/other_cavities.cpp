@@ -91,8 +91,8 @@ void add_other_cavities(results::FillResult& result, const std::vector<geometry:
   }
   if (!others.empty())
     result.warnings.push_back("the tools have " + std::to_string(others.size() + 1) +
-                              " cavities: figures without a number and the pictures of a run are of the "
-                              "largest; the table has all (diefill map --cavity draws the others)");
+                              " cavities: figures without a number and pictures refer to the largest; the "
+                              "table lists all (diefill map --cavity draws the others)");
 }
 
 }  // namespace diefill::process

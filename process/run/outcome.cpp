@@ -31,7 +31,7 @@ void tell_lost(const Scene& scene, const results::FillResult& result, std::vecto
   char text[300];
   std::snprintf(text, sizeof text, "%.0f of %.0f grains (%.2g %%, %.3g g) left the tools%s", left,
                 left / share, 100 * share, 1e3 * figure(result, "mass_left_kg"),
-                clears(scene) ? ", those cleared away counted" : "");
+                clears(scene) ? ", including those cleared away" : "");
   const bool meant = clears(scene) || !(result.cavity.volume > 0);
   lines.push_back((share > kMuchLost && !meant ? kAlert : std::string()) + text);
 }
@@ -51,16 +51,17 @@ void tell_unfilled(const Scene& scene, const results::FillResult& result, std::v
   char text[200];
   const double share = filled_share(scene, result);
   if (share < kUnfilled) {
-    std::snprintf(text, sizeof text, "the cavity holds %.0f %% of the powder that fills it", 100 * share);
+    std::snprintf(text, sizeof text, "the cavity contains %.0f %% of the powder that would fill it",
+                  100 * share);
     lines.push_back(kAlert + std::string(text));
   }
   const double grains = figure(result, "filled_mass_kg") / result.powder.grain_mass;
   if (grains >= kFewGrains) return;
-  std::snprintf(
-      text, sizeof text,
-      "about %.0f model grains lie in the cavity, fewer than %.0f: its figures are chance; take a smaller "
-      "grain_diameter",
-      grains, kFewGrains);
+  std::snprintf(text, sizeof text,
+                "the cavity contains about %.0f model grains, fewer than %.0f: its figures are not "
+                "significant; use a smaller "
+                "grain_diameter",
+                grains, kFewGrains);
   lines.push_back(kAlert + std::string(text));
 }
 

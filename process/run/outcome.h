@@ -1,4 +1,4 @@
-// What a finished run has to say that nobody may overlook: powder lost, a cavity left unfilled, few grains.
+// Warnings of a finished run that must not be missed: lost powder, an unfilled cavity, too few grains.
 #pragma once
 
 #include <string>
@@ -9,7 +9,7 @@
 
 namespace diefill::process {
 
-/// Lines for the result's warnings; those that begin with kAlert (setup_findings.h) were hardly meant. The
+/// Lines for the result's warnings; those that begin with kAlert (setup_findings.h) are likely mistakes. The
 /// result holds its figures already.
 std::vector<std::string> outcome_in_words(const Scene& scene, const results::FillResult& result);
 

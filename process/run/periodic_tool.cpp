@@ -14,14 +14,13 @@ void fit_to_period(geometry::Mesh& mesh, Eigen::Index axis, double period, doubl
   const std::string name = axis == 0 ? "x" : "y";
   if (lower > -0.5 * period || upper < 0.5 * period)
     throw SceneError(where + ": shorter along " + name +
-                     " than the period; make the tool run through the whole period");
+                     " than the period; extend the tool over the whole period");
   const double half = 0.5 * period + beyond;
   for (auto& vertex : mesh.vertices) {
     const bool at_lower = vertex[axis]<lower + tolerance, at_upper = vertex[axis]> upper - tolerance;
     if (!at_lower && !at_upper)
-      throw SceneError(
-          where + ": not the same all along " + name +
-          ", as a scene periodic in that direction needs; take the period out or use a prismatic tool");
+      throw SceneError(where + ": not uniform along " + name +
+                       ", as a period in that direction requires; remove the period or use a prismatic tool");
     vertex[axis] = at_lower ? -half : half;
   }
 }

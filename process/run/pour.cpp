@@ -51,7 +51,7 @@ Lattice lattice_of(const Scene& scene, double d, double constant) {
     if (room < 0)
       throw SceneError(
           scene.file.string() + ":" + std::to_string(pour.line) +
-          ": pour: the box is narrower than a grain with its random offset; widen it or take smaller grains");
+          ": pour: the box is narrower than a grain with its random offset; widen it or use smaller grains");
     const double sites = std::floor(room / lattice.constant + 1e-9) + 1;
     lattice.across[static_cast<std::size_t>(axis)] = static_cast<std::size_t>(sites);
     lattice.first[axis] = 0.5 * (pour.lower[axis] + pour.upper[axis]) - 0.5 * (sites - 1) * lattice.constant;
@@ -166,7 +166,7 @@ std::vector<engine::NewGrain> pour(const Scene& scene, const engine::SimulationS
   const std::size_t count = grains_to_pour(scene, shape);
   if (count == 0)
     throw SceneError(scene.file.string() + ":" + std::to_string(scene.pour.line) +
-                     ": pour.fill_height: the box holds not even one grain at this height; raise it");
+                     ": pour.fill_height: the box does not hold a single grain at this height; raise it");
   if (settings.mix) return pour_kinds(scene, settings, tooling, count);
   if (scene.pour.around_tools) return stack_around_tools(scene, shape, tooling, count);
   const Lattice lattice = lattice_of(scene, shape);

@@ -23,12 +23,12 @@ double height_of(const std::vector<engine::NewGrain>& grains, const Scene& scene
 /// What to do about a tool that only the loose lattice meets; `share` of the powder fits.
 std::string advice(const Scene& scene, const std::vector<engine::NewGrain>& grains, double share) {
   char text[320];
-  std::snprintf(
-      text, sizeof text,
-      "; powder is poured loosely, %.3g mm high, and settles to %.3g mm: pour at most %.3g mm here "
-      "(fill_height, or the height of the box where a setting chooses), open the tool's top, or let "
-      "powder in with a step of kind \"inflow\"",
-      1e3 * height_of(grains, scene), 1e3 * scene.pour.fill_height, 1e3 * share * scene.pour.fill_height);
+  std::snprintf(text, sizeof text,
+                "; powder is poured loosely, %.3g mm high, and settles to %.3g mm: pour at most %.3g mm here "
+                "(fill_height, or the height of the box if a setting is used), open the top of the tool, or "
+                "feed powder with a step of kind \"inflow\"",
+                1e3 * height_of(grains, scene), 1e3 * scene.pour.fill_height,
+                1e3 * share * scene.pour.fill_height);
   return text;
 }
 
@@ -52,9 +52,8 @@ void refuse_powder_over_nothing(const Scene& scene, const geometry::Box& standin
     if (from >= lower && to <= upper) continue;
     char text[240];
     std::snprintf(text, sizeof text,
-                  "the box reaches from %.4g to %.4g mm along %s, but the tools that stand only from "
-                  "%.4g to %.4g mm: "
-                  "powder beyond would be lost; move the box or the tools",
+                  "the box reaches from %.4g to %.4g mm along %s, but the fixed tools only from %.4g to %.4g "
+                  "mm: powder outside would be lost; move the box or the tools",
                   1e3 * from, 1e3 * to, kAxes[axis], 1e3 * lower, 1e3 * upper);
     refuse(scene, text);
   }
@@ -76,7 +75,7 @@ void refuse_overlap(const Scene& scene, const Tooling& tooling, const std::vecto
       const double height = grain.position[2] - scene.pour.lower[2];
       refuse(scene, text + (height > scene.pour.fill_height + radius
                                 ? advice(scene, grains, (height - 2 * radius) / height_of(grains, scene))
-                                : "; move the pour box or the tool so that they do not overlap, or say "
+                                : "; move the pour box or the tool so that they do not overlap, or set "
                                   "around_tools = true"));
     }
   }
@@ -93,9 +92,8 @@ void refuse_lid(const Scene& scene, const Tooling& tooling, const std::vector<en
     if (places[k + 1][2] - places[k][2] < kOneLayerMissing * layer) continue;
     const Tool& lid = tool_at(tooling, 0.5 * (places[k] + places[k + 1]));
     char text[240];
-    std::snprintf(text, sizeof text,
-                  "only %zu of %zu grains have room beneath tool \"%s\", which closes the box", k + 1,
-                  places.size(), lid.spec.name.c_str());
+    std::snprintf(text, sizeof text, "only %zu of %zu grains fit below tool \"%s\", which closes the box",
+                  k + 1, places.size(), lid.spec.name.c_str());
     refuse(scene,
            text + advice(scene, grains, static_cast<double>(k + 1) / static_cast<double>(places.size())));
   }

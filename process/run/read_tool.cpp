@@ -29,7 +29,7 @@ geometry::ImportedPart read_file(const Scene& scene, const ToolSpec& spec, doubl
   } catch (const geometry::UnknownPart& unknown) {
     const auto nearest = nearest_key(spec.part, unknown.known);
     throw SceneError(tool_in_words(scene, spec) + ": " + unknown.what() +
-                     (nearest ? "; did you mean \"" + *nearest + "\"?" : "; write one of these names"));
+                     (nearest ? "; did you mean \"" + *nearest + "\"?" : "; use one of these names"));
   } catch (const geometry::MeshError& error) {
     throw SceneError(tool_in_words(scene, spec) + ": " + error.what());
   }
@@ -102,7 +102,7 @@ void refuse_unusable(const Scene& scene, const Tool& tool) {
   if (tool.findings.usable()) return;
   throw SceneError(tool_in_words(scene, tool.spec) + ": " + tool.spec.file.string() +
                    " does not enclose a solid: " + in_one_line(tool) +
-                   "; repair the CAD and export it again");
+                   "; repair the CAD model and export it again");
 }
 
 }  // namespace diefill::process

@@ -10,4 +10,7 @@ namespace diefill::process {
 /// cannot be used. `tell` hears how far this is.
 Tooling read_tooling(const Scene& scene, const TellProgress& tell = tell_nobody);
 
+/// Share of the work of build_tooling() that reading takes, for a die of ten million triangles.
+inline constexpr double kToolsReadShare = 0.24;
+
 }  // namespace diefill::process

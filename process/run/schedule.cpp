@@ -193,7 +193,7 @@ std::string Schedule::in_words() const {
   std::string words;
   for (std::size_t k = 0; k < stages_.size(); ++k)
     if (state_.steps[k].is_on()) words += (words.empty() ? "" : " and ") + stages_.steps[k]->in_words();
-  return !words.empty() ? words : finished() ? "done" : "waiting for the next step to begin";
+  return !words.empty() ? words : finished() ? "done" : "waiting for the next step";
 }
 
 double Schedule::time_left(double now, double settling_time) const {

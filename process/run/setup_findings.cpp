@@ -61,11 +61,10 @@ void find_spilt_pour(const Scene& scene, const Tooling& tooling, std::vector<Set
   if (share <= kFewOutside) return;
   const Eigen::Vector3d lower = 1e3 * pour.lower, upper = 1e3 * pour.upper;
   char text[300];
-  std::snprintf(
-      text, sizeof text,
-      "%.0f %% of the pour box (x %.4g to %.4g mm, y %.4g to %.4g mm) lies where no walls hold the powder, "
-      "outside the shoe: it will run away; move the box into the shoe",
-      100 * share, lower.x(), upper.x(), lower.y(), upper.y());
+  std::snprintf(text, sizeof text,
+                "%.0f %% of the pour box (x %.4g to %.4g mm, y %.4g to %.4g mm) lies outside the shoe, where "
+                "no walls hold the powder: it will flow away; move the box into the shoe",
+                100 * share, lower.x(), upper.x(), lower.y(), upper.y());
   findings.push_back({text, outside});
 }
 
@@ -80,8 +79,8 @@ void find_misplaced_punch(const Tooling& tooling, std::vector<SetupFinding>& fin
     char text[300];
     std::snprintf(
         text, sizeof text,
-        "punch \"%s\" stands beside the cavity (punch: x %.4g to %.4g mm, y %.4g to %.4g mm; cavity: x %.4g "
-        "to %.4g mm, y %.4g to %.4g mm); see its position",
+        "punch \"%s\" is beside the cavity (punch: x %.4g to %.4g mm, y %.4g to %.4g mm; cavity: x %.4g "
+        "to %.4g mm, y %.4g to %.4g mm); check its position",
         tool.spec.name.c_str(), 1e3 * punch.lower.x(), 1e3 * punch.upper.x(), 1e3 * punch.lower.y(),
         1e3 * punch.upper.y(), 1e3 * cavity.lower.x(), 1e3 * cavity.upper.x(), 1e3 * cavity.lower.y(),
         1e3 * cavity.upper.y());
@@ -106,19 +105,19 @@ void find_little_powder(const Scene& scene, const Tooling& tooling, std::vector<
   const double grains = cavity * fraction / settings.shape.solid_volume;
   char text[300];
   if (grains < kFewGrains) {
-    std::snprintf(
-        text, sizeof text,
-        "the full cavity holds about %.0f model grains, fewer than %.0f: too few for figures; take a smaller "
-        "grain_diameter (%.3g mm now)",
-        grains, kFewGrains, 1e3 * scene.powder.grain_diameter);
+    std::snprintf(text, sizeof text,
+                  "the full cavity holds about %.0f model grains, fewer than %.0f: too few for reliable "
+                  "figures; use a smaller grain_diameter (now %.3g mm)",
+                  grains, kFewGrains, 1e3 * scene.powder.grain_diameter);
     findings.push_back({text, {}});
   }
   const double bulk = bulk_of_powder(scene, fraction, settings.shape.mass / settings.shape.solid_volume);
   if (!shoe_moves(scene) || bulk > kTooLittle * cavity) return;
-  std::snprintf(text, sizeof text,
-                "%.3g cm3 of powder are poured, %.0f %% of the cavity's %.3g cm3: it cannot be filled; raise "
-                "pour.fill_height",
-                1e6 * bulk, 100 * bulk / cavity, 1e6 * cavity);
+  std::snprintf(
+      text, sizeof text,
+      "%.3g cm3 of powder are poured, %.0f %% of the cavity's %.3g cm3: not enough to fill it; raise "
+      "pour.fill_height",
+      1e6 * bulk, 100 * bulk / cavity, 1e6 * cavity);
   findings.push_back({text, {}});
 }
 
@@ -127,8 +126,8 @@ void find_forced_collisions(const Scene& scene, const Tooling& tooling, std::vec
                                   [](const auto& step) { return step->control() != nullptr; });
   if (!forced) return;
   for (const auto& collision : find_collisions(scene, tooling, ForcedTools::go_all_the_way))
-    findings.push_back({"without powder in its way, " + collision.in_words() +
-                            "; the run stops if it comes to that: give it a shorter travel",
+    findings.push_back({"without powder to stop it, " + collision.in_words() +
+                            "; the run stops if this happens: reduce its travel",
                         {collision.place}});
 }
 

@@ -1,5 +1,5 @@
-// Set-ups that can be computed but hardly be meant: powder beside the shoe, a shoe that hangs above the die,
-// is narrower than the cavity or never comes to it, a punch beside the die, powder for half a cavity.
+// Set-ups that can be computed but are likely mistakes: powder beside the shoe, a shoe above the die,
+// narrower than the cavity or never over it, a punch beside the die, too little powder.
 #pragma once
 
 #include <string>
@@ -18,14 +18,14 @@ struct SetupFinding {
 /// All that is found; none for most scenes.
 std::vector<SetupFinding> setup_findings(const Scene& scene, const Tooling& tooling);
 
-/// What the shoe does: hangs above the die, leaves part of the cavity out, or is out of scale.
+/// Findings about the shoe: too high above the die, misses part of the cavity, or is out of scale.
 std::vector<SetupFinding> shoe_findings(const Scene& scene, const Tooling& tooling);
 
 /// Steps that let powder in with a rate that their boxes cannot give. Throws SceneError for a box in which no
-/// grain has room while its step is on: the step would wait for ever.
+/// grain has room while its step is on: the step would never end.
 std::vector<SetupFinding> inflow_findings(const Scene& scene, const Tooling& tooling);
 
-/// Begins the lines among a run's warnings that say what was hardly meant.
+/// Prefix of those warnings of a run that point to a likely mistake.
 inline constexpr const char* kAlert = "WARNING: ";
 
 }  // namespace diefill::process

@@ -125,17 +125,17 @@ SetupFinding not_covered(const Tool& shoe, const Opening& opening, const geometr
   char text[400];
   std::snprintf(text, sizeof text,
                 share >= 0.999
-                    ? "the opening of shoe \"%s\" never comes over the cavity (x %.4g to %.4g mm, y %.4g to "
-                      "%.4g mm): see its start, the direction and the way of its steps"
-                    : "the opening of shoe \"%s\" never comes over part of the cavity (x %.4g to %.4g mm, y "
+                    ? "the opening of shoe \"%s\" never passes over the cavity (x %.4g to %.4g mm, y %.4g to "
+                      "%.4g mm): check its start position and the direction and travel of its steps"
+                    : "the opening of shoe \"%s\" never passes over part of the cavity (x %.4g to %.4g mm, y "
                       "%.4g to %.4g mm)",
                 shoe.spec.name.c_str(), 1e3 * cavity.lower.x(), 1e3 * cavity.upper.x(),
                 1e3 * cavity.lower.y(), 1e3 * cavity.upper.y());
   std::string words = text;
   if (share < 0.999) {
     std::snprintf(text, sizeof text,
-                  ": %.0f %% of it, as the opening measures %.4g x %.4g mm and the cavity %.4g x %.4g "
-                  "mm; take a larger shoe, or move it farther",
+                  ": %.0f %% of it, because the opening measures %.4g x %.4g mm and the cavity %.4g x %.4g "
+                  "mm; use a larger shoe or move it farther",
                   100 * share, open.x(), open.y(), size.x(), size.y());
     words += text;
   }
@@ -155,9 +155,8 @@ void look_at_shoe(const Scene& scene, const Tooling& tooling, const Tool& shoe,
   if (pass.any && pass.height > sphere) {
     char text[300];
     std::snprintf(text, sizeof text,
-                  "shoe \"%s\" hangs %.3g mm above the fill plane, z = %.4g mm, as it passes the cavity: "
-                  "spheres of %.3g "
-                  "mm run out beneath it; lower it by that",
+                  "shoe \"%s\" is %.3g mm above the fill plane, z = %.4g mm, where it passes the cavity: "
+                  "spheres of %.3g mm leak out below it; lower it by that distance",
                   shoe.spec.name.c_str(), 1e3 * pass.height, 1e3 * tooling.fill_plane, 1e3 * sphere);
     findings.push_back({text, {pass.place}});
   }

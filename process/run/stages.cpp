@@ -28,7 +28,7 @@ double looked_at(const Step& step, double length) {
 }
 
 /// A settling that starts by itself after all others is one that ends the scene.
-bool ends_with_settling(const std::vector<std::shared_ptr<Step>>& steps) {
+bool ends_with_settling(const std::vector<std::shared_ptr<const Step>>& steps) {
   if (steps.empty()) return true;
   const bool in_turn =
       std::all_of(steps.begin(), steps.end(), [](const auto& step) { return !step->plan.start; });

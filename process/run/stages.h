@@ -37,7 +37,7 @@ struct StepState {
 
 /// A settling, the scene's steps, and a settling that waits for all of them, unless the scene ends with one.
 struct Stages {
-  std::vector<std::shared_ptr<Step>> steps;
+  std::vector<std::shared_ptr<const Step>> steps;
   bool settle_added = false;  ///< at the end
 
   explicit Stages(const Scene& scene);

@@ -15,8 +15,8 @@ constexpr double kMostTakenAlong = 0.2;
   char text[240];
   std::snprintf(
       text, sizeof text,
-      ": suction.particle_diameter: found %.3g mm: air hardly passes powder so fine, and grains would take "
-      "on %.2g of its speed in one time step, at most %.2g is allowed; make it larger or the time step "
+      ": suction.particle_diameter: found %.3g mm: air barely passes such fine powder, and grains would take "
+      "on %.2g of its speed in one time step, allowed: at most %.2g; make it larger or the time step "
       "shorter",
       1e3 * scene.suction->particle_diameter, taken_along, kMostTakenAlong);
   throw SceneError(scene.file.string() + text);
@@ -35,13 +35,12 @@ std::optional<engine::AirDraught> draught_of(const Scene& scene, const Tooling& 
   if (!scene.suction) return std::nullopt;
   const SuctionSpec& suction = *scene.suction;
   if (!tooling.cavity.found)
-    throw SceneError(
-        scene.file.string() +
-        ": [suction]: the tools enclose no cavity that air could be drawn into; leave the table out");
+    throw SceneError(scene.file.string() +
+                     ": [suction]: the tools enclose no cavity to draw air into; remove the table");
   if (!tooling.other_cavities.empty())
     throw SceneError(scene.file.string() + ": [suction]: the tools enclose " +
                      std::to_string(tooling.other_cavities.size() + 1) +
-                     " cavities, and air is drawn into one only; leave the table out");
+                     " cavities, but suction supports only one; remove the table");
   const double fraction =
       suction.solid_fraction > 0 ? suction.solid_fraction : expected_solid_fraction(scene);
   engine::AirDraught draught;

@@ -46,13 +46,12 @@ void refuse_far(const geometry::Mesh& mesh, const std::string& where) {
   for (int k = 0; k < 3; ++k)
     if (std::abs(middle[k]) > kLargestTool) back[k] = -middle[k];
   char text[400];
-  std::snprintf(
-      text, sizeof text,
-      ": lies %.4g m from the origin, up to %.4g m is allowed, and coordinates so far away lose digits "
-      "in CAD files of single precision (steps of %.2g mm); move it to the origin in CAD, or add "
-      "[\"%.9g mm\", \"%.9g mm\", \"%.9g mm\"] to its position",
-      middle.norm(), kFarthestTool, 1e3 * middle.norm() * std::numeric_limits<float>::epsilon(),
-      1e3 * back[0], 1e3 * back[1], 1e3 * back[2]);
+  std::snprintf(text, sizeof text,
+                ": is %.4g m from the origin, allowed: up to %.4g m, because distant coordinates lose digits "
+                "in single-precision CAD files (steps of %.2g mm); move it to the origin in CAD, or add "
+                "[\"%.9g mm\", \"%.9g mm\", \"%.9g mm\"] to its position",
+                middle.norm(), kFarthestTool, 1e3 * middle.norm() * std::numeric_limits<float>::epsilon(),
+                1e3 * back[0], 1e3 * back[1], 1e3 * back[2]);
   throw SceneError(where + text);
 }
 
@@ -66,9 +65,9 @@ void check_size(const geometry::Mesh& mesh, double sphere_radius, double metres_
   if (!too_large && !too_small) return;
   char text[240];
   std::snprintf(text, sizeof text,
-                ": measures %.4g x %.4g x %.4g mm, %s; see whether length_unit is that of the CAD file",
+                ": measures %.4g x %.4g x %.4g mm, %s; check whether length_unit is that of the CAD file",
                 1e3 * size[0], 1e3 * size[1], 1e3 * size[2],
-                too_large ? "and 2000 mm is the most" : "too small to be covered with wall spheres");
+                too_large ? "allowed: up to 2000 mm" : "too small to be covered with wall spheres");
   throw SceneError(where + text + likely_unit(size.maxCoeff() / metres_per_unit));
 }
 

@@ -1,4 +1,4 @@
-// Slips that show in the sizes and places of tools: a wrong unit of length, a part that stands in another.
+// Checks sizes and positions of tools for mistakes: a wrong unit of length, a part that overlaps another.
 #pragma once
 
 #include <string>

@@ -146,11 +146,11 @@ bool under_force(const Scene& scene, const std::string& tool) {
 
 std::string ToolCollision::in_words() const {
   char text[320];
-  std::snprintf(
-      text, sizeof text,
-      "tool \"%s\" passes into tool \"%s\" %.4g s after the step begins, near (%.2f, %.2f, %.2f) mm, "
-      "and gets %.3g mm deep",
-      one.c_str(), other.c_str(), since, 1e3 * place[0], 1e3 * place[1], 1e3 * place[2], 1e3 * deepest);
+  std::snprintf(text, sizeof text,
+                "tool \"%s\" penetrates tool \"%s\" %.4g s after the step begins, near (%.2f, %.2f, %.2f) "
+                "mm, up to %.3g mm deep",
+                one.c_str(), other.c_str(), since, 1e3 * place[0], 1e3 * place[1], 1e3 * place[2],
+                1e3 * deepest);
   return text;
 }
 
@@ -184,7 +184,7 @@ void refuse_collisions(const Scene& scene, const Tooling& tooling) {
   std::string message = collisions.front().where.empty() ? scene.file.string() : collisions.front().where;
   for (std::size_t k = 0; k < collisions.size(); ++k)
     message += (k == 0 ? ": " : "; ") + collisions[k].in_words();
-  throw ToolsCollide(message + "; change the way, or move one of the tools", std::move(collisions));
+  throw ToolsCollide(message + "; change the motion or move one of the tools", std::move(collisions));
 }
 
 ForcedToolWatch::ForcedToolWatch(const Scene& scene, const Tooling& tooling) : tooling_(tooling) {
@@ -205,12 +205,12 @@ void ForcedToolWatch::look(const engine::Simulation& simulation) {
     const auto cut = pair.solids->look({one.rotation, one.translation}, {other.rotation, other.translation});
     if (!cut) continue;
     char text[400];
-    std::snprintf(
-        text, sizeof text,
-        "tool \"%s\" passes into tool \"%s\" at t = %.6g s, %.3g mm deep near (%.2f, %.2f, %.2f) mm: "
-        "the powder does not hold it up; give it a shorter travel",
-        tooling_.tools[pair.one].spec.name.c_str(), tooling_.tools[pair.other].spec.name.c_str(),
-        simulation.time(), 1e3 * cut->depth, 1e3 * cut->place[0], 1e3 * cut->place[1], 1e3 * cut->place[2]);
+    std::snprintf(text, sizeof text,
+                  "tool \"%s\" penetrates tool \"%s\" at t = %.6g s, %.3g mm deep near (%.2f, %.2f, %.2f) "
+                  "mm: the powder does not stop it; reduce its travel",
+                  tooling_.tools[pair.one].spec.name.c_str(), tooling_.tools[pair.other].spec.name.c_str(),
+                  simulation.time(), 1e3 * cut->depth, 1e3 * cut->place[0], 1e3 * cut->place[1],
+                  1e3 * cut->place[2]);
     throw engine::OutOfRange(text);
   }
 }

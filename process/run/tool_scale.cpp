@@ -35,7 +35,7 @@ std::string unit_advice(const Tool& tool, double factor) {
                 tool.spec.name.c_str(), tool.spec.line, size[0], size[1], size[2],
                 factor > 1 ? factor : 1 / factor, factor > 1 ? "small" : "large");
   return text + (unit.empty()
-                     ? std::string("; see in which unit its file is")
+                     ? std::string("; check the unit of its file")
                      : ": its file seems to be in " + unit + "; write length_unit = \"" + unit + "\"");
 }
 

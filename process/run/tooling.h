@@ -2,6 +2,7 @@
 // with wall spheres.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
@@ -55,6 +56,8 @@ struct Tooling {
   geometry::Box standing;     ///< m, box round the tools that stay at their place and the room they need
   geometry::Box all;          ///< m, box round all tools at the start
   std::optional<int> mirror;  ///< axis at right angles to the mirror plane of a half model
+  /// The scene's steps with what they left to the geometry settled (Step::prepared).
+  std::vector<std::shared_ptr<const Step>> steps;
 
   std::size_t wall_spheres() const;
   /// All cavities as one, for motions and planning: the largest with the box and the volume of all and the
@@ -74,12 +77,8 @@ Tool read_tool(const Scene& scene, const ToolSpec& spec);
 /// Throws SceneError when the tool's mesh encloses no solid.
 void refuse_unusable(const Scene& scene, const Tool& tool);
 
-/// Reads and examines the tools, settles what the scene's steps leave to the geometry (Step::prepare), and
-/// covers what powder can reach with wall spheres. `smallest_radius` (m) is that of the powder's spheres: a
-/// wall it could pass is refused. `tell` hears how far this is, which takes long for tools of millions of
-/// triangles. Throws SceneError or geometry::MeshError for tools that cannot be used.
-Tooling build_tooling(const Scene& scene, double smallest_radius, double grain_diameter,
-                      const TellProgress& tell = tell_nobody);
+/// The scene as a run with these tools follows it, which is what all that moves them takes.
+Scene with_prepared_steps(Scene scene, const Tooling& tooling);
 
 /// The tool's motion in a step as an engine pose of its body frame.
 struct ToolPose {
@@ -97,6 +96,9 @@ ToolPose compose(const ToolMotion& motion, const ToolPose& before);
 std::vector<geometry::Cavity> cavities_between(const Tooling& tooling, const std::vector<ToolPose>& poses);
 /// The largest of them, or one that says that there is none.
 geometry::Cavity cavity_between(const Tooling& tooling, const std::vector<ToolPose>& poses);
+
+/// m, of the wall spheres that cover this tool.
+double wall_sphere_radius(const Scene& scene, const ToolSpec& spec);
 
 /// s, guess for the time powder needs to come to rest; for planning and progress only.
 inline constexpr double kSettlingGuess = 0.25;

@@ -3,6 +3,7 @@
 #include <cctype>
 #include <cstdio>
 
+#include "engine/coarse_graining/methods.h"
 #include "process/run/assemble.h"
 #include "process/run/law_terms.h"
 #include "process/run/tool_surface.h"
@@ -53,14 +54,14 @@ results::Topic powder_topic(const Scene& scene) {
           with_number("%.4g kg/m\u00b3", powder.apparent_density));
   state(topic, "Grain model", model_in_words(powder.model));
   state(topic, "Calibrated grain size", with_number("%.4g mm", 1e3 * fine));
-  state(topic, "Grain size as simulated",
-        with_number("%.4g mm", 1e3 * powder.grain_diameter) +
-            (powder.sizes.empty() ? "" : " (that of mean mass)"));
+  state(
+      topic, "Grain size as simulated",
+      with_number("%.4g mm", 1e3 * powder.grain_diameter) + (powder.sizes.empty() ? "" : " (of mean mass)"));
   if (!powder.sizes.empty()) state(topic, "Grain sizes", powder.sizes_in_words);
   const double factor = coarse_graining_factor(powder);
   state(topic, "Coarse graining",
         with_number("factor %.3g: ", factor) +
-            with_number("one simulated grain stands for %.4g calibrated ones of the same powder",
+            with_number("one simulated grain represents %.4g calibrated grains of the same powder",
                         factor * factor * factor));
   return topic;
 }
@@ -93,7 +94,7 @@ void add_own_law(const Scene& scene, const engine::ContactParameters& contact, r
 
 results::Topic model_topic(const Scene& scene, const engine::SimulationSettings& settings) {
   results::Topic topic{"model", {}, {}};
-  state(topic, "Method", "discrete elements: every simulated grain moves by Newton's laws");
+  state(topic, "Method", "discrete element method: every simulated grain moves by Newton's laws");
   const auto& contact = scene.contact;
   if (contact)
     add_named_laws(*contact, topic);
@@ -106,11 +107,13 @@ results::Topic model_topic(const Scene& scene, const engine::SimulationSettings&
   if (scene.suction)
     state(topic, "Suction",
           "motion of the " + scene.suction->tool + " draws air through the powder in the cavity, " +
-              with_number("particles of %.3g mm (Darcy, Kozeny-Carman), nothing leaks",
+              with_number("particles of %.3g mm (Darcy, Kozeny-Carman), no leakage",
                           1e3 * scene.suction->particle_diameter));
   state(topic, "Rule of coarse graining",
         !contact || contact->coarse_graining == kBierwischScaling
-            ? "Bierwisch 2009, chapter 3: same fall, flow and packing of the bulk"
+            ? "Bierwisch 2009, chapter 3: preserves free fall, bulk flow and packing"
+        : engine::coarse_graining::parameter_rule(contact->coarse_graining) != nullptr
+            ? contact->coarse_graining + ", which scales parameters of the laws"
             : contact->coarse_graining + ", which scales forces");
   return topic;
 }
@@ -121,13 +124,13 @@ results::Topic walls_topic(const Scene& scene) {
   std::string meshes;
   for (const ToolSpec& tool : scene.tools)
     if (tool.walls.value_or(walls.kind) == WallKind::mesh) meshes += (meshes.empty() ? "" : ", ") + tool.name;
-  state(topic, "Tools", "rigid, covered with spheres where powder can reach them");
+  state(topic, "Tools", "rigid, covered with wall spheres where powder can reach them");
   if (!meshes.empty())
     state(topic, "Mesh walls",
-          "powder meets the triangles themselves, " +
+          "grains touch the triangles themselves, " +
               std::string(walls.contact_radius == MeshContactRadius::flat ? "as a flat wall"
                                                                           : "R_eff as on wall spheres") +
-              ": " + meshes + "; their wall spheres only cut the cells that measures take");
+              ": " + meshes + "; their wall spheres serve only to cut Voronoi cells for measuring");
   state(topic, "Wall spheres",
         with_number("radius %.4g mm, ", 1e3 * walls.sphere_radius) +
             with_number("spacing %.3g radii", walls.spacing));
@@ -148,7 +151,7 @@ results::Topic numerics_topic(const Scene& scene, const FillRun& run) {
   results::Topic topic{"numerics", {}, {}};
   state(topic, "Time step", with_number("%.4g s", settings.time_step));
   state(topic, "Critical time step", with_number("%.4g s", run.critical_time_step()));
-  state(topic, "Threads", with_number("%.0f; results do not depend on it", settings.threads));
+  state(topic, "Threads", with_number("%.0f; results do not depend on the number", settings.threads));
   state(topic, "Gravity", with_number("%.4g m/s\u00b2", scene.gravity.norm()));
   for (std::size_t axis = 0; axis < 2; ++axis)
     if (scene.numerics.period[axis])
@@ -159,27 +162,25 @@ results::Topic numerics_topic(const Scene& scene, const FillRun& run) {
 
 results::Topic assumptions_topic(const Scene& scene, const engine::SimulationSettings& settings) {
   results::Topic topic{"assumptions", {}, {}};
-  state(topic, "Terms whose coefficients are zero", joined(law_terms(scene, settings).left_out));
+  state(topic, "Omitted terms (zero coefficient)", joined(law_terms(scene, settings).left_out));
   const bool alike = scene.powder.sizes.empty();
   state(topic, "Grain size",
-        !alike ? "grains are of a few sizes and one shape, of one material and density"
-               : "all grains are of one size and shape; sieve cuts and lubricant are in the "
-                 "calibrated parameters only");
+        !alike ? "grains have a few sizes, one shape, one material and one density"
+               : "all grains have one size and shape; the calibrated parameters stand in for size "
+                 "distribution and lubricant");
   state(topic, "Stiffness",
-        "grains are softer than metal on purpose, so that steps can be longer; packing and "
-        "flow hardly feel it");
+        "grains are deliberately softer than metal to allow longer time steps; the effect on packing and "
+        "flow is small");
   state(topic, "Density",
-        "model grains are not as dense as metal; compare solid fractions and fill ratios, "
-        "not masses");
-  state(topic, "Air", "does not flow: air trapped under the powder and suction filling are left out");
-  state(topic, "Tools", "neither bend nor wear, and do as the schedule says whatever the force");
+        "model grains are less dense than metal; compare solid fractions and fill ratios, not masses");
+  state(topic, "Air", "no air flow: trapped air and suction filling are not modelled");
+  state(topic, "Tools", "rigid, without wear; they follow the schedule whatever the force");
   state(topic, "Segregation",
-        alike ? "cannot appear with grains of one size"
+        alike ? "cannot occur with grains of one size"
               : "by size is simulated, with the sizes of the model grains; see the mixing indices");
   if (coarse_graining_factor(scene.powder) > 1)
     state(topic, "Narrow places",
-          "an opening acts as if narrower by 1.4 times the growth of the grains "
-          "(Bierwisch 2009, section 3.2.2)");
+          "an opening acts narrower by 1.4 times the increase in grain size (Bierwisch 2009, section 3.2.2)");
   return topic;
 }
 

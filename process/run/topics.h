@@ -1,4 +1,4 @@
-// What a run says about itself in words, for reports: powder and model, walls, numerics, assumptions,
+// Statements about a run for reports: powder and model, walls, numerics, assumptions,
 // versions.
 #pragma once
 

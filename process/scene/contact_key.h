@@ -83,13 +83,6 @@ ContactKey<Parameters> flag_key(std::string name, bool Parameters::*member) {
           [=](const Parameters& parameters) { return (parameters.*member ? std::string() : "no ") + name; }};
 }
 
-/// A flag that older scenes have and that does nothing any more: it is read, and not shown.
-template <class Parameters>
-ContactKey<Parameters> flag_without_effect(std::string name) {
-  return {name, "", [=](TableReader& table, const PowderSpec&, Parameters&) { table.flag(name); },
-          [](const Parameters&) { return std::string(); }};
-}
-
 /// A key that chooses among words.
 template <class Parameters, class Value>
 ContactKey<Parameters> choice_key(std::string name, Value Parameters::*member, Choices<Value> choices) {

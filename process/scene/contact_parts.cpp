@@ -183,13 +183,11 @@ const ContactParts<AnyRolling::Parameters>& rolling_parts() {
   static const ContactParts<AnyRolling::Parameters> parts = {
       rolling<FreeRolling>("none", {}),
       rolling<LoadRolling>(
-          "CDT", {number_key("rolling_friction", &LoadRolling::Parameters::rolling_friction, kFriction),
-                  flag_without_effect<LoadRolling::Parameters>("capped")}),
+          "CDT", {number_key("rolling_friction", &LoadRolling::Parameters::rolling_friction, kFriction)}),
       rolling<ElasticRolling>(
           "elastic CDT",
           {number_key("rolling_friction", &ElasticRolling::Parameters::rolling_friction, kFriction),
-           flag_key("harmonic_mean", &ElasticRolling::Parameters::harmonic_mean),
-           flag_without_effect<ElasticRolling::Parameters>("capped")}),
+           flag_key("harmonic_mean", &ElasticRolling::Parameters::harmonic_mean)}),
       rolling<Epsd2Rolling>(
           "EPSD2",
           {number_key("rolling_friction", &Epsd2Rolling::Parameters::rolling_friction, kFriction),

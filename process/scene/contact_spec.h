@@ -24,8 +24,8 @@ struct PairLaw {
   std::vector<PartInWords> words;   ///< normal, damping, friction, rolling, attraction
 };
 
-/// The rule of coarse graining that changes parameters before the run (Bierwisch 2009, chapter 3). All others
-/// are engine::coarse_graining::kMethods, which scale forces.
+/// The usual rule of coarse graining (Bierwisch 2009, chapter 3), the first of
+/// engine::coarse_graining::kParameterRules. Others are there, and those of kMethods, which scale forces.
 inline constexpr const char* kBierwischScaling = "bierwisch";
 
 struct ContactSpec {

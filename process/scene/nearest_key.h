@@ -1,4 +1,4 @@
-// Which of the known words a mistyped one was meant to be.
+// Finds the known word that a mistyped one most likely stands for.
 #pragma once
 
 #include <optional>
@@ -11,8 +11,8 @@ namespace diefill::process {
 /// after making both lower case and taking '-' and ' ' for '_'.
 std::size_t edit_distance(const std::string& a, const std::string& b);
 
-/// The known word nearest to `word`, the first of equally near ones; nothing when none is near enough to be
-/// meant (more than two changes, or more than a third of the longer word).
+/// The known word nearest to `word`, the first of equally near ones; nothing when none is near enough
+/// (more than two changes, or more than a third of the longer word).
 std::optional<std::string> nearest_key(const std::string& word, const std::vector<std::string>& known);
 
 }  // namespace diefill::process

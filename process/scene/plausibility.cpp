@@ -50,12 +50,12 @@ void check_box(const TableReader& table, const PourSpec& pour, const PowderSpec&
     const std::string along = axes[static_cast<std::size_t>(axis)];
     if (!(to > from)) {
       table.reject("to", "the box is empty along " + along + ": to (" + millimetres(to) +
-                             ") must be more than from (" + millimetres(from) + ")");
+                             ") must be greater than from (" + millimetres(from) + ")");
     }
     if (to - from < largest_grain(powder) * (1 - kRounding)) {
       const auto [box, grain] = millimetres_apart(to - from, largest_grain(powder));
-      table.reject("to", "along " + along + " the box measures " + box + ", less than one grain of " + grain +
-                             "; widen it or choose a smaller powder.grain_diameter");
+      table.reject("to", "along " + along + " the box is " + box + " wide, less than one grain of " + grain +
+                             "; widen it or reduce powder.grain_diameter");
     }
   }
 }
@@ -71,7 +71,7 @@ void check_box_within_period(const TableReader& table, const PourSpec& pour, con
       if (std::abs(value) <= half + slack) continue;
       const auto [reach, allowed] = millimetres_apart(std::abs(value), half);
       table.reject(key, std::string("along ") + axes[axis] + " the box reaches " + (value < 0 ? "-" : "") +
-                            reach + ", but numerics.periodic leaves only -" + allowed + " to " + allowed);
+                            reach + ", but numerics.periodic allows only -" + allowed + " to " + allowed);
     }
   }
 }
@@ -82,8 +82,8 @@ void check_density(const TableReader& table, const PowderSpec& powder) {
   const double density = powder.grain_mass / solid_volume(powder);
   if (density >= kLightestGrain && density <= kHeaviestGrain) return;
   table.reject("grain_mass", "with sphere_radius " + millimetres(powder.sphere_radius) +
-                                 " the grain's density is " + number_in_words(density / 1000) +
-                                 " g/cm^3, 0.1 to 25 g/cm^3 is allowed; check both units");
+                                 " the grain density is " + number_in_words(density / 1000) +
+                                 " g/cm^3, allowed: 0.1 to 25 g/cm^3; check both units");
 }
 
 void check_coarsening(const TableReader& table, const PowderSpec& powder) {
@@ -94,10 +94,11 @@ void check_coarsening(const TableReader& table, const PowderSpec& powder) {
   const auto [found, allowed] = millimetres_apart(powder.grain_diameter, broken);
   const std::string least = factor < kFinest ? allowed : millimetres(kFinest * own),
                     most = factor < kFinest ? millimetres(kCoarsest * own) : allowed;
-  const std::string rule = least + " to " + most + " is allowed, 0.1 to 20 times the powder's own " +
-                           millimetres(own) + "; beyond that coarse graining does not hold";
-  if (!powder.sizes.empty()) table.reject("sizes", "the grain of mean mass has " + found + ", " + rule);
-  table.reject("grain_diameter", "the grains have " + found + ", " + rule);
+  const std::string rule = "allowed: " + least + " to " + most +
+                           ", 0.1 to 20 times the powder's calibrated size of " + millimetres(own) +
+                           "; coarse graining is not valid outside this range";
+  if (!powder.sizes.empty()) table.reject("sizes", "the grain of mean mass measures " + found + ", " + rule);
+  table.reject("grain_diameter", "the grains measure " + found + ", " + rule);
 }
 
 void check_wall_is_tight(const TableReader& table, double sphere_radius, double spacing,
@@ -108,8 +109,8 @@ void check_wall_is_tight(const TableReader& table, double sphere_radius, double 
   const auto fits = [&](double distance) { return hole_at(distance) < sphere; };
   if (fits(spacing)) return;
   table.reject("spacing", "wall spheres of radius " + millimetres(sphere_radius) +
-                              " so far apart let spheres of radius " + millimetres(hole) +
-                              " through, and the powder's have " + millimetres(sphere) +
+                              " at this spacing let powder spheres of radius " + millimetres(hole) +
+                              " or less pass through, and the powder has spheres of " + millimetres(sphere) +
                               "; use a smaller spacing, such as " +
                               (spacing > 1.6 && fits(1.6) ? "1.6" : "1.4"));
 }
@@ -117,8 +118,8 @@ void check_wall_is_tight(const TableReader& table, double sphere_radius, double 
 void check_period(const TableReader& table, const std::string& key, double period, const PowderSpec& powder) {
   const double least = kPeriodOverDiameter * largest_grain(powder);
   if (period >= least * (1 - kRounding)) return;
-  table.reject(key, "at least " + millimetres_apart(least, period).first +
-                        " is allowed, four grain diameters, so that no grain meets its own image");
+  table.reject(key, "allowed: at least " + millimetres_apart(least, period).first +
+                        ", four grain diameters, so that no grain touches its own periodic image");
 }
 
 void check_pour(const TableReader& table, const PourSpec& pour, const PowderSpec& powder,
@@ -127,7 +128,7 @@ void check_pour(const TableReader& table, const PourSpec& pour, const PowderSpec
   const double height = pour.upper.z() - pour.lower.z();
   if (pour.fill_height > height * (1 + kRounding)) {
     table.reject("fill_height", "the pour box is only " + millimetres_apart(height, pour.fill_height).first +
-                                    " high; raise to[z] or lower the fill height");
+                                    " high; raise to[z] or reduce fill_height");
   }
   check_box_within_period(table, pour, numerics);
   const double least = 1 + 2 * pour.random_offset;
@@ -135,8 +136,8 @@ void check_pour(const TableReader& table, const PourSpec& pour, const PowderSpec
   const double lattice = pour.lattice_constant > 0 ? pour.lattice_constant : kClosestOfItself;
   if (lattice < least * (1 - 1e-12)) {
     table.reject("lattice_constant",
-                 "at least " + numbers_apart(least, lattice).first +
-                     " is allowed, 1 + 2 random_offset, so that no grains overlap at the start");
+                 "allowed: at least " + numbers_apart(least, lattice).first +
+                     ", which is 1 + 2 random_offset, so that no grains overlap at the start");
   }
 }
 

@@ -18,7 +18,7 @@ struct Preset {
   const char* limits;
 };
 
-constexpr const char* kStartingPoint = "a starting point for a fit of your own";
+constexpr const char* kStartingPoint = "a starting point for your own calibration";
 constexpr const char* kFlow = "flow through slits and openings";
 
 // Bierwisch 2009, Table 4.2; Distaloy AE from section 6.1 (Table C.6: w/R = 63.8 J/m^3). Uses and limits:
@@ -26,32 +26,33 @@ constexpr const char* kFlow = "flow through slits and openings";
 // it". In the order in which they are suggested: what fills dies first, what stands in towers last.
 constexpr std::array<Preset, 11> kPresets = {{
     {"Distaloy AE", GrainModel::D, 1.0, 5.0e-3, 0, "filling of a narrow ring", "filling of dies by a shoe",
-     "its apparent density has not been published with it: powder.apparent_density gives yours"},
+     "no apparent density published; set powder.apparent_density to your measured value"},
     {"ASC100.29 D2", GrainModel::D, 1.0, 1.0e-2, 0, "angle of repose", "filling of dies, heaps",
-     "lets more powder through a slit than was measured; fills a ring close to measured levels, slightly "
-     "high where the shoe leaves at 0.5 m/s; settles at 0.32, real about 0.38"},
+     "discharges more powder through a slit than measured; fills a ring close to measured levels, slightly "
+     "high on the side where the shoe leaves at 0.5 m/s; settles at 0.32, real about 0.38"},
     {"ASC100.29 D1", GrainModel::D, 1.0, 1.5e-1, 0, "discharge through a slit",
      "flow through slits and openings, filling at 0.5 m/s",
-     "very cohesive: heaps are far too steep (59 deg, measured 40), and a ring filled at 0.2 m/s is not "
-     "close to "
-     "measured levels; settles at 0.30, real about 0.38"},
+     "very cohesive: heaps are far too steep (59 deg, measured 40) and a ring filled at 0.2 m/s deviates "
+     "from measured levels; settles at 0.30, real about 0.38"},
     {"ASC100.29 C1", GrainModel::C, 1.0, 2.0e-1, 0, "discharge through a slit", kFlow,
-     "heaps are irregular and creep: not for angles of repose"},
+     "heaps are irregular and creep: do not use for angles of repose"},
     {"ASC100.29 B1", GrainModel::B, 1.0, 1.0e-3, 3.75e-4, "discharge through a slit", kFlow,
-     "heaps keep creeping: not for angles of repose; exaggerates how shallow powder in the shoe flows"},
+     "heaps keep creeping: do not use for angles of repose; overstates the flow of shallow powder in the "
+     "shoe"},
     {"ASC100.29 A2", GrainModel::A, 0.3, 0, 0, "angle of repose", "heaps, with few and fast spheres",
-     "lets the most powder through a slit and overfills a ring the most; settles at 0.57, real about 0.38"},
+     "discharges the most powder through a slit and overfills a ring the most; settles at 0.57, real about "
+     "0.38"},
     {"ASC100.29 initial D", GrainModel::D, 0.25, 0, 0, "nothing", kStartingPoint,
-     "friction and cohesion are not those of the powder; settles at 0.38 as the real one"},
+     "friction and cohesion are not calibrated; settles at 0.38 like the real powder"},
     {"ASC100.29 initial C", GrainModel::C, 0.25, 0, 0, "nothing", kStartingPoint,
-     "friction and cohesion are not those of the powder"},
+     "friction and cohesion are not calibrated"},
     {"ASC100.29 initial B", GrainModel::B, 0.25, 0, 3.75e-5, "nothing", kStartingPoint,
-     "friction and cohesion are not those of the powder"},
+     "friction and cohesion are not calibrated"},
     {"ASC100.29 initial A", GrainModel::A, 0.25, 0, 0, "nothing", kStartingPoint,
-     "friction and cohesion are not those of the powder; settles at 0.59, real about 0.38"},
+     "friction and cohesion are not calibrated; settles at 0.59, real about 0.38"},
     {"ASC100.29 A1", GrainModel::A, 1.0, 1.0e-2, 0, "discharge through a slit",
-     "the published discharge through a slit alone",
-     "not for fillings: poured grains come to rest as towers, heaps are unrealistic, and rings are "
+     "the published discharge through a slit only",
+     "not for die filling: poured grains settle into towers, heaps are unrealistic, and rings are "
      "underfilled the most"},
 }};
 
@@ -110,8 +111,8 @@ double preset_solid_density(const PowderSpec& powder) {
 std::string preset_warning(const PowderSpec& powder) {
   if (powder.name != kTowers || powder.model != GrainModel::A) return {};
   return std::string("preset \"") + kTowers +
-         "\" is not meant for fillings: its grains come to rest as towers; take \"ASC100.29 D2\" (diefill "
-         "powders lists what each preset is for)";
+         "\" is not suitable for die filling: its grains settle into towers; use \"ASC100.29 D2\" (diefill "
+         "powders lists the use of each preset)";
 }
 
 PowderSpec powder_preset(const std::string& name) {
@@ -128,7 +129,7 @@ PowderSpec powder_preset(const std::string& name) {
     powder.grain_diameter = diameter_over_radius(preset.model) * powder.sphere_radius;
     return powder;
   }
-  throw std::invalid_argument("no powder preset is called \"" + name + '"');
+  throw std::invalid_argument("unknown powder preset \"" + name + '"');
 }
 
 double nominal_grain_diameter(GrainModel model) {

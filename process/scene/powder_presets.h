@@ -8,14 +8,14 @@
 
 namespace diefill::process {
 
-/// Names of all presets, as a scene spells them, those that fill dies first.
+/// Names of all presets, as a scene spells them, those for die filling first.
 std::vector<std::string> preset_names();
 
-/// What a preset is for, in words.
+/// Use and limits of a preset, as text.
 struct PresetUse {
   std::string name;
   std::string use;        ///< what it may be used for
-  std::string limits;     ///< where it is known to be off
+  std::string limits;     ///< known deviations
   std::string fitted_to;  ///< the experiment that its parameters come from
 };
 
@@ -26,7 +26,7 @@ std::vector<PresetUse> preset_uses();
 /// model grains lighter. 0 for powders of one's own, and where the scene gives the mass of a grain.
 double preset_solid_density(const PowderSpec& powder);
 
-/// One line against a preset that is not fit for fillings; empty for all others.
+/// One-line warning for a preset that is unsuitable for die filling; empty for all others.
 std::string preset_warning(const PowderSpec& powder);
 
 /// The preset of that name, at its reference grain size. Throws std::invalid_argument for another name.

@@ -79,17 +79,18 @@ void link_to_spring(ChosenLaw& law) {
   if (auto* given = parameters_of<RestitutionDamping>(law.damping)) {
     given->modulus = law.normal.parameters.hertzian_modulus();
     if (given->modulus == 0)
-      law.damping.refuse("which damps Hertz' spring; with a linear spring take \"linear restitution\"");
+      law.damping.refuse("which needs a Hertzian spring; with a linear spring use \"linear restitution\"");
   }
   if (auto* given = parameters_of<LinearRestitutionDamping>(law.damping)) {
     given->stiffness = law.normal.parameters.linear_stiffness();
     if (given->stiffness == 0)
-      law.damping.refuse("which damps a linear spring; with Hertz' spring take \"restitution\"");
+      law.damping.refuse("which needs a linear spring; with a Hertzian spring use \"restitution\"");
   }
   if (auto* given = parameters_of<ElasticRolling>(law.rolling)) {
     given->stiffness = law.normal.parameters.linear_stiffness();
     if (given->stiffness == 0)
-      law.rolling.refuse("which takes k_1 of a linear spring; with Hertz' spring take \"CDT\" or \"EPSD2\"");
+      law.rolling.refuse(
+          "which needs k_1 of a linear spring; with a Hertzian spring use \"CDT\" or \"EPSD2\"");
   }
 }
 
@@ -153,7 +154,8 @@ const Choices<LoadRule>& load_rules() {
 }
 
 Choices<std::string> scaling_rules() {
-  Choices<std::string> rules = {{kBierwischScaling, kBierwischScaling}};
+  Choices<std::string> rules;
+  for (const auto& rule : engine::coarse_graining::kParameterRules) rules.emplace_back(rule.name, rule.name);
   for (const auto& method : engine::coarse_graining::kMethods) rules.emplace_back(method.name, method.name);
   return rules;
 }
@@ -172,7 +174,7 @@ ChosenLaw read_law(TableReader& contact, TableReader* walls, const PowderSpec& p
   link_to_friction(law);
   refuse_nonsense(law);
   if (powder.model == GrainModel::A && law.rolling.part->name != "none")
-    law.rolling.refuse("but grains of model A do not rotate; leave it out or choose another powder.model");
+    law.rolling.refuse("but grains of model A do not rotate; remove it or choose another powder.model");
   return law;
 }
 
@@ -186,7 +188,7 @@ void refuse_idle_keys(TableReader table, const std::vector<std::string>& keys, c
   for (const auto& key : keys)
     if (table.has(key) && std::find(read.begin(), read.end(), key) == read.end())
       table.reject(key, "[contact] in line " + std::to_string(contact.line()) +
-                            " names the laws, and none of its parts reads this key; leave it out");
+                            " sets the laws, and none of them uses this key; remove it");
 }
 
 void refuse_idle_tables(TableReader& document, const ChosenLaw& grains, const ChosenLaw& walls,
@@ -201,11 +203,11 @@ void refuse_idle_tables(TableReader& document, const ChosenLaw& grains, const Ch
     for (const char* key : {"friction", "work_of_adhesion"})
       if (tool.has(key))
         tool.reject(key, "[contact] in line " + std::to_string(contact.line()) +
-                             " gives all tools one law; leave this key out, or leave out [contact]");
+                             " sets one law for all tools; remove this key or [contact]");
   auto numerics = document.table("numerics");
   if (numerics && numerics->has("tangential_spring"))
     numerics->reject("tangential_spring", "[contact] in line " + std::to_string(contact.line()) +
-                                              " names the laws; give `cut_back` to the friction there");
+                                              " sets the laws; set `cut_back` in its friction instead");
 }
 
 }  // namespace

@@ -16,16 +16,17 @@ constexpr NumberRule kWakeForce = {0, 0.9, true, "0.5"};
 void refuse_while_shaken(TableReader& table, const Scene& scene, const std::string& key) {
   for (const auto& step : scene.steps)
     if (step->stays() && !step->tools().empty())
-      table.reject(key, "the step \"" + step->in_words() +
-                            "\" shakes a tool, and powder that sleeps would not be shaken along; leave "
-                            "the key or the step out");
+      table.reject(
+          key,
+          "the step \"" + step->in_words() +
+              "\" vibrates a tool, and sleeping powder would not move with it; remove the key or the step");
 }
 
 void refuse_period_across(TableReader& table, const Scene& scene, int axis) {
   if (!scene.numerics.period[static_cast<std::size_t>(axis)]) return;
   const std::string name = axis == 0 ? "x" : "y";
   table.reject("mirror", "numerics.periodic repeats the scene along " + name +
-                             "; a half model has a wall there, leave one of the two out");
+                             ", but a half model has a wall there; remove one of the two");
 }
 
 /// Grains would be poured on one side of the mirror plane only, and doubled.
@@ -35,15 +36,13 @@ void refuse_lopsided(TableReader& table, const Eigen::Vector3d& lower, const Eig
   if (std::abs(lower[axis] + upper[axis]) <= kEqual) return;
   table.reject("mirror", what + " reaches from " + number_in_words(1e3 * lower[axis]) + " to " +
                              number_in_words(1e3 * upper[axis]) + " mm along " + (axis == 0 ? "x" : "y") +
-                             ", which is not the same on both sides of 0; a half model needs it to be");
+                             "; a half model needs the same extent on both sides of 0");
 }
 
 void check_mirror(TableReader& table, Scene& scene) {
   const int axis = *scene.economy.mirror;
   if (scene.contact)
-    table.reject("mirror",
-                 "the mirror plane is made of the powder's own law and knows none of [contact]; "
-                 "leave one of the two out");
+    table.reject("mirror", "the mirror plane does not support the laws of [contact]; remove one of the two");
   refuse_period_across(table, scene, axis);
   refuse_lopsided(table, scene.pour.lower, scene.pour.upper, axis, "the box of [pour]");
   for (const auto& step : scene.steps) {
@@ -52,13 +51,14 @@ void check_mirror(TableReader& table, Scene& scene) {
     refuse_lopsided(table, inflow->lower, inflow->upper, axis,
                     "the box of the step \"" + step->in_words() + "\"");
     if (std::abs(inflow->velocity[axis]) > 0)
-      table.reject("mirror", "the step \"" + step->in_words() +
-                                 "\" lets powder in across the mirror plane; a half model needs it to come "
-                                 "in along the plane");
+      table.reject(
+          "mirror",
+          "the step \"" + step->in_words() +
+              "\" feeds powder across the mirror plane; a half model needs a velocity parallel to it");
   }
   scene.pour.lower[axis] = 0;
   if (scene.pour.upper[axis] >= scene.powder.grain_diameter) return;
-  table.reject("mirror", "half of the box of [pour] is narrower than a grain; leave the key out");
+  table.reject("mirror", "half of the box of [pour] is narrower than a grain; remove the key");
 }
 
 }  // namespace
@@ -71,8 +71,6 @@ void read_economy(TableReader table, Scene& scene) {
   economy.sleep_energy = table.number("sleep_energy", kSleepEnergy).value_or(economy.sleep_energy);
   economy.wake_force = table.number("wake_force", kWakeForce).value_or(economy.wake_force);
   economy.mirror = table.choice("mirror", planes);
-  economy.skip_zero_terms = table.flag("skip_zero_terms").value_or(economy.skip_zero_terms);
-  economy.skip_rotation = table.flag("skip_rotation").value_or(economy.skip_rotation);
   economy.drop_spilled = table.flag("drop_spilled").value_or(economy.drop_spilled);
   economy.skip_far_walls = table.flag("skip_far_walls").value_or(economy.skip_far_walls);
   economy.carry_beyond = table.quantity("carry_beyond", kCarryBeyond);
@@ -82,17 +80,10 @@ void read_economy(TableReader table, Scene& scene) {
     economy.carry_place = table.where("carry_beyond");
     refuse_while_shaken(table, scene, "carry_beyond");
     if (economy.sleep)
-      table.reject("carry_beyond",
-                   "powder sleeps either where it lies or in the shoe, and economy.sleep is on; leave one of "
-                   "the two out");
+      table.reject(
+          "carry_beyond",
+          "carrying powder cannot be combined with economy.sleep, which is on; remove one of the two");
   }
-  if (!economy.skip_zero_terms && (scene.contact || !scene.powder.sizes.empty()))
-    table.reject(
-        "skip_zero_terms",
-        "the laws of [contact] and of grains of several sizes are made of the parts that are named, and "
-        "have no other terms; leave the key out");
-  if (!economy.skip_rotation && scene.powder.model != GrainModel::A)
-    table.reject("skip_rotation", "only grains of model A do not rotate; leave the key out");
   if (economy.mirror) {
     economy.mirror_place = table.where("mirror");
     check_mirror(table, scene);

@@ -26,7 +26,8 @@ HeapSpec read_heap(TableReader& table) {
   heap.to = table.required_point("to", kHeight);
   for (Eigen::Index axis = 0; axis < 3; ++axis)
     if (!(heap.from[axis] < heap.to[axis]))
-      table.reject("to", std::string("the box is empty along ") + kAxes[axis] + ": to must lie above from");
+      table.reject("to",
+                   std::string("the box is empty along ") + kAxes[axis] + ": to must be greater than from");
   table.finish();
   return heap;
 }
@@ -36,8 +37,8 @@ void refuse_same_name(TableReader& table, const std::vector<Spec>& earlier, cons
                       const char* what) {
   const auto same = [&spec](const Spec& other) { return other.name == spec.name; };
   if (std::any_of(earlier.begin(), earlier.end(), same))
-    table.reject(
-        "name", std::string("an earlier ") + what + " has that name already; give each " + what + " its own");
+    table.reject("name", std::string("an earlier ") + what + " already has this name; give each " + what +
+                             " a unique name");
 }
 
 }  // namespace

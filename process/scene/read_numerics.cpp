@@ -16,8 +16,7 @@ void read_time_step(TableReader& table, NumericsSpec& numerics) {
   numerics.time_step_fraction = table.number("time_step_fraction", kTimeStepFraction).value_or(0);
   numerics.time_step = table.quantity("time_step", kTimeStep);
   if (numerics.time_step && table.has("time_step_fraction")) {
-    table.reject("time_step",
-                 "time_step_fraction is given as well; only one of the two is allowed, leave one out");
+    table.reject("time_step", "time_step_fraction is given as well; remove one of the two");
   }
 }
 
@@ -27,7 +26,7 @@ void read_pinched_grains(TableReader& table, NumericsSpec& numerics) {
   numerics.pinched_grains = table.choice("pinched_grains", choices).value_or(numerics.pinched_grains);
   numerics.most_sheared = table.number("most_sheared", kMostSheared).value_or(numerics.most_sheared);
   if (numerics.pinched_grains == PinchedGrains::stop && table.has("most_sheared"))
-    table.reject("most_sheared", "pinched_grains = \"stop\" shears none off; leave one of the two out");
+    table.reject("most_sheared", "pinched_grains = \"stop\" shears no grains off; remove one of the two");
 }
 
 void read_periods(TableReader& numerics_table, NumericsSpec& numerics, const PowderSpec& powder) {
@@ -54,7 +53,6 @@ NumericsSpec read_numerics(TableReader table, const PowderSpec& powder) {
       table.choice("tangential_spring", springs).value_or(numerics.tangential_spring);
   numerics.opening = table.choice("opening", openings).value_or(numerics.opening);
   read_pinched_grains(table, numerics);
-  numerics.energy_ledger = table.flag("energy_ledger").value_or(numerics.energy_ledger);
   numerics.skin = table.quantity("skin", kSkin).value_or(numerics.skin);
   numerics.max_time = table.quantity("max_time", kMaxTime).value_or(numerics.max_time);
   numerics.checkpoint_interval =

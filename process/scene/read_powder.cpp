@@ -48,7 +48,7 @@ void read_rolling_friction(TableReader& table, PowderSpec& powder) {
   if (*given > 0 && powder.model != GrainModel::B) {
     table.reject(
         "rolling_friction",
-        "only model \"B\" (a rotating sphere) has rolling friction; leave the key out or choose model B");
+        "only model \"B\" (a rotating sphere) has rolling friction; remove the key or choose model B");
   }
   powder.rolling_friction = *given;
 }
@@ -89,7 +89,7 @@ PowderSpec read_powder(TableReader& table) {
   } else {
     if (!table.has("model"))
       table.require("preset",
-                    "\"Distaloy AE\", or model, sphere_radius and grain_mass of a powder of your own");
+                    "\"Distaloy AE\", or give model, sphere_radius and grain_mass of your own powder");
     powder.name = "custom";
     powder.model = table.required_choice("model", models());
     powder.sphere_radius = table.required_quantity("sphere_radius", kSphereRadius);

@@ -11,7 +11,7 @@ constexpr QuantityRule kOrigin = {Dimension::length, "0 mm", "-10 m", "10 m"};
 
 void refuse_taken(TableReader& table, const std::vector<std::string>& names, const std::string& name) {
   if (std::find(names.begin(), names.end(), name) != names.end())
-    table.reject("name", "an earlier one has this name already; names must differ");
+    table.reject("name", "an earlier one already has this name; names must be unique");
 }
 
 const Choices<ProbeQuantity>& quantities() {
@@ -30,7 +30,7 @@ void refuse_unknown_step(const Condition& condition, const Scene& scene) {
                                      [&](const auto& step) { return step->plan.name == *name; });
     if (!known)
       throw SceneError(condition.where + ": found \"" + *name +
-                       "\", but no step has this name; give it to one with name = \"" + *name + '"');
+                       "\", but no step has this name; add name = \"" + *name + '"');
   }
 }
 

@@ -40,7 +40,7 @@ Setting setting_named(const std::string& name) {
     words.push_back(word);
   }
   const auto meant = nearest_key(name, words);
-  throw SceneError("--setting: found \"" + name + "\", quick, working or reference is needed" +
+  throw SceneError("--setting: found \"" + name + "\", allowed: quick, working, reference" +
                    (meant ? "; did you mean \"" + *meant + "\"?" : ""));
 }
 
@@ -50,8 +50,8 @@ std::optional<Setting> read_setting(TableReader& document) {
   for (const auto& [table, key] : kChosen) {
     auto reader = document.table(table);
     if (reader && reader->has(key))
-      reader->reject(key, "the setting \"" + in_words(*setting) + "\" chooses it (" +
-                              document.where("setting") + "); leave out one of the two");
+      reader->reject(key, "the setting \"" + in_words(*setting) + "\" sets it (" + document.where("setting") +
+                              "); remove one of the two");
   }
   return setting;
 }

@@ -40,7 +40,7 @@ SizeCutOffs read_cut_offs(TableReader& table) {
   cut_offs.smallest = table.quantity("smallest", kDiameter).value_or(cut_offs.smallest);
   cut_offs.largest = table.quantity("largest", kDiameter).value_or(cut_offs.largest);
   if (cut_offs.smallest >= cut_offs.largest)
-    table.reject("largest", "it must be more than smallest, which is " +
+    table.reject("largest", "it must be greater than smallest, which is " +
                                 numbers_apart(1e3 * cut_offs.smallest, 1e3 * cut_offs.largest).first + " mm");
   return cut_offs;
 }
@@ -56,12 +56,12 @@ std::vector<engine::SizeClass> read_class_list(TableReader& table) {
     entry.finish();
     const auto same = [&](const engine::SizeClass& other) { return other.diameter == diameter; };
     if (std::any_of(classes.begin(), classes.end(), same))
-      entry.reject("diameter", "another class has this diameter; give the sum of both shares to one of them");
+      entry.reject("diameter", "another class has this diameter; merge the two and add their shares");
     classes.push_back({diameter, share});
   }
   if (classes.empty() || classes.size() > static_cast<std::size_t>(kMostClasses))
-    table.reject("classes", std::to_string(classes.size()) + " classes, 1 to " +
-                                std::to_string(kMostClasses) + " are allowed");
+    table.reject("classes",
+                 std::to_string(classes.size()) + " classes, allowed: 1 to " + std::to_string(kMostClasses));
   return classes;
 }
 
@@ -88,12 +88,12 @@ SizeDistribution read_log_normal(TableReader& table) {
   if (mean || deviation) {
     if (median || log_deviation)
       table.reject(median ? "median" : "log_deviation",
-                   "mean and deviation say the same in another way; leave one pair out");
+                   "mean and deviation already define the distribution; remove one of the two pairs");
     if (!mean) table.require("mean", "\"1.9 mm\"");
     if (!deviation) table.require("deviation", "\"0.3 mm\"");
     if (basis == SizeBasis::mass)
       table.reject(table.has("basis") ? "basis" : "mean",
-                   "mean and deviation are those of the number of grains; write basis = \"number\", or give "
+                   "mean and deviation refer to the number of grains; write basis = \"number\", or give "
                    "median and log_deviation");
     return SizeDistribution::log_normal_of_mean(*mean, *deviation, cut_offs);
   }
@@ -134,7 +134,7 @@ void read_sizes(TableReader& powder_table, PowderSpec& powder) {
   if (!table) return;
   if (powder_table.has("grain_diameter"))
     powder_table.reject("grain_diameter", "[powder.sizes] in line " + std::to_string(table->line()) +
-                                              " says how large grains are; leave one of the two out");
+                                              " sets the grain sizes; remove one of the two");
   static const Choices<Shape> shapes = {{"classes", Shape::classes}, {"log-normal", Shape::log_normal}};
   const Shape shape = table->required_choice("distribution", shapes);
   std::vector<engine::CutClass> classes;
@@ -145,11 +145,12 @@ void read_sizes(TableReader& powder_table, PowderSpec& powder) {
   }
   const double widest = classes.back().diameter / classes.front().diameter;
   if (widest > kWidest * (1 + 1e-9))
-    table->reject("distribution",
-                  "the largest grains (" + millimetres(classes.back().diameter) + ") are " +
-                      numbers_apart(widest, kWidest).first + " times as large as the smallest (" +
-                      millimetres(classes.front().diameter) + "), up to " + number_in_words(kWidest) +
-                      " times is allowed; give smallest and largest");
+    table->reject("distribution", "the largest grains (" + millimetres(classes.back().diameter) + ") are " +
+                                      numbers_apart(widest, kWidest).first +
+                                      " times the size of the smallest (" +
+                                      millimetres(classes.front().diameter) + "), allowed: up to " +
+                                      number_in_words(kWidest) +
+                                      " times; cut the distribution off with smallest and largest");
   powder.grain_diameter = diameter_of_mean_mass(classes);
   if (classes.size() == 1) return;  // of one size after all
   powder.sizes_in_words = in_words(*table, shape, classes);
@@ -161,18 +162,16 @@ void check_sizes(TableReader& document, const Scene& scene) {
   TableReader sizes = document.required_table("powder").required_table("sizes");
   const auto refuse = [&](const std::string& why) {
     sizes.reject("distribution",
-                 "but " + why + ", and grains of several sizes cannot; leave one of the two out");
+                 "but " + why + ", which does not support grains of several sizes; remove one of the two");
   };
-  if (document.has("setting")) refuse("`setting` chooses one grain size for all");
+  if (document.has("setting")) refuse("`setting` sets a single grain size");
   for (const ToolSpec& tool : scene.tools)
     if (tool.walls.value_or(scene.walls.kind) == WallKind::mesh)
-      refuse("tool \"" + tool.name + "\" is a mesh wall, which grains of one size meet");
-  if (scene.economy.mirror) refuse("economy.mirror computes half a model of grains of one size");
-  if (scene.suction) refuse("[suction] draws air through grains of one size");
+      refuse("tool \"" + tool.name + "\" is a mesh wall");
+  if (scene.economy.mirror) refuse("economy.mirror is set");
+  if (scene.suction) refuse("[suction] is set");
   if (!scene.contact && scene.powder.rolling_friction > 0)
-    refuse(
-        "powder.rolling_friction acts on grains of one size (name it in [contact]: rolling = { law = "
-        "\"CDT\", ... })");
+    refuse("powder.rolling_friction is set (use [contact] instead: rolling = { law = \"CDT\", ... })");
 }
 
 double smallest_grain(const PowderSpec& powder) {

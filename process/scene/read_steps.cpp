@@ -8,7 +8,7 @@
 namespace diefill::process {
 namespace {
 
-using Steps = std::vector<std::shared_ptr<Step>>;
+using Steps = std::vector<std::shared_ptr<const Step>>;
 
 StepPlan read_plan(TableReader& table, const std::vector<std::string>& tools) {
   StepPlan plan;
@@ -27,9 +27,9 @@ std::size_t step_named(const Steps& steps, const std::string& name, const Condit
     if (steps[k]->plan.name == name) return k;
     names += (names.empty() ? "\"" : ", \"") + steps[k]->plan.name + '"';
   }
-  throw SceneError(condition.where + ": found \"" + name + "\", but " +
-                   (names.empty() ? "no step has a name; give it one with name = \"" + name + '"'
-                                  : "the steps with a name are " + names));
+  throw SceneError(
+      condition.where + ": found \"" + name + "\", but " +
+      (names.empty() ? "no step has a name; add name = \"" + name + '"' : "the named steps are " + names));
 }
 
 /// What must have happened before the start (2 k) or the end (2 k + 1) of step k can.
@@ -61,9 +61,9 @@ void refuse_steps_that_wait_for_themselves(const Steps& steps) {
   std::vector<Seen> seen(needs.size(), Seen::no);
   const std::function<void(std::size_t)> follow = [&](std::size_t event) {
     if (seen[event] == Seen::on_the_way)
-      throw SceneError(steps[event / 2]->plan.where + ": the " + (event % 2 == 0 ? "start" : "end") +
-                       " of this step waits, by way of others, for itself; change start or until of one of "
-                       "them");
+      throw SceneError(
+          steps[event / 2]->plan.where + ": the " + (event % 2 == 0 ? "start" : "end") +
+          " of this step depends on itself through other steps; change start or until of one of them");
     if (seen[event] == Seen::yes) return;
     seen[event] = Seen::on_the_way;
     for (const std::size_t need : needs[event]) follow(need);
@@ -77,7 +77,7 @@ void refuse_same_names(const Steps& steps, TableReader& table) {
   if (name.empty()) return;
   const bool taken =
       std::any_of(steps.begin(), steps.end() - 1, [&](const auto& step) { return step->plan.name == name; });
-  if (taken) table.reject("name", "an earlier step has this name already; names must differ");
+  if (taken) table.reject("name", "an earlier step already has this name; names must be unique");
 }
 
 /// Without an end of its own a step that only waits lasts until the powder rests; any other needs one.
@@ -85,20 +85,21 @@ void refuse_endless(const Step& step, TableReader& table) {
   if (!step.open_ended() || step.plan.until) return;
   if (step.tools().empty() && step.inflow() == nullptr) return;
   const std::string own = step.inflow() != nullptr ? "mass = \"5 g\"" : "duration = \"1 s\"";
-  throw SceneError(table.where("until") + ": found no end of this step; give " + own +
+  throw SceneError(table.where("until") + ": this step has no end; give " + own +
                    ", or until = { after = \"name of a step\" } or another condition");
 }
 
 }  // namespace
 
-std::vector<std::shared_ptr<Step>> read_steps(TableReader& document, const std::vector<ToolSpec>& tools) {
+std::vector<std::shared_ptr<const Step>> read_steps(TableReader& document, const std::vector<ToolSpec>& tools) {
   std::vector<std::string> names;
   for (const ToolSpec& tool : tools) names.push_back(tool.name);
   Steps steps;
   for (TableReader& table : document.tables("step")) {
     const StepFactory make = table.required_choice("kind", step_kinds());
-    steps.push_back(make(table, tools));
-    steps.back()->plan = read_plan(table, names);
+    const auto step = make(table, tools);
+    step->plan = read_plan(table, names);
+    steps.push_back(step);
     table.finish();
     refuse_same_names(steps, table);
     refuse_endless(*steps.back(), table);

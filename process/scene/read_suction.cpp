@@ -16,9 +16,8 @@ void refuse_moving_die(TableReader& table, const Scene& scene) {
     for (const auto& step : scene.steps) {
       const auto moved = step->tools();
       if (std::ranges::find(moved, tool.name) != moved.end())
-        table.reject("tool",
-                     "the step \"" + step->in_words() + "\" moves the die \"" + tool.name +
-                         "\"; air is drawn through a die that stands, leave [suction] or the step out");
+        table.reject("tool", "the step \"" + step->in_words() + "\" moves the die \"" + tool.name +
+                                 "\", but [suction] needs a die at rest; remove [suction] or the step");
     }
   }
 }
@@ -36,7 +35,7 @@ SuctionSpec read_suction(TableReader& table, const Scene& scene) {
   refuse_moving_die(table, scene);
   if (scene.economy.sleep || scene.economy.carry_beyond)
     table.reject("tool", std::string("economy.") + (scene.economy.sleep ? "sleep" : "carry_beyond") +
-                             " holds grains that the air would draw on; leave one of the two out");
+                             " freezes grains that the air would move; remove one of the two");
   table.finish();
   return suction;
 }

@@ -39,20 +39,19 @@ const Choices<geometry::RepairLevel>& repair_levels() {
 
 std::filesystem::path read_file(TableReader& table) {
   const std::filesystem::path given = table.required_text("file", "die.stl");
-  if (given.empty()) table.reject("file", "the name of a CAD file is needed, such as \"die.stl\"");
+  if (given.empty()) table.reject("file", "expected the name of a CAD file, such as \"die.stl\"");
   const std::filesystem::path file = given.is_absolute() ? given : table.file().parent_path() / given;
   std::error_code error;
   const auto status = std::filesystem::status(file, error);
   if (!std::filesystem::exists(status)) {
-    table.reject("file", "there is no file " +
-                             std::filesystem::absolute(file, error).lexically_normal().string() +
-                             "; give the path from the folder of the scene file");
+    table.reject("file",
+                 "no such file: " + std::filesystem::absolute(file, error).lexically_normal().string() +
+                     "; give the path relative to the scene file");
   }
   if (std::filesystem::is_directory(status))
-    table.reject("file", "this is a folder; name a CAD file in it, such as \"die.stl\"");
+    table.reject("file", "this is a folder; give a CAD file in it, such as \"die.stl\"");
   if (geometry::cad_format(file) == nullptr)
-    table.reject("file", "no kind of CAD file that can be read ends so; export the part as " +
-                             geometry::cad_formats_in_words());
+    table.reject("file", "unsupported file type; export the part as " + geometry::cad_formats_in_words());
   return file;
 }
 
@@ -60,8 +59,7 @@ std::filesystem::path read_file(TableReader& table) {
 double read_length_unit(TableReader& table, const geometry::CadFormat& format) {
   if (format.states_unit) return table.choice("length_unit", length_units()).value_or(0);
   if (!table.has("length_unit")) {
-    table.require("length_unit",
-                  "\"mm\", because CAD files of this kind do not say what unit their coordinates are in");
+    table.require("length_unit", "\"mm\", because this CAD format does not state its unit");
   }
   return table.required_choice("length_unit", length_units());
 }
@@ -69,8 +67,9 @@ double read_length_unit(TableReader& table, const geometry::CadFormat& format) {
 std::optional<double> read_chord_tolerance(TableReader& table, const geometry::CadFormat& format) {
   const auto tolerance = table.quantity("chord_tolerance", kChordTolerance);
   if (tolerance && format.surface == geometry::SurfaceKind::kTriangles)
-    table.reject("chord_tolerance",
-                 "this file holds triangles already; only STEP and IGES have curved surfaces to follow");
+    table.reject(
+        "chord_tolerance",
+        "this file already contains triangles; only STEP and IGES have curved surfaces; remove the key");
   return tolerance;
 }
 
@@ -113,20 +112,18 @@ ToolSpec read_tool(TableReader& table, const WallSpec& walls, const PowderSpec& 
 
 std::vector<ToolSpec> read_tools(TableReader& document, const WallSpec& walls, const PowderSpec& powder) {
   std::vector<ToolSpec> tools;
-  document.require(
-      "tool",
-      "a [[tool]] table with name, role, file and length_unit: without a tool there is nothing to fill");
+  document.require("tool", "a [[tool]] table with name, role, file and length_unit");
   for (TableReader& table : document.tables("tool")) {
     ToolSpec tool = read_tool(table, walls, powder);
     const auto same = [&tool](const ToolSpec& other) { return other.name == tool.name; };
     const auto earlier = std::find_if(tools.begin(), tools.end(), same);
     if (earlier != tools.end()) {
       table.reject("name", "the tool on line " + std::to_string(earlier->line) +
-                               " has that name already; give each tool its own");
+                               " already has this name; give each tool a unique name");
     }
     tools.push_back(std::move(tool));
   }
-  if (tools.empty()) document.reject("tool", "at least one [[tool]] table is needed");
+  if (tools.empty()) document.reject("tool", "expected at least one [[tool]] table");
   return tools;
 }
 

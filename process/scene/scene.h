@@ -12,8 +12,8 @@
 #include <vector>
 
 #include "engine/size_classes.h"
-#include "geometry/mesh_repair.h"
 #include "process/machine/step.h"
+#include "process/machine/tool_spec.h"
 #include "process/scene/economy.h"
 #include "process/scene/scene_error.h"
 #include "process/scene/suction.h"
@@ -66,9 +66,6 @@ double coarse_graining_factor(const PowderSpec& powder);
 /// Which rule of coarse graining takes the reference powder to the wanted grain size.
 enum class CoarseGraining { bierwisch };
 
-/// What a tool's surface is to the powder: covered with wall spheres, or the CAD mesh itself, the yardstick
-/// for them.
-enum class WallKind { spheres, mesh };
 /// R_eff of grains on a mesh: that of a flat wall, or that on wall spheres, so that nothing but the shape
 /// differs.
 enum class MeshContactRadius { flat, wall_spheres };
@@ -81,29 +78,6 @@ struct WallSpec {
   double spacing = 1.6;           ///< over R_w; holds grains up to 15 m/s (engine/STABILITY.md, walls)
   double friction = 0.15;         ///< mu_w
   double work_of_adhesion = 0;    ///< J/m^2, w_w
-};
-
-enum class ToolRole { die, core, punch, shoe, plate };
-
-/// The role as the scene spells it, such as "shoe".
-std::string in_words(ToolRole role);
-
-/// One CAD tool of the scene.
-struct ToolSpec {
-  std::string name;
-  ToolRole role = ToolRole::die;
-  std::filesystem::path file;  ///< absolute or relative to the scene file, already resolved
-  std::string part;            ///< of the file; empty: all parts as one tool
-  double metres_per_unit = 0;  ///< from `length_unit`; 0: the file states it
-  Eigen::Vector3d mirror = Eigen::Vector3d::Zero();  ///< normal of the mirror; zero: none. Applied first
-  Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();  ///< applied to the CAD then
-  Eigen::Vector3d position = Eigen::Vector3d::Zero();      ///< m, then shifted
-  std::optional<double> chord_tolerance;  ///< m, for curved surfaces; a hundredth of the wall spheres' radius
-  geometry::RepairLevel repair = geometry::RepairLevel::kSafe;
-  std::optional<WallKind> walls;                     ///< override of WallSpec::kind
-  std::optional<double> sphere_radius, spacing;      ///< overrides of WallSpec
-  std::optional<double> friction, work_of_adhesion;  ///< the same
-  int line = 0;                                      ///< in the scene file, for messages
 };
 
 /// Powder poured at the start: lattice in `box`, up to `height` above its floor once settled when mass is not
@@ -142,7 +116,6 @@ struct NumericsSpec {
   std::array<std::optional<double>, 2> period;  ///< m, periodic length along x and y, centred on the origin
   PinchedGrains pinched_grains = PinchedGrains::shear_off;
   double most_sheared = 0.005;  ///< share of all grains poured that may be sheared off before the run stops
-  bool energy_ledger = true;
   double skin = 0;                  ///< m, of the neighbour lists; 0: follows the motion of the powder
   double max_time = 0;              ///< s of simulated time allowed in all; 0: no limit
   double checkpoint_interval = 60;  ///< s of wall-clock time
@@ -189,6 +162,8 @@ struct MeasureSpec {
   std::vector<HeapSpec> heaps;
 };
 
+/// A value: a copy may be changed without the original noticing. Copies share `contact` and the steps, which
+/// nobody changes; steps that depend on the tools are prepared for a run in a copy (with_prepared_steps()).
 struct Scene {
   std::filesystem::path file;
   std::string text;  ///< as read
@@ -200,7 +175,7 @@ struct Scene {
   WallSpec walls;
   std::vector<ToolSpec> tools;
   PourSpec pour;
-  std::vector<std::shared_ptr<Step>> steps;
+  std::vector<std::shared_ptr<const Step>> steps;
   std::vector<ProbeSpec> probes;
   std::vector<SnapshotSpec> snapshots;
   NumericsSpec numerics;

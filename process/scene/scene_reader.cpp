@@ -24,23 +24,7 @@ void check_opening(const TableReader& numerics, const Scene& scene) {
     if (tool.walls.value_or(scene.walls.kind) == WallKind::mesh)
       numerics.reject("opening",
                       "\"centres\" puts the centres of wall spheres on the CAD surface, but tool \"" +
-                          tool.name + "\" has none (walls = \"mesh\"); leave one of the two out");
-}
-
-/// J/m^2: whether grains stick; how much where Bierwisch's law says so.
-double stickiness(const engine::laws::LawParameters& law) {
-  constexpr double kSome = 1e-3;
-  const auto* own = law.normal.of<engine::laws::BierwischNormal>();
-  return own != nullptr ? own->work_of_adhesion : law.attracts() ? kSome : 0;
-}
-
-/// What is reckoned from the powder's friction and stickiness, such as how loosely it will lie, follows the
-/// laws in use.
-void follow_contact(const ContactSpec& contact, Scene& scene) {
-  scene.powder.friction = contact.grains.law.friction.largest_friction();
-  scene.powder.work_of_adhesion = stickiness(contact.grains.law);
-  scene.walls.friction = contact.walls.law.friction.largest_friction();
-  scene.walls.work_of_adhesion = stickiness(contact.walls.law);
+                          tool.name + "\" has none (walls = \"mesh\"); remove one of the two");
 }
 
 }  // namespace
@@ -59,10 +43,8 @@ Scene scene_of(const toml::table& parsed, const std::string& text, const std::fi
   scene.coarse_graining = read_coarse_graining(powder);
   scene.powder = read_powder(powder);
   scene.walls = read_walls(table_or_empty(document, "walls", empty), scene.powder);
-  if (auto contact = read_contact(document, scene.powder, scene.walls)) {
-    follow_contact(*contact, scene);
+  if (auto contact = read_contact(document, scene.powder, scene.walls))
     scene.contact = std::make_shared<const ContactSpec>(std::move(*contact));
-  }
   scene.tools = read_tools(document, scene.walls, scene.powder);
   const TableReader numerics = table_or_empty(document, "numerics", empty);
   scene.numerics = read_numerics(numerics, scene.powder);

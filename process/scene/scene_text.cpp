@@ -51,16 +51,15 @@ std::string shortened(const std::string& line) {
 }  // namespace
 
 std::string load_scene_text(const std::filesystem::path& file) {
-  const TextFileKind kind = {"scene file", "a scene is a short TOML text; is this the CAD file or a result?",
-                             kLargestScene};
+  const TextFileKind kind = {
+      "scene file", "but a scene is a short TOML file; did you pass a CAD file or a result?", kLargestScene};
   try {
     return load_text_file(file, kind);
   } catch (const std::runtime_error& reason) {
     std::error_code error;
     const bool folder = std::filesystem::is_directory(file, error);
-    const std::string example =
-        folder ? "; give the path of a scene in it, such as " + (file / "fill.toml").string()
-               : "; give the path of a scene, such as sample_tools/narrow_ring/fill.toml";
+    const std::string example = folder ? "; give a scene in it, such as " + (file / "fill.toml").string()
+                                       : "; give a scene file, such as sample_tools/narrow_ring/fill.toml";
     throw SceneError(file.string() + ": " + reason.what() + example);
   }
 }
@@ -75,7 +74,7 @@ toml::table parse_scene_text(const std::string& text, const std::filesystem::pat
     const std::string line = line_of(text, at.line);
     const std::string reason = one_line(error.description(), 200);
     throw SceneError(file.string() + ':' + std::to_string(at.line) + ':' + std::to_string(at.column) +
-                     ": found `" + one_line(line) + "`, which is not TOML: " + reason +
+                     ": found `" + one_line(line) + "`, which is not valid TOML: " + reason +
                      syntax_remedy(line, reason));
   }
 }

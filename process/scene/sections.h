@@ -29,7 +29,7 @@ NumericsSpec read_numerics(TableReader table, const PowderSpec& powder);
 /// [pour].
 PourSpec read_pour(TableReader table, const PowderSpec& powder, const NumericsSpec& numerics);
 /// All [[step]] tables.
-std::vector<std::shared_ptr<Step>> read_steps(TableReader& document, const std::vector<ToolSpec>& tools);
+std::vector<std::shared_ptr<const Step>> read_steps(TableReader& document, const std::vector<ToolSpec>& tools);
 /// All [[probe]] tables.
 std::vector<ProbeSpec> read_probes(TableReader& document, const std::vector<ToolSpec>& tools);
 /// All [[snapshot]] tables; `scene` has its tools and steps already.

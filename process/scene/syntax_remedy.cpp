@@ -62,7 +62,7 @@ std::string number_remedy(const Assignment& parts) {
     return "; write a decimal point, not a comma";
   const std::size_t unit = value.find_first_not_of(" \t", after_number);
   if (unit != std::string::npos && is_letter(value[unit]))
-    return "; a quantity with its unit stands in quotes, such as " +
+    return "; put a quantity with its unit in quotes, such as " +
            sound(quoted(parts), "velocity = \"0.2 m/s\"");
   if (value.front() == '.') {
     const std::string example = sound(parts.key + " = 0" + value, parts.key + " = 0.6");
@@ -81,9 +81,9 @@ std::string header_remedy(const std::string& line) {
 
 std::string syntax_remedy(const std::string& line, const std::string& reason) {
   if (reason.find("cannot redefine") != std::string::npos)
-    return "; it is given above already, keep one of the two";
+    return "; it is already defined above, keep one of the two";
   if (reason.find("representable") != std::string::npos)
-    return "; whole numbers from -9223372036854775808 to 9223372036854775807 can be read";
+    return "; whole numbers must be between -9223372036854775808 and 9223372036854775807";
   if (line.starts_with('[') && line.find(']') == std::string::npos) return header_remedy(line);
   if (std::count(line.begin(), line.end(), '"') % 2 != 0) return "; close the quote";
   const std::size_t equals = line.find('=');
@@ -96,8 +96,8 @@ std::string syntax_remedy(const std::string& line, const std::string& reason) {
     const std::string remedy = number_remedy(parts);
     if (!remedy.empty()) return remedy;
   }
-  if (is_letter(first)) return "; text stands in quotes, such as " + sound(quoted(parts), "role = \"die\"");
-  if (line.find('\\') != std::string::npos) return "; in a path write / instead of \\";
+  if (is_letter(first)) return "; put text in quotes, such as " + sound(quoted(parts), "role = \"die\"");
+  if (line.find('\\') != std::string::npos) return "; use / instead of \\ in paths";
   return {};
 }
 

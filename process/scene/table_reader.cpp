@@ -24,7 +24,7 @@ std::string allowed_range(std::string_view least, bool above, std::string_view m
   std::string words;
   if (!least.empty()) words = (above ? "more than " : "at least ") + std::string(least);
   if (!most.empty()) words += (words.empty() ? "at most " : " and at most ") + std::string(most);
-  return words + " is allowed";
+  return "allowed: " + words;
 }
 
 /// To what rounding makes of a limit that is written in another unit.
@@ -41,8 +41,8 @@ constexpr std::size_t kMostListed = 20;
 
 void refuse_long(const toml::array& list, const std::string& where) {
   if (list.size() <= kMostEntries) return;
-  throw SceneError(where + ": found a list of " + std::to_string(list.size()) + ", up to " +
-                   std::to_string(kMostEntries) + " are allowed");
+  throw SceneError(where + ": found a list of " + std::to_string(list.size()) + ", allowed: up to " +
+                   std::to_string(kMostEntries));
 }
 
 std::string listed(const std::vector<std::string>& words, const std::string& last) {
@@ -109,8 +109,8 @@ void TableReader::require(const std::string& key, const std::string& example) {
     if (!asked) present.emplace_back(name.str());
   }
   const auto meant = nearest_key(key, present);
-  throw SceneError(where(key) + ": found nothing, this must be given, such as " + example +
-                   (meant ? " (\"" + *meant + "\" stands there: did you mean \"" + key + "\"?)" : ""));
+  throw SceneError(where(key) + ": found nothing, a value is required, such as " + example +
+                   (meant ? " (found \"" + *meant + "\": did you mean \"" + key + "\"?)" : ""));
 }
 
 double TableReader::checked_quantity(const toml::node& node, const std::string& key,
@@ -120,7 +120,7 @@ double TableReader::checked_quantity(const toml::node& node, const std::string& 
   if (!text)
     reject_node(
         node, key,
-        in_words(rule.dimension) + " with its unit is needed, such as \"" + std::string(example) + '"');
+        "expected " + in_words(rule.dimension) + " with its unit, such as \"" + std::string(example) + '"');
   double value = 0;
   try {
     value = parse_quantity(*text, rule.dimension, example);
@@ -152,8 +152,7 @@ std::optional<double> TableReader::number(const std::string& key, const NumberRu
   const toml::node* node = find(key);
   if (node == nullptr) return std::nullopt;
   const std::string example = "such as " + std::string(rule.example);
-  if (!node->is_number())
-    reject_node(*node, key, "a bare number without quotes or unit is needed, " + example);
+  if (!node->is_number()) reject_node(*node, key, "expected a number without quotes or unit, " + example);
   const double value = plain_number(*node);
   if (!within(value, rule.least, rule.above, rule.most)) {
     reject_node(
@@ -169,9 +168,8 @@ std::optional<std::int64_t> TableReader::integer(const std::string& key, std::in
   if (node == nullptr) return std::nullopt;
   const auto value = node->value_exact<std::int64_t>();
   if (!value || *value < least || *value > most) {
-    reject_node(
-        *node, key,
-        "a whole number from " + std::to_string(least) + " to " + std::to_string(most) + " is needed");
+    reject_node(*node, key,
+                "expected a whole number from " + std::to_string(least) + " to " + std::to_string(most));
   }
   return value;
 }
@@ -180,7 +178,7 @@ std::optional<bool> TableReader::flag(const std::string& key) {
   const toml::node* node = find(key);
   if (node == nullptr) return std::nullopt;
   const auto value = node->value_exact<bool>();
-  if (!value) reject_node(*node, key, "true or false without quotes is needed");
+  if (!value) reject_node(*node, key, "expected true or false without quotes");
   return value;
 }
 
@@ -188,9 +186,9 @@ std::optional<std::string> TableReader::text(const std::string& key) {
   const toml::node* node = find(key);
   if (node == nullptr) return std::nullopt;
   const auto value = node->value_exact<std::string>();
-  if (!value) reject_node(*node, key, "a text in quotes is needed");
+  if (!value) reject_node(*node, key, "expected a text in quotes");
   if (!is_printable(*value))
-    reject_node(*node, key, "a text on one line without line ends and other control characters is needed");
+    reject_node(*node, key, "expected a text on one line, without line breaks or other control characters");
   return value;
 }
 
@@ -202,11 +200,11 @@ std::string TableReader::required_text(const std::string& key, const std::string
 std::string TableReader::required_name(const std::string& key, const std::string& example) {
   std::string name = required_text(key, example);
   if (name.empty() || name.find('/') != std::string::npos) {
-    reject(key, "a name of one or more letters without a slash is needed, such as \"" + example + '"');
+    reject(key, "expected a name of at least one letter and no slash, such as \"" + example + '"');
   }
   if (name.size() > kLongestName)
-    reject(key, "a name of " + std::to_string(name.size()) + " bytes, up to " + std::to_string(kLongestName) +
-                    " are allowed: files and columns are named after it");
+    reject(key, "the name has " + std::to_string(name.size()) + " bytes, allowed: up to " +
+                    std::to_string(kLongestName) + ", because files and columns are named after it");
   return name;
 }
 
@@ -214,7 +212,7 @@ std::vector<std::string> TableReader::texts(const std::string& key, const std::s
   const toml::node* node = find(key);
   if (node == nullptr) return {};
   if (const auto single = node->value_exact<std::string>()) return {*single};
-  const std::string needed = "a text or a list of texts is needed, such as [\"" + example + "\"]";
+  const std::string needed = "expected a text or a list of texts, such as [\"" + example + "\"]";
   const toml::array* list = node->as_array();
   if (list == nullptr || list->empty()) reject_node(*node, key, needed);
   refuse_long(*list, where(key));
@@ -232,7 +230,7 @@ std::vector<double> TableReader::quantities(const std::string& key, const Quanti
   if (node == nullptr) return {};
   const toml::array* list = node->as_array();
   if (list == nullptr || list->empty())
-    reject_node(*node, key, "a list is needed, such as [\"" + std::string(rule.example) + "\"]");
+    reject_node(*node, key, "expected a list, such as [\"" + std::string(rule.example) + "\"]");
   refuse_long(*list, where(key));
   std::vector<double> values;
   for (const toml::node& element : *list) values.push_back(checked_quantity(element, key, rule));
@@ -245,9 +243,8 @@ std::optional<Eigen::Vector3d> TableReader::point(const std::string& key, const 
   const toml::array* list = node->as_array();
   const std::string example(rule.example.empty() ? example_of(rule.dimension) : rule.example);
   if (list == nullptr || list->size() != 3) {
-    reject_node(
-        *node, key,
-        "three values along x, y and z are needed, such as [\"" + example + "\", \"0 mm\", \"0 mm\"]");
+    reject_node(*node, key,
+                "expected three values along x, y and z, such as [\"" + example + "\", \"0 mm\", \"0 mm\"]");
   }
   Eigen::Vector3d values;
   for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -266,7 +263,7 @@ std::optional<Eigen::Vector3d> TableReader::direction(const std::string& key) {
   const toml::node* node = find(key);
   if (node == nullptr) return std::nullopt;
   const std::string needed =
-      "an axis (\"x\", \"y\", \"z\", \"-x\", ...) or three numbers that are not all zero are needed, such as "
+      "expected an axis (\"x\", \"y\", \"z\", \"-x\", ...) or three numbers that are not all zero, such as "
       "[0, 1, 0]";
   if (const auto word = node->value_exact<std::string>()) {
     const bool negative = word->starts_with('-');
@@ -293,8 +290,8 @@ std::optional<std::size_t> TableReader::chosen(const std::string& key,
   const auto match = std::find(words.begin(), words.end(), *value);
   if (match != words.end()) return static_cast<std::size_t>(match - words.begin());
   const auto meant = nearest_key(*value, words);
-  reject(key, "allowed is " + listed(words, " or ") +
-                  (meant ? "; did you mean \"" + one_line(*meant) + "\"?" : ""));
+  reject(key,
+         "allowed: " + listed(words, " or ") + (meant ? "; did you mean \"" + one_line(*meant) + "\"?" : ""));
 }
 
 std::optional<TableReader> TableReader::table(const std::string& key) {
@@ -302,8 +299,7 @@ std::optional<TableReader> TableReader::table(const std::string& key) {
   if (node == nullptr) return std::nullopt;
   if (!node->is_table()) {
     const std::string header = '[' + full_key(key) + ']';
-    reject_node(*node, key,
-                "one table is needed: write " + header + " on a line of its own and its keys below");
+    reject_node(*node, key, "expected one table: write " + header + " on its own line with its keys below");
   }
   return TableReader(*node->as_table(), file_, full_key(key));
 }
@@ -320,7 +316,7 @@ std::vector<TableReader> TableReader::tables(const std::string& key) {
   const toml::array* list = node->as_array();
   const std::string header = "[[" + full_key(key) + "]]";
   const std::string needed =
-      "a list of tables is needed: write " + header + " with double brackets above the keys of each";
+      "expected a list of tables: write " + header + " with double brackets above the keys of each";
   if (list == nullptr) reject_node(*node, key, needed);
   refuse_long(*list, where(key));
   for (const toml::node& element : *list) {
@@ -340,10 +336,10 @@ void TableReader::finish() const {
     if (meant) {
       remedy = "did you mean \"" + *meant + "\"?";
     } else {
-      remedy = "the keys here are ";
+      remedy = "the allowed keys are ";
       for (const std::string& known : known_) remedy += (known == known_.front() ? "" : ", ") + known;
     }
-    throw SceneError(at + ": found " + shown_value(value) + " under a key that is not known; " + remedy);
+    throw SceneError(at + ": found " + shown_value(value) + " under an unknown key; " + remedy);
   }
 }
 

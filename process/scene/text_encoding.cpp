@@ -37,7 +37,7 @@ std::string byte_in_words(char letter) {
 
 void refuse_wrong_encoding(const std::string& text, const std::filesystem::path& file) {
   if (const std::string wide = wide_encoding(text); !wide.empty())
-    throw SceneError(file.string() + ":1: found " + wide + " text, UTF-8 is needed" + kSaveAs);
+    throw SceneError(file.string() + ":1: found " + wide + " text, expected UTF-8" + kSaveAs);
   std::size_t line = 1, begin = 0;
   for (std::size_t k = 0; k < text.size();) {
     const auto place = [&] {
@@ -51,7 +51,7 @@ void refuse_wrong_encoding(const std::string& text, const std::filesystem::path&
     const bool control = (code < 0x20 && code != '\n' && code != '\r' && code != '\t') || code == 0x7F;
     if (control)
       throw SceneError(place() + ": found the byte " + std::to_string(code) +
-                       ", this is not a text file; a scene is a TOML text saved as UTF-8");
+                       ", which does not occur in a text file; give a TOML scene saved as UTF-8");
     k += character->length;
     if (code == '\n') {
       ++line;

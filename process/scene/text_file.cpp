@@ -21,13 +21,13 @@ void refuse_unless_regular(const fs::path& file, const TextFileKind& kind) {
   std::error_code error;
   const auto status = fs::status(file, error);
   if (status.type() == fs::file_type::none)
-    refuse("the file cannot be looked at (" + error.message() + "); check its path and its permissions");
+    refuse("the file cannot be accessed (" + error.message() + "); check its path and permissions");
   if (!fs::exists(status))
     refuse("found no such " + kind.called + " (looked for " +
            fs::absolute(file, error).lexically_normal().string() + ')');
-  if (fs::is_directory(status)) refuse("found a folder, a " + kind.called + " is needed");
+  if (fs::is_directory(status)) refuse("found a folder, expected a " + kind.called);
   if (!fs::is_regular_file(status))
-    refuse("found a device, pipe or socket, a regular file is needed: " + kind.description);
+    refuse("found a device, pipe or socket, expected a regular file: " + kind.description);
 }
 
 }  // namespace

@@ -75,7 +75,7 @@ class NestingCount {
 
   [[noreturn]] void refuse(const std::string& found) const {
     throw SceneError(file_.string() + ':' + std::to_string(line_) + ": found " + found +
-                     ", no scene needs more than four; is this a scene?");
+                     ", but no scene needs more than four; is this a scene?");
   }
 
   std::string_view text_;

@@ -61,7 +61,7 @@ ut_system* unit_system() {
     ut_set_error_message_handler(say_nothing);
     std::unique_ptr<ut_system, FreeSystem> made(ut_read_xml(nullptr));
     if (!made)
-      throw std::runtime_error("the database of units of udunits2 cannot be read; install libudunits2-data");
+      throw std::runtime_error("cannot read the unit database of udunits2; install libudunits2-data");
     const Unit degree(ut_parse(made.get(), "degree", UT_UTF8));
     ut_map_name_to_unit("deg", UT_UTF8, degree.get());
     return made;

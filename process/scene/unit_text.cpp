@@ -76,8 +76,8 @@ class UnitReader {
   [[noreturn]] void refuse_rest() const {
     const std::string shown = '"' + one_line(trimmed(rest()), 30) + '"';
     if (is_digit(next()) || (next() == '.' && rest().size() > 1 && is_digit(rest()[1])))
-      throw UnitTextError("found a second number, " + shown + ": write one number and then its unit");
-    throw UnitTextError(rest().empty() ? "the unit breaks off" : shown + " is no unit");
+      throw UnitTextError("found a second number, " + shown + ": write one number followed by its unit");
+    throw UnitTextError(rest().empty() ? "the unit is incomplete" : shown + " is not a unit");
   }
 
   /// "1/s" is how many write a reciprocal; it takes no part in the value.
@@ -108,7 +108,7 @@ class UnitReader {
         if (!blank) at_ = before;
         refuse_rest();
       }
-      if (!unit) throw UnitTextError('"' + one_line(text_, 40) + "\" is no unit");
+      if (!unit) throw UnitTextError('"' + one_line(text_, 40) + "\" is not a unit");
     }
   }
 
@@ -124,7 +124,7 @@ class UnitReader {
     Unit unit;
     if (take('(')) {
       unit = product(factor());
-      if (!take(')')) throw UnitTextError("a parenthesis of the unit is not closed");
+      if (!take(')')) throw UnitTextError("the unit has an unclosed parenthesis");
     } else {
       if (!begins_name(next()) || superscript_at(rest()) != nullptr) refuse_rest();
       unit = named();
@@ -153,8 +153,8 @@ class UnitReader {
     Unit unit(ut_parse(unit_system(), word.c_str(), UT_UTF8));
     if (!unit) throw UnitTextError("the unit " + shown + " is not known");
     const UnitMakeup makeup = makeup_of(unit.get());
-    if (makeup.pure_number) throw UnitTextError(shown + " is a number and no unit");
-    if (!makeup.proportional) throw UnitTextError(shown + " counts from an origin of its own");
+    if (makeup.pure_number) throw UnitTextError(shown + " is a number, not a unit");
+    if (!makeup.proportional) throw UnitTextError(shown + " has an offset zero point");
     if (makeup.angle != 0) ++angles_;
     return unit;
   }
@@ -178,7 +178,7 @@ class UnitReader {
     if (digits.size() != 1 || digits[0] < '1' || digits[0] > '9' ||
         (next() == '.' && at_ + 1 < text_.size() && is_digit(text_[at_ + 1])))
       throw UnitTextError("found the power \"" + one_line(written, 20) +
-                          "\" in the unit, whole numbers from 1 to 9 are allowed, with or without a minus");
+                          "\" in the unit, allowed: whole numbers from 1 to 9, with or without a minus sign");
     return (written.front() == '-' ? -1 : 1) * (digits[0] - '0');
   }
 
@@ -190,7 +190,7 @@ class UnitReader {
 }  // namespace
 
 ParsedUnit parse_unit(std::string_view text) {
-  if (text.size() > kLongest) throw UnitTextError('"' + one_line(text, 40) + "\" is no unit");
+  if (text.size() > kLongest) throw UnitTextError('"' + one_line(text, 40) + "\" is not a unit");
   return UnitReader(trimmed(text)).whole();
 }
 

@@ -94,7 +94,7 @@ Split split(std::string_view text, const std::string& needed) {
   result.unit = trimmed(rest);
   if (!result.unit.empty() && result.unit.front() >= '0' && result.unit.front() <= '9') {
     const std::string joined = joined_thousands(text);
-    if (joined.size() > 3) throw UnitError("write the number without blanks, as " + joined + "; " + needed);
+    if (joined.size() > 3) throw UnitError("write the number without spaces, as " + joined + "; " + needed);
   }
   return result;
 }
@@ -122,7 +122,7 @@ ParsedUnit unit_in(const std::string& text, const std::string& needed) {
 
 double parse_quantity(std::string_view text, Dimension dimension, std::string_view example) {
   const DimensionEntry& kind = entry(dimension);
-  const std::string needed = std::string(kind.words) + " with its unit is needed, such as \"" +
+  const std::string needed = "expected " + std::string(kind.words) + " with its unit, such as \"" +
                              std::string(example.empty() ? kind.example : example) + '"';
   const Split parts = split(as_typed(text), needed);
   if (parts.unit.empty()) throw UnitError(needed);

@@ -45,7 +45,7 @@ std::size_t entry_called(const std::string& word, const std::vector<std::string>
   std::string allowed = "no [[" + list + "]] has this name or number; ";
   if (const auto meant = nearest_key(word, names))
     reader.reject(word, allowed + "did you mean \"" + *meant + "\"?");
-  allowed += "they are ";
+  allowed += "allowed: ";
   for (std::size_t k = 0; k < names.size(); ++k) allowed += (k == 0 ? "\"" : ", \"") + names[k] + '"';
   reader.reject(word, allowed);
 }
@@ -77,7 +77,7 @@ void merge_entries(toml::array& list, toml::table& changes, const std::filesyste
     toml::table* entry = list[k].as_table();
     toml::table* change = node.as_table();
     if (entry == nullptr || change == nullptr)
-      reader.reject(word, "keys to change are needed, such as " + list_name + '.' + word + ".name = \"...\"");
+      reader.reject(word, "expected keys to change, such as " + list_name + '.' + word + ".name = \"...\"");
     if (of_another_kind(*entry, *change)) keep_name_only(*entry);
     merge(*entry, *change, file, path + '.' + word);
   }
@@ -105,9 +105,9 @@ std::string variant_name(TableReader& table) {
   const std::string example = "slow shoe";
   std::string name = table.required_text("name", example);
   if (name.find_first_not_of(" \t") == std::string::npos)
-    table.reject("name", "a name of printable characters in one line is needed, such as \"" + example + '"');
+    table.reject("name", "expected a name of printable characters on one line, such as \"" + example + '"');
   if (name.size() > kLongest)
-    table.reject("name", "a name of at most " + std::to_string(kLongest) + " bytes is allowed, such as \"" +
+    table.reject("name", "allowed: a name of at most " + std::to_string(kLongest) + " bytes, such as \"" +
                              example + '"');
   return name;
 }
@@ -119,8 +119,9 @@ std::vector<Variant> named_variants(const toml::table& document, const std::file
   for (TableReader& table : tables) {
     const std::string name = variant_name(table);
     if (std::find(names.begin(), names.end(), name) != names.end())
-      table.reject("name", "an earlier variant has this name; give each a name of its own");
-    if (table.has("variant")) table.reject("variant", "a variant holds no variants; write [[variant]]");
+      table.reject("name", "an earlier variant has this name; give each a unique name");
+    if (table.has("variant"))
+      table.reject("variant", "variants cannot be nested; write [[variant]] at the top level");
     names.push_back(name);
   }
   const auto folders = folder_names(names);
@@ -128,8 +129,7 @@ std::vector<Variant> named_variants(const toml::table& document, const std::file
   for (std::size_t k = 0; k < names.size(); ++k) {
     if (std::find(folders.begin(), folders.begin() + static_cast<std::ptrdiff_t>(k), folders[k]) !=
         folders.begin() + static_cast<std::ptrdiff_t>(k))
-      tables[k].reject("name",
-                       "an earlier variant would have the same folder for its results; choose another");
+      tables[k].reject("name", "an earlier variant would use the same results folder; choose another name");
     variants.push_back({names[k], folders[k], {}});
   }
   return variants;

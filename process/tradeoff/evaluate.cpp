@@ -106,7 +106,7 @@ std::string saving(double cost, double reference) {
 
 /// What a quantity's error is within, in words.
 std::string limit_in_words(const TradeoffQuantity& quantity, double tolerance) {
-  return quantity.floor > tolerance ? "the " + percent(quantity.floor) + " by which another seed changes it"
+  return quantity.floor > tolerance ? "the " + percent(quantity.floor) + " scatter over seeds"
                                     : "the tolerance of " + percent(tolerance);
 }
 
@@ -114,7 +114,7 @@ std::string advice_for(const Tradeoff& tradeoff, const TradeoffPoint& chosen,
                        const TradeoffPoint& reference) {
   if (&chosen == &reference)
     return "Take \"" + chosen.name +
-           "\": nothing cheaper comes within tolerance and scatter of every quantity.";
+           "\": no cheaper setting stays within tolerance and scatter for every quantity.";
   std::string words = "Take \"" + chosen.name + "\": " + saving(chosen.core_seconds, reference.core_seconds) +
                       " than \"" + reference.name + "\", error " + percent(chosen.error);
   if (const TradeoffQuantity* worst = quantity_called(tradeoff, chosen.worst))
@@ -147,12 +147,13 @@ std::string what_is_missing(const Tradeoff& tradeoff) {
     floor = quantity.floor;
     worst = quantity.name;
   }
-  std::string words = "No setting is recommended: another seed changes results by up to " + percent(floor) +
-                      " (" + worst + "), and settings that differ by less than " + percent(widest) +
-                      " cannot be told apart; ";
-  return words + (enough ? "about " + std::to_string(seeds) + " seeds of each would do: --seeds " +
-                               std::to_string(seeds) + '.'
-                         : "a thousand seeds of each would not do: take finer grains or more powder.");
+  std::string words = "No setting is recommended: the scatter over seeds is up to " + percent(floor) + " (" +
+                      worst + "), and settings that differ by less than " + percent(widest) +
+                      " cannot be distinguished; ";
+  return words + (enough
+                      ? "about " + std::to_string(seeds) + " seeds of each would suffice: --seeds " +
+                            std::to_string(seeds) + '.'
+                      : "even a thousand seeds of each would not suffice: use finer grains or more powder.");
 }
 
 void recommend(Tradeoff& tradeoff, std::size_t reference) {
@@ -165,7 +166,7 @@ void recommend(Tradeoff& tradeoff, std::size_t reference) {
     if (is_acceptable(point) && (chosen == nullptr || point.core_seconds < chosen->core_seconds))
       chosen = &point;
   if (chosen == nullptr) {
-    tradeoff.advice = "No setting comes within the tolerance and the scatter over seeds.";
+    tradeoff.advice = "No setting stays within the tolerance and the scatter over seeds.";
     return;
   }
   chosen->recommended = true;
@@ -241,7 +242,7 @@ void evaluate(Tradeoff& tradeoff, std::size_t reference) {
   for (TradeoffPoint& point : tradeoff.points) point.reference = point.recommended = point.pareto = false;
   tradeoff.floor = kNone;
   if (reference >= tradeoff.points.size()) {
-    tradeoff.advice = "No run is finished that others could be held against.";
+    tradeoff.advice = "No finished run is available as a reference.";
     return;
   }
   tradeoff.points[reference].reference = true;

@@ -35,13 +35,13 @@ Knob knob_called(const std::string& name) {
     names.push_back(knob.name);
   }
   if (name.find('.') != std::string::npos) return key_path_knob(name);
-  std::string message = "--vary: found \"" + name + "\", no knob has this name; ";
+  std::string message = "--vary: found \"" + name + "\", which is not a knob; ";
   if (const auto meant = nearest_key(name, names)) {
     message += "did you mean \"" + *meant + "\"?";
   } else {
-    message += "knobs are ";
+    message += "allowed: ";
     for (const auto& known : names) message += known + ", ";
-    message += "or the path of a key in the scene, such as economy.sleep";
+    message += "or the path of a scene key, such as economy.sleep";
   }
   throw SceneError(message);
 }

@@ -65,12 +65,11 @@ KnobValues read_vary(const std::string& text) {
   const std::size_t equals = text.find('=');
   if (equals == std::string::npos || trimmed(text.substr(0, equals)).empty())
     throw SceneError("--vary: found \"" + text +
-                     "\", KNOB=VALUE,VALUE,... is needed, such as --vary \"grain_diameter=0.94 mm,1.88 mm\"");
+                     "\", expected KNOB=VALUE,VALUE,..., such as --vary \"grain_diameter=0.94 mm,1.88 mm\"");
   KnobValues varied{knob_called(trimmed(text.substr(0, equals))), split_at_commas(text.substr(equals + 1))};
   for (const std::string& value : varied.values)
     if (value.empty())
-      throw SceneError("--vary: found \"" + text +
-                       "\", a value is empty; write values with commas between them");
+      throw SceneError("--vary: found \"" + text + "\", a value is empty; separate values with commas");
   return varied;
 }
 
@@ -102,7 +101,7 @@ Setting setting_with(const Scene& scene, const std::string& name, const std::str
 std::vector<Setting> settings_of_variants(const Scene& scene) {
   if (!has_variants(scene))
     throw SceneError(scene.file.string() +
-                     ": --variants: the scene has none; add [[variant]] tables or leave the option out");
+                     ": --variants: the scene has no variants; add [[variant]] tables or remove the option");
   std::vector<Setting> settings;
   for (Variant& variant : read_variants(scene.file)) {
     Setting setting;
@@ -135,7 +134,7 @@ std::vector<Setting> one_at_a_time(const Scene& scene, const std::vector<KnobVal
       if (strict && !setting.refused.empty()) throw SceneError("--vary " + name + ": " + setting.refused);
       const auto same = [&](const Setting& other) { return other.name == setting.name; };
       if (std::any_of(settings.begin(), settings.end(), same))
-        throw SceneError("--vary " + name + ": this setting is asked for twice; name each value once");
+        throw SceneError("--vary " + name + ": this setting is given twice; give each value once");
       settings.push_back(std::move(setting));
     }
   }

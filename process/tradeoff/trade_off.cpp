@@ -18,10 +18,10 @@ constexpr double kWorthwhile = 0.97;  // of the base's cost: a knob that saves l
 
 void refuse_unknown(const std::string& what, const std::string& word, const std::vector<std::string>& known) {
   if (std::find(known.begin(), known.end(), word) != known.end()) return;
-  std::string message = what + ": found \"" + word + "\", there is none of this name; ";
+  std::string message = what + ": found \"" + word + "\", which does not exist; ";
   if (const auto meant = nearest_key(word, known))
     throw SceneError(message + "did you mean \"" + *meant + "\"?");
-  message += "there are";
+  message += "allowed:";
   for (std::size_t k = 0; k < known.size(); ++k) message += (k == 0 ? " \"" : ", \"") + known[k] + '"';
   throw SceneError(message);
 }
@@ -136,8 +136,8 @@ void add_remarks(results::Tradeoff& tradeoff, const TradeoffOptions& options) {
   if (std::isfinite(options.jobs.cpu_seconds) && missing > 0)
     tradeoff.remarks.push_back(std::to_string(missing) + " runs did not fit the budget of " +
                                number_in_words(options.jobs.cpu_seconds / 60) + " core minutes" +
-                               (without.empty() ? "" : "; no result at all of " + without) +
-                               "; a larger --budget goes on");
+                               (without.empty() ? "" : "; no results for " + without) +
+                               "; raise --budget to continue");
   for (const auto& point : tradeoff.points)
     if (point.name == kCombined) {
       std::string words = "\"combined\" is";
@@ -146,7 +146,7 @@ void add_remarks(results::Tradeoff& tradeoff, const TradeoffOptions& options) {
       tradeoff.remarks.push_back(words);
     }
   if (options.seeds < 2)
-    tradeoff.remarks.emplace_back("one seed each: what another seed changes is not known; --seeds 2 tells");
+    tradeoff.remarks.emplace_back("one seed each: the scatter over seeds is unknown; use --seeds 2");
 }
 
 void add_variants(const Scene& scene, std::vector<Setting>& settings) {
@@ -154,7 +154,7 @@ void add_variants(const Scene& scene, std::vector<Setting>& settings) {
     const auto same = [&](const Setting& other) { return other.name == setting.name; };
     if (std::any_of(settings.begin(), settings.end(), same) || setting.name == kCombined)
       throw SceneError(scene.file.string() + ": --variants: variant \"" + setting.name +
-                       "\" has the name of another setting; give it one of its own");
+                       "\" has the name of another setting; give it a unique name");
     settings.push_back(std::move(setting));
   }
 }

@@ -37,7 +37,7 @@ struct Merit {
 /// The first of these that all strategies have decides: even filling before much of it, since uneven density
 /// is what warps the sintered part.
 const Merit& merit_for(const std::vector<Strategy>& strategies) {
-  static constexpr std::array kMerits = {Merit{"azimuthal_variation", -1, "the most even filling first"},
+  static constexpr std::array kMerits = {Merit{"azimuthal_variation", -1, "lowest first"},
                                          Merit{"fill_ratio", 1, "highest first"},
                                          Merit{"fill_density_kg_m3", 1, "highest first"},
                                          Merit{"filled_mass_kg", 1, "highest first"}};
@@ -84,9 +84,8 @@ Section ranking(const std::vector<Strategy>& strategies) {
                                   [](const Strategy& strategy) { return strategy.runs.size() < 2; });
   if (single)
     section.blocks.emplace_back(
-        Paragraph{"Where a strategy has one run, its scatter is not known: a difference smaller than the "
-                  "scatter of other "
-                  "seeds says nothing. Run more seeds before deciding.",
+        Paragraph{"The scatter of a strategy with a single run is unknown: a difference smaller than the "
+                  "scatter over seeds is not significant. Run more seeds before deciding.",
                   true});
   return section;
 }
@@ -124,7 +123,7 @@ Section maps(const std::vector<Strategy>& strategies, const ColourRange& given) 
     if (const auto* field = main_field(strategy.first()); field != nullptr && !field->value.empty())
       figures.figures.push_back(map_of(strategy, *field, range));
   if (figures.figures.empty())
-    section.blocks.emplace_back(Paragraph{"The results hold no maps."});
+    section.blocks.emplace_back(Paragraph{"The results contain no maps."});
   else
     section.blocks.emplace_back(figures);
   return section;
@@ -189,7 +188,7 @@ Section curves(const std::vector<Strategy>& strategies) {
                                  ". Bars: standard deviation over seeds, where there are several."));
   }
   if (figures.figures.empty())
-    section.blocks.emplace_back(Paragraph{"The results hold no curves."});
+    section.blocks.emplace_back(Paragraph{"The results contain no curves."});
   else
     section.blocks.emplace_back(figures);
   return section;
@@ -241,7 +240,7 @@ Section scatter_section(const std::vector<Strategy>& strategies) {
   Table table{
       "",
       {"Run", "Seed", column_title("expected_mass_kg"), column_title("filled_mass_kg"),
-       column_title("fill_ratio"), column_title("solid_fraction_mean"), "Off its strategy's mean mass [%]"},
+       column_title("fill_ratio"), column_title("solid_fraction_mean"), "Deviation from its strategy's mean mass [%]"},
       {},
       true};
   for (const auto& strategy : strategies) {

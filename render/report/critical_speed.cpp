@@ -123,23 +123,22 @@ std::string in_words(const CriticalSpeed& critical) {
     runs +=
         " The die was full up to " + metres_per_second(critical.fastest_full) + " (fill ratio 0.98 or more).";
   if (std::isfinite(critical.slowest_incomplete))
-    runs += " From " + metres_per_second(critical.slowest_incomplete) + " on it was not.";
+    runs += " From " + metres_per_second(critical.slowest_incomplete) + " on it was not full.";
   if (critical.too_far)
-    return "The critical speed is not given: it would lie " + in_digits(critical.extrapolation, 2) +
-           " times beyond the speeds that were run, and more than " + in_digits(kFarthest, 2) +
-           " times is not extrapolated. Run speeds nearer to it." + runs;
+    return "No critical speed: the estimate is " + in_digits(critical.extrapolation, 2) +
+           " times beyond the simulated speeds, and extrapolation is limited to " + in_digits(kFarthest, 2) +
+           " times. Run speeds closer to it." + runs;
   if (!std::isfinite(critical.speed))
-    return "No critical speed can be told from these runs: at least two speeds with incomplete filling (fill "
-           "ratio below 0.98) are needed, the faster one with less." +
+    return "These runs do not determine a critical speed: at least two speeds with incomplete filling (fill "
+           "ratio below 0.98) are needed, the faster one with the lower fill ratio." +
            runs;
   std::string text = "Fill ratio 1 is reached up to about v_c = " + metres_per_second(critical.speed);
   text += std::isfinite(critical.lower)
               ? ", 95 % interval " + metres_per_second(critical.lower) + " to " +
                     metres_per_second(critical.upper)
-              : ", interval not known (two speeds of one seed: the curve passes through both)";
+              : ", interval unknown (two speeds of one seed: the curve passes through both)";
   if (critical.extrapolation > 1)
-    text +=
-        "; extrapolated " + in_digits(critical.extrapolation, 2) + " times beyond the speeds that were run";
+    text += "; extrapolated " + in_digits(critical.extrapolation, 2) + " times beyond the simulated speeds";
   return text + ". Fill ratio = (v_c / v)^n with n = " + in_digits(critical.exponent, 2) + ", from " +
          std::to_string(critical.points) +
          " speeds with incomplete filling (Sinka, Schneider and Cocks 2004)." + runs;

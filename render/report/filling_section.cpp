@@ -48,7 +48,7 @@ Table mass_table(const FillResult& result, const CavityRow& row) {
     table.rows.push_back(
         {name, about("apparent_density_kg_m3", apparent) +
                    ", estimated: solid fraction of the powder in the shoe times the density of "
-                   "its metal (powder.apparent_density gives the weighed one)"});
+                   "its metal (set powder.apparent_density to the measured value)"});
   } else {
     add_figure(table, result, "apparent_density_kg_m3");
   }
@@ -72,7 +72,7 @@ Table evenness_table(const FillResult& result) {
     table.rows.push_back(
         {"Lowest and highest grain", in_digits(summary.min, 2) + " to " + in_digits(summary.max, 2)});
   } else if (const std::string reason = results::reason_for(result, "solid_fraction"); !reason.empty()) {
-    table.rows.push_back({mean, "not given: " + reason});
+    table.rows.push_back({mean, "no value: " + reason});
   }
   for (const char* name : {"cavity_solid_fraction", "azimuthal_variation", "axial_variation"})
     add_figure(table, result, name, explained(name));
@@ -127,12 +127,10 @@ Section filling_section(const FillResult& result) {
   add_table(section, model_table(result));
   if (!rows.empty())
     section.blocks.emplace_back(
-        Paragraph{"Model grains do not have the density of the real metal. Masses and densities of model "
-                  "powder serve to "
-                  "compare runs; the fill ratio, in which density cancels, carries over to the real powder. "
-                  "The mean solid "
-                  "fraction is that of the powder: solid over cell volume of the grains two diameters below "
-                  "the surface."});
+        Paragraph{"Model grains do not have the density of the real metal. Use masses and densities of model "
+                  "powder only to compare runs; the fill ratio, in which density cancels, applies to the "
+                  "real powder. The mean solid fraction is solid over cell volume of the grains at least two "
+                  "diameters below the surface."});
   return section;
 }
 

@@ -178,7 +178,7 @@ class Setter {
 
   void insert_picture(QTextCursor& cursor, const Figure& figure, double most_width) {
     const QImage image = QImage::fromData(figure.png, "PNG");
-    if (image.isNull()) throw std::runtime_error("a picture of the report cannot be read");
+    if (image.isNull()) throw std::runtime_error("cannot read a picture of the report");
     const QString name = QStringLiteral("picture-%1").arg(pictures_++);
     document_.addResource(QTextDocument::ImageResource, QUrl(name), image);
     const double scale = std::min(most_width / image.width(), kLargestPicture / image.height());
@@ -231,7 +231,7 @@ void keep_headings(QTextDocument& document, const std::vector<int>& headings) {
 
 void draw_pages(QPdfWriter& writer, QTextDocument& document, const std::string& title) {
   QPainter painter(&writer);
-  if (!painter.isActive()) throw std::runtime_error("Qt cannot make a PDF");
+  if (!painter.isActive()) throw std::runtime_error("Qt cannot write the PDF");
   const double width = document.pageSize().width(), height = document.pageSize().height();
   const int pages = document.pageCount();
   for (int page = 0; page < pages; ++page) {

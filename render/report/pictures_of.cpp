@@ -22,14 +22,13 @@ QByteArray png_of(const QImage& image) {
   QByteArray bytes;
   QBuffer buffer(&bytes);
   buffer.open(QIODevice::WriteOnly);
-  if (!image.save(&buffer, "PNG")) throw std::runtime_error("a picture of the report could not be stored");
+  if (!image.save(&buffer, "PNG")) throw std::runtime_error("cannot write a picture of the report");
   return bytes;
 }
 
 QByteArray bytes_of(const std::filesystem::path& path) {
   QFile file(QString::fromStdString(path.string()));
-  if (!file.open(QIODevice::ReadOnly))
-    throw std::runtime_error(path.string() + ": the picture cannot be read again");
+  if (!file.open(QIODevice::ReadOnly)) throw std::runtime_error(path.string() + ": cannot read the picture");
   return file.readAll();
 }
 
@@ -38,7 +37,7 @@ std::vector<Figure> drawn(const std::function<std::vector<std::filesystem::path>
                           const std::function<std::string(const std::string&)>& caption_of) {
   const QTemporaryDir folder;
   if (!folder.isValid())
-    throw std::runtime_error("no folder for temporary files can be made; is the disk full?");
+    throw std::runtime_error("cannot create a folder for temporary files; is the disk full?");
   std::vector<Figure> figures;
   for (const auto& path : draw(folder.path().toStdString()))
     figures.push_back({bytes_of(path), caption_of(path.stem().string())});
@@ -127,12 +126,12 @@ std::vector<Figure> tool_views(const results::FillResult& result) {
   bare.powder.velocity.clear();
   bare.powder.angular_velocity.clear();
   bare.solid_fraction = {};
-  return {{png_of(compose_snapshot(bare).image), "The tools where they stood at the end, cut open."}};
+  return {{png_of(compose_snapshot(bare).image), "The tools at the end of the run, cut open."}};
 }
 
 std::vector<Figure> timeline_of(const results::FillResult& result) {
   if (result.stages.empty()) return {};
-  return {{png_of(compose_timeline(result.stages)), "What the machine did, and when. Grey: no tool moved."}};
+  return {{png_of(compose_timeline(result.stages)), "Schedule of the machine. Grey: no tool moved."}};
 }
 
 Figure field_picture(const results::Field2D& field, const std::string& title, const std::string& subtitle,

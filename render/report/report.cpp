@@ -46,7 +46,7 @@ Document several(const std::vector<Run>& runs) {
     for (const Run* run : strategy.runs) names += (names.empty() ? "" : ", ") + run->name;
     chapter.blocks.emplace_back(Paragraph{"Results in " + names + "."});
     if (strategy.runs.size() > 1)
-      chapter.blocks.emplace_back(Paragraph{"What follows is of the first of these runs."});
+      chapter.blocks.emplace_back(Paragraph{"The following sections show the first of these runs."});
     document.sections.push_back(chapter);
     const SharedPictures shared{range, &strategy.runs.front()->other_cavities};
     for (auto& section : run_sections(strategy.first(), 2, shared)) document.sections.push_back(section);

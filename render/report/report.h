@@ -1,4 +1,4 @@
-// Reports for people: one run, or several held against each other, as one HTML page and as a PDF.
+// Reports of one run, or of several compared with each other, as one HTML page and as a PDF.
 #pragma once
 
 #include <string>
@@ -19,7 +19,7 @@ struct Run {
 };
 
 /// The report as content: of one run all that is known about it; of several first the comparison, then every
-/// run. Runs whose scenes differ in nothing but the seed are one strategy, whose scatter is given.
+/// run. Runs whose scenes differ only in the seed are one strategy, whose scatter is given.
 /// start_offscreen() must have been called. Throws std::invalid_argument without runs.
 Document report_of(const std::vector<Run>& runs);
 

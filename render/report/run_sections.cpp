@@ -16,8 +16,7 @@ namespace {
 using Row = std::vector<std::string>;
 using results::FillResult;
 
-constexpr const char* kNotStored =
-    "These results were written by an earlier version that did not store this.";
+constexpr const char* kNotStored = "An earlier version wrote these results without this information.";
 
 void add_row(Table& table, const std::string& name, double value, const std::string& unit, int digits = 4) {
   if (std::isfinite(value)) table.rows.push_back({name, with_unit(value, unit, digits)});
@@ -41,7 +40,7 @@ Section warnings_section(const FillResult& result) {
   for (const auto& line : results::exceeded_in_words(result))
     if (std::find(result.warnings.begin(), result.warnings.end(), line) == result.warnings.end())
       section.blocks.emplace_back(Paragraph{line, true});
-  if (section.blocks.empty()) section.blocks.emplace_back(Paragraph{"The run gave no warning."});
+  if (section.blocks.empty()) section.blocks.emplace_back(Paragraph{"The run reported no warnings."});
   return section;
 }
 
@@ -82,10 +81,10 @@ Table tool_table(const FillResult& result) {
 }
 
 Table check_table(const FillResult& result) {
-  Table table{"Mesh findings, and how well the wall spheres follow the CAD surface",
-              {"Tool", "CAD file", "Volume [cm³]", "Off the surface, mean / largest [mm]", "Largest gap [mm]",
-               "Mesh"},
-              {}};
+  Table table{
+      "Mesh findings and deviation of the wall spheres from the CAD surface",
+      {"Tool", "CAD file", "Volume [cm³]", "Deviation, mean / largest [mm]", "Largest gap [mm]", "Mesh"},
+      {}};
   for (const auto& check : result.tool_checks) {
     std::string findings;
     for (const auto& finding : check.findings) findings += (findings.empty() ? "" : "; ") + finding;
@@ -152,15 +151,14 @@ Section stability_section(const FillResult& result) {
                                   : "–";
     table.rows.push_back({margin.name, in_digits(margin.found, 3), limit,
                           std::isfinite(margin.limit) ? in_digits(100 * margin.share(), 2) + " %" : "–"});
-    if (margin.exceeded()) table.rows.back().back() += ", beyond it";
+    if (margin.exceeded()) table.rows.back().back() += ", exceeded";
   }
   section.blocks.emplace_back(table);
   for (const auto& line : results::exceeded_in_words(result))
     section.blocks.emplace_back(Paragraph{line, true});
-  section.blocks.emplace_back(Paragraph{
-      "A run that passes one of these limits upwards stops and gives no results. Energy counts either way: "
-      "what "
-      "is lost with nothing to explain it is as wrong as what is gained; the run ends, with a warning."});
+  section.blocks.emplace_back(
+      Paragraph{"A run that exceeds one of these limits stops without results. For energy, unexplained loss "
+                "counts as much as gain; the run completes with a warning."});
   return section;
 }
 
@@ -186,7 +184,7 @@ Section versions_section(const FillResult& result) {
   if (result.topics.empty()) table.rows.push_back({"diefill", result.program_version});
   table.rows.push_back({"Seed", std::to_string(result.seed)});
   table.rows.push_back({"Hash of the final state", result.state_hash});
-  table.rows.push_back({"This report was drawn with", drawing_versions()});
+  table.rows.push_back({"Report drawn with", drawing_versions()});
   section.blocks.emplace_back(table);
   return section;
 }
@@ -201,7 +199,7 @@ std::vector<Section> run_sections(const FillResult& result, int level, const Sha
       strategy_section(result),
       tooling_section(result),
       topics_section(result, "Powder and model", {"powder", "model", "walls", "numerics", "setting"}),
-      topics_section(result, "What was left out", {"assumptions"}),
+      topics_section(result, "Approximations", {"assumptions"}),
       stability_section(result),
       speed_section(result),
       versions_section(result),

@@ -1,4 +1,4 @@
-// Which runs belong together: those whose scenes differ in nothing but the seed are one strategy.
+// Groups runs into strategies: scenes that differ only in the seed are one strategy.
 #pragma once
 
 #include <string>
@@ -11,7 +11,7 @@ namespace diefill::render::report {
 
 /// Runs of one strategy, in the order in which they were given.
 struct Strategy {
-  std::string name;  ///< of its first run; its strategy in words where that tells the strategies apart
+  std::string name;  ///< of its first run; its strategy as text where that distinguishes the strategies
   std::vector<const Run*> runs;
 
   const results::FillResult& first() const { return runs.front()->result; }
@@ -25,7 +25,7 @@ std::vector<Strategy> strategies_of(const std::vector<Run>& runs);
 /// The scene file's lines that say something, without comments, outer blanks and the seed.
 std::vector<std::string> telling_lines(const std::string& scene_text);
 
-/// True where the scenes differ in nothing but title, seed and the lines that begin with `velocity`.
+/// True where the scenes differ only in title, seed and the lines that begin with `velocity`.
 bool series_over_speed(const std::vector<Strategy>& strategies);
 
 }  // namespace diefill::render::report

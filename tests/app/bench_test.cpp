@@ -85,7 +85,8 @@ TEST(Bench, WrongBedsEndInOneLine) {
   const std::string file = (die.folder() / "bed.csv").string();
   const Outcome outcome = run_program({"bench", "spheres", "--state", file});
   EXPECT_EQ(outcome.exit_code, 2);
-  EXPECT_NE(outcome.err.find(file + ", line 2: 10 numbers are expected"), std::string::npos) << outcome.err;
+  EXPECT_NE(outcome.err.find(file + ", line 2: 10 numbers per line expected"), std::string::npos)
+      << outcome.err;
   EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
 }
 

@@ -25,17 +25,17 @@ TEST(CheckTools, SaysWhatWasRepairedAndTheReportDoesToo) {
   const Outcome checked = die.check();
   EXPECT_EQ(checked.exit_code, 0) << checked.err;
   expect_says(checked.out, "found: 1 shell faces the wrong way: the whole surface is inside out");
-  expect_says(checked.out, "repaired: the surface turned right side out");
-  expect_says(checked.out, "note: tool \"die\" repaired: the surface turned right side out");
+  expect_says(checked.out, "repaired: surface normals reversed to point outward");
+  expect_says(checked.out, "note: tool \"die\" repaired: surface normals reversed to point outward");
   ASSERT_EQ(die.run().exit_code, 0);
-  expect_says(die.report()["warnings"].dump(), "repaired: the surface turned right side out");
+  expect_says(die.report()["warnings"].dump(), "repaired: surface normals reversed to point outward");
 }
 
 TEST(CheckTools, SaysHowToolsFitAndHowTheyAreSymmetric) {
   const SmallDie die;
   const Outcome checked = die.check();
   ASSERT_EQ(checked.exit_code, 0) << checked.err;
-  expect_says(checked.out, "die and shoe: touch without a gap");
+  expect_says(checked.out, "die and shoe: in contact without a gap");
   expect_says(checked.out, "symmetry: mirror plane");
   expect_says(checked.out, "narrowest width 4.000 mm near (");
   die.exchange("[\"3 mm\", \"0 mm\", \"0 mm\"]", "[\"3 mm\", \"0 mm\", \"0.4 mm\"]");
@@ -53,7 +53,7 @@ TEST(CheckTools, SpaceWherePowderNeverComesIsNoGap) {
       "[[tool]]\nname = \"table\"\nrole = \"plate\"\nfile = \"table.stl\"\nlength_unit = \"mm\"\n\n[pour]");
   const Outcome checked = die.check();
   ASSERT_EQ(checked.exit_code, 0) << checked.err;
-  expect_says(checked.out, "die and shoe: touch without a gap");
+  expect_says(checked.out, "die and shoe: in contact without a gap");
   EXPECT_EQ(checked.out.find("table: gap"), std::string::npos) << checked.out;
 }
 
@@ -71,7 +71,7 @@ TEST(CheckTools, PartsOfOneFileArePickedByName) {
   EXPECT_EQ(wrong.exit_code, 2);
   expect_says(
       wrong.err,
-      "has no part \"feed_shoo\": it holds \"lower_die\", \"feed_shoe\"; did you mean \"feed_shoe\"?");
+      "has no part \"feed_shoo\": it contains \"lower_die\", \"feed_shoe\"; did you mean \"feed_shoe\"?");
 }
 
 TEST(CheckTools, AMirroredPartStandsOnTheOtherSide) {
@@ -86,7 +86,7 @@ TEST(CheckTools, AMirroredPartStandsOnTheOtherSide) {
   const Outcome mirrored = die.check();
   EXPECT_EQ(mirrored.exit_code, 0) << mirrored.err;
   EXPECT_EQ(mirrored.out.find("repaired"), std::string::npos) << mirrored.out;
-  expect_says(mirrored.out, "place: from (-15.00, -3.50, -5.00) to (6.00, 3.50, 0.00) mm");
+  expect_says(mirrored.out, "extent: from (-15.00, -3.50, -5.00) to (6.00, 3.50, 0.00) mm");
 }
 
 TEST(CheckTools, JsonHoldsTheFindings) {

@@ -102,12 +102,12 @@ TEST(Compare, KeepsWhatStandsAndRunsAgainWhatHasChanged) {
 
   const Outcome again = run_program(compare_arguments(die));
   EXPECT_EQ(again.exit_code, 0) << again.err;
-  EXPECT_NE(again.err.find("2 of 2 runs stand already"), std::string::npos) << again.err;
+  EXPECT_NE(again.err.find("2 of 2 runs are already done"), std::string::npos) << again.err;
   EXPECT_EQ(comparison_of(die.out()), before);
 
   die.exchange("duration = \"1 ms\"", "duration = \"2 ms\"");
   const Outcome changed = run_program(compare_arguments(die));
-  EXPECT_NE(changed.err.find("1 of 2 runs stand already"), std::string::npos) << changed.err;
+  EXPECT_NE(changed.err.find("1 of 2 runs are already done"), std::string::npos) << changed.err;
   EXPECT_NEAR(value_in(comparison_of(die.out()), "cycle_time_s", "stays").at("mean").get<double>(), 2e-3,
               1e-12);
   EXPECT_EQ(report_in(die.out() / "quick/seed-1"), quick);  // wall-clock times and all
@@ -137,7 +137,7 @@ TEST(Compare, ARunWhoseTimeIsOverIsNoResultYet) {
   die.exchange("[numerics]", "[numerics]\nmax_time = \"5 ms\"");
   const Outcome outcome = run_program(compare_arguments(die));
   EXPECT_EQ(outcome.exit_code, 1) << outcome.err;
-  EXPECT_NE(outcome.out.find("failed: the scene was not over after numerics.max_time"), std::string::npos)
+  EXPECT_NE(outcome.out.find("failed: the scene had not ended after numerics.max_time"), std::string::npos)
       << outcome.out;
   EXPECT_EQ(comparison_of(die.out()).at("runs").at(0).at("exit_code"), 4);
 }
@@ -171,7 +171,7 @@ TEST(Compare, GoesOnAfterCtrlCAndAfterAKillAndEndsAlike) {
     const Outcome outcome = program.wait();
     if (signal == SIGINT) {
       EXPECT_EQ(outcome.exit_code, 130) << outcome.err;
-      EXPECT_NE(outcome.err.find("the same command goes on"), std::string::npos) << outcome.err;
+      EXPECT_NE(outcome.err.find("run the same command again to continue"), std::string::npos) << outcome.err;
       // Where Ctrl-C came while it was drawing already, it has finished instead.
       EXPECT_TRUE(std::filesystem::exists(die.out() / "quick/seed-1/checkpoint.bin") ||
                   std::filesystem::exists(die.out() / "quick/seed-1/report.json"));
@@ -348,7 +348,7 @@ TEST(Compare, TakesVariantsOfAnyNameAndLosesNothingOfThem) {
   die.exchange("Small die, one passage", "Another title");
   const Outcome again = run_program(command);
   ASSERT_EQ(again.exit_code, 0) << again.err;
-  EXPECT_NE(again.err.find("3 of 3 runs stand already"), std::string::npos) << again.err;
+  EXPECT_NE(again.err.find("3 of 3 runs are already done"), std::string::npos) << again.err;
   EXPECT_EQ(again.err.find("kept"), std::string::npos) << again.err;
   EXPECT_EQ(comparison_of(die.out()).at("title"), "Another title");
   std::size_t k = 0;
@@ -375,7 +375,7 @@ TEST(ExportedJobs, OfAnyNameRunAndAreGathered) {
   die.exchange("duration = \"1 ms\"", "duration = \"4 ms\"");
   const Outcome other = run_program(command);
   EXPECT_EQ(other.exit_code, 0);
-  EXPECT_NE(other.err.find("kept aside: "), std::string::npos) << other.err;
+  EXPECT_NE(other.err.find("were renamed: "), std::string::npos) << other.err;
   const std::string folder = before.at("runs").at(0).at("folder");
   EXPECT_TRUE(std::filesystem::exists(jobs / (folder + "-previous-1") / "results.h5"));
   std::filesystem::remove_all(jobs / before.at("runs").at(1).at("folder").get<std::string>());
@@ -383,7 +383,7 @@ TEST(ExportedJobs, OfAnyNameRunAndAreGathered) {
   EXPECT_EQ(less.exit_code, 1);
   EXPECT_NE(less.out.find("\"comparison.json\", seed 1: not finished: its folder"), std::string::npos)
       << less.out;
-  EXPECT_NE(less.err.find("are kept in"), std::string::npos) << less.err;
+  EXPECT_NE(less.err.find("were moved to"), std::string::npos) << less.err;
   EXPECT_EQ(comparison_of(jobs / "previous-1"), before);
 }
 

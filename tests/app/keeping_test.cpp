@@ -63,7 +63,7 @@ TEST_F(Keeping, ARunAnewKeepsTheEarlierResultsAside) {
   die_.exchange("seed = 1", "seed = 2");
   const Outcome outcome = die_.run({"--quiet"});
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
-  EXPECT_NE(outcome.err.find("is kept in " + (die_.out() / "previous-1").string()), std::string::npos)
+  EXPECT_NE(outcome.err.find("were moved to " + (die_.out() / "previous-1").string()), std::string::npos)
       << outcome.err;
   EXPECT_TRUE(contents(die_.out() / "previous-1/results.h5") == before);
   EXPECT_TRUE(fs::exists(die_.out() / "previous-1/report.json"));
@@ -91,7 +91,7 @@ TEST_F(Keeping, AFinishedRunSaysSoWhenItIsToGoOn) {
   const Outcome other = die_.run({"--quiet", "--resume"});
   EXPECT_EQ(other.exit_code, 2);
   EXPECT_EQ(other.complaints(), 1U) << other.err;
-  EXPECT_NE(other.err.find("another scene"), std::string::npos) << other.err;
+  EXPECT_NE(other.err.find("a different scene"), std::string::npos) << other.err;
   EXPECT_EQ(contents(die_.out() / "report.json"), before);
 }
 

@@ -124,7 +124,7 @@ TEST_F(EveryPicture, IsMadeWithoutADisplay) {
     const Outcome outcome = map({"--picture", kind, "--pdf"});
     if (kind.starts_with("size-")) {  // of powders of several sizes only: Sizes.RunMeasureAndDraw
       EXPECT_EQ(outcome.exit_code, 2);
-      EXPECT_NE(outcome.err.find("all grains are of one size"), std::string::npos) << outcome.err;
+      EXPECT_NE(outcome.err.find("all grains have one size"), std::string::npos) << outcome.err;
       continue;
     }
     EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
@@ -197,7 +197,7 @@ TEST_F(EveryPicture, OfThePressureSaysWhatOlderResultsLack) {
   results::write_results(one(), older);
   const Outcome outcome = map({"--picture", "pressure"});
   EXPECT_EQ(outcome.exit_code, 2);
-  EXPECT_NE(outcome.err.find("hold no contact stress"), std::string::npos) << outcome.err;
+  EXPECT_NE(outcome.err.find("contain no contact stress"), std::string::npos) << outcome.err;
 }
 
 TEST_F(EveryPicture, OverTimeTakesAllInstantsBetween) {
@@ -232,10 +232,10 @@ TEST_F(EveryPicture, WrongWordsAreExplainedInOneLine) {
       {{"--picture", "hystogram"}, "did you mean \"histogram\"?"},
       {{"--picture", "section", "--normal", "0,0,0"}, "three numbers not all 0"},
       {{"--picture", "view", "--camera", "behind"}, "azimuth and elevation"},
-      {{"--picture", "difference", "--from", "9 s"}, "the results hold 2 from 0.1 s to 0.2 s"},
+      {{"--picture", "difference", "--from", "9 s"}, "the results contain 2 from 0.1 s to 0.2 s"},
       {{"--picture", "displacement", "--from", "0.2 s", "--to", "0.1 s"}, "must come before"},
-      {{"--picture", "map", "--range", "0.4", "0.3"}, "must be below"},
-      {{"--picture", "view", "--time-average"}, "shows one instant; possible are map plan-map section"},
+      {{"--picture", "map", "--range", "0.4", "0.3"}, "must be less than"},
+      {{"--picture", "view", "--time-average"}, "shows one instant; allowed: map plan-map section"},
       {{"--picture", "map", "--time-average", "--from", "0.25 s"}, "at least two instants"},
   };
   for (const auto& [arguments, expected] : wrong) {

@@ -10,7 +10,7 @@ TEST(Powders, AreListedWithUseAndLimitsThoseThatFillDiesFirst) {
   const Outcome text = run_program({"powders"});
   EXPECT_EQ(text.exit_code, 0);
   EXPECT_LT(text.out.find("Distaloy AE"), text.out.find("ASC100.29 D2"));
-  EXPECT_NE(text.out.find("come to rest as towers"), std::string::npos);
+  EXPECT_NE(text.out.find("settle into towers"), std::string::npos);
   EXPECT_NE(text.out.find("apparent density 3 g/cm3"), std::string::npos);
   const Outcome outcome = run_program({"powders", "--json"});
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
@@ -36,7 +36,7 @@ TEST(Powders, ThatStandInTowersAreNeverSuggestedFirstAndWarnedOf) {
   die.exchange("preset = \"ASC100.29\"", "preset = \"ASC100.29 A1\"");
   const Outcome towers = die.check();
   EXPECT_EQ(towers.exit_code, 0) << towers.err;
-  EXPECT_NE(towers.out.find("come to rest as towers"), std::string::npos) << towers.out;
+  EXPECT_NE(towers.out.find("settle into towers"), std::string::npos) << towers.out;
 }
 
 TEST(Powders, GiveMassesInGramsAndAVerdict) {

@@ -55,15 +55,15 @@ gain = )" + gain + "\n");
 TEST(ValidRange, AGainTenTimesTooHighStopsTheRun) {
   const SmallDie die;
   press(die, "300");  // 20 still holds the force
-  expect_stop(die, {"force control of piston rings", "STABILITY.md, force-controlled pistons",
-                    "lower gain (now 300)"});
+  expect_stop(die, {"force control of piston is unstable", "STABILITY.md, force-controlled pistons",
+                    "reduce gain (now 300)"});
 }
 
 TEST(ValidRange, AWallWithHolesStopsTheRun) {
   const SmallDie die;
   die.exchange("sphere_radius = \"0.25 mm\"", "sphere_radius = \"0.25 mm\"\nspacing = 4.0");
   die.exchange("reduced_modulus = \"3 MPa\"", "reduced_modulus = \"0.1 MPa\"");
-  expect_stop(die, {"it went through the wall"});
+  expect_stop(die, {"it passed through the wall"});
 }
 
 /// The pocket without its floor, full of powder, and a slide that closes it from below while powder runs out.
@@ -89,8 +89,8 @@ TEST(ValidRange, PowderThatRunsOutBeneathTheCavityIsSpokenOf) {
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
   const nlohmann::json report = die.report();
   EXPECT_GT(report.at("grains_left").get<double>(), 0);
-  EXPECT_NE(outcome.err.find("ran out beneath the cavity"), std::string::npos) << outcome.err;
-  EXPECT_NE(report["warnings"].dump().find("ran out beneath the cavity"), std::string::npos)
+  EXPECT_NE(outcome.err.find("leaked out below the cavity"), std::string::npos) << outcome.err;
+  EXPECT_NE(report["warnings"].dump().find("leaked out below the cavity"), std::string::npos)
       << report["warnings"].dump();
 }
 

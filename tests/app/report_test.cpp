@@ -45,9 +45,9 @@ TEST(Report, TellsAllAboutARunInOnePageThatNeedsNothingElse) {
             std::string::npos);
   for (const char* title :
        {"Results", "Warnings", "Maps and pictures", "Strategy", "Tooling", "Powder and model",
-        "What was left out", "Stability margins", "Size and speed of the computation", "Versions", "Scene"})
+        "Approximations", "Stability margins", "Size and speed of the computation", "Versions", "Scene"})
     EXPECT_NE(page.find(std::string(">").append(title).append("</h2>")), std::string::npos) << title;
-  EXPECT_EQ(page.find("did not store"), std::string::npos);
+  EXPECT_EQ(page.find("without this information"), std::string::npos);
 
   for (const auto& [name, value] : results::read_results(die.out()).figures)
     EXPECT_NE(results::find_figure(name), nullptr) << name;
@@ -57,7 +57,7 @@ TEST(Report, TellsAllAboutARunInOnePageThatNeedsNothingElse) {
     EXPECT_NEAR(std::stod(cell(page, name)), value, std::abs(value) * digits) << name;
   };
   expect_number("Filled mass of model powder", 1e3 * report.at("filled_mass_kg").get<double>(), 1e-3);
-  EXPECT_TRUE(cell(page, "Mean solid fraction").starts_with("not given: "))
+  EXPECT_TRUE(cell(page, "Mean solid fraction").starts_with("no value: "))
       << cell(page, "Mean solid fraction");
   expect_number("Solid fraction of the cavity: all powder in it over its volume",
                 report.at("cavity_solid_fraction").get<double>(), 1e-2);
@@ -128,9 +128,9 @@ TEST(Report, SaysInOneLineWhatIsWrongWithADirectory) {
   expect_refused({"report", die.folder().string()}, "not an HDF5 file");
   std::filesystem::remove(die.folder() / "results.h5");
   die.write("comparison.json", "{}");
-  expect_refused({"report", die.folder().string()}, "no comparison written by diefill");
+  expect_refused({"report", die.folder().string()}, "not a comparison written by diefill");
   die.write("comparison.json", "{\"runs\": []}");
-  expect_refused({"report", die.folder().string()}, "a comparison without any results");
+  expect_refused({"report", die.folder().string()}, "the comparison has no results");
 }
 
 }  // namespace

@@ -66,7 +66,7 @@ TEST(Resume, EndsAsTheUnbrokenRunAfterStopsAndKills) {
   const Outcome stopped = interrupted_while_falling(die);
   EXPECT_EQ(stopped.exit_code, 130) << stopped.err;
   EXPECT_NE(stopped.err.find("diefill: stopped at t = 0."), std::string::npos) << stopped.err;
-  EXPECT_NE(stopped.err.find("the same command with --resume goes on"), std::string::npos);
+  EXPECT_NE(stopped.err.find("run the same command with --resume to continue"), std::string::npos);
   EXPECT_EQ(SmallDie::files_in(die.out()), std::vector<std::string>{"checkpoint.bin"});
 
   for (const int milliseconds : {0, 80, 300}) {  // killed right after a checkpoint was written, and later
@@ -154,10 +154,10 @@ TEST(Resume, RefusesADamagedOrForeignCheckpoint) {
   flipped[good.size() / 2] = static_cast<char>(flipped[good.size() / 2] ^ 4);
   EXPECT_NE(refusal(flipped).find("damaged"), std::string::npos);
   EXPECT_NE(refusal(good.substr(0, good.size() - 1)).find("damaged"), std::string::npos);
-  EXPECT_NE(refusal("not a checkpoint at all").find("no checkpoint"), std::string::npos);
+  EXPECT_NE(refusal("not a checkpoint at all").find("is not a checkpoint"), std::string::npos);
   refusal("");
   die.exchange("seed = 1", "seed = 2");
-  EXPECT_NE(refusal(good).find("belongs to another scene"), std::string::npos);
+  EXPECT_NE(refusal(good).find("belongs to a different scene"), std::string::npos);
 }
 
 TEST(Resume, RefusesACheckpointOfOtherCadFiles) {
@@ -167,7 +167,7 @@ TEST(Resume, RefusesACheckpointOfOtherCadFiles) {
                                                               cad::rectangle(-5, -1, -2, 2), -5, -3.9, 0)));
   const Outcome outcome = die.run({"--resume"});
   EXPECT_EQ(outcome.exit_code, 2);
-  EXPECT_NE(outcome.err.find("other CAD files"), std::string::npos) << outcome.err;
+  EXPECT_NE(outcome.err.find("different CAD files"), std::string::npos) << outcome.err;
 }
 
 }  // namespace

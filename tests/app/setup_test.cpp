@@ -24,8 +24,8 @@ TEST(ToolPaths, AShoeThatGoesThroughTheDieIsRefusedWithTimeAndPlace) {
   die.exchange_passage(
       "[[step]]\nkind = \"move\"\ntool = \"shoe\"\ndirection = \"-z\"\ndistance = \"3 mm\"\nvelocity = \"0.1 "
       "m/s\"\n");
-  expect_refused(die, "tool \"shoe\" passes into tool \"die\" 0.0");
-  expect_says(die.check().err, "and gets 1.5 mm deep; change the way, or move one of the tools");
+  expect_refused(die, "tool \"shoe\" penetrates tool \"die\" 0.0");
+  expect_says(die.check().err, "up to 1.5 mm deep; change the motion or move one of the tools");
   const auto png = die.folder() / "findings.png";
   EXPECT_EQ(run_program({"check", die.scene().string(), "--picture", png.string()}).exit_code, 2);
   EXPECT_EQ(contents(png).substr(1, 3), "PNG");
@@ -63,7 +63,7 @@ TEST(Setup, PowderPouredBesideTheShoeIsTold) {
   const std::string end = run.out.substr(run.out.find("results in"));
   expect_says(end, "WARNING\n  ! 100 % of the pour box");
   expect_says(end, "left the tools");
-  expect_says(end, "of the powder that fills it");
+  expect_says(end, "of the powder that would fill it");
   const auto report = die.report();
   EXPECT_GT(report.at("grains_left_share"), 0.02);
   expect_says(report.at("warnings").dump(), "left the tools");
@@ -110,27 +110,27 @@ TEST(FineWalls, AreRemarkedOnFromATwelfthOfTheGrainsRadiusOn) {
 TEST(Setup, AShoeAboveTheDieIsTold) {
   const SmallDie die;
   die.exchange(kShoePlace, "[\"3 mm\", \"0 mm\", \"3 mm\"]");
-  expect_says(die.check().out, "shoe \"shoe\" hangs 3 mm above the fill plane");
+  expect_says(die.check().out, "shoe \"shoe\" is 3 mm above the fill plane");
 }
 
 TEST(Setup, AShoeNarrowerThanTheCavityIsTold) {
   const SmallDie die;
   die.write("die.stl", cad::binary_stl(cad::block_with_pocket(cad::rectangle(-15, 6, -3.5, 3.5),
                                                               cad::rectangle(-5, -1, -3, 3), -5, -4, 0)));
-  expect_says(die.check().out, "the opening of shoe \"shoe\" never comes over part of the cavity");
+  expect_says(die.check().out, "the opening of shoe \"shoe\" never passes over part of the cavity");
 }
 
 TEST(Setup, AWayThatEndsBeforeTheCavityIsTold) {
   const SmallDie die;
   die.exchange("velocity = \"0.1 m/s\"", "velocity = \"0.1 m/s\"\ntravel = \"0.5 mm\"");
-  expect_says(die.check().out, "the opening of shoe \"shoe\" never comes over the cavity");
+  expect_says(die.check().out, "the opening of shoe \"shoe\" never passes over the cavity");
 }
 
 TEST(Setup, APunchBesideTheCavityIsTold) {
   const SmallDie die;
   die.add_tool("punch", "punch", cad::prism(cad::rectangle(0, 2, 0, 2), -9, -6),
                "[\"1 mm\", \"0 mm\", \"0 mm\"]");
-  expect_says(die.check().out, "punch \"punch\" stands beside the cavity");
+  expect_says(die.check().out, "punch \"punch\" is beside the cavity");
 }
 
 /// A die whose hole goes through, and what else closes it.
@@ -148,18 +148,18 @@ cad::Part punch_to(double top) {
 
 TEST(NoCavity, ForWantOfAPunch) {
   const ThroughDie die;
-  expect_refused(die,
-                 "found no cavity below the fill plane to pass over: nothing closes the die from below: its "
-                 "hole of 4 x 4 mm goes through, and no tool is a punch");
+  expect_refused(
+      die,
+      "found no cavity below the fill plane to pass over: nothing closes the die from below: it has a "
+      "through hole of 4 x 4 mm, and no tool is a punch");
 }
 
 TEST(NoCavity, WithAPunchTooLow) {
   const ThroughDie die;
   die.add_tool("punch", "punch", punch_to(-7), "[\"0 mm\", \"0 mm\", \"0 mm\"]");
-  expect_refused(
-      die,
-      "punch \"punch\" is too low: its top is at z = -7 mm, 2 mm below the die, which stands at z = "
-      "-5 to 0 mm");
+  expect_refused(die,
+                 "punch \"punch\" is too low: its top is at z = -7 mm, 2 mm below the die, which is at z = "
+                 "-5 to 0 mm");
 }
 
 TEST(NoCavity, WithAPunchInInches) {
@@ -179,7 +179,7 @@ TEST(NoCavity, WithAPunchInInches) {
 TEST(NoCavity, InMachineCoordinates) {
   const SmallDie die;
   die.exchange("[measure]\n", "[measure]\nfill_plane = \"200 mm\"\n");
-  expect_refused(die, "measure.fill_plane is 200 mm, but die \"die\" stands at z = -5 to 0 mm");
+  expect_refused(die, "measure.fill_plane is 200 mm, but die \"die\" is at z = -5 to 0 mm");
 }
 
 cad::Part turned(cad::Part part, bool upside_down) {
@@ -195,9 +195,9 @@ cad::Part turned(cad::Part part, bool upside_down) {
 TEST(NoCavity, WithAnotherAxisUp) {
   const SmallDie die;
   die.write("die.stl", cad::binary_stl(cad::moved(turned(small_die(), false), {0, 0, -3.5})));
-  expect_refused(die, "drawn with y up: turned by 90 deg about x there is a cavity");
+  expect_refused(die, "drawn with y up: a rotation by 90 deg about x gives a cavity");
   die.write("die.stl", cad::binary_stl(cad::moved(turned(small_die(), true), {0, 0, -5})));
-  expect_refused(die, "drawn upside down: turned by 180 deg about x there is a cavity");
+  expect_refused(die, "drawn upside down: a rotation by 180 deg about x gives a cavity");
 }
 
 }  // namespace

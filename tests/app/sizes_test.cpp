@@ -97,7 +97,7 @@ TEST(Sizes, AreRefusedWhereOneSizeIsChosen) {
   const Outcome outcome = run_program({"check", die.scene().string(), "--setting", "quick"});
   EXPECT_EQ(outcome.exit_code, 2);
   EXPECT_NE(outcome.err.find("[powder.sizes]: found 3 classes from 0.8 mm to 1.25 mm, shares by mass, but "
-                             "setting \"quick\" gives all grains one size"),
+                             "setting \"quick\" uses one size for all grains"),
             std::string::npos)
       << outcome.err;
   EXPECT_EQ(run_program({"plan", die.scene().string(), "--no-benchmark"}).exit_code, 0);

@@ -66,7 +66,7 @@ TEST(Tradeoff, ChartsCostsAndErrorsOfEverySetting) {
   for (const char* picture : {"tradeoff.png", "knob_grain_diameter.png", "knob_time_step.png"})
     EXPECT_EQ(contents(die.out() / picture).substr(0, 8), "\x89PNG\r\n\x1a\n") << picture;
   EXPECT_EQ(contents(die.out() / "tradeoff.csv").substr(0, 27), "setting,state,seeds,core_se");
-  EXPECT_NE(outcome.out.find("take this one"), std::string::npos) << outcome.out;
+  EXPECT_NE(outcome.out.find("recommended"), std::string::npos) << outcome.out;
 }
 
 TEST(Tradeoff, KeepsWhatStandsAndRunsOnlyWhatIsNew) {
@@ -75,12 +75,12 @@ TEST(Tradeoff, KeepsWhatStandsAndRunsOnlyWhatIsNew) {
   ASSERT_EQ(run_program(first).exit_code, 0);
   const std::string csv = contents(die.out() / "tradeoff.csv");
   const Outcome again = run_program(first);
-  EXPECT_NE(again.err.find("2 of 2 runs stand already"), std::string::npos) << again.err;
+  EXPECT_NE(again.err.find("2 of 2 runs are already done"), std::string::npos) << again.err;
   EXPECT_EQ(contents(die.out() / "tradeoff.csv"), csv);  // measured costs and all
   const Outcome more =
       run_program(arguments_for(die, {"--vary", "grain_diameter=1.5 mm,1.8 mm", "--seeds", "1"}));
   EXPECT_EQ(more.exit_code, 0) << more.err;
-  EXPECT_NE(more.err.find("2 of 3 runs stand already"), std::string::npos) << more.err;
+  EXPECT_NE(more.err.find("2 of 3 runs are already done"), std::string::npos) << more.err;
   EXPECT_NE(more.out.find("one seed each"), std::string::npos) << more.out;
 }
 
@@ -95,7 +95,7 @@ TEST(Tradeoff, GoesOnAfterCtrlCAndAfterAKill) {
     const Outcome outcome = program.wait();
     if (signal == SIGINT) {
       EXPECT_EQ(outcome.exit_code, 130) << outcome.err;
-      EXPECT_NE(outcome.err.find("the same command goes on"), std::string::npos) << outcome.err;
+      EXPECT_NE(outcome.err.find("run the same command again to continue"), std::string::npos) << outcome.err;
     }
   }
   const Outcome last = run_program(arguments);
@@ -111,7 +111,7 @@ TEST(Tradeoff, StopsWhereTheBudgetEndsAndSaysWhatIsMissing) {
   EXPECT_EQ(outcome.exit_code, 1) << outcome.err;
   EXPECT_NE(outcome.out.find("2 runs did not fit the budget of 0.0001 core minutes"), std::string::npos)
       << outcome.out;
-  EXPECT_NE(outcome.out.find("no result at all of \"base\", \"grain_diameter=1.5 mm\""), std::string::npos)
+  EXPECT_NE(outcome.out.find("no results for \"base\", \"grain_diameter=1.5 mm\""), std::string::npos)
       << outcome.out;
   const Outcome enough =
       run_program(arguments_for(die, {"--vary", "grain_diameter=1.5 mm", "--seeds", "1", "--budget", "100"}));

@@ -65,7 +65,7 @@ std::vector<WrongTool> wrong_files() {
   return {
       {"missing",
        [](const SmallDie& die) { std::filesystem::remove(die.folder() / "die.stl"); },
-       {"scene.toml:16:8: tool.file", "found \"die.stl\"", "there is no file"}},
+       {"scene.toml:16:8: tool.file", "found \"die.stl\"", "no such file"}},
       {"empty", with_file("die.stl", ""), {"die.stl"}},
       {"letter_called_stl",
        with_file("die.stl", "Dear Sir,\nenclosed is the drawing of the die.\n"),
@@ -99,7 +99,7 @@ std::vector<WrongTool> wrong_meshes() {
        {"tool \"die\"", "open edges", "not repaired: a hole of", "may be an opening"}},
       {"part_that_is_not_there",
        with_scene(kDieFile, kDieFile + "\npart = \"dye\""),
-       {"tool \"die\"", "has no part \"dye\": it holds \"", "write one of these names"}},
+       {"tool \"die\"", "has no part \"dye\": it contains \"", "use one of these names"}},
       {"thinner_than_wall_spheres",
        with_file("shoe.stl", cad::binary_stl(thin_shoe())),
        {"scene.toml:19: tool \"shoe\"", "0.3 mm thick", "wall sphere of 0.5 mm"}},
@@ -142,7 +142,7 @@ std::vector<WrongTool> wrong_arrangements() {
        {"no die or plate to pour powder on"}},
       {"period_across_a_pocket",
        with_scene(kNumerics, "[numerics]\nperiodic = { y = \"5 mm\" }"),
-       {"tool \"die\"", "not the same all along y"}},
+       {"tool \"die\"", "not uniform along y"}},
       {"period_longer_than_the_die",
        with_scene(kNumerics, "[numerics]\nperiodic = { y = \"9 mm\" }"),
        {"tool \"die\"", "shorter along y than the period"}},
@@ -154,7 +154,7 @@ std::vector<WrongTool> wrong_arrangements() {
        {"scene.toml:26: pour", "narrower than a grain"}},
       {"not_even_one_grain",
        with_scene("fill_height = \"5 mm\"", "fill_height = \"1 um\""),
-       {"scene.toml:26: pour.fill_height", "not even one grain"}},
+       {"scene.toml:26: pour.fill_height", "does not hold a single grain"}},
   };
 }
 

@@ -70,7 +70,7 @@ CadParts read_in_child(const std::function<CadParts()>& read, const ChildLimits&
   } catch (const std::exception& error) {
     throw std::runtime_error(error.what());
   } catch (...) {
-    throw std::runtime_error("the importer gave up without a word");
+    throw std::runtime_error("the importer failed without a message");
   }
 }
 

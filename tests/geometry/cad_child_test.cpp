@@ -38,8 +38,8 @@ TEST(CadChild, HandsOnWhatWasRead) {
 }
 
 TEST(CadChild, PassesReasonsOn) {
-  EXPECT_EQ(reason_of([]() -> CadParts { throw std::runtime_error("it holds no surface"); }),
-            "it holds no surface");
+  EXPECT_EQ(reason_of([]() -> CadParts { throw std::runtime_error("it contains no surface"); }),
+            "it contains no surface");
 }
 
 TEST(CadChild, SurvivesACrash) {
@@ -57,7 +57,7 @@ TEST(CadChild, EndsOneThatTakesTooLong) {
     std::raise(SIGXCPU);  // as the kernel does when the processor time is used up
     return {};
   });
-  EXPECT_NE(reason.find("does not come to an end"), std::string::npos) << reason;
+  EXPECT_NE(reason.find("does not terminate"), std::string::npos) << reason;
 }
 
 TEST(CadChild, EndsOneThatUsesUpItsSeconds) {
@@ -73,7 +73,7 @@ TEST(CadChild, EndsOneThatUsesUpItsSeconds) {
   } catch (const std::runtime_error& error) {
     reason = error.what();
   }
-  EXPECT_NE(reason.find("does not come to an end"), std::string::npos) << reason;
+  EXPECT_NE(reason.find("does not terminate"), std::string::npos) << reason;
 }
 
 TEST(CadChild, EndsOneThatWaitsForEver) {
@@ -87,7 +87,7 @@ TEST(CadChild, EndsOneThatWaitsForEver) {
   } catch (const std::runtime_error& error) {
     reason = error.what();
   }
-  EXPECT_NE(reason.find("does not come to an end"), std::string::npos) << reason;
+  EXPECT_NE(reason.find("does not terminate"), std::string::npos) << reason;
 }
 
 #ifndef __SANITIZE_ADDRESS__  // the sanitizers leave no limit on memory

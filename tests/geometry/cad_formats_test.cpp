@@ -78,7 +78,7 @@ TEST(CadFormats, AUnitThatContradictsTheFileIsRefused) {
       ADD_FAILURE() << "accepted";
     } catch (const MeshError& error) {
       EXPECT_NE(std::string(error.what()).find("states its unit, "), std::string::npos) << error.what();
-      EXPECT_NE(std::string(error.what()).find("but um is asked for"), std::string::npos) << error.what();
+      EXPECT_NE(std::string(error.what()).find("but um is given"), std::string::npos) << error.what();
     }
   }
 }
@@ -111,7 +111,7 @@ TEST(CadFormats, PartsArePickedByName) {
       ADD_FAILURE() << "accepted";
     } catch (const UnknownPart& error) {
       EXPECT_EQ(error.known, punch.parts);
-      EXPECT_NE(std::string(error.what()).find("has no part \"punsh\": it holds \"die\", \"punch\""),
+      EXPECT_NE(std::string(error.what()).find("has no part \"punsh\": it contains \"die\", \"punch\""),
                 std::string::npos)
           << error.what();
     }
@@ -131,8 +131,8 @@ TEST(CadFormats, PartsOfOneNameHaveToBeToldApart) {
     ADD_FAILURE() << "accepted";
   } catch (const MeshError& error) {
     EXPECT_NE(std::string(error.what())
-                  .find("part \"pin\" is there more than once: \"pin (1)\" round (0.50, 0.50, 0.50) mm, "
-                        "\"pin (2)\" round (21.00, 0.50, 0.50) mm"),
+                  .find("part \"pin\" occurs more than once: \"pin (1)\" around (0.50, 0.50, 0.50) mm, "
+                        "\"pin (2)\" around (21.00, 0.50, 0.50) mm"),
               std::string::npos)
         << error.what();
   }

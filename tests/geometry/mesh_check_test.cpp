@@ -124,10 +124,10 @@ TEST(MeshCheck, NeverThrowsForNonsense) {
   EXPECT_EQ(check_mesh(Mesh{}).in_words().size(), 1U);
   Mesh mesh = unit_box();
   mesh.vertices[2].x() = std::numeric_limits<double>::quiet_NaN();
-  expect_words(check_mesh(mesh), "impossible corner");
+  expect_words(check_mesh(mesh), "invalid corner");
   mesh = unit_box();
   mesh.triangles[0][1] = 99;
-  expect_words(check_mesh(mesh), "1 triangle with an impossible corner");
+  expect_words(check_mesh(mesh), "1 triangle with an invalid corner");
   mesh = unit_box();
   for (Eigen::Vector3d& vertex : mesh.vertices) vertex.setZero();
   EXPECT_FALSE(check_mesh(mesh).usable());

@@ -75,11 +75,11 @@ TEST(MeshImport, SaysWhatIsWrongWithAFile) {
   expect_error(directory.path() / "missing.stl", "does not exist");
   expect_error(directory.path(), "is a directory");
   expect_error(directory.write("empty.stl", ""), "is empty");
-  expect_error(directory.write("part.sldprt", "anything"), "unknown format 'sldprt'");
-  expect_error(directory.write("noextension", box), "unknown format ''");
+  expect_error(directory.write("part.sldprt", "anything"), "unsupported format 'sldprt'");
+  expect_error(directory.write("noextension", box), "unsupported format ''");
   expect_error(directory.write("short.stl", box.substr(0, box.size() - 7)),
-               "promises 12 triangles (684 bytes)");
-  expect_error(directory.write("header.stl", box.substr(0, 40) + std::string("\0", 1)), "cut short");
+               "announces 12 triangles (684 bytes)");
+  expect_error(directory.write("header.stl", box.substr(0, 40) + std::string("\0", 1)), "truncated");
   expect_error(directory.write("cut_text.stl", text.substr(0, text.size() / 2)), "endsolid");
   expect_error(directory.write("none.stl", box.substr(0, 80) + std::string(4, '\0')), "none.stl");
   expect_error(directory.write("points.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\n"), "points.obj");
@@ -105,11 +105,11 @@ TEST(MeshImport, TakesRegularFilesAlone) {
   const auto pipe = directory.path() / "pipe.stl", device = directory.path() / "zero.stl";
   ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
   std::filesystem::create_symlink("/dev/zero", device);
-  expect_error(pipe, "is a pipe: name a regular file");
-  expect_error(device, "is a device: name a regular file");
+  expect_error(pipe, "is a pipe: give a regular file");
+  expect_error(device, "is a device: give a regular file");
   const auto large = directory.write("large.stl", "solid");
   std::filesystem::resize_file(large, std::uintmax_t{3} << 30);
-  expect_error(large, "has 3072 MiB, up to 1024 MiB are read");
+  expect_error(large, "has 3072 MiB, allowed: up to 1024 MiB");
   expect_error(directory.write("wide.stl", "\xff\xfes\0o\0"), "UTF-16");
 }
 
@@ -118,7 +118,7 @@ TEST(MeshImport, SaysThatDigitsAreLostFarFromTheOrigin) {
   const auto file = [&](const std::string& name, double x) {
     return directory.write(name, sample::binary_stl(sample::box({x, 0, 0}, {x + 80, 20, 20})));
   };
-  expect_error(file("georeferenced.stl", 7.5e6), "digits of its shape are lost");
+  expect_error(file("georeferenced.stl", 7.5e6), "distorts its shape");
   ImportOptions options;
   options.metres_per_unit = 1e-3;
   EXPECT_EQ(import_part(file("machine.stl", 9000), options).remarks.size(), 1U);

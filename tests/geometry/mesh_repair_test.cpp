@@ -82,17 +82,17 @@ TEST(MeshRepair, RefusesToCloseWhatMayBeAnOpening) {
 TEST(MeshRepair, TurnsFlippedTriangles) {
   Mesh mesh = tube();
   for (const std::size_t t : {3U, 4U, 100U}) std::swap(mesh.triangles[t][0], mesh.triangles[t][1]);
-  expect_repaired(mesh, tube().volume(), "neighbours agree about outside");
+  expect_repaired(mesh, tube().volume(), "neighbours agree on the outside");
 }
 
 TEST(MeshRepair, TurnsAMeshRightSideOut) {
-  expect_repaired(sample::inside_out(tube()), tube().volume(), "right side out");
+  expect_repaired(sample::inside_out(tube()), tube().volume(), "point outward");
 }
 
 TEST(MeshRepair, TurnsOneOfTwoShells) {
   const Mesh far = sample::box({0.03, 0, 0}, {0.04, 0.01, 0.01});
   expect_repaired(sample::joined(tube(), sample::inside_out(far)), tube().volume() + far.volume(),
-                  "1 shell turned round");
+                  "1 shell reversed");
 }
 
 TEST(MeshRepair, WeldsCornersThatHardlyMiss) {
@@ -157,7 +157,7 @@ TEST(MeshRepair, UnitesBoxesWhoseSharedFacesAreCutUpOtherwise) {
   const RepairedMesh step = repaired(sample::joined(one, higher));
   ASSERT_TRUE(step.findings.usable()) << testing::PrintToString(step.refused);
   EXPECT_NEAR(step.mesh.volume(), 3e-6, 1e-11);
-  expect_repaired(sample::inside_out(soup_of(sample::joined(one, other))), 2e-6, "right side out");
+  expect_repaired(sample::inside_out(soup_of(sample::joined(one, other))), 2e-6, "point outward");
 }
 
 TEST(MeshRepair, WrapsOnlyWhenAllowedAndStatesTheDeviation) {

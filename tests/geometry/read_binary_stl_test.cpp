@@ -53,7 +53,7 @@ TEST(BinaryStl, RemarksOnBytesLeftOver) {
   ASSERT_TRUE(is_binary_stl(bytes + "x"));
   const CadParts contents = read_binary_stl(bytes + "xyz");
   EXPECT_EQ(contents.parts[0].mesh.triangles.size(), 12U);
-  EXPECT_EQ(contents.remarks, std::vector<std::string>{"3 bytes behind the last triangle not read"});
+  EXPECT_EQ(contents.remarks, std::vector<std::string>{"3 bytes after the last triangle ignored"});
   EXPECT_TRUE(read_binary_stl(bytes).remarks.empty());
 }
 

@@ -36,7 +36,7 @@ TEST(FindSymmetry, TellsAPolygonFromACircle) {
   const Symmetry six = find_symmetry(SolidQuery(hexagon), 1e-6);
   EXPECT_NE(six.in_words().find("6-fold about z"), std::string::npos) << six.in_words();
   const Symmetry round = find_symmetry(SolidQuery(sample::cylinder(8e-3, 5e-3, 500)), 1e-6);
-  EXPECT_NE(round.in_words().find("round about z"), std::string::npos) << round.in_words();
+  EXPECT_NE(round.in_words().find("axisymmetric about z"), std::string::npos) << round.in_words();
 }
 
 TEST(FindSymmetry, CountsThePolygonThatStandsForACircle) {

@@ -100,7 +100,7 @@ TEST(JobFolders, SayWhichResultsAreInTheListNoMore) {
   jobs.finish(jobs.write_jobs_of(faultless_scene() + kVariants, 3));
   const auto list = jobs.write_jobs_of(faultless_scene() + "\n[[variant]]\nname = \"quick\"\n", 2);
   EXPECT_EQ(list.jobs.size(), 2U);
-  EXPECT_NE(jobs.said.find("in the list no more and stay where they are: "), std::string::npos) << jobs.said;
+  EXPECT_NE(jobs.said.find("no longer in the list and were left in place: "), std::string::npos) << jobs.said;
   EXPECT_NE(jobs.said.find("quick/seed-3"), std::string::npos) << jobs.said;
   EXPECT_EQ(contents(jobs.out() / "quick/seed-3/results.h5"), "quick/seed-3");
 }
@@ -116,7 +116,7 @@ TEST(JobFolders, KeepAListThatCannotBeRead) {
     EXPECT_THROW(results::read_job_list(jobs.out()), results::ResultError) << damaged;
   }
   jobs.write_jobs_of(faultless_scene());
-  EXPECT_NE(jobs.said.find("it is kept as jobs.json-previous-1"), std::string::npos) << jobs.said;
+  EXPECT_NE(jobs.said.find("it was renamed to jobs.json-previous-1"), std::string::npos) << jobs.said;
   EXPECT_EQ(results::read_job_list(jobs.out()).jobs.size(), 1U);
 }
 

@@ -35,21 +35,21 @@ TEST(ForeseenWork, StepsWithoutEndAreCounted) {
   for (const char* key :
        {"time_step_fraction = 1e-300", "time_step = \"1e-300 s\"", "time_step_fraction = 1e-9"})
     expect_parts(complaint("max_time = \"5 s\"", std::string("max_time = \"5 s\"\n") + key),
-                 {"scene.toml: ", " s of powder time in time steps of ", " steps, 1e+10 at most are allowed",
-                  "take a longer time step (numerics.time_step_fraction"});
+                 {"scene.toml: ", " s of simulated time in time steps of ", " steps, allowed: at most 1e+10",
+                  "use a longer time step (numerics.time_step_fraction"});
 }
 
 TEST(ForeseenWork, GrainsThatNoMemoryHoldsAreCounted) {
   const std::string message = complaint("1.88 mm\"\n\n[walls]\nsphere_radius = \"0.15 mm\"\nspacing = 1.6",
                                         "0.047 mm\"\n\n[walls]\nspacing = 1.4");
-  expect_parts(message, {" grains of 0.04704 mm (", " spheres) would take about ", " GB of memory, and ",
-                         " GB are there; take grains of 0.", " mm or more (powder.grain_diameter)"});
+  expect_parts(message, {" grains of 0.04704 mm (", " spheres) would need about ", " GB of memory, but only ",
+                         " GB are available; use grains of 0.", " mm or more (powder.grain_diameter)"});
 }
 
 TEST(ForeseenWork, SnapshotsWithoutEndAreCounted) {
-  expect_parts(complaint("[measure]", "[[snapshot]]\nname = \"s\"\nevery = \"1e-9 s\"\n[measure]"),
-               {"snapshot \"s\": every 1e-09 s of 0.25 s are 2.5e+08 folders",
-                "1e+04 at most are allowed; give a longer time"});
+  expect_parts(
+      complaint("[measure]", "[[snapshot]]\nname = \"s\"\nevery = \"1e-9 s\"\n[measure]"),
+      {"snapshot \"s\": every 1e-09 s of 0.25 s are 2.5e+08 folders", "allowed: at most 1e+04; raise every"});
 }
 
 /// What is said of a face of 0.24 m^2 that powder reaches all of, covered with spheres of `radius` (mm).

@@ -36,7 +36,7 @@ TEST(LeakWatch, WarnsFromAThousandthOfThePowderOn) {
   leave(watch, {0.005, 0.005, -0.03}, 1);
   const auto warning = watch.warning(10000);
   ASSERT_TRUE(warning);
-  EXPECT_NE(warning->find("11 of 10000 grains ran out beneath the cavity"), std::string::npos) << *warning;
+  EXPECT_NE(warning->find("11 of 10000 grains leaked out below the cavity"), std::string::npos) << *warning;
 }
 
 TEST(LeakWatch, HasNewsOnce) {

@@ -241,9 +241,9 @@ TEST_F(TableFile, SaysWhatIsWrongAndWhere) {
   expect("time s, x mm\n0, 0\n1, abc\n", "motion.csv:3: found \"abc\"");
   expect("time s, x kg\n0, 0\n1, 1\n", "\"kg\" is not a unit of length");
   expect("time s, speed\n0, 0\n", "found column \"speed\"");
-  expect("x mm\n0\n", "no column time");
-  expect("time s, x mm\n0, 0\n0, 1\n", "times must rise");
-  expect("time s, x mm\n0, 1\n1, 1\n", "must be all 0");
+  expect("x mm\n0\n", "no time column");
+  expect("time s, x mm\n0, 0\n0, 1\n", "times must increase");
+  expect("time s, x mm\n0, 1\n1, 1\n", "must be all zeros");
   expect("time s, x mm\n0, 0\n1\n", "found 1 values");
   expect("time s, x mm\n0, 0\n", "found 1 points");
 }

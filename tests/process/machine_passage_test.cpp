@@ -90,8 +90,9 @@ MachineContext narrow_ring_boxes() {
 }
 
 TEST(Passage, CarriesTheWholeToolBeyondTheCavityByTheClearance) {
-  Passage passage(narrow_ring());
-  passage.prepare(narrow_ring_boxes());
+  const auto prepared = Passage(narrow_ring()).prepared(narrow_ring_boxes());
+  ASSERT_TRUE(prepared);
+  const Step& passage = *prepared;
   const ToolMotion end = passage.motion(*passage.duration());
   // The trailing side, at x = 54.4 mm, must come to rest 2 mm beyond -12.462 mm.
   EXPECT_NEAR(54.4e-3 + end.translation.x(), -14.462e-3, 1e-15);
@@ -115,8 +116,9 @@ TEST(Passage, RunsInEveryDirectionByTheSameRule) {
     MachineContext context = narrow_ring_boxes();
     context.tool_lower = {given.shoe_x - 0.019, given.shoe_y - 0.019, 0};
     context.tool_upper = {given.shoe_x + 0.019, given.shoe_y + 0.019, 0.046};
-    Passage passage(spec);
-    passage.prepare(context);
+    const auto prepared = Passage(spec).prepared(context);
+    ASSERT_TRUE(prepared);
+    const Step& passage = *prepared;
     const Eigen::Vector3d travelled = passage.motion(*passage.duration()).translation;
     EXPECT_TRUE(travelled.isApprox((0.04 + 0.019 + 0.012462 + 0.002) * given.direction, 1e-12))
         << travelled.transpose();
@@ -129,16 +131,18 @@ TEST(Passage, RunsAcrossTheAxesToo) {
   MachineContext context = narrow_ring_boxes();
   context.tool_lower = {-0.04 - 0.019, -0.04 - 0.019, 0};
   context.tool_upper = {-0.04 + 0.019, -0.04 + 0.019, 0.046};
-  Passage passage(spec);
-  passage.prepare(context);
+  const auto prepared = Passage(spec).prepared(context);
+  ASSERT_TRUE(prepared);
+  const Step& passage = *prepared;
   // From corner to corner of both boxes, and the clearance.
   const double travel = std::sqrt(2) * (0.04 + 0.019 + 0.012462) + 0.002;
   EXPECT_TRUE(passage.motion(*passage.duration()).translation.isApprox(travel * spec.direction, 1e-12));
 }
 
 TEST(Passage, ReachesItsVelocityBeforeTheCavity) {
-  Passage passage(narrow_ring());
-  passage.prepare(narrow_ring_boxes());
+  const auto prepared = Passage(narrow_ring()).prepared(narrow_ring_boxes());
+  ASSERT_TRUE(prepared);
+  const Step& passage = *prepared;
   // The inside of the leading wall stands 6.938 mm before the ring; 2 mm are needed to accelerate.
   EXPECT_DOUBLE_EQ(passage.motion(0.021).velocity.x(), -0.2);
   EXPECT_GT(passage.motion(0.021).translation.x(), -6.938e-3);
@@ -197,7 +201,7 @@ TEST(Passage, WithoutPauseDoesNotJump) {
 
 std::string complaint(PassageSpec spec, const MachineContext& context) {
   try {
-    Passage(std::move(spec)).prepare(context);
+    Passage(std::move(spec)).prepared(context);
   } catch (const SceneError& error) {
     return error.what();
   }
@@ -216,7 +220,7 @@ TEST(Passage, RefusesToStartBeyondTheCavity) {
   PassageSpec spec = narrow_ring();
   spec.direction = Eigen::Vector3d::UnitX();
   const std::string message = complaint(spec, narrow_ring_boxes());
-  EXPECT_NE(message.find("found \"shoe\" beyond the cavity already (3.938 mm past it"), std::string::npos)
+  EXPECT_NE(message.find("found \"shoe\" already beyond the cavity (3.938 mm past it"), std::string::npos)
       << message;
   EXPECT_NE(message.find("reverse direction"), std::string::npos) << message;
 }

@@ -73,8 +73,8 @@ TEST(RingingWatch, StopsBeyondTheGainOfTheoryAndNotBelow) {
     FAIL();
   } catch (const engine::OutOfRange& error) {
     const std::string what = error.what();
-    EXPECT_NE(what.find("force control of piston rings"), std::string::npos) << what;
-    EXPECT_NE(what.find("lower gain (now 20)"), std::string::npos) << what;
+    EXPECT_NE(what.find("force control of piston is unstable"), std::string::npos) << what;
+    EXPECT_NE(what.find("reduce gain (now 20)"), std::string::npos) << what;
   }
 }
 

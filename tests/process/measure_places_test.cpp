@@ -4,6 +4,7 @@
 #include "measure_sample.h"
 #include "process/measure/box_map.h"
 #include "process/measure/measure.h"
+#include "process/measure/measured_fields.h"
 #include "process/measure/motion_field.h"
 #include "process/measure/powder_places.h"
 #include "process/results/places_without_value.h"

@@ -68,7 +68,7 @@ TEST(RealMass, IsEstimatedFromTheMetalWhereNobodyHasWeighedThePowder) {
   EXPECT_NEAR(result.figures.at("apparent_density_kg_m3"), 0.5 * 7870, 1e-9);
   EXPECT_EQ(result.figures.at("apparent_density_is_estimate"), 1);
   EXPECT_NEAR(result.figures.at("expected_mass_kg"), 240e-9 * std::numbers::pi / 6 * 7870, 1e-12);
-  EXPECT_TRUE(has(verdict(result), "about 0.99 g, where a die full at apparent density holds 0.94 g"))
+  EXPECT_TRUE(has(verdict(result), "about 0.99 g, a die full at apparent density holds 0.94 g"))
       << verdict(result);
   EXPECT_TRUE(results::cavity_rows(result).at(0).estimate);
 }
@@ -77,11 +77,11 @@ TEST(RealMass, HasNoFillRatioWithoutABedAndSaysWhy) {
   auto result = box([](const auto&) { return 0.5; });
   measure(result, 0, {std::nan(""), 9});
   EXPECT_TRUE(std::isnan(result.figures.at("fill_ratio")));
-  EXPECT_TRUE(
-      has(results::reason_for(result, "fill_ratio"), "9 grains lie two diameters deep there, 20 are"));
-  EXPECT_EQ(results::reason_for(result, "apparent_density_kg_m3"), "not known: give powder.apparent_density");
+  EXPECT_TRUE(has(results::reason_for(result, "fill_ratio"),
+                  "found 9 grains two diameters deep there, need at least 20"));
+  EXPECT_EQ(results::reason_for(result, "apparent_density_kg_m3"), "unknown: set powder.apparent_density");
   EXPECT_NEAR(result.figures.at("estimated_mass_kg"), 240e-9 * std::numbers::pi / 6 * 7870, 1e-12);
-  EXPECT_TRUE(has(verdict(result), "holds about 0.99 g; how full is not known")) << verdict(result);
+  EXPECT_TRUE(has(verdict(result), "holds about 0.99 g; fill ratio unknown")) << verdict(result);
 }
 
 TEST(PowderBed, LeavesOutAllCavitiesAndBedsOfFewGrains) {
@@ -123,13 +123,13 @@ TEST(Verdict, SaysNothingOfPlacesWithinTheScatter) {
   int n = 0;
   auto result = box([&](const Eigen::Vector3d&) { return ++n % 2 == 0 ? 0.3 : 0.5; });
   measure(result);
-  EXPECT_TRUE(has(verdict(result), "no part looser than its grains scatter")) << verdict(result);
+  EXPECT_TRUE(has(verdict(result), "no region significantly looser than the rest")) << verdict(result);
 }
 
 TEST(Verdict, OfAnEmptyCavityIsThatItIsEmpty) {
   auto result = box([](const auto&) { return 0.4; }, 12, 0);
   measure(result);
-  EXPECT_EQ(verdict(result), "empty: no powder lies in the cavity");
+  EXPECT_EQ(verdict(result), "empty: no powder in the cavity");
 }
 
 // Four columns of 12 layers, eight of which lie 2 d deep or more.
@@ -148,11 +148,11 @@ TEST(EnoughGrains, NoFigureStandsOnFewerThanTwenty) {
   EXPECT_GT(result.summary.grains, 0U);
   for (const char* name : {"solid_fraction_top_minus_bottom", "solid_fraction_along_travel_1"}) {
     EXPECT_TRUE(std::isnan(result.figures.at(name))) << name;
-    EXPECT_TRUE(has(results::reason_for(result, name), "60 are needed")) << name;
+    EXPECT_TRUE(has(results::reason_for(result, name), "need at least 60")) << name;
   }
-  EXPECT_TRUE(
-      has(results::reason_for(result, "solid_fraction"), "two diameters deep in the cavity, 20 are needed"));
-  EXPECT_TRUE(has(verdict(result), "too few grains to say where it is loose")) << verdict(result);
+  EXPECT_TRUE(has(results::reason_for(result, "solid_fraction"),
+                  "two diameters deep in the cavity, need at least 20"));
+  EXPECT_TRUE(has(verdict(result), "too few grains to locate loose regions")) << verdict(result);
   EXPECT_TRUE(std::isfinite(result.figures.at("expected_mass_kg")));
 }
 
@@ -163,7 +163,8 @@ TEST(EnoughGrains, AThirdWithoutGrainsIsTheReasonWhereThereAreEnough) {
   result.summary = summarise(result.powder, result.solid_fraction, result.cavity);
   measure(result);
   EXPECT_TRUE(std::isnan(result.figures.at("solid_fraction_top_minus_bottom")));
-  EXPECT_TRUE(has(results::reason_for(result, "solid_fraction_top_minus_bottom"), "holds no grain to count"));
+  EXPECT_TRUE(
+      has(results::reason_for(result, "solid_fraction_top_minus_bottom"), "contains no grain to count"));
 }
 
 TEST(EnoughGrains, AmplitudesBeyondTheMeanAreNoFigures) {

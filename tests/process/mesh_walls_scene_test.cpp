@@ -41,7 +41,7 @@ TEST(MeshWallsOfScenes, RefuseOpeningsBetweenCentresOfSpheres) {
     FAIL() << "accepted";
   } catch (const SceneError& error) {
     const std::string message = error.what();
-    for (const char* part : {"numerics.opening", "tool \"die\"", "leave one of the two out"})
+    for (const char* part : {"numerics.opening", "tool \"die\"", "remove one of the two"})
       EXPECT_NE(message.find(part), std::string::npos) << message;
   }
 }

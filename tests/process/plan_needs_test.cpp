@@ -38,7 +38,7 @@ TEST(PlanNeeds, WidthPressureAndLaws) {
   EXPECT_TRUE(says(said, "narrowest, 4.500 mm"));
   EXPECT_TRUE(says(said, "0.42 of it"));
   EXPECT_TRUE(says(said, "300 wall spheres"));
-  EXPECT_TRUE(says(said, "one half could stand for the whole"));
+  EXPECT_TRUE(says(said, "a half model is possible"));
 }
 
 TEST(PlanNeeds, TheStepOfWedgedGrainsIsRemarkedUpon) {
@@ -54,8 +54,8 @@ velocity = "0.1 m/s"
   const auto remarks = [&] {
     const Needs needs = needs_of(planned.scene, planned.tooling);
     const auto said = in_words(needs, planned.scene, planned.tooling);
-    return std::pair(says(said, "as short as grains need that moving tools wedge"),
-                     says(said, "up to which grains stay stable that moving tools wedge"));
+    return std::pair(says(said, "limited by grains wedged by moving tools"),
+                     says(said, "up to which grains wedged by moving tools stay stable"));
   };
   // Its own step is that of wedged grains.
   EXPECT_EQ(remarks(), std::pair(true, false));

@@ -61,7 +61,7 @@ TEST(PlanSetting, NumbersAreWrittenIntoTheSceneAndSaid) {
   ASSERT_EQ(chosen.size(), 3U);
   EXPECT_EQ(chosen[0], "setting reference");
   EXPECT_NE(chosen[1].find("powder.grain_diameter"), std::string::npos);
-  EXPECT_NE(chosen[1].find("in place of \"1.88 mm\""), std::string::npos) << chosen[1];
+  EXPECT_NE(chosen[1].find("replacing \"1.88 mm\""), std::string::npos) << chosen[1];
   // Reading the text gives the same again.
   EXPECT_EQ(parse_scene(scene.text, scene.file).powder.grain_diameter, scene.powder.grain_diameter);
 }

@@ -246,7 +246,7 @@ TEST(ResultFile, ForeignFilesAreRefused) {
   std::string text = without_hash(contents(file));
   text.replace(text.find(kFormat), std::strlen(kFormat), "another format!");
   put(file, text);
-  EXPECT_NE(message_of_reading(scratch.path()).find("not results of diefill"), std::string::npos);
+  EXPECT_NE(message_of_reading(scratch.path()).find("not diefill results"), std::string::npos);
 }
 
 TEST(ResultFile, OtherSchemaVersionsAreRefused) {

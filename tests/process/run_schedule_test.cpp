@@ -79,7 +79,7 @@ class Machine {
  public:
   explicit Machine(std::vector<std::shared_ptr<Step>> steps, const ScheduleState& state = {}) {
     scene_.powder = powder_preset("ASC100.29 initial A");
-    scene_.steps = std::move(steps);
+    scene_.steps.assign(steps.begin(), steps.end());
     tooling_.tools.resize(2);
     tooling_.tools[0].spec.name = "die";
     tooling_.tools[1].spec.name = "shoe";

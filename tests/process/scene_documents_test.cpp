@@ -25,7 +25,7 @@ std::vector<std::string> keys_offered(const std::string& scene) {
   try {
     read_scene(folder.write(scene));
   } catch (const SceneError& error) {
-    const std::string message = error.what(), before = "the keys here are ";
+    const std::string message = error.what(), before = "the allowed keys are ";
     const std::size_t start = message.find(before);
     if (start == std::string::npos) return {};
     std::vector<std::string> keys(1);

@@ -37,14 +37,6 @@ TEST(SceneEconomy, SleepingTakesItsLimits) {
   EXPECT_FALSE(settings.skip_far_walls);
 }
 
-TEST(SceneEconomy, WhatComesToNothingIsComputedWhenAskedFor) {
-  const auto usual = engine_settings(with_economy(""), 1);
-  EXPECT_EQ(usual.zero_terms, engine::ZeroTerms::left_out);
-  EXPECT_EQ(usual.rotation_of_fixed_grains, engine::ZeroTerms::left_out);
-  const auto all = engine_settings(with_economy("skip_zero_terms = false"), 1);
-  EXPECT_EQ(all.zero_terms, engine::ZeroTerms::computed);
-}
-
 TEST(SceneEconomy, HalfModelPoursHalf) {
   const Scene whole = with_economy(""), half = with_economy("mirror = \"y\"");
   EXPECT_EQ(half.economy.mirror, 1);

@@ -70,7 +70,6 @@ tangential_spring = "free"
 opening = "centres"
 periodic = { y = "10 mm" }
 most_sheared = 0.02
-energy_ledger = false
 max_time = "2 s"
 checkpoint_interval = "2 min"
 )";
@@ -179,7 +178,6 @@ TEST_F(FullScene, KeepsNumericsAndMeasure) {
   EXPECT_DOUBLE_EQ(*numerics.period[1], 0.01);
   EXPECT_EQ(numerics.pinched_grains, PinchedGrains::shear_off);
   EXPECT_EQ(numerics.most_sheared, 0.02);
-  EXPECT_FALSE(numerics.energy_ledger);
   EXPECT_DOUBLE_EQ(numerics.max_time, 2);
   EXPECT_DOUBLE_EQ(numerics.checkpoint_interval, 120);
   EXPECT_DOUBLE_EQ(scene_.measure.fill_plane.value(), -1e-3);
@@ -226,7 +224,6 @@ fill_height = "5 mm"
   EXPECT_EQ(scene.numerics.opening, OpeningMeasure::surfaces);
   EXPECT_EQ(scene.numerics.pinched_grains, PinchedGrains::shear_off);
   EXPECT_EQ(scene.numerics.most_sheared, 0.005);
-  EXPECT_TRUE(scene.numerics.energy_ledger);
   EXPECT_EQ(scene.numerics.max_time, 0);
   EXPECT_EQ(scene.numerics.checkpoint_interval, 60);
   EXPECT_EQ(scene.measure.azimuth_bins, 36);

@@ -163,8 +163,8 @@ TEST(WrongVariants, NameTheLineTheVariantAndTheNearestKey) {
   expect_parts(complaint_about(head + "tool.sho.position = [\"1 mm\", \"0 mm\", \"0 mm\"]\n"),
                {at(3), "variant.tool.sho", "no [[tool]] has this name or number", "did you mean \"shoe\"?"});
   expect_parts(complaint_about(head + "step.3.velocity = \"1 mm/s\"\n"),
-               {at(3), "no [[step]] has this name or number", "they are \"1\""});
-  expect_parts(complaint_about(head + "step.1 = 4\n"), {at(3), "found 4", "keys to change are needed"});
+               {at(3), "no [[step]] has this name or number", "allowed: \"1\""});
+  expect_parts(complaint_about(head + "step.1 = 4\n"), {at(3), "found 4", "expected keys to change"});
   expect_parts(complaint_about(head + "pours.fill_height = \"1 mm\"\n"), {at(3), "did you mean \"pour\"?"});
   expect_parts(complaint_about(head + "powder.friction = \"a lot\"\n"),
                {at(3), "powder.friction", "found \"a lot\"", "(in variant \"odd\")"});
@@ -172,17 +172,17 @@ TEST(WrongVariants, NameTheLineTheVariantAndTheNearestKey) {
 }
 
 TEST(WrongVariants, NeedNamesOfTheirOwn) {
-  expect_parts(complaint_about("[[variant]]\nseed = 2\n"), {"variant.name", "this must be given"});
+  expect_parts(complaint_about("[[variant]]\nseed = 2\n"), {"variant.name", "a value is required"});
   for (const char* blank : {"", "   "})
     expect_parts(complaint_about(std::string("[[variant]]\nname = \"") + blank + "\"\n"),
                  {"variant.name", "printable characters"});
   for (const char* unseen : {"two\\nlines", "\\u0007", "\\u0085", "\\u2028", "\\u202e"})
     expect_parts(complaint_about(std::string("[[variant]]\nname = \"") + unseen + "\"\n"),
-                 {"variant.name", "a text on one line without line ends and other control characters"});
+                 {"variant.name", "a text on one line, without line breaks or other control characters"});
   expect_parts(complaint_about("[[variant]]\nname = \"" + std::string(1001, 'n') + "\"\n"),
                {"variant.name", "at most 1000 bytes"});
   expect_parts(complaint_about("[[variant]]\nname = \"a b\"\n[[variant]]\nname = \"a b\"\n"),
-               {"variant.name", "\"a b\"", "a name of its own"});
+               {"variant.name", "\"a b\"", "a unique name"});
   expect_parts(complaint_about("variant = 3\n"), {"variant"});
 }
 

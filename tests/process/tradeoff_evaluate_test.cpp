@@ -105,8 +105,7 @@ TEST(Evaluation, RecommendsTheCheapestWithinTheToleranceOrTheFloor) {
   evaluate(tradeoff, 3);
   EXPECT_NEAR(tradeoff.floor, 2.228139 * 0.01 * std::sqrt(2.0 / 3), 1e-8);
   EXPECT_TRUE(tradeoff.points[0].recommended);
-  EXPECT_NE(tradeoff.advice.find("(mass), within the 1.8 % by which another seed changes it"),
-            std::string::npos)
+  EXPECT_NE(tradeoff.advice.find("(mass), within the 1.8 % scatter over seeds"), std::string::npos)
       << tradeoff.advice;
 
   tradeoff.tolerance = 0.05;
@@ -146,7 +145,7 @@ TEST(Evaluation, TheReferenceItselfIsTakenWhereNothingElseComesNear) {
   tradeoff.tolerance = 0.02;
   evaluate(tradeoff, 1);
   EXPECT_TRUE(tradeoff.points[1].recommended);
-  EXPECT_NE(tradeoff.advice.find("nothing cheaper comes within"), std::string::npos) << tradeoff.advice;
+  EXPECT_NE(tradeoff.advice.find("no cheaper setting stays within"), std::string::npos) << tradeoff.advice;
 }
 
 TEST(Evaluation, ATargetTakesThePlaceOfTheReferencesValue) {
@@ -222,9 +221,10 @@ TEST(Evaluation, RecommendsNothingWhereSeedsScatterTooMuchAndSaysWhatIsMissing) 
   evaluate(tradeoff, 0);
   EXPECT_NEAR(tradeoff.floor, 3.182446 * 0.09, 1e-7);
   for (const auto& each : tradeoff.points) EXPECT_FALSE(each.recommended) << each.name;
-  EXPECT_EQ(tradeoff.advice,
-            "No setting is recommended: another seed changes results by up to 29 % (mass), and settings that "
-            "differ by less than 10 % cannot be told apart; about 8 seeds of each would do: --seeds 8.");
+  EXPECT_EQ(
+      tradeoff.advice,
+      "No setting is recommended: the scatter over seeds is up to 29 % (mass), and settings that "
+      "differ by less than 10 % cannot be distinguished; about 8 seeds of each would suffice: --seeds 8.");
   EXPECT_FALSE(tells_apart(tradeoff));
   // Who accepts more than the scatter is told what to take.
   tradeoff.tolerance = 0.3;
@@ -235,7 +235,7 @@ TEST(Evaluation, RecommendsNothingWhereSeedsScatterTooMuchAndSaysWhatIsMissing) 
 TEST(Evaluation, NothingFinishedIsSaid) {
   Tradeoff tradeoff = with_quantities({point("base", kNone, {kNone, kNone}, kNone, 0)});
   evaluate(tradeoff, 1);
-  EXPECT_NE(tradeoff.advice.find("No run is finished"), std::string::npos);
+  EXPECT_NE(tradeoff.advice.find("No finished run"), std::string::npos);
 }
 
 TEST(SteadyRate, IsTheSlopeBetweenAFifthAndFourFifths) {

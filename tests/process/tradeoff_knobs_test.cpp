@@ -103,7 +103,7 @@ TEST(KnobRegistry, AThinnerSliceTakesThePourAlong) {
 TEST(KeyPaths, AnyKeyOfASceneIsAKnob) {
   const KeptScene kept(faultless_scene());
   EXPECT_EQ(strategy_in_words(turned(kept.scene, "step.1.velocity", "0.1 m/s")), "1 passage at 0.1 m/s");
-  EXPECT_FALSE(turned(kept.scene, "numerics.energy_ledger", "false").numerics.energy_ledger);
+  EXPECT_FALSE(turned(kept.scene, "economy.drop_spilled", "false").economy.drop_spilled);
   EXPECT_EQ(turned(kept.scene, "powder.friction", "0.4").powder.friction, 0.4);
   EXPECT_NEAR(turned(kept.scene, "tool.shoe.position", R"(["40 mm", "0 mm", "0 mm"])").tools[1].position[0],
               0.04, 1e-15);
@@ -212,7 +212,7 @@ TEST(Settings, VariantsThatAreNoneOrNamedLikeAnotherSettingAreRefused) {
     }
     return std::string();
   };
-  EXPECT_NE(refusal("").find("the scene has none"), std::string::npos);
+  EXPECT_NE(refusal("").find("the scene has no variants"), std::string::npos);
   EXPECT_NE(refusal("\n[[variant]]\nname = \"base\"\n").find("name of another setting"), std::string::npos);
 }
 

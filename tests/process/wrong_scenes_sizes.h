@@ -20,7 +20,7 @@ inline std::vector<WrongScene> wrong_sizes() {
   // With a setting, and without the numbers that it chooses.
   const auto without_numbers = [&] {
     WrongScene scene = spoil("sizes_beside_setting", size, marked,
-                             {"powder.sizes.distribution", "`setting` chooses one grain size for all"});
+                             {"powder.sizes.distribution", "`setting` sets a single grain size"});
     scene.text = support::exchanged(scene.text, "seed = 1", "setting = \"quick\"");
     scene.text = support::exchanged(scene.text, "spacing = 1.6\n", "");
     scene.text = support::exchanged(scene.text, "fill_height = \"24 mm\"\n", "");
@@ -34,17 +34,17 @@ inline std::vector<WrongScene> wrong_sizes() {
     return scene;
   };
   return {
-      spoil("sizes_and_diameter", size, "grain_diameter = @\"1.88 mm\"\n" + classes,
-            {"powder.grain_diameter", "found \"1.88 mm\"", "[powder.sizes] in line",
-             "leave one of the two out"}),
+      spoil(
+          "sizes_and_diameter", size, "grain_diameter = @\"1.88 mm\"\n" + classes,
+          {"powder.grain_diameter", "found \"1.88 mm\"", "[powder.sizes] in line", "remove one of the two"}),
       spoilt("without_distribution", "@{ classes = " + two + " }",
-             {"powder.sizes.distribution", "found nothing, this must be given", "\"classes\""}),
+             {"powder.sizes.distribution", "found nothing, a value is required", "\"classes\""}),
       spoilt("of_unknown_distribution", "{ distribution = @\"normal\" }",
              {"powder.sizes.distribution", "found \"normal\"", "\"classes\" or \"log-normal\""}),
       spoilt("without_classes", "@{ distribution = \"classes\" }",
              {"powder.sizes.classes", "found nothing", "diameter = \"1.5 mm\", share = 0.3"}),
       spoilt("no_classes", "{ distribution = \"classes\", classes = @[] }",
-             {"powder.sizes.classes", "0 classes, 1 to 32 are allowed"}),
+             {"powder.sizes.classes", "0 classes, allowed: 1 to 32"}),
       spoilt("class_without_share", "{ distribution = \"classes\", classes = [@{ diameter = \"1.5 mm\" }] }",
              {"powder.sizes.classes.share", "found nothing", "0.3"}),
       spoilt("class_of_no_share",
@@ -52,7 +52,7 @@ inline std::vector<WrongScene> wrong_sizes() {
              {"powder.sizes.classes.share", "found 0", "more than 0"}),
       spoilt("class_without_unit",
              "{ distribution = \"classes\", classes = [{ diameter = @1.5, share = 1 }] }",
-             {"powder.sizes.classes.diameter", "found 1.5", "a length with its unit is needed"}),
+             {"powder.sizes.classes.diameter", "found 1.5", "expected a length with its unit"}),
       spoilt("class_twice",
              "{ distribution = \"classes\", classes = [{ diameter = \"2 mm\", share = 1 }, { diameter = @\"2 "
              "mm\", share = 2 }] }",
@@ -62,12 +62,12 @@ inline std::vector<WrongScene> wrong_sizes() {
       spoilt("limits_crossed",
              "{ distribution = \"log-normal\", median = \"2 mm\", log_deviation = 0.2, smallest = \"3 mm\", "
              "largest = @\"1 mm\" }",
-             {"powder.sizes.largest", "it must be more than smallest, which is 3 mm"}),
+             {"powder.sizes.largest", "it must be greater than smallest, which is 3 mm"}),
       spoilt("without_median", "@{ distribution = \"log-normal\", log_deviation = 0.2 }",
              {"powder.sizes.median", "found nothing", "\"1.9 mm\""}),
       spoilt("two_ways",
              "{ distribution = \"log-normal\", mean = \"2 mm\", deviation = \"0.2 mm\", median = @\"2 mm\" }",
-             {"powder.sizes.median", "mean and deviation say the same in another way"}),
+             {"powder.sizes.median", "mean and deviation already define the distribution"}),
       spoilt("mean_by_mass", "{ distribution = \"log-normal\", mean = @\"2 mm\", deviation = \"0.2 mm\" }",
              {"powder.sizes.mean", "write basis = \"number\""}),
       spoilt("too_many_classes",
@@ -75,8 +75,8 @@ inline std::vector<WrongScene> wrong_sizes() {
              "@99 }",
              {"powder.sizes.number_of_classes", "found 99", "2 to 32"}),
       spoilt("too_wide", "{ distribution = @\"log-normal\", median = \"2 mm\", log_deviation = 1 }",
-             {"powder.sizes.distribution", "times as large as the smallest", "up to 10 times is allowed",
-              "give smallest and largest"}),
+             {"powder.sizes.distribution", "times the size of the smallest", "allowed: up to 10 times",
+              "with smallest and largest"}),
       spoilt("misspelt",
              "{ distribution = \"log-normal\", median = \"2 mm\", @log_deviaton = 0.2, log_deviation = 0.2 }",
              {"powder.sizes.log_deviaton", "did you mean \"log_deviation\"?"}),
@@ -84,9 +84,9 @@ inline std::vector<WrongScene> wrong_sizes() {
           "sizes_too_coarse", size,
           "sizes = @{ distribution = \"classes\", classes = [{ diameter = \"40 mm\", share = 1 }, { diameter "
           "= \"50 mm\", share = 1 }] }",
-          {"powder.sizes", "0.04704 mm to 9.408 mm is allowed", "coarse graining does not hold"}),
+          {"powder.sizes", "allowed: 0.04704 mm to 9.408 mm", "coarse graining is not valid"}),
       beside("mesh_walls", walls, walls + "\nkind = \"mesh\"",
-             {"powder.sizes.distribution", "tool \"die\" is a mesh wall", "leave one of the two out"}),
+             {"powder.sizes.distribution", "tool \"die\" is a mesh wall", "remove one of the two"}),
       beside("mirror", "[numerics]", "[economy]\nmirror = \"y\"\n[numerics]",
              {"powder.sizes.distribution", "economy.mirror"}),
       beside("suction", "[numerics]", "[suction]\ntool = \"die\"\nparticle_diameter = \"0.1 mm\"\n[numerics]",

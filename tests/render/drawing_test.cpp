@@ -4,6 +4,7 @@
 
 #include "project_paths.h"
 #include "render/pictures.h"
+#include "render/start_offscreen.h"
 #include "tests/support/image_compare.h"
 
 namespace diefill::render::test {

@@ -2,6 +2,7 @@
 // would bear and a jam would not: what swings up is sheared off before it gains energy.
 #include <gtest/gtest.h>
 
+#include "process/run/build_tooling.h"
 #include "process/run/fill_run.h"
 #include "process/run/material.h"
 #include "process/run/tooling.h"
@@ -26,7 +27,8 @@ TEST(Jams, DoNotStopAFillingAgainstFineWallSpheresAtALongStep) {
   RunOptions options;
   options.directory = folder.path();
   options.show_progress = false;
-  FillRun run(scene, tooling, options);
+  const Scene followed = with_prepared_steps(scene, tooling);
+  FillRun run(followed, tooling, options);
   run.run();
   EXPECT_LT(run.simulation().energy_balance_error(), 0.005);
   EXPECT_GT(run.grains_sheared(), 0U);

@@ -34,7 +34,8 @@ results::ExperimentChart chart_of(const std::string& name, const std::string& ti
   chart.title = title;
   chart.subtitle =
       "1 mm spheres in the mean, JKR with 0.2 J/m2, scaled-up particles with l = 4; mean of 20 to 60 mm";
-  chart.note = quick ? "On an eighth of the source's floor, periodic." : "As much powder as in the source.";
+  chart.note =
+      quick ? "Periodic floor, an eighth of the area in the source." : "As much powder as in the source.";
   chart.x = {.label = "Standard deviation of the diameter over its mean"};
   chart.y = {.label = unit};
   return chart;
@@ -87,11 +88,12 @@ void measure_log_normal_beds(const ExperimentOptions& options, results::Experime
     result.limits.push_back(
         {at + ": kinetic energy over m g d at the end", figures.kinetic, kUnknown, "", ""});
   }
-  auto densities = chart_of("log_normal_density", "Bulk density against the spread of sizes",
+  auto densities = chart_of("log_normal_density", "Bulk density over the width of the size distribution",
                             "Bulk density [kg/m3]", options.quick);
   densities.series = {density, published_density};
-  auto contacts = chart_of("log_normal_coordination", "Coordination number against the spread of sizes",
-                           "Mean coordination number", options.quick);
+  auto contacts =
+      chart_of("log_normal_coordination", "Coordination number over the width of the size distribution",
+               "Mean coordination number", options.quick);
   contacts.series = {coordination, published_coordination};
   result.charts = {densities, contacts};
 }

@@ -109,7 +109,7 @@ void add_curve(const Curve& curve, const PouredBedFigures* figures, results::Exp
 void measure_mono_disperse_beds(const ExperimentOptions& options, results::ExperimentResult& result) {
   results::ExperimentChart chart;
   chart.name = "mono_disperse_density";
-  chart.title = "Bulk density against rolling resistance";
+  chart.title = "Bulk density over rolling resistance";
   chart.subtitle = "0.5 mm spheres, JKR with 0.2 J/m2, scaled-up particles with l = 4; mean of 20 to 60 mm";
   chart.note = options.quick ? "Poured within 0.5 s; the source pours for 10 s."
                              : "Poured within 10 s, as in the source.";

@@ -48,7 +48,8 @@ void luding(const ExperimentOptions& options, results::ExperimentResult& result)
   chart.name = "luding_time_step";
   chart.title = "Time step that Luding's unloading spring needs";
   chart.subtitle = "k_1 = 100 N/m, plasticity depth 1e-4, 0.2 m/s: the contact unloads along k_2";
-  chart.note = "Rebound right within 0.05 of the impact speed. Walls 30 times as stiff: the same at 30 k_2.";
+  chart.note =
+      "Rebound correct within 0.05 of the impact speed. Walls 30 times as stiff: the same at 30 k_2.";
   chart.x = {.label = "k_2 over k_1", .logarithmic = true};
   chart.y = {.label = "Time step [us]", .logarithmic = true};
   ExperimentSeries measured{.name = "rebound right within 0.05", .x = {}, .y = {}};
@@ -99,7 +100,7 @@ void van_der_waals(const ExperimentOptions& options, results::ExperimentResult& 
   chart.name = "van_der_waals_time_step";
   chart.title = "Time step that van der Waals attraction needs";
   chart.subtitle = "Hamaker constant 5e-18 J, largest gap 1 um; 1.5 times the speed that escapes the well";
-  chart.note = "Not tried beyond 10 us, where the contact itself is no longer resolved.";
+  chart.note = "Not tested above 10 us, where the contact itself is not resolved.";
   chart.x = {.label = "Smallest gap [nm]", .logarithmic = true};
   chart.y = {.label = "Time step [us]", .logarithmic = true};
   ExperimentSeries measured{.name = "rebound right within 0.05", .x = {}, .y = {}};

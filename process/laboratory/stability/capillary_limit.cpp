@@ -75,7 +75,7 @@ double lost(double smallest_gap, double time_step) {
 void find_capillary_limit(const ExperimentOptions& options, results::ExperimentResult& result) {
   results::ExperimentChart chart;
   chart.name = "capillary_smallest_gap";
-  chart.title = "What the smallest gap of a capillary bridge changes";
+  chart.title = "Effect of the smallest gap of a capillary bridge";
   chart.subtitle =
       "0.05 N/m, 5 % liquid, spheres of 0.15 mm radius that part at 1.5 times the speed of escape";
   chart.note = "Steps of 0.1 us. Exact: without a smallest gap.";

@@ -90,8 +90,7 @@ void find_cohesion_limit(const ExperimentOptions& options, results::ExperimentRe
   results::ExperimentChart step, rest;
   step.name = "cohesion_time_step";
   step.title = "Time step that resolves cohesion near zero overlap";
-  step.subtitle =
-      "Two undamped spheres that hold each other and touch hardly; a tenth of the well's depth allowed";
+  step.subtitle = "Two undamped cohesive spheres near zero overlap; a tenth of the well depth allowed";
   step.x = {.label = "Work of adhesion [J/m2]", .logarithmic = true};
   step.y = {.label = "Time step [us]", .logarithmic = true};
   ExperimentSeries measured{.name = "energy kept through 100 oscillations", .x = {}, .y = {}};
@@ -112,7 +111,7 @@ void find_cohesion_limit(const ExperimentOptions& options, results::ExperimentRe
   step.series = {measured, theory};
 
   rest.name = "cohesion_chatter";
-  rest.title = "Speed that remains in a damped cohesive contact";
+  rest.title = "Residual speed in a damped cohesive contact";
   rest.subtitle = "After 200 oscillations, gamma_n / R = 1e6 Pa s/m";
   rest.x = {.label = "Time step over 2 / eigenfrequency at rest", .logarithmic = true};
   rest.y = {.label = "Relative speed, rms [m/s]", .logarithmic = true, .lower = 1e-15};

@@ -110,7 +110,7 @@ void find_creep_limit(const ExperimentOptions& options, results::ExperimentResul
   const int wide = options.quick ? 5 : 8;
   results::ExperimentChart chart;
   chart.name = "creep";
-  chart.title = "Heaps of rolling spheres against time";
+  chart.title = "Heaps of rolling spheres over time";
   chart.subtitle = "A column collapses against a wall; spheres of 1.2 mm, friction 0.5, rough floor";
   chart.note =
       "Torque: Bierwisch's dynamic one against each sphere's spin, at most what stops it in a step. Spring: "

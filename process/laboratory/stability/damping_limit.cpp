@@ -59,12 +59,12 @@ double step_of_energy(const engine::SimulationSettings& settings, double collisi
 void find_damping_limit(const ExperimentOptions& options, results::ExperimentResult& result) {
   results::ExperimentChart bounce, step;
   bounce.name = "damping_restitution";
-  bounce.title = "Restitution of a head-on collision against damping";
+  bounce.title = "Restitution of a head-on collision over damping";
   bounce.subtitle = "Model D of 7.63e-8 kg, R = 78.4 um, E = 1e7 Pa";
   bounce.x = {.label = "Damping over sphere radius [Pa s/m]", .logarithmic = true};
   bounce.y = {.label = "Restitution", .lower = 0, .upper = 1};
   step.name = "damping_time_step";
-  step.title = "Time step that damping leaves";
+  step.title = "Time step limit due to damping";
   step.subtitle = "Head-on collision of model D at 0.5 m/s";
   step.note =
       "Theory: 2 m / c and 2 sqrt(m / k) of one contact at the deepest overlap of the undamped impact.";

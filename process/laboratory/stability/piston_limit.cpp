@@ -135,9 +135,9 @@ void find_piston_limit(const ExperimentOptions& options, results::ExperimentResu
   const double duration = options.quick ? 0.1 : 0.2;
   results::ExperimentChart chart;
   chart.name = "piston_gain";
-  chart.title = "Gain at which a force-controlled piston rings";
+  chart.title = "Gain at which a force-controlled piston oscillates";
   chart.subtitle = "Spheres of 0.3 mm, E~ 10 MPa; speed limit 0.02 m/s, integral time 20 ms";
-  chart.note = "Ringing: the force scatters by a tenth of itself after it should have come to rest.";
+  chart.note = "Oscillation: the force still varies by a tenth after it should have settled.";
   chart.x = {.label = "Pressure [kPa]", .logarithmic = true};
   chart.y = {.label = "Gain", .logarithmic = true};
   ExperimentSeries measured{.name = "measured", .x = {}, .y = {}};

@@ -67,10 +67,10 @@ void chatter(const ExperimentOptions& options, results::ExperimentResult& result
   const auto sphere = thesis_grain(GrainKind::sphere);
   results::ExperimentChart chart;
   chart.name = "rolling_chatter";
-  chart.title = "Spin that a constant rolling torque leaves in a sphere at rest";
+  chart.title = "Residual spin of a resting sphere with a constant rolling torque";
   chart.subtitle = "Steps of 5 us, 0.5 s after a start at 5 rad/s";
   chart.note =
-      "As printed: half of what a torque changes in a step that turns round in each, mu_r R m g dt / 2 I. "
+      "As published: half the change by a torque that reverses in every step, mu_r R m g dt / 2 I. "
       "Lower edge: that or less.";
   chart.x = {.label = "Rolling friction coefficient", .logarithmic = true};
   chart.y = {.label = "Largest spin [rad/s]", .logarithmic = true, .lower = kLeast, .upper = 1};

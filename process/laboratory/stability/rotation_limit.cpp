@@ -62,7 +62,7 @@ void find_rotation_limit(const ExperimentOptions& options, results::ExperimentRe
   chart.name = "rotation_drift";
   chart.title = "A freely tumbling grain after " + std::to_string(static_cast<int>(turns)) + " turns";
   chart.subtitle = "Three spheres with three different moments of inertia";
-  chart.note = "Theory: the scheme is of second order.";
+  chart.note = "Theory: second-order scheme.";
   chart.x = {.label = "Angle turned in a step [rad]", .logarithmic = true};
   chart.y = {.label = "Relative error", .logarithmic = true, .lower = 1e-16, .upper = 10};
   ExperimentSeries energy{.name = "energy", .x = {}, .y = {}};

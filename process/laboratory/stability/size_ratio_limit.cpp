@@ -30,9 +30,9 @@ double time_to_halfway(double ratio) {
 results::ExperimentChart falling_chart(const std::vector<double>& ratios) {
   results::ExperimentChart chart;
   chart.name = "size_ratio";
-  chart.title = "Where a fine sphere is that should fall from between two large ones";
+  chart.title = "Position of a fine sphere that should fall from between two large ones";
   chart.subtitle = "Steps of 1 us, a thirteenth of a collision; friction 0.5";
-  chart.note = "Distance 1: it still is in the groove. From a ratio of about 45 on friction alone holds it.";
+  chart.note = "Distance 1: still in the groove. Above a ratio of about 45 friction alone holds it.";
   chart.x = {.label = "Ratio of the radii", .logarithmic = true};
   chart.y = {.label = "Distance from the groove's middle", .logarithmic = true, .lower = 0.5, .upper = 20};
   ExperimentSeries engine{.name = "measured", .x = ratios, .y = {}};

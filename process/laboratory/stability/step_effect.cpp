@@ -30,7 +30,7 @@ void find_effect_of_step(const ExperimentOptions& options, results::ExperimentRe
       4 * 2e-6;  // s, 2 us at d = 0.47 mm (Bierwisch 2009, Table C.4), in proportion to d
   results::ExperimentChart chart;
   chart.name = "step_effect";
-  chart.title = "Solid fraction of a settled bed against the time step";
+  chart.title = "Solid fraction of a settled bed over the time step";
   chart.subtitle = "Model D, d = 1.88 mm; 1: the published step of 2 us at d = 0.47 mm in proportion to d";
   chart.note =
       "Four times the published step and more: refused beforehand or stopped by the watch on the method's "

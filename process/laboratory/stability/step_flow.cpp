@@ -156,15 +156,15 @@ void find_effect_of_step_on_flow(const ExperimentOptions& options, results::Expe
       options.quick ? std::vector<double>{1, 3, 4} : std::vector<double>{1, 2, 3, 4};
   results::ExperimentChart rate, slope;
   rate.name = "step_discharge";
-  rate.title = "Discharge through a slit of 10 mm against the time step";
+  rate.title = "Discharge through a slit of 10 mm over the time step";
   rate.subtitle = std::string("Model D, d = ") + (options.quick ? "2.82" : "1.88") +
                   " mm; 1: the published step of 2 us at d = 0.47 mm in proportion to d";
-  rate.note = "No point: refused beforehand or stopped by the watch on the method's range.";
+  rate.note = "No point: refused at the start or stopped by the validity check.";
   rate.x = {.label = "Time step over the published one", .lower = 0, .upper = 5};
   rate.y = {.label = "Mass rate [kg/(m s)]", .lower = 0, .upper = 4};
   slope = rate;
   slope.name = "step_repose";
-  slope.title = "Slope of the heap that stays beside the slit";
+  slope.title = "Slope of the heap beside the slit";
   slope.y = {.label = "Slope [degrees]", .lower = 0, .upper = 45};
   for (std::uint64_t seed = 1; seed <= (options.quick ? 2U : 3U); ++seed) {
     const std::string name = "seed " + std::to_string(seed);

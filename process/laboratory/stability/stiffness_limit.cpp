@@ -59,7 +59,7 @@ void find_stiffness_limit(const ExperimentOptions& options, results::ExperimentR
   fraction.name = "stiffness_fraction";
   fraction.title = "Solid fraction of a settled bed";
   fraction.subtitle = overlap.subtitle;
-  fraction.note = "A gap: the run left the method's range.";
+  fraction.note = "Missing point: the run exceeded the valid range.";
   fraction.x = overlap.x;
   fraction.y = {.label = "Solid fraction"};
   ExperimentSeries deep{.name = "measured", .x = {}, .y = {}}, dense = deep;

@@ -69,10 +69,10 @@ std::vector<GasCase> gas_cases() {
 void find_in_gas(const ExperimentOptions& options, results::ExperimentResult& result) {
   results::ExperimentChart chart;
   chart.name = "time_step_gas";
-  chart.title = "Energy that appears from nowhere in a gas of grains";
+  chart.title = "Spurious energy gain in a gas of grains";
   chart.subtitle = std::string(options.quick ? "200" : "1000") +
-                   " collision times without dissipation, 0.5 m/s rms a component; limit 1 %";
-  chart.note = "Growths that are negative or below 1e-5 are drawn at 1e-5, lost runs at 1.";
+                   " collision times without dissipation, 0.5 m/s rms per component; limit 1 %";
+  chart.note = "Gains below 1e-5 are drawn at 1e-5, unstable runs at 1.";
   chart.x = {.label = "Time step over duration of a head-on collision at 1 m/s", .logarithmic = true};
   chart.y = {.label = "Energy gained over kinetic energy", .logarithmic = true, .lower = kFloor, .upper = 1};
   results::ExperimentChart margin;
@@ -132,10 +132,10 @@ struct PileCase {
 void find_in_pile(const ExperimentOptions& options, results::ExperimentResult& result) {
   results::ExperimentChart chart;
   chart.name = "time_step_bed";
-  chart.title = "Energy that appears from nowhere in a settled bed";
+  chart.title = "Spurious energy gain in a settled bed";
   chart.subtitle =
       "Undamped, shaken by 1 mm/s; theory: stable below 1, the fastest oscillation of the contacts";
-  chart.note = "Growths that are negative or below 1e-5 are drawn at 1e-5, lost runs at 1.";
+  chart.note = "Gains below 1e-5 are drawn at 1e-5, unstable runs at 1.";
   chart.x = {.label = "Time step over 2 / largest eigenfrequency", .lower = 0, .upper = 1.4};
   chart.y = {.label = "Energy gained over elastic and kinetic energy",
              .logarithmic = true,

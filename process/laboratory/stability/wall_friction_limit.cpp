@@ -86,7 +86,7 @@ void find_wall_friction_limit(const ExperimentOptions& options, results::Experim
   chart.name = "wall_friction";
   chart.title = "Effective friction of a floor of wall spheres";
   chart.subtitle = "A bed that slides from 0.2 to 0.1 m/s; wall friction 0.15, among grains 0.5";
-  chart.note = "Spheres do not turn. A plane gives the coefficient itself.";
+  chart.note = "Spheres do not rotate. A plane gives the coefficient itself.";
   chart.x = {.label = "Spacing of the wall spheres over their radius"};
   chart.y = {.label = "Tangential over normal force", .lower = 0};
   const auto spacings = linear_range(0.4, 2.2, options.quick ? 7 : 13);

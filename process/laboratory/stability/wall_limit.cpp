@@ -108,7 +108,7 @@ void push_through(const ExperimentOptions& options, results::ExperimentResult& r
   chart.title = "Impact speed that pushes a grain through a wall of spheres";
   chart.subtitle = "7.63e-8 kg, E = 1e7 Pa, at the middle of four wall spheres, undamped";
   chart.note =
-      "Lines without points: elastic energy on the straight way. Curves end where the grain falls through "
+      "Lines without points: elastic energy along the straight path. Curves end where the grain fits through "
       "the hole.";
   chart.x = {.label = "Spacing of the wall spheres over their radius"};
   chart.y = {.label = "Speed [m/s]", .logarithmic = true};
@@ -152,7 +152,7 @@ void push_through(const ExperimentOptions& options, results::ExperimentResult& r
 void strike_at_angles(const ExperimentOptions& options, results::ExperimentResult& result) {
   results::ExperimentChart chart;
   chart.name = "wall_angle";
-  chart.title = "Push-through speed against the angle of impact";
+  chart.title = "Push-through speed over the angle of impact";
   chart.subtitle = "Sphere of 7.63e-8 kg, R_w = R, E = 1e7 Pa, aimed at the middle of four wall spheres";
   chart.note = "Lines without points: the normal part of the speed counts, v / cos(angle).";
   chart.x = {.label = "Angle to the normal of the wall [degrees]"};
@@ -217,7 +217,7 @@ void tilt(const ExperimentOptions& options, results::ExperimentResult& result) {
   results::ExperimentChart chart;
   chart.name = "wall_roughness";
   chart.title = "Roughness of a wall of spheres";
-  chart.subtitle = "Tilt at which a sphere that does not turn leaves its hollow along a row, R_w = R";
+  chart.subtitle = "Tilt at which a non-rotating sphere leaves its hollow along a row, R_w = R";
   chart.note = "Lines without points: saddle between two wall spheres, with the friction of a wedge.";
   chart.x = {.label = "Spacing of the wall spheres over their radius"};
   chart.y = {.label = "Tilt [degrees]"};

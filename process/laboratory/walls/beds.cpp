@@ -97,7 +97,7 @@ void compare_beds(const ExperimentOptions& options, results::ExperimentResult& r
   chart.name = "bed_near_wall";
   chart.title = "Powder settled on wall spheres and on the surface itself";
   chart.subtitle = "Model D, d = 1.88 mm, R = 0.31 mm, mean over seeds";
-  chart.note = "Share of the level plane that lies in grains.";
+  chart.note = "Share of the horizontal plane inside grains.";
   chart.x = {.label = "Height above the wall over d", .upper = 3};
   chart.y = {.label = "Solid fraction", .lower = 0};
   const Beds mesh = settle_on({.name = "mesh", .mesh = true}, options);

@@ -95,10 +95,10 @@ void compare_rebound(const ExperimentOptions& options, results::ExperimentResult
   constexpr double kSlanted = std::numbers::pi / 4;
   const int places = options.quick ? 3 : 8;
   const auto spacings = linear_range(0.4, 2, options.quick ? 5 : 9);
-  auto turned = chart_of("rebound_direction", "Rebounds from wall spheres leave the mirror direction",
+  auto turned = chart_of("rebound_direction", "Rebounds from wall spheres deviate from the mirror direction",
                          "Deviation, root mean square [degrees]");
   turned.note = "Undamped, without friction, at 45 degrees. On the mesh itself the deviation is 0.";
-  auto slowed = chart_of("rebound_speed", "Rebounds from wall spheres keep another speed",
+  auto slowed = chart_of("rebound_speed", "Rebounds from wall spheres differ in speed",
                          "Speed of rebound over speed of impact");
   slowed.note = "Straight impact, damping 1e6 Pa s/m over R. Lines without points: on the mesh itself.";
   for (const double ratio : kRadiusRatios) {

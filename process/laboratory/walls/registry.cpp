@@ -4,10 +4,10 @@ namespace diefill::process::laboratory {
 
 const std::vector<Experiment>& wall_experiments() {
   static const std::vector<Experiment> all = {
-      {"rebound", "how do speed and direction of a rebound differ from those on the surface itself?",
+      {"rebound", "how do speed and direction of a rebound differ from those on the exact surface?",
        compare_rebound},
-      {"sliding", "what friction does a grain feel that slides over wall spheres?", compare_sliding},
-      {"bed", "what do wall spheres change in the powder that settles on them?", compare_beds},
+      {"sliding", "what is the friction of a grain sliding over wall spheres?", compare_sliding},
+      {"bed", "how do wall spheres affect powder that settles on them?", compare_beds},
   };
   return all;
 }

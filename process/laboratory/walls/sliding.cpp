@@ -57,12 +57,12 @@ void compare_sliding(const ExperimentOptions& options, results::ExperimentResult
     std::snprintf(text, sizeof text, "sliding_%.0f_mm_s", 1e3 * speed);
     results::ExperimentChart chart;
     chart.name = text;
-    std::snprintf(text, sizeof text, "Friction felt on wall spheres from %.2g m/s on", speed);
+    std::snprintf(text, sizeof text, "Effective friction on wall spheres from %.2g m/s", speed);
     chart.title = text;
-    chart.subtitle = "Sphere of R = 0.15 mm that does not turn, wall friction 0.15, mean over directions";
+    chart.subtitle = "Non-rotating sphere of R = 0.15 mm, wall friction 0.15, mean over directions";
     chart.note = "Speed lost over g t until half of it is left. Line without points: on the mesh itself.";
     chart.x = {.label = "Spacing of the wall spheres over their radius"};
-    chart.y = {.label = "Coefficient of friction felt"};
+    chart.y = {.label = "Effective coefficient of friction"};
     const double on_mesh = friction_felt(level_mesh(0.1), speed, 0.2);
     for (const double ratio : kRadiusRatios) {
       ExperimentSeries felt{.name = in_words(ratio), .x = {}, .y = {}};

@@ -34,9 +34,7 @@ std::string toml_point(const Eigen::Vector3d& point) {
 /// The pour keeps its share of the slice, so that powder stands as high as before.
 SceneChanges changes(const Scene& scene, const std::string& value) {
   const auto axis = slice_axis(scene);
-  if (!axis)
-    throw SceneError(
-        "the scene is not periodic: it has no slice; give numerics.periodic, or leave the knob out");
+  if (!axis) throw SceneError("the scene is not periodic; set numerics.periodic or remove the knob");
   const double factor = parse_quantity(value, Dimension::length) / length_of(scene, *axis);
   Eigen::Vector3d from = scene.pour.lower, to = scene.pour.upper;
   from[*axis] *= factor;

@@ -1,6 +1,5 @@
 // Coarse graining by force scaling: the two ways of the scaled-up particle, factors of the other rules,
-// spheres thrown on a floor, and Kottlan's similarity.
-#include "engine/coarse_graining/kottlan_similarity.h"
+// spheres thrown on a floor.
 #include "engine/coarse_graining/methods.h"
 #include "engine/coarse_graining/scaled_law.h"
 #include "engine/coarse_graining/thakur.h"
@@ -38,7 +37,8 @@ void expect_close(Vector3 a, Vector3 b, const std::string& what) {
 }
 
 TEST(ScaledUpParticle, IsTheOrdinaryLawWithScaledParameters) {
-  // (a) of Hu's identities: original variables against scaled parameters.
+  // (a) of Hu's identities: original variables against scaled parameters and torques times torque_factor()
+  // (Hu 2024, Eqs. 3.46 to 3.48).
   for (const double scale : {2.0, 4.0, 7.3}) {
     const auto rule = scaled_up_particle(scale);
     auto coarse = laws::spheres(2.5e-4 * scale, 4e-4 * scale);
@@ -46,7 +46,7 @@ TEST(ScaledUpParticle, IsTheOrdinaryLawWithScaledParameters) {
       const auto direct = scaled_law(fine, rule, coarse);
       auto weak_torque = coarse;
       weak_torque.inertia_factor = 1 / rule.torque_factor();
-      const auto by_parameters = laws::make_law(scaled_up_particle(fine, scale), weak_torque);
+      const auto by_parameters = laws::make_law(fine.similar(scale), weak_torque);
       std::vector<double> one(GeneralLaw::kMemory), other(GeneralLaw::kMemory);
       EXPECT_NEAR(direct.range(), by_parameters.range(), 1e-12 * by_parameters.range());
       for (int step = 0; step < 600; ++step) {
@@ -270,36 +270,6 @@ TEST(GeometricSimilarity, RunsTheSameTrajectoryInUnitsOfTheGrain) {
       EXPECT_LT(length(0.25 * (*way)[0].position - fine[0].position), 1e-12) << name;
     }
   }
-}
-
-TEST(KottlanSimilarity, KeepsForcesAndScalesTime) {
-  const KottlanSimilarity map{2000};
-  const double radius = 5e-5;
-  const laws::LudingNormal::Parameters spring{.loading = 150, .unloading = 600, .cohesion = 30};
-  const auto run = [&](double length, double stiffness, double time, double density, double speed) {
-    LawParameters law{.normal = laws::LudingNormal::Parameters{.loading = spring.loading * stiffness,
-                                                               .unloading = spring.unloading * stiffness,
-                                                               .cohesion = spring.cohesion * stiffness}};
-    law.damping = laws::LinearRestitutionDamping::Parameters{.restitution = 0.65,
-                                                             .stiffness = spring.loading * stiffness};
-    return laws::collide(law, laws::spheres(radius * length, radius * length, density), speed, time * 1e-9);
-  };
-  const auto real = run(1, 1, 1, 1545, 0.1);
-  const auto large =
-      run(map.length(), map.stiffness(), map.time(), 1545 * map.density(), 0.1 * map.velocity());
-  EXPECT_NEAR(large.restitution, real.restitution, 1e-9);
-  EXPECT_NEAR(large.deepest, real.deepest * map.length(), 1e-9 * large.deepest);
-  EXPECT_NEAR(large.duration, real.duration * map.time(), 1e-9 * large.duration);
-  // Stiffness from the modulus, and van der Waals forces, follow the map.
-  EXPECT_NEAR(laws::luding_loading_stiffness(17e6 * map.modulus(), radius * map.length(), 0.01),
-              laws::luding_loading_stiffness(17e6, radius, 0.01) * map.stiffness(), 1e-12);
-  const laws::VanDerWaals small({.hamaker = 5e-18}, laws::spheres(radius, radius));
-  const laws::VanDerWaals big({.hamaker = 5e-18 * map.energy(),
-                               .smallest_gap = 5e-9 * map.length(),
-                               .largest_gap = 1e-6 * map.length()},
-                              laws::spheres(radius * map.length(), radius * map.length()));
-  EXPECT_NEAR(big.force(2e-8 * map.length(), nullptr), small.force(2e-8, nullptr), 1e-20);
-  for (const double r : {5e-6, 1e-5, 5e-5}) EXPECT_DOUBLE_EQ(KottlanSimilarity{0.1 / r}.force(), 1);
 }
 
 }  // namespace
