@@ -4,12 +4,12 @@
 #include <exception>
 #include <new>
 
-#include "engine/health.h"
-#include "geometry/mesh.h"
+#include "engine/limits/validity_monitor.h"
+#include "geometry/mesh/mesh.h"
+#include "process/input/scene_error.h"
+#include "process/input/shown_value.h"
 #include "process/results/result_file.h"
 #include "process/run/fill_run.h"
-#include "process/scene/scene_error.h"
-#include "process/scene/shown_value.h"
 
 namespace diefill::app {
 

@@ -1,11 +1,11 @@
 // diefill: predicts how powder fills a die.
 #include <CLI/CLI.hpp>
 
-#include "app/commands.h"
+#include "app/commands/commands.h"
 #include "app/exit_code.h"
 #include "app/output.h"
+#include "process/input/shown_value.h"
 #include "process/run/assemble.h"
-#include "process/scene/shown_value.h"
 
 namespace {
 

@@ -1,5 +1,6 @@
-// Writes the sample tools as STEP files (and one as IGES) with curved surfaces where the STL files have facets: one file a press, its
-// parts named as in the scenes. Needs OpenCASCADE; make.sh compiles and runs it. Millimetres, z up, fill plane z = 0.
+// Writes the sample tools as STEP files (and one as IGES) with curved surfaces where the STL files have
+// facets: one file a press, its parts named as in the scenes. Needs OpenCASCADE; make.sh compiles and runs
+// it. Millimetres, z up, fill plane z = 0.
 #include <BRepAlgoAPI_Cut.hxx>
 #include <BRepBuilderAPI_MakeEdge.hxx>
 #include <BRepBuilderAPI_MakeFace.hxx>
@@ -33,7 +34,7 @@
 
 namespace {
 
-constexpr double kWall = 3;         // as in tooling.scad
+constexpr double kWall = 3;  // as in tooling.scad
 constexpr double kOverhang = 1;
 constexpr double kClearance = 0.02;
 constexpr double kMargin = 4;
@@ -45,7 +46,8 @@ TopoDS_Shape block(double half_x, double half_y, double bottom, double top) {
 }
 
 TopoDS_Shape rod(double radius, double bottom, double top, double x = 0, double y = 0) {
-  return BRepPrimAPI_MakeCylinder(gp_Ax2(gp_Pnt(x, y, bottom), gp_Dir(0, 0, 1)), radius, top - bottom).Shape();
+  return BRepPrimAPI_MakeCylinder(gp_Ax2(gp_Pnt(x, y, bottom), gp_Dir(0, 0, 1)), radius, top - bottom)
+      .Shape();
 }
 
 TopoDS_Shape cut(const TopoDS_Shape& from, const TopoDS_Shape& what) {
@@ -78,23 +80,26 @@ double plate_half_y(double shoe_y) {
 Parts narrow_ring(double width) {
   const double inner = 8, outer = 8 + width, depth = 20, height = 25, shoe_x = 32, shoe_y = 29;
   const TopoDS_Shape plate = block(plate_half_x(outer, shoe_x), plate_half_y(shoe_y), -height, 0);
-  return {{"die", cut(plate, rod(outer, -height - 1, 1))},
-          {"core rod", rod(inner, -height, 0)},
-          {"lower punch", cut(rod(outer - kClearance, -height, -depth), rod(inner + kClearance, -height - 1, 0))},
-          {"shoe", shoe(shoe_x, shoe_y, 24, 1.5)}};
+  return {
+      {"die", cut(plate, rod(outer, -height - 1, 1))},
+      {"core rod", rod(inner, -height, 0)},
+      {"lower punch", cut(rod(outer - kClearance, -height, -depth), rod(inner + kClearance, -height - 1, 0))},
+      {"shoe", shoe(shoe_x, shoe_y, 24, 1.5)}};
 }
 
 Parts stepped_ring() {
-  const double inner = 8, lower = 11.15, upper = 16, step = 10, depth = 20, height = 25, shoe_x = 32, shoe_y = 36;
+  const double inner = 8, lower = 11.15, upper = 16, step = 10, depth = 20, height = 25, shoe_x = 32,
+               shoe_y = 36;
   const TopoDS_Shape plate = block(plate_half_x(upper, shoe_x), plate_half_y(shoe_y), -height, 0);
-  return {{"die", cut(cut(plate, rod(lower, -height - 1, 1)), rod(upper, -step, 1))},
-          {"core rod", rod(inner, -height, 0)},
-          {"lower punch", cut(rod(lower - kClearance, -height, -depth), rod(inner + kClearance, -height - 1, 0))},
-          {"shoe", shoe(shoe_x, shoe_y, 46)}};
+  return {
+      {"die", cut(cut(plate, rod(lower, -height - 1, 1)), rod(upper, -step, 1))},
+      {"core rod", rod(inner, -height, 0)},
+      {"lower punch", cut(rod(lower - kClearance, -height, -depth), rod(inner + kClearance, -height - 1, 0))},
+      {"shoe", shoe(shoe_x, shoe_y, 46)}};
 }
 
-// Gear of gear.scad: teeth of involute flanks. An involute moved inwards by `play` is the same one turned by play over
-// the radius of its base circle.
+// Gear of gear.scad: teeth of involute flanks. An involute moved inwards by `play` is the same one turned by
+// play over the radius of its base circle.
 constexpr int kTeeth = 20;
 constexpr double kModule = 2, kPressureAngle = 20 * std::numbers::pi / 180;
 constexpr double kPitch = kModule * kTeeth / 2, kTip = kPitch + kModule, kRoot = kPitch - 1.25 * kModule;
@@ -116,8 +121,9 @@ double half_tooth(double radius, double play) {
 }
 
 TopoDS_Edge arc(double radius, double from, double to, double z) {
-  return BRepBuilderAPI_MakeEdge(
-             GC_MakeArcOfCircle(polar(radius, from, z), polar(radius, (from + to) / 2, z), polar(radius, to, z)).Value())
+  return BRepBuilderAPI_MakeEdge(GC_MakeArcOfCircle(polar(radius, from, z), polar(radius, (from + to) / 2, z),
+                                                    polar(radius, to, z))
+                                     .Value())
       .Edge();
 }
 
@@ -136,7 +142,8 @@ TopoDS_Edge flank(double side, double middle, double tip, double play, double z)
 
 TopoDS_Wire gear_outline(double play, double z) {
   const double base = kPitch * std::cos(kPressureAngle), tip = kTip - play, root = kRoot - play;
-  const double pitch_angle = 2 * std::numbers::pi / kTeeth, foot = half_tooth(base, play), head = half_tooth(tip, play);
+  const double pitch_angle = 2 * std::numbers::pi / kTeeth, foot = half_tooth(base, play),
+               head = half_tooth(tip, play);
   BRepBuilderAPI_MakeWire wire;
   for (int k = 0; k < kTeeth; ++k) {
     const double middle = k * pitch_angle;
@@ -170,7 +177,8 @@ TopoDS_Shape chamfer(double size) {
 
 Parts gear_press() {
   const double core = 8, pin = 2, pins_at = 12.75, depth = 15, height = 20, shoe_x = 52, shoe_y = 48;
-  TopoDS_Shape die = cut(block(plate_half_x(kTip, shoe_x), plate_half_y(shoe_y), -height, 0), gear(0, -height - 1, 1));
+  TopoDS_Shape die =
+      cut(block(plate_half_x(kTip, shoe_x), plate_half_y(shoe_y), -height, 0), gear(0, -height - 1, 1));
   die = cut(die, chamfer(0.5));
   TopoDS_Shape punch = cut(gear(kClearance, -height, -depth), rod(core + kClearance, -height - 1, 0));
   TopoDS_Compound rods;
@@ -178,7 +186,8 @@ Parts gear_press() {
   builder.MakeCompound(rods);
   builder.Add(rods, rod(core, -height, 0));
   for (int k = 0; k < 4; ++k) {
-    const double angle = (k + 0.5) * std::numbers::pi / 2, x = pins_at * std::cos(angle), y = pins_at * std::sin(angle);
+    const double angle = (k + 0.5) * std::numbers::pi / 2, x = pins_at * std::cos(angle),
+                 y = pins_at * std::sin(angle);
     punch = cut(punch, rod(pin + kClearance, -height - 1, 0, x, y));
     builder.Add(rods, rod(pin, -height, 0, x, y));
   }

@@ -13,7 +13,7 @@ namespace diefill::engine::coarse_graining {
 template <class Law>
 class ScaledLaw {
  public:
-  static constexpr int kMemory = Law::kMemory;
+  static constexpr int kHistory = Law::kHistory;
 
   /// `original`: the law between the small grains, made for scaling.original(pair).
   ScaledLaw(const ForceScaling& scaling, const Law& original)
@@ -24,16 +24,16 @@ class ScaledLaw {
         stretch_(scaling.literal_spring ? 1 : power(scaling, scaling.spring_exponent)),
         turn_(scaling.literal_rolling ? 1 : scaling.scale),
         force_(power(scaling, scaling.force_exponent)),
-        couple_(power(scaling, scaling.force_exponent + 1)),
+        torque_(power(scaling, scaling.force_exponent + 1)),
         attraction_(power(scaling, scaling.attraction_exponent)) {}
 
   /// m, the largest gap of scaled grains at which the pair must still be looked at.
   double range() const { return law_.range() * gap_; }
 
-  /// As ComposedLaw::react, for scaled grains. The couple is such that it and force times the scaled lever
+  /// As ComposedLaw::react, for scaled grains. The torque is such that it and force times the scaled lever
   /// arm share the factor ForceScaling::torque_factor, which the caller applies to their sum.
-  laws::Reaction react(const laws::ContactState& state, double* memory) const {
-    return scaled(law_.react(original(state), memory), state.normal);
+  laws::Reaction react(const laws::ContactState& state, double* history) const {
+    return scaled(law_.react(original(state), history), state.normal);
   }
   /// The law between the small grains.
   const Law& parts() const { return law_; }
@@ -49,7 +49,7 @@ class ScaledLaw {
   /// What the `reaction` of small grains means for those that stand for them; `normal` from j to i.
   laws::Reaction scaled(laws::Reaction reaction, Vector3 normal) const {
     reaction.force = force_ * reaction.force + ((attraction_ - force_) * reaction.attraction) * normal;
-    reaction.couple = couple_ * reaction.couple;
+    reaction.torque = torque_ * reaction.torque;
     reaction.load *= force_;
     reaction.viscous *= force_;
     reaction.normal_power *= force_;
@@ -62,23 +62,23 @@ class ScaledLaw {
   }
 
   /// J that the normal part holds: force times overlap, each scaled.
-  double contact_energy(double overlap, const double* memory) const {
-    return force_ * overlap_ * law_.contact_energy(original_overlap(overlap), memory);
+  double contact_energy(double overlap, const double* history) const {
+    return force_ * overlap_ * law_.contact_energy(original_overlap(overlap), history);
   }
   /// J of the distant attraction.
-  double attraction_energy(double overlap, const double* memory) const {
+  double attraction_energy(double overlap, const double* history) const {
     // In contact the attraction is constant and acts through the overlap as it is scaled.
     const double per_length = overlap > 0 ? overlap_ : gap_;
-    return attraction_ * (gap_ * law_.attraction_energy(0, memory) +
-                          per_length * (law_.attraction_energy(original_overlap(overlap), memory) -
-                                        law_.attraction_energy(0, memory)));
+    return attraction_ * (gap_ * law_.attraction_energy(0, history) +
+                          per_length * (law_.attraction_energy(original_overlap(overlap), history) -
+                                        law_.attraction_energy(0, history)));
   }
 
   /// N/m, the steepest slope of the normal part's force at `overlap` (m) of the scaled grains, for a fresh
   /// contact.
   double stiffness(double overlap) const {
-    const double memory[kMemory + 1] = {};
-    return force_ / overlap_ * law_.normal.stiffness(original_overlap(overlap), memory);
+    const double history[kHistory + 1] = {};
+    return force_ / overlap_ * law_.normal.stiffness(original_overlap(overlap), history);
   }
   /// N s/m, what the damping's force is over the speed at `overlap` (m).
   double damping(double overlap) const {
@@ -94,7 +94,7 @@ class ScaledLaw {
 
   Law law_;
   double spin_, overlap_, gap_, stretch_, turn_;  // original over scaled, or scaled over original length
-  double force_, couple_, attraction_;            // scaled over original
+  double force_, torque_, attraction_;            // scaled over original
 };
 
 }  // namespace diefill::engine::coarse_graining

@@ -27,7 +27,7 @@ struct NoDamping {
 /// Surfaces without friction.
 struct FreeSliding {
   using Parameters = NoParameters<FreeSliding>;
-  static constexpr int kMemory = 0;
+  static constexpr int kHistory = 0;
   static constexpr MemorySigns<0> kMemorySigns = {};
   FreeSliding(const Parameters&, const PairProperties&) {}
   Vector3 force(double*, Vector3, Vector3, double, double, double) const { return {}; }
@@ -36,7 +36,7 @@ struct FreeSliding {
 /// Grains that roll without resistance.
 struct FreeRolling {
   using Parameters = NoParameters<FreeRolling>;
-  static constexpr int kMemory = 0;
+  static constexpr int kHistory = 0;
   static constexpr MemorySigns<0> kMemorySigns = {};
   static constexpr bool follows_time_step() { return false; }
   FreeRolling(const Parameters&, const PairProperties&) {}
@@ -45,7 +45,7 @@ struct FreeRolling {
 
 struct NoAttraction {
   using Parameters = NoParameters<NoAttraction>;
-  static constexpr int kMemory = 0;
+  static constexpr int kHistory = 0;
   static constexpr MemorySigns<0> kMemorySigns = {};
   NoAttraction(const Parameters&, const PairProperties&) {}
   double range() const { return 0; }

@@ -1,6 +1,6 @@
 // Parts chosen while the program runs: each Any... holds one of the parts in its list and is a part of that
 // kind itself, so that one instantiation of ComposedLaw serves every combination. One contact at a time is
-// slower than with a law composed of fixed parts by the choice at each call; loops over many contacts choose
+// slower than with a law clumped of fixed parts by the choice at each call; loops over many contacts choose
 // once.
 #pragma once
 
@@ -132,7 +132,7 @@ class AnyPart {
     int most = 0;
     ((most = std::max(most,
                       [] {
-                        if constexpr (requires { Parts::kMemory; }) return Parts::kMemory;
+                        if constexpr (requires { Parts::kHistory; }) return Parts::kHistory;
                         return 0;
                       }())),
      ...);
@@ -172,19 +172,19 @@ class AnyPart {
 template <NormalPart... Parts>
 struct AnyNormalOf : AnyPart<Parts...> {
   using AnyPart<Parts...>::AnyPart;
-  static constexpr int kMemory = AnyPart<Parts...>::kMostMemory;
+  static constexpr int kHistory = AnyPart<Parts...>::kMostMemory;
   static constexpr auto kMemorySigns = AnyPart<Parts...>::shared_signs();
   bool hysteretic() const {
     return this->with([]<class Part>(const Part&) { return Part::hysteretic(); });
   }
-  StaticForce force(double overlap, double root_overlap, double* memory) const {
-    return this->with([&](const auto& part) { return part.force(overlap, root_overlap, memory); });
+  StaticForce force(double overlap, double root_overlap, double* history) const {
+    return this->with([&](const auto& part) { return part.force(overlap, root_overlap, history); });
   }
-  double energy(double overlap, const double* memory) const {
-    return this->with([&](const auto& part) { return part.energy(overlap, memory); });
+  double energy(double overlap, const double* history) const {
+    return this->with([&](const auto& part) { return part.energy(overlap, history); });
   }
-  double stiffness(double overlap, const double* memory) const {
-    return this->with([&](const auto& part) { return part.stiffness(overlap, memory); });
+  double stiffness(double overlap, const double* history) const {
+    return this->with([&](const auto& part) { return part.stiffness(overlap, history); });
   }
 };
 
@@ -202,27 +202,28 @@ struct AnyDampingOf : AnyPart<Parts...> {
 template <FrictionPart... Parts>
 struct AnyFrictionOf : AnyPart<Parts...> {
   using AnyPart<Parts...>::AnyPart;
-  static constexpr int kMemory = AnyPart<Parts...>::kMostMemory;
+  static constexpr int kHistory = AnyPart<Parts...>::kMostMemory;
   static constexpr auto kMemorySigns = AnyPart<Parts...>::shared_signs();
-  Vector3 force(double* memory, Vector3 normal, Vector3 sliding, double root_overlap, double load,
+  Vector3 force(double* history, Vector3 normal, Vector3 sliding, double root_overlap, double load,
                 double time_step) const {
-    return this->with(
-        [&](const auto& part) { return part.force(memory, normal, sliding, root_overlap, load, time_step); });
+    return this->with([&](const auto& part) {
+      return part.force(history, normal, sliding, root_overlap, load, time_step);
+    });
   }
 };
 
 template <RollingPart... Parts>
 struct AnyRollingOf : AnyPart<Parts...> {
   using AnyPart<Parts...>::AnyPart;
-  static constexpr int kMemory = AnyPart<Parts...>::kMostMemory;
+  static constexpr int kHistory = AnyPart<Parts...>::kMostMemory;
   static constexpr auto kMemorySigns = AnyPart<Parts...>::shared_signs();
   bool follows_time_step() const {
     return this->with([]<class Part>(const Part&) { return Part::follows_time_step(); });
   }
-  Vector3 torque(double* memory, Vector3 normal, Vector3 relative_spin, double root_overlap,
+  Vector3 torque(double* history, Vector3 normal, Vector3 relative_spin, double root_overlap,
                  StaticForce static_force, double load, double time_step) const {
     return this->with([&](const auto& part) {
-      return part.torque(memory, normal, relative_spin, root_overlap, static_force, load, time_step);
+      return part.torque(history, normal, relative_spin, root_overlap, static_force, load, time_step);
     });
   }
 };
@@ -230,16 +231,16 @@ struct AnyRollingOf : AnyPart<Parts...> {
 template <AttractionPart... Parts>
 struct AnyAttractionOf : AnyPart<Parts...> {
   using AnyPart<Parts...>::AnyPart;
-  static constexpr int kMemory = AnyPart<Parts...>::kMostMemory;
+  static constexpr int kHistory = AnyPart<Parts...>::kMostMemory;
   static constexpr auto kMemorySigns = AnyPart<Parts...>::shared_signs();
   double range() const {
     return this->with([](const auto& part) { return part.range(); });
   }
-  double force(double gap, double* memory) const {
-    return this->with([&](const auto& part) { return part.force(gap, memory); });
+  double force(double gap, double* history) const {
+    return this->with([&](const auto& part) { return part.force(gap, history); });
   }
-  double energy(double gap, const double* memory) const {
-    return this->with([&](const auto& part) { return part.energy(gap, memory); });
+  double energy(double gap, const double* history) const {
+    return this->with([&](const auto& part) { return part.energy(gap, history); });
   }
 };
 

@@ -25,7 +25,7 @@ struct BierwischNormal {
     double hertzian_modulus() const { return 0.5 * reduced_modulus; }
     double linear_stiffness() const { return 0; }
   };
-  static constexpr int kMemory = 0;
+  static constexpr int kHistory = 0;
   static constexpr MemorySigns<0> kMemorySigns = {};
   static constexpr bool hysteretic() { return false; }
   Hertz elastic;

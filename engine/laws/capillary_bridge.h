@@ -33,7 +33,7 @@ struct CapillaryBridge {
     bool surface_forces() const { return false; }
     bool attracts() const { return surface_tension > 0; }
   };
-  static constexpr int kMemory = 1;  ///< 1 while there is a bridge
+  static constexpr int kHistory = 1;  ///< 1 while there is a bridge
   static constexpr MemorySigns<1> kMemorySigns = {1};
   double strength = 0;  ///< N, 4 pi R* gamma_L cos(theta)
   double spread = 0;    ///< m^2, lambda / (pi R*)
@@ -58,18 +58,18 @@ struct CapillaryBridge {
   }
 
   double range() const { return rupture; }
-  double force(double gap, double* memory) const {
-    const double holds = gap <= rupture ? memory[0] : 0.0;
+  double force(double gap, double* history) const {
+    const double holds = gap <= rupture ? history[0] : 0.0;
     const double bridge = gap <= 0 ? 1.0 : holds;
-    memory[0] = bridge;
+    history[0] = bridge;
     return -bridge * pull(gap > smallest ? gap : smallest);
   }
   /// J, zero at rupture (at S_min, should that be farther).
-  double energy(double gap, const double* memory) const {
+  double energy(double gap, const double* history) const {
     const double distance = gap > smallest ? gap : smallest;
     const double plateau = pull(distance) * (distance - gap);
     const double outermost = rupture > smallest ? rupture : smallest;
-    return -memory[0] * (strength * (slack(distance) - slack(outermost)) + plateau);
+    return -history[0] * (strength * (slack(distance) - slack(outermost)) + plateau);
   }
 
  private:

@@ -1,4 +1,4 @@
-// A contact law put together from one part of each kind: motion of the pair in, force and couple out. Grains,
+// A contact law put together from one part of each kind: motion of the pair in, force and torque out. Grains,
 // walls, the engine and the slow reference all go through the parts in the order that `for_each_part` has.
 #pragma once
 
@@ -49,7 +49,7 @@ struct ContactInParts {
   double attraction = 0;  ///< N, of the distant part
   StaticForce still = {};
   double viscous = 0, load = 0;          ///< N
-  Vector3 tangential = {}, couple = {};  ///< N and N m, on i
+  Vector3 tangential = {}, torque = {};  ///< N and N m, on i
 
   ContactInParts() = default;
   explicit ContactInParts(const ContactState& state)
@@ -67,13 +67,13 @@ template <NormalPart Normal, DampingPart Damping, FrictionPart Friction, Rolling
           AttractionPart Attraction>
 struct ComposedLaw {
   // Memory of a pair: one part after the other, the attraction's last because it outlives the contact.
-  static constexpr int kFrictionMemory = Normal::kMemory;
-  static constexpr int kRollingMemory = kFrictionMemory + Friction::kMemory;
-  static constexpr int kAttractionMemory = kRollingMemory + Rolling::kMemory;
-  static constexpr int kMemory = kAttractionMemory + Attraction::kMemory;
+  static constexpr int kFrictionHistory = Normal::kHistory;
+  static constexpr int kRollingHistory = kFrictionHistory + Friction::kHistory;
+  static constexpr int kAttractionHistory = kRollingHistory + Rolling::kHistory;
+  static constexpr int kHistory = kAttractionHistory + Attraction::kHistory;
   /// As in parts.h, of all parts. Numbers that no part uses keep their sign.
-  static constexpr MemorySigns<static_cast<std::size_t>(kMemory)> kMemorySigns = [] {
-    MemorySigns<static_cast<std::size_t>(kMemory)> signs = {};
+  static constexpr MemorySigns<static_cast<std::size_t>(kHistory)> kMemorySigns = [] {
+    MemorySigns<static_cast<std::size_t>(kHistory)> signs = {};
     std::size_t place = 0;
     const auto append = [&](const auto& of_part) {
       for (const double sign : of_part) signs[place++] = sign != 0 ? sign : 1;
@@ -103,41 +103,42 @@ struct ComposedLaw {
     return form;
   }
 
-  /// Force and couple at `state`; advances the pair's `memory` (kMemory doubles) by one time step, so it must
-  /// be called once per pair and step. Apart, only the attraction acts and the contact's memory is wiped.
-  Reaction react(const ContactState& state, double* memory) const {
+  /// Force and torque at `state`; advances the pair's `history` (kHistory doubles) by one time step, so it
+  /// must be called once per pair and step. Apart, only the attraction acts and the contact's history is
+  /// wiped.
+  Reaction react(const ContactState& state, double* history) const {
     ContactInParts contact(state);
-    for_each_part([&](auto part, const auto& act) { act(load, this->*part, contact, memory); });
-    return sum(contact, memory);
+    for_each_part([&](auto part, const auto& act) { act(load, this->*part, contact, history); });
+    return sum(contact, history);
   }
 
   /// Calls run(part, act) for one part after the other: `part` points to the member, and act(load, part,
-  /// contact, memory) lets it act on a ContactInParts, `load` being the law's and `memory` all that the pair
-  /// remembers. After the last one comes sum().
+  /// contact, history) lets it act on a ContactInParts, `load` being the law's and `history` all that the
+  /// pair remembers. After the last one comes sum().
   template <class Run>
   static void for_each_part(const Run& run) {
-    run(&ComposedLaw::attraction, [](const Load&, const auto& part, auto& contact, double* memory) {
-      contact.attraction = part.force(-contact.overlap, memory + kAttractionMemory);
+    run(&ComposedLaw::attraction, [](const Load&, const auto& part, auto& contact, double* history) {
+      contact.attraction = part.force(-contact.overlap, history + kAttractionHistory);
     });
-    run(&ComposedLaw::normal, [](const Load&, const auto& part, auto& contact, double* memory) {
-      contact.still = part.force(contact.overlap, contact.root_overlap, memory);
+    run(&ComposedLaw::normal, [](const Load&, const auto& part, auto& contact, double* history) {
+      contact.still = part.force(contact.overlap, contact.root_overlap, history);
     });
     run(&ComposedLaw::damping, [](const Load& load, const auto& part, auto& contact, double*) {
       contact.viscous = part.force(contact.overlap, contact.root_overlap, contact.separation_speed);
       contact.load = load.of(contact.still.limit, contact.viscous);
     });
-    run(&ComposedLaw::friction, [](const Load&, const auto& part, auto& contact, double* memory) {
-      contact.tangential = part.force(memory + kFrictionMemory, contact.normal, contact.sliding,
+    run(&ComposedLaw::friction, [](const Load&, const auto& part, auto& contact, double* history) {
+      contact.tangential = part.force(history + kFrictionHistory, contact.normal, contact.sliding,
                                       contact.root_overlap, contact.load, contact.time_step);
     });
-    run(&ComposedLaw::rolling, [](const Load&, const auto& part, auto& contact, double* memory) {
-      contact.couple = part.torque(memory + kRollingMemory, contact.normal, contact.spin,
+    run(&ComposedLaw::rolling, [](const Load&, const auto& part, auto& contact, double* history) {
+      contact.torque = part.torque(history + kRollingHistory, contact.normal, contact.spin,
                                    contact.root_overlap, contact.still, contact.load, contact.rolling_step);
     });
   }
 
   /// What the parts make up together. Apart, what the parts of the contact have done comes to nothing.
-  static Reaction sum(const ContactInParts& contact, double* memory) {
+  static Reaction sum(const ContactInParts& contact, double* history) {
     const bool touches = contact.overlap > 0;
     const auto in_contact = [touches](double value) { return touches ? value : 0.0; };
     const Vector3 push = (contact.still.force + contact.viscous) * contact.normal + contact.tangential;
@@ -145,26 +146,26 @@ struct ComposedLaw {
     reaction.attraction = contact.attraction;
     reaction.force = contact.attraction * contact.normal +
                      Vector3{in_contact(push.x), in_contact(push.y), in_contact(push.z)};
-    reaction.couple = {in_contact(contact.couple.x), in_contact(contact.couple.y),
-                       in_contact(contact.couple.z)};
+    reaction.torque = {in_contact(contact.torque.x), in_contact(contact.torque.y),
+                       in_contact(contact.torque.z)};
     reaction.load = in_contact(contact.load);
     reaction.viscous = in_contact(contact.viscous);
     reaction.attraction_power = contact.attraction * contact.separation_speed;
     reaction.normal_power = in_contact(contact.still.force * contact.separation_speed);
     reaction.viscous_power = in_contact(contact.viscous * contact.separation_speed);
     reaction.friction_power = in_contact(dot(contact.tangential, contact.sliding));
-    reaction.rolling_power = in_contact(dot(contact.couple, contact.spin));
-    for (int k = 0; k < kAttractionMemory; ++k) memory[k] = in_contact(memory[k]);
+    reaction.rolling_power = in_contact(dot(contact.torque, contact.spin));
+    for (int k = 0; k < kAttractionHistory; ++k) history[k] = in_contact(history[k]);
     return reaction;
   }
 
   /// J that the normal part holds and can give back.
-  double contact_energy(double overlap, const double* memory) const {
-    return overlap > 0 ? normal.energy(overlap, memory) : 0;
+  double contact_energy(double overlap, const double* history) const {
+    return overlap > 0 ? normal.energy(overlap, history) : 0;
   }
   /// J of the distant attraction (negative), zero beyond its range.
-  double attraction_energy(double overlap, const double* memory) const {
-    return attraction.energy(-overlap, memory + kAttractionMemory);
+  double attraction_energy(double overlap, const double* history) const {
+    return attraction.energy(-overlap, history + kAttractionHistory);
   }
 };
 

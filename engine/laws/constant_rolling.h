@@ -14,7 +14,7 @@
 
 #include "engine/laws/parameter_check.h"
 #include "engine/laws/parts.h"
-#include "engine/laws/spring_memory.h"
+#include "engine/laws/spring_history.h"
 
 namespace diefill::engine::laws {
 
@@ -34,7 +34,7 @@ struct LoadRolling {
     Parameters similar(double) const { return *this; }
     void run_in_steps_of(double) {}
   };
-  static constexpr int kMemory = 3;  ///< torque on i, N m
+  static constexpr int kHistory = 3;  ///< torque on i, N m
   static constexpr MemorySigns<3> kMemorySigns = kVectorSigns;
   static constexpr bool follows_time_step() { return true; }
   double arm;      ///< m, mu_r R*
@@ -43,13 +43,13 @@ struct LoadRolling {
   LoadRolling(const Parameters& given, const PairProperties& pair)
       : arm(given.rolling_friction * pair.effective_radius()), inertia(pair.effective_inertia()) {}
 
-  Vector3 torque(double* memory, Vector3 normal, Vector3 relative_spin, double, StaticForce, double load,
+  Vector3 torque(double* history, Vector3 normal, Vector3 relative_spin, double, StaticForce, double load,
                  double time_step) const {
     const Vector3 trial =
-        in_plane(load_vector(memory) - torque_gained(inertia, time_step) * relative_spin, normal);
-    const Vector3 couple = shortening(length(trial), arm * load) * trial;
-    store_vector(memory, couple);
-    return couple;
+        in_plane(load_vector(history) - torque_gained(inertia, time_step) * relative_spin, normal);
+    const Vector3 torque = shortening(length(trial), arm * load) * trial;
+    store_vector(history, torque);
+    return torque;
   }
 };
 
@@ -67,7 +67,7 @@ struct ElasticRolling {
     Parameters similar(double l) const { return {rolling_friction, l * stiffness, harmonic_mean}; }
     void run_in_steps_of(double) {}
   };
-  static constexpr int kMemory = 3;  ///< torque on i before its part along the normal is left out, N m
+  static constexpr int kHistory = 3;  ///< torque on i before its part along the normal is left out, N m
   static constexpr MemorySigns<3> kMemorySigns = kVectorSigns;
   static constexpr bool follows_time_step() { return true; }
   double coefficient;  ///< N, mu_roll k_1 R
@@ -78,11 +78,11 @@ struct ElasticRolling {
                     (given.harmonic_mean ? 2 : 1)),
         inertia(pair.effective_inertia()) {}
 
-  Vector3 torque(double* memory, Vector3 normal, Vector3 relative_spin, double root_overlap, StaticForce,
+  Vector3 torque(double* history, Vector3 normal, Vector3 relative_spin, double root_overlap, StaticForce,
                  double, double time_step) const {
-    const Vector3 trial = load_vector(memory) - torque_gained(inertia, time_step) * relative_spin;
+    const Vector3 trial = load_vector(history) - torque_gained(inertia, time_step) * relative_spin;
     const Vector3 whole = shortening(length(trial), coefficient * root_overlap * root_overlap) * trial;
-    store_vector(memory, whole);
+    store_vector(history, whole);
     return in_plane(whole, normal);
   }
 };

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <vector>
 
-#include "engine/contact_parameters.h"
 #include "engine/laws/cohesion.h"
+#include "engine/laws/contact_parameters.h"
 #include "engine/laws/damping.h"
 #include "engine/laws/hertz.h"
 #include "engine/laws/reaction.h"
@@ -25,8 +25,8 @@ struct NormalForce {
 /// Hertz, cohesion, damping and friction between spheres of one effective radius.
 template <class Cohesion, class Friction>
 struct ContactLaw {
-  static constexpr int kMemory = Friction::kMemory;  ///< numbers that a touching pair remembers
-  static constexpr bool kRolls = false;              ///< whether relative spins matter
+  static constexpr int kHistory = Friction::kHistory;  ///< numbers that a touching pair remembers
+  static constexpr bool kRolls = false;                ///< whether relative spins matter
   /// Whether the law is made of parts chosen while the program runs. This one is not: loops over many pairs
   /// call turn(), stretch() and react_stretched() one after the other, so that what waits for a root in one
   /// pair leaves the processor room for others.
@@ -44,30 +44,30 @@ struct ContactLaw {
         friction(parameters.tangential, parameters.friction, effective_radius),
         rolling_friction(parameters.rolling_friction) {}
 
-  /// Force between touching spheres; advances the pair's `memory`.
-  Reaction react(const ContactState& contact, double* memory) const {
-    turn(memory, contact.normal);
-    return react_stretched(stretch(contact, memory), contact.normal, memory);
+  /// Force between touching spheres; advances the pair's `history`.
+  Reaction react(const ContactState& contact, double* history) const {
+    turn(history, contact.normal);
+    return react_stretched(stretch(contact, history), contact.normal, history);
   }
-  /// Turns the pair's memory along with its `normal`.
-  void turn(double* memory, Vector3 normal) const { friction.turn(memory, normal); }
-  /// Stretches the pair's memory, once it has been turned, and says what the rest needs to know.
-  StretchedContact stretch(const ContactState& contact, double* memory) const {
+  /// Turns the pair's history along with its `normal`.
+  void turn(double* history, Vector3 normal) const { friction.turn(history, normal); }
+  /// Stretches the pair's history, once it has been turned, and says what the rest needs to know.
+  StretchedContact stretch(const ContactState& contact, double* history) const {
     StretchedContact stretched;
     stretched.overlap = contact.overlap;
     // Rounding can make the overlap of a pair that just touches negative.
     stretched.root_overlap = std::sqrt(contact.overlap > 0 ? contact.overlap : 0.0);
     stretched.separation_speed = dot(contact.velocity, contact.normal);
     stretched.sliding = contact.velocity - stretched.separation_speed * contact.normal;
-    friction.stretch(memory, stretched.sliding, contact.time_step);
+    friction.stretch(history, stretched.sliding, contact.time_step);
     return stretched;
   }
-  /// The same as react(), once the memory has been turned and stretched.
-  Reaction react_stretched(const StretchedContact& contact, Vector3 unit_normal, double* memory) const {
+  /// The same as react(), once the history has been turned and stretched.
+  Reaction react_stretched(const StretchedContact& contact, Vector3 unit_normal, double* history) const {
     const NormalForce parts = normal(contact.overlap, contact.root_overlap, contact.separation_speed);
     Reaction reaction;
     reaction.load = parts.load();
-    const Vector3 tangential = friction.limited(memory, contact.root_overlap, reaction.load);
+    const Vector3 tangential = friction.limited(history, contact.root_overlap, reaction.load);
     reaction.force = parts.total() * unit_normal + tangential;
     reaction.viscous_power = parts.viscous * contact.separation_speed;
     reaction.friction_power = dot(tangential, contact.sliding);
@@ -86,7 +86,7 @@ struct ContactLaw {
   /// m, gap at which the pair still acts on each other: it must touch.
   double range() const { return 0; }
   /// What remembered numbers are multiplied by for the other sphere.
-  static std::vector<double> memory_signs() { return std::vector<double>(kMemory, -1.0); }
+  static std::vector<double> history_signs() { return std::vector<double>(kHistory, -1.0); }
 };
 
 }  // namespace diefill::engine::laws

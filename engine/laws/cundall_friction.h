@@ -4,7 +4,7 @@
 
 #include "engine/laws/parameter_check.h"
 #include "engine/laws/parts.h"
-#include "engine/laws/spring_memory.h"
+#include "engine/laws/spring_history.h"
 #include "engine/laws/tangential_spring.h"
 
 namespace diefill::engine::laws {
@@ -23,7 +23,7 @@ struct CundallFriction {
     Parameters similar(double l) const { return {l * tangential, friction, cut_back}; }
     double largest_friction() const { return friction; }
   };
-  static constexpr int kMemory = 3;  ///< xi, m
+  static constexpr int kHistory = 3;  ///< xi, m
   static constexpr MemorySigns<3> kMemorySigns = kVectorSigns;
   TangentialSpring<true> spring;
   double cut_back;  ///< 1 or 0; a number, as loops with a flag do not vectorise
@@ -32,14 +32,14 @@ struct CundallFriction {
       : spring(given.tangential, given.friction, pair.effective_radius()),
         cut_back(given.cut_back ? 1.0 : 0.0) {}
 
-  Vector3 force(double* memory, Vector3 normal, Vector3 sliding, double root_overlap, double load,
+  Vector3 force(double* history, Vector3 normal, Vector3 sliding, double root_overlap, double load,
                 double time_step) const {
-    spring.turn(memory, normal);
-    spring.stretch(memory, sliding, time_step);
-    const Vector3 stretched = load_vector(memory);
-    const Vector3 force = spring.limited(memory, root_overlap, load);
-    const Vector3 slipped = load_vector(memory);
-    store_vector(memory, cut_back > 0 ? slipped : stretched);
+    spring.turn(history, normal);
+    spring.stretch(history, sliding, time_step);
+    const Vector3 stretched = load_vector(history);
+    const Vector3 force = spring.limited(history, root_overlap, load);
+    const Vector3 slipped = load_vector(history);
+    store_vector(history, cut_back > 0 ? slipped : stretched);
     return force;
   }
 };

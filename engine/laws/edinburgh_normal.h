@@ -18,7 +18,7 @@ enum class EdinburghBranch { hertzian, linear };
 /// With u = h^n, and u_p = (1 - k_1/k_2) h_max^n of the plastic overlap h_p after the deepest one h_max:
 ///   f = -f_0 + k_1 u            first loading,
 ///   f = -f_0 + k_2 (u - u_p)    un- and reloading,
-///   f = -f_0 - k_adh u          adhesive limb, where that is more. It shortens the memory so that reloading
+///   f = -f_0 - k_adh u          adhesive limb, where that is more. It shortens the history so that reloading
 ///                               leaves it along k_2, and is left at h = 0 with the pull-off force f_0.
 /// The limb begins at the smallest force -f_min, f_min = 3/2 pi Delta gamma a with a^2 = 2 h_p R_eff - h_p^2:
 /// k_adh = (f_min - f_0) / u_min with u_min = u_p - (f_min - f_0) / k_2. It keeps its k_adh until first
@@ -51,7 +51,7 @@ struct EdinburghNormal {
     double hertzian_modulus() const { return is_hertzian() ? modulus : 0; }
     double linear_stiffness() const { return is_linear() ? stiffness : 0; }
   };
-  static constexpr int kMemory = 2;  ///< u_p in m^n; k_adh in N/m^n
+  static constexpr int kHistory = 2;  ///< u_p in m^n; k_adh in N/m^n
   static constexpr MemorySigns<2> kMemorySigns = {1, 1};
   static constexpr bool hysteretic() { return true; }
   double unloading;      ///< N/m^n, k_2
@@ -74,25 +74,25 @@ struct EdinburghNormal {
         adhesion(1.5 * std::numbers::pi * given.surface_energy),
         diameter(2 * pair.effective_radius()) {}
 
-  StaticForce force(double overlap, double root_overlap, double* memory) const {
+  StaticForce force(double overlap, double root_overlap, double* history) const {
     const double power = overlap * (root_share * root_overlap + (1 - root_share));
     // First loading is where the line k_2 begins: the lines meet there.
-    const bool first = plastic_share * power >= memory[0];
-    const double plastic = first ? plastic_share * power : memory[0];
-    const double limb = first ? limb_stiffness(overlap, plastic) : memory[1];
+    const bool first = plastic_share * power >= history[0];
+    const double plastic = first ? plastic_share * power : history[0];
+    const double limb = first ? limb_stiffness(overlap, plastic) : history[1];
     const double line = unloading * (power - plastic);
     const bool on_line = line >= -limb * power;
     const double elastic = on_line ? line : -limb * power;
-    memory[0] = on_line ? plastic : (1 + limb / unloading) * power;
-    memory[1] = limb;
+    history[0] = on_line ? plastic : (1 + limb / unloading) * power;
+    history[1] = limb;
     return {elastic - pull_off, elastic + limb * power};
   }
 
   /// Area in J between the un- and reloading line and -f_0, from the present overlap to h_p, and the work of
   /// f_0: what unloading gives back, or, on the adhesive side, what the attraction gives back up to h_p.
-  double energy(double overlap, const double* memory) const {
+  double energy(double overlap, const double* history) const {
     const double power = overlap * (root_share > 0 ? std::sqrt(overlap) : 1);
-    const double plastic = std::max(plastic_share * power, memory[0]);
+    const double plastic = std::max(plastic_share * power, history[0]);
     const double depth = root_share > 0 ? std::cbrt(plastic * plastic) : plastic;
     const double order = 2 + 0.5 * root_share;  // n + 1
     const double area = (overlap * power - depth * plastic) / order - plastic * (overlap - depth);

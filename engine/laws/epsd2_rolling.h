@@ -5,7 +5,7 @@
 
 #include "engine/laws/parameter_check.h"
 #include "engine/laws/parts.h"
-#include "engine/laws/spring_memory.h"
+#include "engine/laws/spring_history.h"
 
 namespace diefill::engine::laws {
 
@@ -22,7 +22,7 @@ struct Epsd2Rolling {
     Parameters similar(double) const { return *this; }
     void run_in_steps_of(double) {}
   };
-  static constexpr int kMemory = 3;  ///< torque on i, N m
+  static constexpr int kHistory = 3;  ///< torque on i, N m
   static constexpr MemorySigns<3> kMemorySigns = kVectorSigns;
   static constexpr bool follows_time_step() { return false; }
   double coefficient;  ///< N m^(1/2) per radian, 8 G* R*^(5/2)
@@ -33,13 +33,13 @@ struct Epsd2Rolling {
                     pair.effective_radius()),
         arm(given.rolling_friction * pair.effective_radius()) {}
 
-  Vector3 torque(double* memory, Vector3 normal, Vector3 relative_spin, double root_overlap, StaticForce,
+  Vector3 torque(double* history, Vector3 normal, Vector3 relative_spin, double root_overlap, StaticForce,
                  double load, double time_step) const {
-    const Vector3 trial = in_plane(load_vector(memory), normal) -
+    const Vector3 trial = in_plane(load_vector(history), normal) -
                           (coefficient * root_overlap * time_step) * in_plane(relative_spin, normal);
-    const Vector3 couple = shortening(length(trial), arm * load) * trial;
-    store_vector(memory, couple);
-    return couple;
+    const Vector3 torque = shortening(length(trial), arm * load) * trial;
+    store_vector(history, torque);
+    return torque;
   }
 };
 

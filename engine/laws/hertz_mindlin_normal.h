@@ -20,7 +20,7 @@ struct HertzMindlinNormal {
     double hertzian_modulus() const { return modulus; }
     double linear_stiffness() const { return 0; }
   };
-  static constexpr int kMemory = 0;
+  static constexpr int kHistory = 0;
   static constexpr MemorySigns<0> kMemorySigns = {};
   static constexpr bool hysteretic() { return false; }
   double coefficient = 0;  ///< N/m^(3/2)

@@ -33,7 +33,7 @@ struct JkrNormal {
     double hertzian_modulus() const { return modulus; }
     double linear_stiffness() const { return 0; }
   };
-  static constexpr int kMemory = 0;
+  static constexpr int kHistory = 0;
   static constexpr MemorySigns<0> kMemorySigns = {};
   static constexpr bool hysteretic() { return false; }
   double radius;            ///< m, R*

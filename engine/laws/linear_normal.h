@@ -18,7 +18,7 @@ struct LinearNormal {
     double hertzian_modulus() const { return 0; }
     double linear_stiffness() const { return stiffness; }
   };
-  static constexpr int kMemory = 0;
+  static constexpr int kHistory = 0;
   static constexpr MemorySigns<0> kMemorySigns = {};
   static constexpr bool hysteretic() { return false; }
   double spring = 0;  ///< N/m

@@ -6,13 +6,13 @@
 
 #include "engine/laws/parameter_check.h"
 #include "engine/laws/parts.h"
-#include "engine/laws/spring_memory.h"
+#include "engine/laws/spring_history.h"
 
 namespace diefill::engine::laws {
 
 /// Sticks with -k_t xi - gamma_t v until the spring exceeds mu_s times the load; then slides at mu_d times
 /// the load with no dashpot. The limit comes from the normal part, so any spring will do: Luding's own gives
-/// force + k_c h. As published a contact has no slip memory and saws between mu_d and mu_s when they differ;
+/// force + k_c h. As published a contact has no slip history and saws between mu_d and mu_s when they differ;
 /// `slip_memory` keeps mu_d until the sliding stops or reverses.
 struct LudingFriction {
   struct Parameters {
@@ -32,7 +32,7 @@ struct LudingFriction {
     }
     double largest_friction() const { return static_friction; }
   };
-  static constexpr int kMemory = 4;  ///< xi in m; 1 while sliding with slip memory
+  static constexpr int kHistory = 4;  ///< xi in m; 1 while sliding with slip history
   static constexpr MemorySigns<4> kMemorySigns = {-1, -1, -1, 1};
   double stiffness, damping, static_friction, dynamic_friction;
   double slip_memory;  ///< 1 or 0; a number, as loops with a flag do not vectorise
@@ -44,17 +44,17 @@ struct LudingFriction {
         dynamic_friction(given.dynamic_friction),
         slip_memory(given.slip_memory ? 1.0 : 0.0) {}
 
-  Vector3 force(double* memory, Vector3 normal, Vector3 sliding, double, double load,
+  Vector3 force(double* history, Vector3 normal, Vector3 sliding, double, double load,
                 double time_step) const {
-    const Vector3 spring = in_plane(load_vector(memory), normal) + time_step * sliding;
+    const Vector3 spring = in_plane(load_vector(history), normal) + time_step * sliding;
     const double onward = dot(spring, sliding);
-    const double was_sliding = onward > 0 ? memory[3] : 0.0;
+    const double was_sliding = onward > 0 ? history[3] : 0.0;
     const double pull = stiffness * length(spring);
     const double threshold = (was_sliding > 0 ? dynamic_friction : static_friction) * load;
     const bool slides = pull > threshold;
     const double slip = slides ? dynamic_friction * load / pull : 1.0;
-    store_vector(memory, slip * spring);
-    memory[3] = slides ? slip_memory : 0.0;
+    store_vector(history, slip * spring);
+    history[3] = slides ? slip_memory : 0.0;
     return (-stiffness * slip) * spring - (slides ? 0.0 : damping) * sliding;
   }
 };

@@ -10,7 +10,7 @@
 namespace diefill::engine::laws {
 
 /// Three branches: virgin loading k_1 h up to the plastic limit; un- and reloading along a line of slope k_2*
-/// between k_1 and k_2; the limb -k_c h, which shortens the memory of the deepest overlap. Nothing is
+/// between k_1 and k_2; the limb -k_c h, which shortens the history of the deepest overlap. Nothing is
 /// remembered after the spheres part. Limit: force + k_c h, zero on the limb (Kottlan 2018, Eq. 18).
 struct LudingNormal {
   struct Parameters {
@@ -36,7 +36,7 @@ struct LudingNormal {
     double hertzian_modulus() const { return 0; }
     double linear_stiffness() const { return loading; }
   };
-  static constexpr int kMemory = 1;  ///< deepest overlap so far, m
+  static constexpr int kHistory = 1;  ///< deepest overlap so far, m
   static constexpr MemorySigns<1> kMemorySigns = {1};
   static constexpr bool hysteretic() { return true; }
   double k1, k2, kc;     ///< N/m
@@ -48,22 +48,22 @@ struct LudingNormal {
         kc(given.cohesion),
         plastic_limit(k2 / (k2 - k1) * given.plasticity_depth * 2 * pair.effective_radius()) {}
 
-  StaticForce force(double overlap, double, double* memory) const {
-    const double deepest = overlap > memory[0] ? overlap : memory[0];
+  StaticForce force(double overlap, double, double* history) const {
+    const double deepest = overlap > history[0] ? overlap : history[0];
     const double slope = unloading_slope(deepest);
     const double line = unloading_force(overlap, deepest, slope);
     const bool virgin = deepest < plastic_limit && line >= k1 * overlap;
     const bool limb = !virgin && line <= -kc * overlap;
     const double force = virgin ? k1 * overlap : (limb ? -kc * overlap : line);
-    memory[0] = limb ? (slope + kc) / (slope - k1) * overlap : deepest;
+    history[0] = limb ? (slope + kc) / (slope - k1) * overlap : deepest;
     return {force, force + kc * overlap};
   }
 
   /// Area in J between the un- and reloading line and zero force, from the present overlap to where the line
   /// crosses zero: f^2 / (2 k_2*). It is what unloading gives back down to that point, or, on the cohesion
   /// side, what the attraction gives back up to it. The rest of the work done was lost to plasticity.
-  double energy(double overlap, const double* memory) const {
-    const double deepest = overlap > memory[0] ? overlap : memory[0];
+  double energy(double overlap, const double* history) const {
+    const double deepest = overlap > history[0] ? overlap : history[0];
     const double slope = unloading_slope(deepest);
     const double line = unloading_force(overlap, deepest, slope);
     return overlap > 0 ? 0.5 * line * line / slope : 0;

@@ -7,7 +7,7 @@
 
 #include "engine/laws/parameter_check.h"
 #include "engine/laws/parts.h"
-#include "engine/laws/spring_memory.h"
+#include "engine/laws/spring_history.h"
 
 namespace diefill::engine::laws {
 
@@ -33,7 +33,7 @@ struct LudingRolling {
     }
     void run_in_steps_of(double seconds) { time_step = seconds; }
   };
-  static constexpr int kMemory = 3;  ///< spring torque on j, N m
+  static constexpr int kHistory = 3;  ///< spring torque on j, N m
   static constexpr MemorySigns<3> kMemorySigns = kVectorSigns;
   static constexpr bool follows_time_step() { return false; }
   double stiffness;  ///< N m per radian, k_r
@@ -50,13 +50,13 @@ struct LudingRolling {
     if (stiffness * dt * dt >= 4 * inertia || damping * dt >= 2 * inertia) refuse(dt, inertia);
   }
 
-  Vector3 torque(double* memory, Vector3 normal, Vector3 relative_spin, double, StaticForce, double load,
+  Vector3 torque(double* history, Vector3 normal, Vector3 relative_spin, double, StaticForce, double load,
                  double time_step) const {
     const Vector3 rolling = in_plane(relative_spin, normal);
-    const Vector3 trial = in_plane(load_vector(memory), normal) + (stiffness * time_step) * rolling;
+    const Vector3 trial = in_plane(load_vector(history), normal) + (stiffness * time_step) * rolling;
     const double limit = arm * load, size = length(trial);
     const Vector3 spring = shortening(size, limit) * trial;
-    store_vector(memory, spring);
+    store_vector(history, spring);
     return -spring - (size > limit ? 0 : damping) * rolling;
   }
 

@@ -1,4 +1,4 @@
-// Mindlin's tangential spring without slip memory, with a dashpot (Hu 2024, Eqs. 2.7, 2.13, 2.25).
+// Mindlin's tangential spring without slip history, with a dashpot (Hu 2024, Eqs. 2.7, 2.13, 2.25).
 #pragma once
 
 #include <cmath>
@@ -6,7 +6,7 @@
 #include "engine/laws/parameter_check.h"
 #include "engine/laws/parts.h"
 #include "engine/laws/restitution.h"
-#include "engine/laws/spring_memory.h"
+#include "engine/laws/spring_history.h"
 
 namespace diefill::engine::laws {
 
@@ -29,7 +29,7 @@ struct MindlinFriction {
     Parameters similar(double) const { return *this; }
     double largest_friction() const { return friction; }
   };
-  static constexpr int kMemory = 3;  ///< xi, m
+  static constexpr int kHistory = 3;  ///< xi, m
   static constexpr MemorySigns<3> kMemorySigns = kVectorSigns;
   double spring_coefficient;   ///< N/m^(3/2)
   double dashpot_coefficient;  ///< kg/(s m^(1/4))
@@ -44,9 +44,9 @@ struct MindlinFriction {
         friction(given.friction),
         tested_share(given.slip_test == SlipTest::spring_and_dashpot ? 1.0 : 0.0) {}
 
-  Vector3 force(double* memory, Vector3 normal, Vector3 sliding, double root_overlap, double load,
+  Vector3 force(double* history, Vector3 normal, Vector3 sliding, double root_overlap, double load,
                 double time_step) const {
-    const Vector3 spring = in_plane(load_vector(memory), normal) + time_step * sliding;
+    const Vector3 spring = in_plane(load_vector(history), normal) + time_step * sliding;
     const double stiffness = spring_coefficient * root_overlap;
     const double damping = dashpot_coefficient * std::sqrt(root_overlap);
     const Vector3 tested = -stiffness * spring - (tested_share * damping) * sliding;
@@ -56,7 +56,7 @@ struct MindlinFriction {
     // While sliding, spring and dashpot must go on adding up to the force at the limit.
     const double compliance = stiffness > 0 ? 1 / stiffness : 0;
     const Vector3 slipped = -compliance * (slipping + (tested_share * damping) * sliding);
-    store_vector(memory, slides ? slipped : spring);
+    store_vector(history, slides ? slipped : spring);
     return slides ? slipping : -stiffness * spring - damping * sliding;
   }
 };

@@ -3,8 +3,8 @@
 // PairProperties, and is made of plain doubles and Vector3, so that loops over many contacts vectorise.
 //
 // Signs: the normal n points from j to i, a positive normal force repels, the overlap h is positive in
-// contact and the separation speed (v_i - v_j) . n positive when separating. `memory` points to the part's
-// kMemory doubles of the pair; they are zero when a contact begins. `kMemorySigns` has one factor for each:
+// contact and the separation speed (v_i - v_j) . n positive when separating. `history` points to the part's
+// kHistory doubles of the pair; they are zero when a contact begins. `kMemorySigns` has one factor for each:
 // -1 where the number turns its sign when the pair is stored the other way round, i and j exchanged, as parts
 // of vectors do, otherwise 1.
 //
@@ -21,7 +21,7 @@
 #include <cstddef>
 
 #include "engine/laws/pair_properties.h"
-#include "engine/vector3.h"
+#include "engine/numerics/vector3.h"
 
 namespace diefill::engine::laws {
 
@@ -37,8 +37,8 @@ using MemorySigns = std::array<double, kCount>;
 
 template <class T>
 concept Remembers = requires {
-  { T::kMemory } -> std::convertible_to<int>;
-  requires T::kMemorySigns.size() == static_cast<std::size_t>(T::kMemory);
+  { T::kHistory } -> std::convertible_to<int>;
+  requires T::kMemorySigns.size() == static_cast<std::size_t>(T::kHistory);
 };
 
 template <class T>
@@ -48,8 +48,8 @@ concept Part = requires(const typename T::Parameters& parameters, const PairProp
   { parameters.similar(scale) } -> std::same_as<typename T::Parameters>;
 };
 
-/// force(h, sqrt(h), memory) in N; energy(h, memory): J that can be had back, zero at h = 0;
-/// stiffness(h, memory): N/m, the steepest slope to resolve in time.
+/// force(h, sqrt(h), history) in N; energy(h, history): J that can be had back, zero at h = 0;
+/// stiffness(h, history): N/m, the steepest slope to resolve in time.
 ///   hysteretic()             whether the force depends on earlier overlaps, so that cycles take out energy
 /// and of its parameters
 ///   damping_in_load()        whether the load of friction limits has damping in it, unless a scene says
@@ -60,7 +60,7 @@ concept Part = requires(const typename T::Parameters& parameters, const PairProp
 ///   linear_stiffness()       N/m, k_1 of a first loading k_1 h, or 0
 template <class T>
 concept NormalPart = Part<T> && Remembers<T> &&
-    requires(const T& part, double x, double* memory, const double* past,
+    requires(const T& part, double x, double* history, const double* past,
              const typename T::Parameters& given) {
   { part.hysteretic() } -> std::same_as<bool>;
   { given.damping_in_load() } -> std::same_as<bool>;
@@ -68,7 +68,7 @@ concept NormalPart = Part<T> && Remembers<T> &&
   { given.repeats_surface_forces() } -> std::same_as<bool>;
   { given.hertzian_modulus() } -> std::same_as<double>;
   { given.linear_stiffness() } -> std::same_as<double>;
-  { part.force(x, x, memory) } -> std::same_as<StaticForce>;
+  { part.force(x, x, history) } -> std::same_as<StaticForce>;
   { part.energy(x, past) } -> std::same_as<double>;
   { part.stiffness(x, past) } -> std::same_as<double>;
 };
@@ -82,39 +82,39 @@ concept DampingPart = Part<T> && requires(const T& part, double x, const typenam
   { part.force(x, x, x) } -> std::same_as<double>;
 };
 
-/// force(memory, n, sliding velocity in m/s, sqrt(h), load in N, time step in s): tangential force on i in N.
-/// Advances the memory over the time step. largest_friction(): Coulomb's coefficient, the larger one where
-/// there are two.
+/// force(history, n, sliding velocity in m/s, sqrt(h), load in N, time step in s): tangential force on i in
+/// N. Advances the history over the time step. largest_friction(): Coulomb's coefficient, the larger one
+/// where there are two.
 template <class T>
 concept FrictionPart = Part<T> && Remembers<T> &&
-    requires(const T& part, double* memory, Vector3 v, double x, const typename T::Parameters& given) {
+    requires(const T& part, double* history, Vector3 v, double x, const typename T::Parameters& given) {
   { given.largest_friction() } -> std::same_as<double>;
-  { part.force(memory, v, v, x, x, x) } -> std::same_as<Vector3>;
+  { part.force(history, v, v, x, x, x) } -> std::same_as<Vector3>;
 };
 
-/// torque(memory, n, omega_i - omega_j in rad/s, sqrt(h), static force, load in N, time step in s): couple on
-/// i in N m; j receives the opposite. Advances the memory over the time step. follows_time_step(): whether
-/// its spring is made for the time step, and so asks for none. run_in_steps_of(s) tells its parameters the
-/// time step of the original grains.
+/// torque(history, n, omega_i - omega_j in rad/s, sqrt(h), static force, load in N, time step in s): torque
+/// on i in N m; j receives the opposite. Advances the history over the time step. follows_time_step():
+/// whether its spring is made for the time step, and so asks for none. run_in_steps_of(s) tells its
+/// parameters the time step of the original grains.
 template <class T>
-concept RollingPart = Part<T> && Remembers<T> && requires(const T& part, double* memory, Vector3 v, double x,
+concept RollingPart = Part<T> && Remembers<T> && requires(const T& part, double* history, Vector3 v, double x,
                                                           StaticForce f, typename T::Parameters& given) {
   given.run_in_steps_of(x);
   { part.follows_time_step() } -> std::same_as<bool>;
-  { part.torque(memory, v, v, x, f, x, x) } -> std::same_as<Vector3>;
+  { part.torque(history, v, v, x, f, x, x) } -> std::same_as<Vector3>;
 };
 
-/// range(): m, the largest gap at which it acts; force(gap, memory): N, negative (attraction), gap < 0 in
-/// contact; energy(gap, memory): J, zero beyond the range. attracts(): whether there is any force;
+/// range(): m, the largest gap at which it acts; force(gap, history): N, negative (attraction), gap < 0 in
+/// contact; energy(gap, history): J, zero beyond the range. attracts(): whether there is any force;
 /// surface_forces(): whether it is the forces between dry surfaces.
 template <class T>
 concept AttractionPart = Part<T> && Remembers<T> &&
-    requires(const T& part, double x, double* memory, const double* past,
+    requires(const T& part, double x, double* history, const double* past,
              const typename T::Parameters& given) {
   { given.surface_forces() } -> std::same_as<bool>;
   { given.attracts() } -> std::same_as<bool>;
   { part.range() } -> std::same_as<double>;
-  { part.force(x, memory) } -> std::same_as<double>;
+  { part.force(x, history) } -> std::same_as<double>;
   { part.energy(x, past) } -> std::same_as<double>;
 };
 

@@ -1,7 +1,7 @@
 // What a contact law is told about a contact and what it answers.
 #pragma once
 
-#include "engine/vector3.h"
+#include "engine/numerics/vector3.h"
 
 namespace diefill::engine::laws {
 
@@ -27,7 +27,7 @@ struct StretchedContact {
 /// takes energy out of the motion.
 struct Reaction {
   Vector3 force = {};           ///< N, on i; the opposite on j
-  Vector3 couple = {};          ///< N m, on i besides force times lever arm; the opposite on j
+  Vector3 torque = {};          ///< N m, on i besides force times lever arm; the opposite on j
   double load = 0;              ///< N, what Coulomb's limit was taken of
   double viscous = 0;           ///< N, damping's part of the normal force
   double attraction = 0;        ///< N, the distant part of the normal force, negative

@@ -3,14 +3,14 @@
 
 #include <cmath>
 
-#include "engine/reciprocal_root.h"
-#include "engine/vector3.h"
+#include "engine/numerics/reciprocal_root.h"
+#include "engine/numerics/vector3.h"
 
 namespace diefill::engine::laws {
 
 /// No friction: no tangential force and no history.
 struct NoFriction {
-  static constexpr int kMemory = 0;
+  static constexpr int kHistory = 0;
   NoFriction() = default;
   NoFriction(double, double, double) {}
   void turn(double*, Vector3) const {}
@@ -25,7 +25,7 @@ struct NoFriction {
 /// wording also allows.
 template <bool kCutBack>
 struct TangentialSpring {
-  static constexpr int kMemory = 3;
+  static constexpr int kHistory = 3;
   double coefficient = 0;  ///< N/m^(3/2), kappa_t / sqrt(R_eff)
   double friction = 0;     ///< mu
 
@@ -34,49 +34,49 @@ struct TangentialSpring {
   TangentialSpring(double tangential, double friction_coefficient, double effective_radius)
       : coefficient(tangential / std::sqrt(effective_radius)), friction(friction_coefficient) {}
 
-  /// Advances the spring (`memory`, 3 numbers, m) over `time_step` (s) and returns the force on i in N.
+  /// Advances the spring (`history`, 3 numbers, m) over `time_step` (s) and returns the force on i in N.
   /// `normal` points from j to i, `sliding` is the tangential velocity of i's surface against j's (m/s),
   /// `normal_load` is |f_e + f_v| in N.
-  Vector3 force(double* memory, Vector3 normal, Vector3 sliding, double root_overlap, double normal_load,
+  Vector3 force(double* history, Vector3 normal, Vector3 sliding, double root_overlap, double normal_load,
                 double time_step) const {
-    turn(memory, normal);
-    stretch(memory, sliding, time_step);
-    return limited(memory, root_overlap, normal_load);
+    turn(history, normal);
+    stretch(history, sliding, time_step);
+    return limited(history, root_overlap, normal_load);
   }
 
   /// Turns the spring into the plane across `normal`, keeping its length.
-  void turn(double* memory, Vector3 normal) const {
-    Vector3 spring{memory[0], memory[1], memory[2]};
+  void turn(double* history, Vector3 normal) const {
+    Vector3 spring{history[0], history[1], history[2]};
     const double squared = dot(spring, spring);
     spring -= dot(spring, normal) * normal;
     // The length before over that after; where the spring is 0, it stays so.
     spring = squared * reciprocal_root(squared * dot(spring, spring)) * spring;
-    put(spring, memory);
+    put(spring, history);
   }
 
   /// Stretches the spring by what surfaces slide on each other in `time_step` (s).
-  void stretch(double* memory, Vector3 sliding, double time_step) const {
-    put(Vector3{memory[0], memory[1], memory[2]} + time_step * sliding, memory);
+  void stretch(double* history, Vector3 sliding, double time_step) const {
+    put(Vector3{history[0], history[1], history[2]} + time_step * sliding, history);
   }
 
   /// The force in N of the spring as it is now, up to the Coulomb limit.
-  Vector3 limited(double* memory, double root_overlap, double normal_load) const {
-    Vector3 spring{memory[0], memory[1], memory[2]};
+  Vector3 limited(double* history, double root_overlap, double normal_load) const {
+    Vector3 spring{history[0], history[1], history[2]};
     const double stiffness = coefficient * root_overlap;
     // Infinite for a spring of length 0, or no number where there is no load either: neither is a limit.
     const double limit_over_elastic = friction * normal_load / (stiffness * std::sqrt(dot(spring, spring)));
     const double share = limit_over_elastic < 1 ? limit_over_elastic : 1.0;
     const Vector3 force = (-stiffness * share) * spring;
     if constexpr (kCutBack) spring = share * spring;
-    put(spring, memory);
+    put(spring, history);
     return force;
   }
 
  private:
-  static void put(Vector3 spring, double* memory) {
-    memory[0] = spring.x;
-    memory[1] = spring.y;
-    memory[2] = spring.z;
+  static void put(Vector3 spring, double* history) {
+    history[0] = spring.x;
+    history[1] = spring.y;
+    history[2] = spring.z;
   }
 };
 

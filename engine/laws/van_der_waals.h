@@ -26,7 +26,7 @@ struct VanDerWaals {
     bool surface_forces() const { return true; }
     bool attracts() const { return hamaker > 0; }
   };
-  static constexpr int kMemory = 0;
+  static constexpr int kHistory = 0;
   static constexpr MemorySigns<0> kMemorySigns = {};
   double coefficient;  ///< N m^2, A r_eff / 6
   double smallest;     ///< m

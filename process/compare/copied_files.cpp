@@ -3,8 +3,8 @@
 #include <fstream>
 #include <iterator>
 
-#include "geometry/mesh_import.h"
-#include "geometry/referred_files.h"
+#include "geometry/cad/mesh_import.h"
+#include "geometry/cad/referred_files.h"
 #include "process/compare/kept_aside.h"
 #include "process/results/atomic_file.h"
 #include "process/results/result_file.h"

@@ -9,7 +9,7 @@ namespace diefill::process {
 
 /// Copies of CAD files and tables of motions in `tools` of a directory. Contents name them: two files of one
 /// name do not clash, and a scene names other files as soon as their contents are others. What a CAD file
-/// refers to (geometry/referred_files.h) goes with it, in a folder of its own.
+/// refers to (geometry/cad/referred_files.h) goes with it, in a folder of its own.
 class CopiedFiles {
  public:
   /// Throws results::ResultError where `tools` cannot be made.

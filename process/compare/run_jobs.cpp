@@ -16,7 +16,7 @@
 #include "process/results/directory_lock.h"
 #include "process/results/job_cost.h"
 #include "process/run/fill_run.h"
-#include "process/run/progress.h"
+#include "process/tooling/progress.h"
 
 namespace diefill::process {
 namespace {
@@ -24,8 +24,8 @@ namespace {
 namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
 
-constexpr useconds_t kPause = 20000;               // microseconds between looks at the jobs
-constexpr const char* kBeginnings = "beginnings";  // folder, while jobs are under way
+constexpr useconds_t kPause = 20000;                 // microseconds between looks at the jobs
+constexpr const char* kSharedStarts = "beginnings";  // folder, while jobs are under way
 constexpr int kBadSignal = 128;  // exit codes from here on: ended by a signal, or stopped and resumable
 
 /// Share of the work that a job's log last told of, 0 to 1.
@@ -42,7 +42,7 @@ double share_in(const fs::path& log) {
 
 /// Removes what runs have left for each other (run/beginning.h), and the folder with it. What else lies there
 /// is not ours and stays.
-void remove_beginnings(const fs::path& folder) {
+void remove_shared_starts(const fs::path& folder) {
   static const std::regex ours(R"([0-9a-f]{16}\.bin(\..*\.tmp)?)");
   std::error_code error;
   std::vector<fs::path> files;
@@ -83,11 +83,11 @@ class JobPool {
       if (left() <= 0) end_early();
       show();
     }
-    remove_beginnings(directory_ / kBeginnings);
+    remove_shared_starts(directory_ / kSharedStarts);
   }
 
  private:
-  static std::string in_words(const results::Job& job) {
+  static std::string description(const results::Job& job) {
     return '"' + job.variant + "\", seed " + std::to_string(job.seed);
   }
 
@@ -130,10 +130,10 @@ class JobPool {
                                       "--threads",
                                       std::to_string(threads)};
     if (!options_.pictures) words.push_back("--no-pictures");
-    if (options_.share_beginnings)
-      words.insert(words.end(), {"--beginnings", (directory_ / kBeginnings).string()});
+    if (options_.share_starts)
+      words.insert(words.end(), {"--beginnings", (directory_ / kSharedStarts).string()});
     running.process = std::make_unique<ChildProcess>(words, folder / kJobLog);
-    progress_.say("started " + in_words(job));
+    progress_.say("started " + description(job));
     running_.push_back(std::move(running));
   }
 
@@ -157,7 +157,7 @@ class JobPool {
       results::write_text_atomically(directory_ / job.folder / kJobExitCode, std::to_string(code) + "\n");
     const JobState state = state_of(directory_, job);
     const std::string end = state.stage == JobState::Stage::failed ? "failed: " + state.reason : "finished";
-    if (!stopped) progress_.say(in_words(job) + ' ' + end + " (" + duration_in_words(seconds) + ')');
+    if (!stopped) progress_.say(description(job) + ' ' + end + " (" + duration_text(seconds) + ')');
   }
 
   void show() {

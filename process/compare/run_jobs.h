@@ -19,7 +19,7 @@ struct JobOptions {
   bool pictures = true;           ///< whether jobs draw their results
   /// Whether jobs take over beginnings from each other (run/beginning.h). Results are the same, what a job
   /// costs is not.
-  bool share_beginnings = false;
+  bool share_starts = false;
   /// s of processor time that all jobs together may have cost, earlier runs of them included. What is at work
   /// then is stopped with a checkpoint, what waits is left.
   double cpu_seconds = std::numeric_limits<double>::infinity();

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <set>
 
-#include "engine/grain_contacts.h"
+#include "engine/observe/grain_contacts.h"
 
 namespace diefill::process::laboratory {
 

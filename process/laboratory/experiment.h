@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "process/results/experiment_result.h"
-#include "process/run/progress.h"
+#include "process/tooling/progress.h"
 
 namespace diefill::process::laboratory {
 

@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <vector>
 
-#include "engine/simulation.h"
+#include "engine/simulation/simulation.h"
 
 namespace diefill::process::laboratory {
 

@@ -6,11 +6,11 @@
 
 #include "process/laboratory/bed_contacts.h"
 #include "process/measure/measure.h"
+#include "process/powder/material.h"
 #include "process/run/fill_run.h"
-#include "process/run/material.h"
-#include "process/run/pour.h"
 #include "process/run/powder_state.h"
-#include "process/run/rest.h"
+#include "process/setup/pour.h"
+#include "process/tooling/rest.h"
 
 namespace diefill::process::laboratory {
 
@@ -174,11 +174,11 @@ BedFigures settle_bed(const BedSpec& spec) {
   simulation.add_grains(pour(scene, settings, endless_ground(scene)));
 
   RestWatch rest;
-  engine::Health health;
+  engine::ValidityMonitor monitor;
   constexpr double kLongest = 5;  // s
   do {
     for (int n = 0; n < 50; ++n) simulation.step();
-    health.check(simulation);
+    monitor.check(simulation);
   } while (!rest.at_rest(simulation, d) && simulation.time() < kLongest);
 
   BedFigures figures;

@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "engine/simulation.h"
+#include "engine/simulation/simulation.h"
 #include "process/results/fill_result.h"
 #include "process/scene/scene.h"
 

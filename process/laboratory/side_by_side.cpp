@@ -4,7 +4,7 @@
 #include <numeric>
 #include <vector>
 
-#include "engine/parallel.h"
+#include "engine/numerics/thread_pool.h"
 
 namespace diefill::process::laboratory {
 
@@ -37,7 +37,7 @@ class Shares {
 void side_by_side(const ExperimentOptions& options, std::size_t pieces, const std::string& doing,
                   const std::function<void(std::size_t piece, const TellShare& tell)>& work) {
   Shares shares(options.tell, pieces, doing);
-  engine::Workers(options.threads).for_each(pieces, [&](std::size_t piece) {
+  engine::ThreadPool(options.threads).for_each(pieces, [&](std::size_t piece) {
     work(piece, [&](double share) { shares.tell(piece, share); });
     shares.tell(piece, 1);
   });

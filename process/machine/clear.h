@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
+#include "process/input/table_reader.h"
 #include "process/machine/step.h"
 #include "process/machine/tool_spec.h"
-#include "process/scene/table_reader.h"
 
 namespace diefill::process {
 
@@ -23,7 +23,7 @@ class Clear final : public Step {
   explicit Clear(const PowderRemoval& removal) : removal_(removal) {}
   std::optional<double> duration() const override { return 0; }
   const PowderRemoval* removal() const override { return &removal_; }
-  std::string in_words() const override { return "removal of powder outside the die"; }
+  std::string description() const override { return "removal of powder outside the die"; }
 
  private:
   PowderRemoval removal_;

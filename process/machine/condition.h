@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "process/scene/table_reader.h"
+#include "process/input/table_reader.h"
 
 namespace diefill::process {
 
@@ -24,7 +24,7 @@ struct Condition {
   std::optional<double> at;  ///< s since the poured powder came to rest
   double delay = 0;          ///< s after `after`, `with` or what counts as such
   bool at_rest = false;
-  std::optional<RestLimits> limits;   ///< of rest; nothing: those of process/run/rest.h
+  std::optional<RestLimits> limits;   ///< of rest; nothing: those of process/tooling/rest.h
   std::optional<double> filled_mass;  ///< kg in the cavity, at least
   std::optional<double> force;        ///< N on the tool `on`, at least
   std::string on;

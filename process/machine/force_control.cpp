@@ -62,9 +62,9 @@ ToolMotion ControlledTool::motion(double time) const {
   return control_.motion(std::min(way, control_.travel), way < control_.travel ? control_.speed_limit : 0);
 }
 
-std::string ControlledTool::in_words() const {
-  return names_in_words(tools_) + (control_.turns ? " turned with " : " pressed with ") +
-         number_in_words(control_.target) + (control_.turns ? " N m" : " N");
+std::string ControlledTool::description() const {
+  return names_text(tools_) + (control_.turns ? " turned with " : " pressed with ") +
+         number_text(control_.target) + (control_.turns ? " N m" : " N");
 }
 
 std::shared_ptr<Step> read_piston(TableReader& table, const std::vector<ToolSpec>& tools) {

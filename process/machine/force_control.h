@@ -6,10 +6,10 @@
 #include <string>
 #include <vector>
 
+#include "process/input/table_reader.h"
 #include "process/machine/rotation_axis.h"
 #include "process/machine/step.h"
 #include "process/machine/tool_spec.h"
-#include "process/scene/table_reader.h"
 
 namespace diefill::process {
 
@@ -58,7 +58,7 @@ class ControlledTool final : public Step {
   ToolMotion motion(double time) const override;
   double stopping_time(double) const override { return 0; }
   const ForceControl* control() const override { return &control_; }
-  std::string in_words() const override;
+  std::string description() const override;
 
  private:
   std::vector<std::string> tools_;

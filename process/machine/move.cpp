@@ -66,10 +66,10 @@ double Move::stopping_time(double) const {
   return 2 * spec_.velocity / spec_.acceleration;
 }
 
-std::string Move::in_words() const {
-  const std::string tools = names_in_words(spec_.tools), speed = number_in_words(spec_.velocity) + " m/s";
+std::string Move::description() const {
+  const std::string tools = names_text(spec_.tools), speed = number_text(spec_.velocity) + " m/s";
   if (legs_.size() > 1) return tools + " over " + std::to_string(legs_.size()) + " stations at " + speed;
-  return tools + " by " + number_in_words(1e3 * spec_.stations.front()) + " mm at " + speed;
+  return tools + " by " + number_text(1e3 * spec_.stations.front()) + " mm at " + speed;
 }
 
 std::shared_ptr<Step> read_move(TableReader& table, const std::vector<ToolSpec>& tools) {

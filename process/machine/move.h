@@ -6,10 +6,10 @@
 #include <string>
 #include <vector>
 
+#include "process/input/table_reader.h"
 #include "process/machine/step.h"
 #include "process/machine/straight_move.h"
 #include "process/machine/tool_spec.h"
-#include "process/scene/table_reader.h"
 
 namespace diefill::process {
 
@@ -32,7 +32,7 @@ class Move final : public Step {
   std::optional<double> duration() const override;
   ToolMotion motion(double time) const override;
   double stopping_time(double stop) const override;
-  std::string in_words() const override;
+  std::string description() const override;
 
  private:
   MoveSpec spec_;

@@ -10,14 +10,15 @@ std::string read_moving_tool(TableReader& table, const std::vector<ToolSpec>& to
     return std::find(allowed.begin(), allowed.end(), candidate.role) != allowed.end();
   };
   const auto example = std::find_if(tools.begin(), tools.end(), fits);
-  table.require("tool", '"' + (example != tools.end() ? example->name : in_words(allowed.front())) + '"');
+  table.require("tool", '"' + (example != tools.end() ? example->name : description(allowed.front())) + '"');
   Choices<const ToolSpec*> names;
   for (const ToolSpec& tool : tools) names.emplace_back(tool.name, &tool);
   const ToolSpec& tool = *table.required_choice("tool", names);
   if (!fits(tool)) {
     std::string roles;
-    for (const ToolRole role : allowed) roles += (roles.empty() ? "" : " or ") + in_words(role);
-    table.reject("tool", "its role is " + in_words(tool.role) + ", but this kind of step moves a " + roles);
+    for (const ToolRole role : allowed) roles += (roles.empty() ? "" : " or ") + description(role);
+    table.reject("tool",
+                 "its role is " + description(tool.role) + ", but this kind of step moves a " + roles);
   }
   return tool.name;
 }
@@ -40,7 +41,7 @@ std::vector<std::string> read_moving_tools(TableReader& table, const std::vector
   return wanted;
 }
 
-std::string names_in_words(const std::vector<std::string>& names) {
+std::string names_text(const std::vector<std::string>& names) {
   std::string words;
   for (std::size_t k = 0; k < names.size(); ++k)
     words += (k == 0 ? "" : k + 1 == names.size() ? " and " : ", ") + names[k];

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "process/input/table_reader.h"
 #include "process/machine/tool_spec.h"
-#include "process/scene/table_reader.h"
 
 namespace diefill::process {
 
@@ -19,6 +19,6 @@ std::string read_moving_tool(TableReader& table, const std::vector<ToolSpec>& to
 std::vector<std::string> read_moving_tools(TableReader& table, const std::vector<ToolSpec>& tools);
 
 /// Such as "die, core rod and lower punch".
-std::string names_in_words(const std::vector<std::string>& names);
+std::string names_text(const std::vector<std::string>& names);
 
 }  // namespace diefill::process

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "process/input/scene_error.h"
 #include "process/machine/moving_tool.h"
-#include "process/scene/scene_error.h"
 
 namespace diefill::process {
 namespace {
@@ -60,7 +60,7 @@ std::shared_ptr<const Step> Passage::prepared(const MachineContext& context) con
   if (!(tool.lower < cavity.upper)) {
     throw SceneError(
         spec_.where + ": found \"" + spec_.tool + "\" already beyond the cavity (" +
-        number_in_words((tool.lower - cavity.upper) * 1e3) +
+        number_text((tool.lower - cavity.upper) * 1e3) +
         " mm past it along the direction of motion); start it on the other side or reverse direction");
   }
   auto passage = std::make_shared<Passage>(*this);
@@ -92,9 +92,9 @@ ToolMotion Passage::motion(double time) const {
   return motion;
 }
 
-std::string Passage::in_words() const {
+std::string Passage::description() const {
   return std::to_string(spec_.passages) + (spec_.passages == 1 ? " passage at " : " passages at ") +
-         number_in_words(spec_.velocity) + " m/s";
+         number_text(spec_.velocity) + " m/s";
 }
 
 std::shared_ptr<Step> read_passage(TableReader& table, const std::vector<ToolSpec>& tools) {

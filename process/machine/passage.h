@@ -7,10 +7,10 @@
 #include <string>
 #include <vector>
 
+#include "process/input/table_reader.h"
 #include "process/machine/step.h"
 #include "process/machine/straight_move.h"
 #include "process/machine/tool_spec.h"
-#include "process/scene/table_reader.h"
 
 namespace diefill::process {
 
@@ -32,19 +32,19 @@ class Passage final : public Step {
  public:
   explicit Passage(PassageSpec spec);
 
-  /// Without a given travel, one that goes so far that the tool's whole box, trailing wall included, has passed the cavity
-  /// by the clearance. The box is taken because the thickness of a CAD tool's trailing wall is not known
-  /// here; powder inside the tool has then left the cavity by wall thickness plus clearance. Throws
-  /// SceneError when the scene has no cavity, or the tool stands beyond it already.
+  /// Without a given travel, one that goes so far that the tool's whole box, trailing wall included, has
+  /// passed the cavity by the clearance. The box is taken because the thickness of a CAD tool's trailing wall
+  /// is not known here; powder inside the tool has then left the cavity by wall thickness plus clearance.
+  /// Throws SceneError when the scene has no cavity, or the tool stands beyond it already.
   std::shared_ptr<const Step> prepared(const MachineContext& context) const override;
   bool needs_cavity() const override { return true; }
   std::vector<std::string> tools() const override { return {spec_.tool}; }
-  /// s of all crossings and the pauses between them. Throws std::logic_error where the travel is not known: of a
-  /// passage without one that is not prepared().
+  /// s of all crossings and the pauses between them. Throws std::logic_error where the travel is not known:
+  /// of a passage without one that is not prepared().
   std::optional<double> duration() const override;
   ToolMotion motion(double time) const override;
   double stopping_time(double) const override { return 2 * spec_.velocity / spec_.acceleration; }
-  std::string in_words() const override;
+  std::string description() const override;
 
   const PassageSpec& spec() const { return spec_; }
 

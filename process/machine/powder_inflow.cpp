@@ -10,10 +10,10 @@ constexpr QuantityRule kVelocity = {Dimension::velocity, "-0.3 m/s", "-10 m/s", 
 
 }  // namespace
 
-std::string Inflow::in_words() const {
+std::string Inflow::description() const {
   const std::string amount =
-      inflow_.mass ? number_in_words(1e3 * *inflow_.mass) + " g of powder" : std::string("powder");
-  return amount + (inflow_.rate ? " fed at " + number_in_words(1e3 * *inflow_.rate) + " g/s"
+      inflow_.mass ? number_text(1e3 * *inflow_.mass) + " g of powder" : std::string("powder");
+  return amount + (inflow_.rate ? " fed at " + number_text(1e3 * *inflow_.rate) + " g/s"
                                 : " fed as space becomes free");
 }
 

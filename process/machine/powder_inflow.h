@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
+#include "process/input/table_reader.h"
 #include "process/machine/step.h"
 #include "process/machine/tool_spec.h"
-#include "process/scene/table_reader.h"
 
 namespace diefill::process {
 
@@ -29,7 +29,7 @@ class Inflow final : public Step {
   bool open_ended() const override { return !inflow_.mass; }
   std::optional<double> duration() const override { return std::nullopt; }
   const PowderInflow* inflow() const override { return &inflow_; }
-  std::string in_words() const override;
+  std::string description() const override;
 
  private:
   PowderInflow inflow_;

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cstdio>
 
-#include "engine/out_of_range.h"
+#include "engine/numerics/out_of_range.h"
 #include "process/machine/force_control.h"
 
 namespace diefill::process {

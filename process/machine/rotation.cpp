@@ -16,9 +16,8 @@ ToolMotion Rotation::at(double time, const Envelope& envelope) const {
   return axis_.turned(speed_ * envelope.integral(time), speed_ * envelope.value(time));
 }
 
-std::string Rotation::in_words() const {
-  return "rotation of " + names_in_words(tools()) + " at " + number_in_words(speed_ * 30 / std::numbers::pi) +
-         " rpm";
+std::string Rotation::description() const {
+  return "rotation of " + names_text(tools()) + " at " + number_text(speed_ * 30 / std::numbers::pi) + " rpm";
 }
 
 std::shared_ptr<Step> read_rotation(TableReader& table, const std::vector<ToolSpec>& tools) {

@@ -18,7 +18,7 @@ class Rotation final : public SwellingMotion {
   Rotation(std::vector<std::string> tools, const RotationAxis& axis, double speed, const Swelling& swelling)
       : SwellingMotion(std::move(tools), swelling), axis_(axis), speed_(speed) {}
 
-  std::string in_words() const override;
+  std::string description() const override;
 
  private:
   ToolMotion at(double time, const Envelope& envelope) const override;

@@ -1,8 +1,8 @@
 // A straight line that tools turn about.
 #pragma once
 
+#include "process/input/table_reader.h"
 #include "process/machine/step.h"
-#include "process/scene/table_reader.h"
 
 namespace diefill::process {
 

@@ -15,10 +15,9 @@ ToolMotion RotationalOscillation::at(double time, const Envelope& envelope) cons
   return axis_.turned(oscillation_.value(time, envelope), oscillation_.rate(time, envelope));
 }
 
-std::string RotationalOscillation::in_words() const {
-  return "rotational oscillation of " + names_in_words(tools()) + " at " +
-         number_in_words(oscillation_.frequency) + " Hz, " +
-         number_in_words(oscillation_.amplitude * 180 / std::numbers::pi) + " deg";
+std::string RotationalOscillation::description() const {
+  return "rotational oscillation of " + names_text(tools()) + " at " + number_text(oscillation_.frequency) +
+         " Hz, " + number_text(oscillation_.amplitude * 180 / std::numbers::pi) + " deg";
 }
 
 std::shared_ptr<Step> read_rotational_oscillation(TableReader& table, const std::vector<ToolSpec>& tools) {

@@ -21,7 +21,7 @@ class RotationalOscillation final : public SwellingMotion {
   std::vector<double> turning_points(double length) const override {
     return oscillation_.turning_points(length);
   }
-  std::string in_words() const override;
+  std::string description() const override;
 
  private:
   ToolMotion at(double time, const Envelope& envelope) const override;

@@ -7,8 +7,8 @@ constexpr QuantityRule kDuration = {Dimension::time, "0.2 s", "0 s", "1000 s", t
 
 }  // namespace
 
-std::string Settle::in_words() const {
-  return duration_ ? "settling for " + number_in_words(*duration_) + " s" : "settling until at rest";
+std::string Settle::description() const {
+  return duration_ ? "settling for " + number_text(*duration_) + " s" : "settling until at rest";
 }
 
 std::shared_ptr<Step> read_settle(TableReader& table, const std::vector<ToolSpec>&) {

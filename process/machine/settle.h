@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
+#include "process/input/table_reader.h"
 #include "process/machine/step.h"
 #include "process/machine/tool_spec.h"
-#include "process/scene/table_reader.h"
 
 namespace diefill::process {
 
@@ -19,7 +19,7 @@ class Settle final : public Step {
   std::optional<double> duration() const override { return duration_; }
   /// Without a duration.
   bool open_ended() const override { return !duration_; }
-  std::string in_words() const override;
+  std::string description() const override;
 
  private:
   std::optional<double> duration_;

@@ -85,7 +85,7 @@ class Step {
   /// Powder that is taken away when the step begins. Otherwise null.
   virtual const PowderRemoval* removal() const { return nullptr; }
   /// For titles and progress, such as "2 passages at 0.2 m/s".
-  virtual std::string in_words() const = 0;
+  virtual std::string description() const = 0;
 
   StepPlan plan;
 };

@@ -4,9 +4,9 @@
 #include <memory>
 #include <vector>
 
+#include "process/input/table_reader.h"
 #include "process/machine/step.h"
 #include "process/machine/tool_spec.h"
-#include "process/scene/table_reader.h"
 
 namespace diefill::process {
 

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "process/input/numbers_apart.h"
 #include "process/machine/moving_tool.h"
-#include "process/scene/numbers_apart.h"
 
 namespace diefill::process {
 namespace {

@@ -7,9 +7,9 @@
 #include <utility>
 #include <vector>
 
+#include "process/input/table_reader.h"
 #include "process/machine/smooth_ramp.h"
 #include "process/machine/step.h"
-#include "process/scene/table_reader.h"
 
 namespace diefill::process {
 

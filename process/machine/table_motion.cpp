@@ -4,10 +4,10 @@
 #include <sstream>
 #include <string_view>
 
+#include "process/input/scene_error.h"
+#include "process/input/shown_value.h"
+#include "process/input/text_file.h"
 #include "process/machine/moving_tool.h"
-#include "process/scene/scene_error.h"
-#include "process/scene/shown_value.h"
-#include "process/scene/text_file.h"
 
 namespace diefill::process {
 namespace {
@@ -148,8 +148,8 @@ ToolMotion TableMotion::motion(double time) const {
   return motion;
 }
 
-std::string TableMotion::in_words() const {
-  return names_in_words(tools_) + " following a table of " + std::to_string(table_.time.size()) + " points";
+std::string TableMotion::description() const {
+  return names_text(tools_) + " following a table of " + std::to_string(table_.time.size()) + " points";
 }
 
 std::shared_ptr<Step> read_table_motion(TableReader& table, const std::vector<ToolSpec>& tools) {

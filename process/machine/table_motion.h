@@ -28,7 +28,7 @@ class TableMotion final : public Step {
   std::vector<std::string> tools() const override { return tools_; }
   std::optional<double> duration() const override { return table_.time.back(); }
   ToolMotion motion(double time) const override;
-  std::string in_words() const override;
+  std::string description() const override;
 
  private:
   std::vector<std::string> tools_;

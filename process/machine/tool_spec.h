@@ -6,7 +6,7 @@
 #include <optional>
 #include <string>
 
-#include "geometry/mesh_repair.h"
+#include "geometry/mesh/mesh_repair.h"
 
 namespace diefill::process {
 
@@ -17,7 +17,7 @@ enum class WallKind { spheres, mesh };
 enum class ToolRole { die, core, punch, shoe, plate };
 
 /// The role as the scene spells it, such as "shoe".
-std::string in_words(ToolRole role);
+std::string description(ToolRole role);
 
 /// One CAD tool of the scene.
 struct ToolSpec {

@@ -16,9 +16,9 @@ ToolMotion Vibration::at(double time, const Envelope& envelope) const {
   return motion;
 }
 
-std::string Vibration::in_words() const {
-  return "vibration of " + names_in_words(tools()) + " at " + number_in_words(oscillation_.frequency) +
-         " Hz, " + number_in_words(1e3 * oscillation_.amplitude) + " mm";
+std::string Vibration::description() const {
+  return "vibration of " + names_text(tools()) + " at " + number_text(oscillation_.frequency) + " Hz, " +
+         number_text(1e3 * oscillation_.amplitude) + " mm";
 }
 
 std::shared_ptr<Step> read_vibration(TableReader& table, const std::vector<ToolSpec>& tools) {

@@ -7,8 +7,8 @@ constexpr QuantityRule kDuration = {Dimension::time, "50 ms", "0 s", "1000 s", t
 
 }  // namespace
 
-std::string Wait::in_words() const {
-  return "a wait of " + number_in_words(duration_) + " s";
+std::string Wait::description() const {
+  return "a wait of " + number_text(duration_) + " s";
 }
 
 std::shared_ptr<Step> read_wait(TableReader& table, const std::vector<ToolSpec>&) {

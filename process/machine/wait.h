@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
+#include "process/input/table_reader.h"
 #include "process/machine/step.h"
 #include "process/machine/tool_spec.h"
-#include "process/scene/table_reader.h"
 
 namespace diefill::process {
 
@@ -17,7 +17,7 @@ class Wait final : public Step {
   /// `duration` in s.
   explicit Wait(double duration) : duration_(duration) {}
   std::optional<double> duration() const override { return duration_; }
-  std::string in_words() const override;
+  std::string description() const override;
 
  private:
   double duration_;

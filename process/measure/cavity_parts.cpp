@@ -14,7 +14,7 @@ bool shoe_moves(const results::FillResult& result) {
   return speed != result.figures.end() && std::isfinite(speed->second);
 }
 
-std::string end_in_words(const Eigen::Vector3d& direction) {
+std::string end_text(const Eigen::Vector3d& direction) {
   const int axis = std::abs(direction.x()) >= std::abs(direction.y()) ? 0 : 1;
   return std::string("at the end towards ") + (direction[axis] < 0 ? "-" : "+") + (axis == 0 ? "x" : "y");
 }
@@ -24,8 +24,8 @@ std::string end_in_words(const Eigen::Vector3d& direction) {
 std::vector<CavityPart> horizontal_parts(const results::FillResult& result) {
   const auto& cavity = result.cavity;
   const bool shoe = shoe_moves(result);
-  const std::string first = shoe ? "where the shoe arrives" : end_in_words(cavity.azimuth_zero),
-                    last = shoe ? "where the shoe leaves" : end_in_words(-cavity.azimuth_zero);
+  const std::string first = shoe ? "where the shoe arrives" : end_text(cavity.azimuth_zero),
+                    last = shoe ? "where the shoe leaves" : end_text(-cavity.azimuth_zero);
   if (cavity.is_ring) {
     const auto off = [cavity](const Eigen::Vector3d& place) {
       return std::abs(std::remainder(ring_position(cavity, place).azimuth, 360));

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "geometry/neighbour_grid.h"
+#include "geometry/voronoi/neighbour_grid.h"
 
 namespace diefill::process {
 
@@ -17,7 +17,7 @@ std::vector<int> coordination_numbers(const results::PowderState& powder, double
   std::vector<std::size_t> touched;
   const auto touches = [&](std::size_t grain, std::size_t other, double squared) {
     const double apart = (powder.sphere_radius_of(grain) + powder.sphere_radius_of(other)) * (1 + tolerance);
-    return powder.alike() || squared <= apart * apart;
+    return powder.monodisperse() || squared <= apart * apart;
   };
   for (std::size_t grain = 0; grain < powder.position.size(); ++grain) {
     touched.clear();

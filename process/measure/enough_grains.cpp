@@ -61,7 +61,7 @@ void withhold_undetermined(results::FillResult& result) {
 
 }  // namespace
 
-std::string too_few_in_words(std::size_t grains, const std::string& where, std::size_t needed) {
+std::string too_few_text(std::size_t grains, const std::string& where, std::size_t needed) {
   const std::string found = grains == 0   ? "found no grain "
                             : grains == 1 ? "found 1 grain "
                                           : "found " + std::to_string(grains) + " grains ";
@@ -82,14 +82,14 @@ void withhold_poor_figures(results::FillResult& result) {
   result.summary = worth_giving(result.summary);
   if (deep < kFewestGrains && result.cavity.volume > 0)
     results::add_statement(result, results::kNoValueTopic, "solid_fraction",
-                           too_few_in_words(deep, kDeep, kFewestGrains));
+                           too_few_text(deep, kDeep, kFewestGrains));
   for (const Rule& rule : rules()) {
     const std::size_t grains = rule.deep ? deep : filled, needed = rule.parts * kFewestGrains;
     const auto figure = result.figures.find(rule.figure);
     if (figure == result.figures.end()) continue;
     if (grains < needed)
       results::give_no_value(result, rule.figure,
-                             too_few_in_words(grains, rule.deep ? kDeep : "in the cavity", needed));
+                             too_few_text(grains, rule.deep ? kDeep : "in the cavity", needed));
     else if (!std::isfinite(figure->second))
       results::give_no_value(result, rule.figure,
                              "one of the compared regions of the cavity contains no grain to count");

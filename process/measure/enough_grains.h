@@ -14,7 +14,7 @@ namespace diefill::process {
 inline constexpr std::size_t kFewestGrains = 20;
 
 /// "8 grains lie two diameters deep in the cavity, 20 are needed".
-std::string too_few_in_words(std::size_t grains, const std::string& where, std::size_t needed);
+std::string too_few_text(std::size_t grains, const std::string& where, std::size_t needed);
 
 /// Takes away the figures of the result's cavity, its summary included, that stand on too few grains, and
 /// says why in the topic "no value" (results/no_value.h). Grains that lie all in one part of the cavity leave

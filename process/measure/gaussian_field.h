@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "geometry/neighbour_grid.h"
+#include "geometry/voronoi/neighbour_grid.h"
 #include "process/measure/period.h"
 
 namespace diefill::process {

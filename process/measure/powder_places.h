@@ -5,7 +5,7 @@
 #include <functional>
 #include <vector>
 
-#include "geometry/neighbour_grid.h"
+#include "geometry/voronoi/neighbour_grid.h"
 #include "process/results/fill_result.h"
 
 namespace diefill::process {

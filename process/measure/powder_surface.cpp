@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "geometry/neighbour_grid.h"
+#include "geometry/voronoi/neighbour_grid.h"
 
 namespace diefill::process {
 

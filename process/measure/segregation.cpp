@@ -33,7 +33,7 @@ struct Sums {
 
 std::vector<std::size_t> filled_grains(const results::FillResult& result) {
   std::vector<std::size_t> grains;
-  if (result.powder.alike() || !(result.cavity.volume > 0)) return grains;
+  if (result.powder.monodisperse() || !(result.cavity.volume > 0)) return grains;
   for (std::size_t k = 0; k < result.solid_fraction.in_cavity.size(); ++k)
     if (result.solid_fraction.in_cavity[k] != 0) grains.push_back(k);
   return grains;
@@ -122,7 +122,7 @@ double top_minus_bottom(const results::PowderState& powder, std::vector<std::siz
 }
 
 std::vector<double> by_grain(const results::PowderState& powder, bool with_diameter) {
-  if (powder.alike())
+  if (powder.monodisperse())
     throw std::invalid_argument("all grains have one size, so there is no mean diameter to show");
   std::vector<double> values;
   for (std::size_t k = 0; k < powder.position.size(); ++k)

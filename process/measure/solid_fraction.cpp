@@ -1,4 +1,4 @@
-#include "geometry/voronoi.h"
+#include "geometry/voronoi/voronoi.h"
 #include "process/measure/cavity_position.h"
 #include "process/measure/measure.h"
 #include "process/measure/period.h"
@@ -16,7 +16,7 @@ geometry::VoronoiRequest voronoi_request(const results::PowderState& powder,
   request.sphere_centres = powder.sphere_centres();
   request.spheres_per_grain = powder.sphere_offsets.size();
   request.sphere_radius = powder.sphere_radius;
-  if (!powder.alike())
+  if (!powder.monodisperse())
     for (std::size_t k = 0; k < powder.position.size(); ++k)
       request.sphere_radii.insert(request.sphere_radii.end(), powder.sphere_offsets.size(),
                                   powder.sphere_radius_of(k));

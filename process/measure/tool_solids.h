@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "geometry/solid_query.h"
+#include "geometry/solid/solid_query.h"
 #include "process/results/fill_result.h"
 
 namespace diefill::process {

@@ -58,11 +58,11 @@ std::string filling(const results::FillResult& result) {
   const double ratio = value(result, "fill_ratio"), mass = value(result, "expected_mass_kg");
   const bool guessed = value(result, "apparent_density_is_estimate") > 0;
   const int digits = guessed ? 2 : 3;
-  const std::string holds = (guessed ? "about " : "") + results::mass_in_words(mass, digits);
-  const std::string full = results::mass_in_words(value(result, "full_die_mass_kg"), digits);
+  const std::string holds = (guessed ? "about " : "") + results::mass_text(mass, digits);
+  const std::string full = results::mass_text(value(result, "full_die_mass_kg"), digits);
   if (!std::isfinite(ratio)) {
     const double guess = value(result, "estimated_mass_kg");
-    return (std::isfinite(guess) ? "holds about " + results::mass_in_words(guess, 2) + "; " : std::string()) +
+    return (std::isfinite(guess) ? "holds about " + results::mass_text(guess, 2) + "; " : std::string()) +
            "fill ratio unknown: " + results::reason_for(result, "fill_ratio");
   }
   if (results::is_full(ratio))

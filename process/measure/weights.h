@@ -9,7 +9,7 @@ namespace diefill::process {
 /// times as there are grains, so that sums of many do not gather rounding.
 template <class List, class One>
 double sum_over(const results::PowderState& powder, const List& list, double same, const One& one) {
-  if (powder.alike()) return static_cast<double>(list.size()) * same;
+  if (powder.monodisperse()) return static_cast<double>(list.size()) * same;
   double sum = 0;
   for (const std::size_t k : list) sum += one(k);
   return sum;

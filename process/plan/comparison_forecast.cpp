@@ -4,12 +4,12 @@
 #include <cstdio>
 #include <set>
 
-#include "process/run/beginning.h"
-#include "process/run/build_tooling.h"
-#include "process/run/law_terms.h"
-#include "process/run/material.h"
+#include "process/powder/law_terms.h"
+#include "process/powder/material.h"
 #include "process/run/powder_domain.h"
+#include "process/run/shared_start.h"
 #include "process/run/snapshots.h"
+#include "process/setup/build_tooling.h"
 
 namespace diefill::process::plan {
 
@@ -28,16 +28,16 @@ struct Prepared {
   }
 };
 
-std::string powder_in_words(const PowderSpec& powder) {
+std::string powder_text(const PowderSpec& powder) {
   char text[160];
   std::snprintf(text, sizeof text, "%s, %.4g mm", powder.name.c_str(), 1e3 * powder.grain_diameter);
-  return powder.sizes_in_words.empty() ? text : powder.name + ", " + powder.sizes_in_words;
+  return powder.sizes_text.empty() ? text : powder.name + ", " + powder.sizes_text;
 }
 
 /// The pilot of the powder and its law, run with this variant if there is none yet.
 const Pilot& pilot_for(const Prepared& variant, const PlanOptions& options,
                        std::vector<PowderPilot>& pilots) {
-  const std::string powder = powder_in_words(variant.scene.powder);
+  const std::string powder = powder_text(variant.scene.powder);
   const auto laws = law_terms(variant.scene, engine_settings(variant.scene, 1.0)).used;
   const auto found = std::find_if(pilots.begin(), pilots.end(), [&](const PowderPilot& other) {
     return other.powder == powder && other.laws == laws;
@@ -48,7 +48,7 @@ const Pilot& pilot_for(const Prepared& variant, const PlanOptions& options,
   return pilots.back().pilot;
 }
 
-/// How far a run that goes as foreseen has come by `now` (s).
+/// How far a run that goes as predicted has come by `now` (s).
 ScheduleState state_at(double now, std::vector<StepState> states) {
   for (auto& state : states) {
     if (state.started > now) state = StepState{};
@@ -60,38 +60,38 @@ ScheduleState state_at(double now, std::vector<StepState> states) {
 }
 
 /// A state that a run leaves for others, and how far it is from the end of the poured powder's settling.
-struct Beginning {
+struct SharedStart {
   std::uint64_t hash = 0;
   double after_fall = 0;       ///< s
   bool nothing_missed = true;  ///< a run that goes on from here still takes all of its snapshots
 };
 
 /// What the variant leaves at the end of every stage but the last; nothing where air flows (run/fill_run).
-std::vector<Beginning> beginnings_of(const Prepared& variant, const Forecast& forecast,
-                                     const RestTimes& rest) {
+std::vector<SharedStart> shared_starts_of(const Prepared& variant, const Forecast& forecast,
+                                          const RestTimes& rest) {
   if (variant.scene.suction) return {};
   const Schedule schedule(variant.scene, variant.tooling, variant.scene.powder.grain_diameter);
   const RunFrame frame{forecast.time_step, powder_domain(variant.scene, variant.tooling, schedule)};
-  const auto states = foreseen(schedule.stages(), rest.after_motion);
+  const auto states = predicted(schedule.stages(), rest.after_motion);
   const Snapshots snapshots(variant.scene);
   double last = 0;
   for (const auto& state : states) last = std::max(last, state.ended);
-  std::vector<Beginning> beginnings;
+  std::vector<SharedStart> shared_starts;
   for (const auto& state : states) {
     if (state.ended >= last) continue;
     const ScheduleState then = state_at(state.ended, states);
-    beginnings.push_back({beginning_hash(variant.scene, variant.tooling, frame, then, state.ended),
-                          state.ended - states.front().ended,
-                          snapshots.all_to_come(schedule.stages(), then.steps, state.ended)});
+    shared_starts.push_back({start_hash(variant.scene, variant.tooling, frame, then, state.ended),
+                             state.ended - states.front().ended,
+                             snapshots.all_to_come(schedule.stages(), then.steps, state.ended)});
   }
-  return beginnings;
+  return shared_starts;
 }
 
 /// s of simulated time at the variant's beginning that have been `left` by others; `fall` (s) is how long its
 /// poured powder settles.
-double shared_seconds(const std::set<std::uint64_t>& left, const std::vector<Beginning>& own, double fall) {
+double shared_seconds(const std::set<std::uint64_t>& left, const std::vector<SharedStart>& own, double fall) {
   double shared = 0;
-  for (const Beginning& beginning : own)
+  for (const SharedStart& beginning : own)
     if (beginning.nothing_missed && left.count(beginning.hash) > 0)
       shared = std::max(shared, fall + beginning.after_fall);
   return shared;
@@ -127,9 +127,9 @@ ComparisonForecast forecast_comparison(const std::vector<Variant>& variants, con
     } else {
       own.forecast = forecast(prepared.scene, prepared.tooling);
     }
-    const auto beginnings = beginnings_of(prepared, own.forecast, rest);
-    own.shared_seconds = shared_seconds(left, beginnings, own.forecast.phases.front().phase.seconds);
-    for (const Beginning& beginning : beginnings) left.insert(beginning.hash);
+    const auto shared_starts = shared_starts_of(prepared, own.forecast, rest);
+    own.shared_seconds = shared_seconds(left, shared_starts, own.forecast.phases.front().phase.seconds);
+    for (const SharedStart& beginning : shared_starts) left.insert(beginning.hash);
     own.wall_seconds = wall_seconds_after(own.forecast, own.shared_seconds);
     if (own.wall_seconds) *comparison.wall_seconds += *own.wall_seconds;
   }

@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "process/plan/memory.h"
 #include "process/plan/pilot.h"
-#include "process/run/impact_speed.h"
-#include "process/run/material.h"
-#include "process/run/pour.h"
+#include "process/powder/material.h"
+#include "process/setup/impact_speed.h"
+#include "process/setup/pour.h"
+#include "process/tooling/predicted_memory.h"
 
 namespace diefill::process::plan {
 
@@ -52,7 +52,7 @@ double Forecast::seconds() const {
 }
 
 Forecast forecast(const Scene& scene, const Tooling& tooling, const RestTimes& rest) {
-  const double impact = foreseen_impact_speed(scene, tooling);
+  const double impact = predicted_impact_speed(scene, tooling);
   const auto settings = engine_settings(scene, impact);
   Forecast forecast;
   forecast.grain_diameter = scene.powder.grain_diameter;

@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/time_step.h"
+#include "engine/limits/time_step.h"
 #include "process/machine/force_control.h"
 #include "process/plan/setting.h"
-#include "process/run/impact_speed.h"
-#include "process/run/material.h"
+#include "process/powder/material.h"
+#include "process/setup/impact_speed.h"
 
 namespace diefill::process::plan {
 
@@ -61,7 +61,7 @@ Needs needs_of(const Scene& scene, const Tooling& tooling) {
     needs.width_as_felt =
         needs.cavity.narrowest_width - kNarrowing * (needs.grain_diameter - needs.calibrated_diameter);
   }
-  needs.impact_speed = foreseen_impact_speed(scene, tooling);
+  needs.impact_speed = predicted_impact_speed(scene, tooling);
   const auto settings = engine_settings(scene, needs.impact_speed);
   needs.time_step = settings.time_step;
   needs.critical_step = critical_time_step(settings, needs.impact_speed);

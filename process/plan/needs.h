@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "process/plan/symmetry_plane.h"
-#include "process/run/law_terms.h"
-#include "process/run/tooling.h"
+#include "process/powder/law_terms.h"
+#include "process/tooling/tooling.h"
 
 namespace diefill::process::plan {
 
@@ -38,7 +38,7 @@ struct Needs {
 Needs needs_of(const Scene& scene, const Tooling& tooling);
 
 /// The same as statements for people, one a line, each with its reason.
-std::vector<std::string> in_words(const Needs& needs, const Scene& scene, const Tooling& tooling);
+std::vector<std::string> description(const Needs& needs, const Scene& scene, const Tooling& tooling);
 
 /// m^2, area of the tool's surface that faces along `direction` (a unit vector), seen from there.
 double facing_area(const geometry::Mesh& mesh, const Eigen::Vector3d& direction);

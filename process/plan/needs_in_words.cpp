@@ -130,7 +130,7 @@ void say_symmetry(const Needs& needs, std::vector<std::string>& said) {
 
 }  // namespace
 
-std::vector<std::string> in_words(const Needs& needs, const Scene& scene, const Tooling& tooling) {
+std::vector<std::string> description(const Needs& needs, const Scene& scene, const Tooling& tooling) {
   std::vector<std::string> said;
   say_width(needs, said);
   say_step(needs, scene, said);

@@ -89,10 +89,10 @@ SizeCost size_cost_if_sound(const engine::Simulation& bed) {
 /// How long powder took to come to rest, as far as the pilot has seen it. `alike`: whether it has about as
 /// many grains as the run will have. In fewer, one that rolls moves the centre of mass of all too far to be
 /// called rest, and what took longer than usual says nothing of more grains.
-void note_rest_times(bool rests_once, bool alike, Pilot& pilot) {
+void note_rest_times(bool rests_once, bool monodisperse, Pilot& pilot) {
   const RestTimes usual;
   const auto credible = [&](double seen, double otherwise) {
-    return alike ? seen : std::min(seen, otherwise);
+    return monodisperse ? seen : std::min(seen, otherwise);
   };
   const PhaseCost &fall = pilot.of(PhaseKind::fall), &rest = pilot.of(PhaseKind::rest);
   if (fall.whole)
@@ -103,7 +103,7 @@ void note_rest_times(bool rests_once, bool alike, Pilot& pilot) {
 
 /// What a pilot may take.
 struct PilotLimits {
-  double sphere_steps;  ///< foreseen
+  double sphere_steps;  ///< predicted
   double wall;          ///< s of computing, if it has seen enough by then
   double patience;      ///< s, in any case
   bool only_a_look;     ///< no longer for long scenes, and the cost of size is not measured

@@ -4,7 +4,7 @@
 
 #include "process/plan/forecast.h"
 #include "process/plan/setting.h"
-#include "process/run/material.h"
+#include "process/powder/material.h"
 
 namespace diefill::process::plan {
 

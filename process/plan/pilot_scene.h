@@ -1,8 +1,8 @@
 // Which scene a pilot runs: the one that is planned, with less and coarser powder.
 #pragma once
 
-#include "process/run/tooling.h"
 #include "process/scene/scene.h"
+#include "process/tooling/tooling.h"
 
 namespace diefill::process::plan {
 

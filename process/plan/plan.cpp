@@ -4,9 +4,9 @@
 #include <chrono>
 #include <cmath>
 
-#include "process/plan/memory.h"
-#include "process/run/build_tooling.h"
-#include "process/run/material.h"
+#include "process/powder/material.h"
+#include "process/setup/build_tooling.h"
+#include "process/tooling/predicted_memory.h"
 
 namespace diefill::process::plan {
 
@@ -65,7 +65,7 @@ Plan make_plan(const Scene& scene, const PlanOptions& options) {
   plan.scene = with_prepared_steps(std::move(plan.scene), plan.tooling);
   plan.tooling_seconds = seconds_since(began);
   plan.needs = needs_of(plan.scene, plan.tooling);
-  plan.statements = in_words(plan.needs, plan.scene, plan.tooling);
+  plan.statements = description(plan.needs, plan.scene, plan.tooling);
   if (options.pilot) plan.pilot = run_pilot(plan.scene, plan.tooling, options.threads, options.pilot_limit);
   add_choices(plan);
   return plan;
@@ -75,7 +75,7 @@ void add_choices(Plan& plan) {
   plan.choices.push_back(choice_of("as the scene has it", plan.scene, plan.tooling, plan.pilot));
   if (!plan.scene.powder.sizes.empty()) return;  // settings choose one size for all grains
   for (const Setting setting : {Setting::quick, Setting::working, Setting::reference})
-    plan.choices.push_back(choice_with(in_words(setting),
+    plan.choices.push_back(choice_with(description(setting),
                                        numbers_of(setting, plan.scene, plan.tooling.all_cavities()),
                                        plan.scene, plan.tooling, plan.pilot));
 }

@@ -6,12 +6,12 @@
 #include <cmath>
 #include <cstdio>
 
-#include "process/run/material.h"
-#include "process/run/read_tooling.h"
+#include "process/input/shown_value.h"
+#include "process/powder/material.h"
 #include "process/scene/powder_presets.h"
 #include "process/scene/scene_text.h"
 #include "process/scene/sections.h"
-#include "process/scene/shown_value.h"
+#include "process/setup/read_tooling.h"
 
 namespace diefill::process::plan {
 
@@ -134,7 +134,7 @@ double calibrated_diameter(const PowderSpec& powder) {
 
 void refuse_sizes(const Scene& scene, const std::string& what) {
   if (scene.powder.sizes.empty()) return;
-  throw SceneError(scene.file.string() + ": [powder.sizes]: found " + scene.powder.sizes_in_words + ", but " +
+  throw SceneError(scene.file.string() + ": [powder.sizes]: found " + scene.powder.sizes_text + ", but " +
                    what + " uses one size for all grains; remove one of the two");
 }
 
@@ -179,10 +179,10 @@ Scene with_numbers(const Scene& scene, const SettingNumbers& numbers, const std:
 Scene settled_scene(const Scene& scene, const std::optional<Setting>& wanted) {
   const auto setting = wanted ? wanted : setting_of(scene);
   if (!setting) return scene;
-  refuse_sizes(scene, "setting \"" + in_words(*setting) + "\"");
+  refuse_sizes(scene, "setting \"" + description(*setting) + "\"");
   const auto tooling = read_tooling(scene);
   return with_numbers(scene, numbers_of(*setting, scene, tooling.all_cavities()),
-                      "setting " + in_words(*setting));
+                      "setting " + description(*setting));
 }
 
 }  // namespace diefill::process::plan

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "geometry/cavity.h"
+#include "geometry/cavity/cavity.h"
 #include "process/scene/setting.h"
 
 namespace diefill::process::plan {

@@ -31,7 +31,7 @@ engine::SimulationSettings free_standing(const engine::Simulation& bed) {
   settings.time_step *= kStandstill;
   settings.period = {};
   settings.sleep.reset();
-  settings.air_draught.reset();
+  settings.air_flow.reset();
   return settings;
 }
 

@@ -5,7 +5,7 @@
 
 #include <vector>
 
-#include "engine/simulation.h"
+#include "engine/simulation/simulation.h"
 
 namespace diefill::process::plan {
 

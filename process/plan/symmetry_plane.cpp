@@ -21,7 +21,7 @@ bool has_plane(const geometry::Symmetry& symmetry, const SymmetryPlane& plane, d
   });
 }
 
-bool pours_alike(const PourSpec& pour, const SymmetryPlane& plane, double tolerance) {
+bool pours_symmetrically(const PourSpec& pour, const SymmetryPlane& plane, double tolerance) {
   // A box is its own mirror image across planes of its own axes only.
   if (plane.normal.cwiseAbs().maxCoeff() < 1 - kParallel) return false;
   const Eigen::Vector3d middle = 0.5 * (pour.lower + pour.upper);
@@ -29,7 +29,7 @@ bool pours_alike(const PourSpec& pour, const SymmetryPlane& plane, double tolera
 }
 
 /// Tools may move along the plane and turn about its normal.
-bool moves_alike(const Step& step, const SymmetryPlane& plane) {
+bool moves_symmetrically(const Step& step, const SymmetryPlane& plane) {
   constexpr int kInstants = 64;
   constexpr double kOpenEnded = 1;  // s, long enough to see what such a step does
   const double length = step.open_ended() ? kOpenEnded : step.duration().value_or(kOpenEnded);
@@ -47,13 +47,14 @@ bool moves_alike(const Step& step, const SymmetryPlane& plane) {
 }
 
 std::string spoiler_of(const Scene& scene, const SymmetryPlane& plane, double tolerance) {
-  if (!pours_alike(scene.pour, plane, tolerance)) return "the pour box";
+  if (!pours_symmetrically(scene.pour, plane, tolerance)) return "the pour box";
   // Periods are centred on the origin.
   const auto period = scene.numerics.period[plane.normal[0] > 0.5 ? 0 : 1];
   if (period && std::abs(plane.offset) > tolerance) return "the period";
   for (const auto& step : scene.steps) {
     if (step->inflow() != nullptr) return "the inflow of powder";
-    if (!step->tools().empty() && !moves_alike(*step, plane)) return "the motion: " + step->in_words();
+    if (!step->tools().empty() && !moves_symmetrically(*step, plane))
+      return "the motion: " + step->description();
   }
   return {};
 }

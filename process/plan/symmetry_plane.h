@@ -5,8 +5,8 @@
 #include <optional>
 #include <vector>
 
-#include "geometry/symmetry.h"
-#include "process/run/tooling.h"
+#include "geometry/solid/symmetry.h"
+#include "process/tooling/tooling.h"
 
 namespace diefill::process::plan {
 

@@ -5,8 +5,8 @@
 
 #include "process/machine/clear.h"
 #include "process/machine/powder_inflow.h"
-#include "process/run/material.h"
-#include "process/run/pour.h"
+#include "process/powder/material.h"
+#include "process/setup/pour.h"
 
 namespace diefill::process::plan {
 
@@ -43,7 +43,7 @@ double share_at(double time, const Scene& scene, const Tooling& tooling, const S
 
 }  // namespace
 
-const char* in_words(PhaseKind kind) {
+const char* description(PhaseKind kind) {
   switch (kind) {
     case PhaseKind::fall:
       return "settling of the poured powder";
@@ -71,7 +71,7 @@ PhaseKind kind_of(const Stages& stages, const std::vector<StepState>& states) {
 
 std::vector<Phase> timeline(const Scene& scene, const Tooling& tooling, const RestTimes& rest) {
   const Stages stages(scene);
-  const auto states = foreseen(stages, rest.after_motion);
+  const auto states = predicted(stages, rest.after_motion);
   std::vector<double> times;
   for (const auto& state : states) {
     times.push_back(state.started);

@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "process/run/stages.h"
+#include "process/tooling/stages.h"
 
 namespace diefill::process::plan {
 
@@ -13,7 +13,7 @@ enum class PhaseKind { fall, motion, rest };
 inline constexpr int kPhaseKinds = 3;
 
 /// "settling of the poured powder", "motion", "rest".
-const char* in_words(PhaseKind kind);
+const char* description(PhaseKind kind);
 
 /// A stretch of a scene.
 struct Phase {
@@ -23,7 +23,7 @@ struct Phase {
 };
 
 /// How long powder goes on moving after it has fallen, and after tools have stopped, until it counts as at
-/// rest (process/run/rest). Measured on sample scenes with grains of 1.88 mm: after the fall 0.101 s
+/// rest (process/tooling/rest). Measured on sample scenes with grains of 1.88 mm: after the fall 0.101 s
 /// (narrow_ring/fill.toml), after a passage 0.159 s; the rule itself takes 0.1 s unless all is quiet sooner.
 struct RestTimes {
   double after_fall = 0.101, after_motion = 0.159;  ///< s

@@ -3,17 +3,17 @@
 #include <algorithm>
 
 #include "process/plan/setting.h"
-#include "process/run/read_tooling.h"
+#include "process/setup/read_tooling.h"
 
 namespace diefill::process::plan {
 namespace {
 
 SettingNumbers own_numbers(const Scene& scene, Setting setting) {
-  refuse_sizes(scene, "setting \"" + in_words(setting) + "\"");
+  refuse_sizes(scene, "setting \"" + description(setting) + "\"");
   return numbers_of(setting, scene, read_tooling(scene).all_cavities());
 }
 
-void make_alike(std::vector<SettingNumbers>& all) {
+void equalize(std::vector<SettingNumbers>& all) {
   const auto finer = [](const SettingNumbers& a, const SettingNumbers& b) {
     return a.grain_diameter < b.grain_diameter;
   };
@@ -33,9 +33,9 @@ void make_alike(std::vector<SettingNumbers>& all) {
 std::vector<Variant> with_setting(std::vector<Variant> variants, Setting setting) {
   std::vector<SettingNumbers> numbers;
   for (const Variant& variant : variants) numbers.push_back(own_numbers(variant.scene, setting));
-  if (setting != Setting::reference && !numbers.empty()) make_alike(numbers);
+  if (setting != Setting::reference && !numbers.empty()) equalize(numbers);
   for (std::size_t k = 0; k < variants.size(); ++k)
-    variants[k].scene = with_numbers(variants[k].scene, numbers[k], "setting " + in_words(setting));
+    variants[k].scene = with_numbers(variants[k].scene, numbers[k], "setting " + description(setting));
   return variants;
 }
 

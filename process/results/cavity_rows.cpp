@@ -77,7 +77,7 @@ std::pair<std::string, int> quantity_and_cavity(const std::string& quantity) {
 
 std::string mass_of(const CavityRow& row) {
   if (!std::isfinite(row.mass)) return {};
-  return row.estimate ? "about " + mass_in_words(row.mass, 2) : mass_in_words(row.mass);
+  return row.estimate ? "about " + mass_text(row.mass, 2) : mass_text(row.mass);
 }
 
 }  // namespace diefill::results

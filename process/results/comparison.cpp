@@ -37,7 +37,7 @@ Json measure_entry(const ComparedMeasure& measure, const std::vector<std::string
                                 {"seeds", value.seeds},
                                 {"difference", number(value.difference)},
                                 {"interval_95", number(value.interval)},
-                                {"verdict", in_words(value.verdict)}});
+                                {"verdict", description(value.verdict)}});
   }
   return json;
 }
@@ -50,14 +50,14 @@ std::string csv(const Comparison& comparison) {
       text += csv_text(comparison.variants[k]) + ',' + csv_text(measure.name) + ',' + csv_text(measure.unit) +
               ',' + csv_number(value.mean) + ',' + csv_number(value.scatter) + ',' +
               std::to_string(value.seeds) + ',' + csv_number(value.difference) + ',' +
-              csv_number(value.interval) + ',' + csv_text(in_words(value.verdict)) + '\n';
+              csv_number(value.interval) + ',' + csv_text(description(value.verdict)) + '\n';
     }
   return text;
 }
 
 }  // namespace
 
-std::string in_words(Verdict verdict) {
+std::string description(Verdict verdict) {
   switch (verdict) {
     case Verdict::reference:
       return "reference";
@@ -73,7 +73,7 @@ std::string in_words(Verdict verdict) {
   return "no value";
 }
 
-std::string statistics_in_words() {
+std::string statistics_text() {
   return "scatter: standard deviation over seeds; difference: from the first variant, 'none' where it is "
          "within "
          "the 95 % interval of Welch's t for two means, 'scatter unknown' where one of the two has one seed";
@@ -84,7 +84,7 @@ void write_comparison(const std::filesystem::path& directory, const Comparison& 
   json["title"] = comparison.title;
   json["reference"] = comparison.variants.front();
   json["variants"] = comparison.variants;
-  json["statistics"] = statistics_in_words();
+  json["statistics"] = statistics_text();
   json["measures"] = Json::array();
   for (const auto& measure : comparison.measures)
     json["measures"].push_back(measure_entry(measure, comparison.variants));

@@ -22,7 +22,7 @@ enum class Verdict {
 };
 
 /// Such as "none" or "scatter unknown".
-std::string in_words(Verdict verdict);
+std::string description(Verdict verdict);
 
 /// One measure of one variant over its seeds. NaN: no value.
 struct ComparedValue {
@@ -64,7 +64,7 @@ struct Comparison {
 };
 
 /// How the numbers are to be read: what scatter, interval and "none" mean.
-std::string statistics_in_words();
+std::string statistics_text();
 
 /// Writes `directory`/comparison.json and comparison.csv, each whole or not at all. Throws ResultError.
 void write_comparison(const std::filesystem::path& directory, const Comparison& comparison);

@@ -7,12 +7,12 @@
 namespace diefill::results {
 
 double PowderState::largest_diameter() const {
-  return alike() ? grain_diameter : *std::max_element(kinds.diameter.begin(), kinds.diameter.end());
+  return monodisperse() ? grain_diameter : *std::max_element(kinds.diameter.begin(), kinds.diameter.end());
 }
 
-std::string PowderState::sizes_in_words() const {
+std::string PowderState::sizes_text() const {
   char text[80];
-  if (alike())
+  if (monodisperse())
     std::snprintf(text, sizeof text, "%.3g mm", 1e3 * grain_diameter);
   else
     std::snprintf(text, sizeof text, "%.3g to %.3g mm",
@@ -27,7 +27,7 @@ std::vector<Eigen::Vector3d> PowderState::sphere_centres() const {
   for (std::size_t k = 0; k < position.size(); ++k) {
     const Eigen::Vector4d& q = orientation[k];
     const Eigen::Matrix3d body_to_lab = Eigen::Quaterniond(q[0], q[1], q[2], q[3]).toRotationMatrix();
-    if (alike()) {
+    if (monodisperse()) {
       for (const auto& offset : sphere_offsets) centres.push_back(position[k] + body_to_lab * offset);
       continue;
     }

@@ -14,7 +14,7 @@ namespace diefill::results {
 
 /// Kinds of grains of a powder whose grains are not all alike; arrays over kinds. Grains of all kinds are of
 /// one shape.
-struct GrainKinds {
+struct ParticleTypes {
   std::vector<double> diameter;       ///< m, d
   std::vector<double> sphere_radius;  ///< m, R
   std::vector<double> mass;           ///< kg
@@ -40,21 +40,23 @@ struct PowderState {
   std::vector<Eigen::Vector4d> orientation;  ///< unit quaternion (w, x, y, z), body to laboratory
   std::vector<Eigen::Vector3d> velocity;     ///< m/s
   std::vector<Eigen::Vector3d> angular_velocity;  ///< rad/s, laboratory frame
-  GrainKinds kinds;                               ///< empty where all grains are alike
+  ParticleTypes kinds;                            ///< empty where all grains are alike
   std::vector<std::uint8_t> kind;  ///< of every grain, its number in `kinds`; empty where all are alike
 
-  bool alike() const { return kind.empty(); }
-  double diameter_of(std::size_t k) const { return alike() ? grain_diameter : kinds.diameter[kind[k]]; }
-  double sphere_radius_of(std::size_t k) const {
-    return alike() ? sphere_radius : kinds.sphere_radius[kind[k]];
+  bool monodisperse() const { return kind.empty(); }
+  double diameter_of(std::size_t k) const {
+    return monodisperse() ? grain_diameter : kinds.diameter[kind[k]];
   }
-  double mass_of(std::size_t k) const { return alike() ? grain_mass : kinds.mass[kind[k]]; }
+  double sphere_radius_of(std::size_t k) const {
+    return monodisperse() ? sphere_radius : kinds.sphere_radius[kind[k]];
+  }
+  double mass_of(std::size_t k) const { return monodisperse() ? grain_mass : kinds.mass[kind[k]]; }
   double solid_volume_of(std::size_t k) const {
-    return alike() ? grain_solid_volume : kinds.solid_volume[kind[k]];
+    return monodisperse() ? grain_solid_volume : kinds.solid_volume[kind[k]];
   }
   double largest_diameter() const;  ///< m
   /// "1.88 mm", or "1.5 to 2.1 mm".
-  std::string sizes_in_words() const;
+  std::string sizes_text() const;
 
   /// Lab-frame centres of all basic spheres, grain after grain: sphere s of grain k is entry k * spheres + s.
   std::vector<Eigen::Vector3d> sphere_centres() const;

@@ -35,7 +35,7 @@ std::vector<Margin> margins(const FillResult& result) {
   return all;
 }
 
-std::vector<std::string> exceeded_in_words(const FillResult& result) {
+std::vector<std::string> exceeded_text(const FillResult& result) {
   std::vector<std::string> lines;
   for (const Margin& margin : margins(result)) {
     if (!margin.exceeded()) continue;

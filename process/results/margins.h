@@ -21,6 +21,6 @@ struct Margin {
 std::vector<Margin> margins(const FillResult& result);
 
 /// A line for every limit that was exceeded: what, by how much, what to do.
-std::vector<std::string> exceeded_in_words(const FillResult& result);
+std::vector<std::string> exceeded_text(const FillResult& result);
 
 }  // namespace diefill::results

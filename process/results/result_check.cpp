@@ -11,7 +11,7 @@ void same_or_none(const std::string& what, std::size_t found, std::size_t grains
                     " grains");
 }
 
-void check_kinds(const GrainKinds& kinds, const std::vector<std::uint8_t>& kind, std::size_t grains) {
+void check_kinds(const ParticleTypes& kinds, const std::vector<std::uint8_t>& kind, std::size_t grains) {
   same_or_none("kinds of grains", kind.size(), grains);
   const std::size_t count = kinds.size();
   if (kinds.sphere_radius.size() != count || kinds.mass.size() != count ||

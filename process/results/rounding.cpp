@@ -57,7 +57,7 @@ std::string in_significant_digits(double value, int digits) {
   return text;
 }
 
-std::string mass_in_words(double mass, int digits) {
+std::string mass_text(double mass, int digits) {
   constexpr double kMilligramsBelow = 1e-4;  // kg
   return std::abs(mass) < kMilligramsBelow && mass != 0 ? in_significant_digits(1e6 * mass, digits) + " mg"
                                                         : in_significant_digits(1e3 * mass, digits) + " g";

@@ -23,6 +23,6 @@ std::string with_scatter(double value, double scatter, int digits = 3);
 std::string in_significant_digits(double value, int digits);
 
 /// A mass in kg as "3.12 g" or "45.6 mg", with `digits` significant digits.
-std::string mass_in_words(double mass, int digits = 3);
+std::string mass_text(double mass, int digits = 3);
 
 }  // namespace diefill::results

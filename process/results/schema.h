@@ -16,15 +16,17 @@ inline constexpr int kSchemaVersion = 5, kOldestSchemaVersion = 1;
 
 template <class Archive, class Powder>
 void describe_kinds(Archive& archive, Powder& powder) {
-  archive.optional_group("kinds", "kinds of grains, where they are not all alike", !powder.alike(), [&] {
-    auto& kinds = powder.kinds;
-    archive.field("diameter", kinds.diameter, "m", "grain size d of each kind");
-    archive.field("sphere_radius", kinds.sphere_radius, "m", "radius of the basic spheres of each kind");
-    archive.field("grain_mass", kinds.mass, "kg", "mass of one grain of each kind");
-    archive.field("grain_solid_volume", kinds.solid_volume, "m^3", "solid volume of one grain of each kind");
-    archive.field("material", kinds.material, "text", "material of each kind");
-    archive.field("of_grain", powder.kind, "1", "number of every grain's kind, from 0");
-  });
+  archive.optional_group(
+      "kinds", "kinds of grains, where they are not all alike", !powder.monodisperse(), [&] {
+        auto& kinds = powder.kinds;
+        archive.field("diameter", kinds.diameter, "m", "grain size d of each kind");
+        archive.field("sphere_radius", kinds.sphere_radius, "m", "radius of the basic spheres of each kind");
+        archive.field("grain_mass", kinds.mass, "kg", "mass of one grain of each kind");
+        archive.field("grain_solid_volume", kinds.solid_volume, "m^3",
+                      "solid volume of one grain of each kind");
+        archive.field("material", kinds.material, "text", "material of each kind");
+        archive.field("of_grain", powder.kind, "1", "number of every grain's kind, from 0");
+      });
 }
 
 template <class Archive, class Powder>

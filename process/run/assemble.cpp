@@ -10,14 +10,14 @@
 #include "process/measure/heap_slope.h"
 #include "process/measure/measure.h"
 #include "process/measure/measured_fields.h"
-#include "process/run/die_frame.h"
-#include "process/run/half_model.h"
 #include "process/run/margin_warnings.h"
 #include "process/run/measure_cavities.h"
 #include "process/run/outcome.h"
 #include "process/run/powder_state.h"
-#include "process/run/setup_findings.h"
 #include "process/run/topics.h"
+#include "process/setup/setup_findings.h"
+#include "process/tooling/die_frame.h"
+#include "process/tooling/half_model.h"
 
 #ifndef DIEFILL_VERSION
 #error "the build names the program's version in DIEFILL_VERSION"
@@ -30,7 +30,7 @@ namespace {
 results::ToolState tool_state(const Tool& tool, const engine::BodyMotion& motion) {
   results::ToolState state;
   state.name = tool.spec.name;
-  state.role = in_words(tool.spec.role);
+  state.role = description(tool.spec.role);
   const geometry::Mesh mesh = geometry::transformed(tool.mesh, motion.rotation, motion.translation);
   state.vertices = mesh.vertices;
   state.triangles = mesh.triangles;
@@ -54,12 +54,12 @@ Eigen::Vector3d first_motion(const Scene& scene) {
   return Eigen::Vector3d::Zero();
 }
 
-/// The cavity as it is now: foreseen, unless a step ended elsewhere than foreseen.
+/// The cavity as it is now: predicted, unless a step ended elsewhere than predicted.
 results::CavityState cavity_now(const Scene& scene, const Tooling& tooling, const FillRun& run) {
   constexpr double kAsForeseen = 1e-6;  // m
   std::vector<ToolPose> poses;
   const Stages& stages = run.schedule().stages();
-  const auto plan = foreseen(stages, kSettlingGuess);
+  const auto plan = predicted(stages, kSettlingGuess);
   constexpr double kLongAfter = 1e9;  // s
   double off = 0;
   for (std::size_t k = 0; k < tooling.tools.size(); ++k) {
@@ -152,11 +152,11 @@ void add_figures(const Scene& scene, results::FillResult& result, const Tooling&
   figures["threads"] = settings.threads;
   figures["energy_balance_error"] = simulation.energy_balance_error();
   const engine::DeepestOverlap& deepest = simulation.overlaps_of_run();
-  const bool alike = simulation.kinds().alike();
+  const bool monodisperse = simulation.kinds().monodisperse();
   figures["deepest_overlap_ratio"] =
-      alike ? deepest.grains / settings.shape.sphere_radius : deepest.grains_over_radius;
+      monodisperse ? deepest.grains / settings.shape.sphere_radius : deepest.grains_over_radius;
   figures["deepest_wall_overlap_ratio"] =
-      alike ? deepest.walls / settings.shape.sphere_radius : deepest.walls_over_radius;
+      monodisperse ? deepest.walls / settings.shape.sphere_radius : deepest.walls_over_radius;
   const double left = copies(tooling) * static_cast<double>(run.grains_left());
   figures["grains_left"] = left;
   figures["grains_sheared"] = copies(tooling) * static_cast<double>(run.grains_sheared());
@@ -166,7 +166,7 @@ void add_figures(const Scene& scene, results::FillResult& result, const Tooling&
   figures["wall_overlap_limit_ratio"] = engine::HealthLimits{}.forbidden_wall_overlap;
   figures["energy_error_limit"] = engine::HealthLimits{}.energy_error;
   figures["grain_diameter_m"] = result.powder.grain_diameter;
-  if (!alike) {
+  if (!monodisperse) {
     figures["smallest_grain_diameter_m"] = smallest_grain(scene.powder);
     figures["largest_grain_diameter_m"] = largest_grain(scene.powder);
   }
@@ -185,7 +185,7 @@ void add_figures(const Scene& scene, results::FillResult& result, const Tooling&
 std::vector<results::ToolCheck> tool_checks(const Tooling& tooling) {
   std::vector<results::ToolCheck> checks;
   for (const Tool& tool : tooling.tools)
-    checks.push_back({tool.spec.name, tool.spec.file.filename().string(), tool.findings.in_words(),
+    checks.push_back({tool.spec.name, tool.spec.file.filename().string(), tool.findings.description(),
                       tool.mesh.volume(), tool.spheres.mean_deviation, tool.spheres.largest_deviation,
                       tool.spheres.largest_gap});
   return checks;
@@ -222,7 +222,7 @@ results::FillResult assemble(const Scene& scene, const Tooling& tooling, const F
   results::FillResult result;
   const std::string mark = unfinished_mark(run);
   result.title = scene.title + mark;
-  result.strategy = strategy_in_words(scene) + mark;
+  result.strategy = strategy_text(scene) + mark;
   result.powder_name = scene.powder.name;
   result.scene_text = scene.text;
   result.program_version = program_version();
@@ -258,7 +258,7 @@ results::FillResult assemble(const Scene& scene, const Tooling& tooling, const F
   for (auto& line : margin_warnings(result)) result.warnings.push_back(std::move(line));
   for (const auto& finding : setup_findings(scene, tooling))
     result.warnings.push_back(kAlert + finding.words);
-  for (auto& line : outcome_in_words(scene, result)) result.warnings.push_back(std::move(line));
+  for (auto& line : outcome_text(scene, result)) result.warnings.push_back(std::move(line));
   for (const HeapSpec& heap : scene.measure.heaps) {
     const double slope = heap_slope(result.powder, heap.from, heap.to);
     if (std::isfinite(slope)) result.figures[heap_figure(heap.name)] = slope;

@@ -6,7 +6,7 @@
 #include <sstream>
 #include <type_traits>
 
-#include "engine/fnv1a.h"
+#include "engine/numerics/fnv1a.h"
 #include "process/results/atomic_file.h"
 #include "process/results/result_file.h"
 
@@ -88,7 +88,7 @@ void transfer_instants(Io& io, Instants& instants) {
 template <class Io, class Contents>
 void transfer(Io& io, Contents& checkpoint) {
   io(checkpoint.scene_hash);
-  io(checkpoint.beginning_hash);
+  io(checkpoint.start_hash);
   io(checkpoint.grains_left);
   io(checkpoint.grains_sheared);
   io(checkpoint.grains_leaked);

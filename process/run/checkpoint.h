@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <optional>
 
-#include "engine/state.h"
+#include "engine/simulation/state.h"
 #include "process/results/fill_result.h"
 #include "process/run/probes.h"
 #include "process/run/schedule.h"
@@ -14,10 +14,10 @@
 
 namespace diefill::process {
 
-/// A run at one instant. `scene_hash` ties it to the scene and CAD files it came from, `beginning_hash` to
+/// A run at one instant. `scene_hash` ties it to the scene and CAD files it came from, `start_hash` to
 /// all that has acted by then (beginning.h).
 struct Checkpoint {
-  std::uint64_t scene_hash = 0, beginning_hash = 0;
+  std::uint64_t scene_hash = 0, start_hash = 0;
   engine::Snapshot simulation;
   ScheduleState schedule;
   ProbesState probes;

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cstdio>
 
+#include "process/input/units.h"
 #include "process/scene/powder_presets.h"
-#include "process/scene/units.h"
 
 namespace diefill::process {
 
@@ -20,8 +20,8 @@ std::string left_out(const engine::Simulation& simulation, std::uint64_t sphere_
 
 }  // namespace
 
-std::vector<std::string> economies_in_words(const Scene& scene, const engine::Simulation& simulation,
-                                            std::uint64_t sphere_steps) {
+std::vector<std::string> economies_text(const Scene& scene, const engine::Simulation& simulation,
+                                        std::uint64_t sphere_steps) {
   std::vector<std::string> lines;
   if (scene.economy.mirror)
     lines.push_back(std::string("half model: only one side of the plane ") +
@@ -31,7 +31,7 @@ std::vector<std::string> economies_in_words(const Scene& scene, const engine::Si
   if (scene.economy.sleep)
     lines.push_back("settled grains were frozen (economy.sleep): " + left_out(simulation, sphere_steps));
   if (scene.economy.carry_beyond)
-    lines.push_back("powder in the shoe farther than " + number_in_words(1e3 * *scene.economy.carry_beyond) +
+    lines.push_back("powder in the shoe farther than " + number_text(1e3 * *scene.economy.carry_beyond) +
                     " mm from a cavity was moved as a rigid block: " + left_out(simulation, sphere_steps));
   if (const std::string limit = preset_warning(scene.powder); !limit.empty()) lines.push_back(limit);
   return lines;

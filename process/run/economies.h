@@ -5,14 +5,14 @@
 #include <string>
 #include <vector>
 
-#include "engine/simulation.h"
+#include "engine/simulation/simulation.h"
 #include "process/scene/scene.h"
 
 namespace diefill::process {
 
 /// A line for each economy of the scene that is off by default, and one for a preset that is unsuitable
 /// for die filling. `sphere_steps`: spheres times steps of the run, those left out included.
-std::vector<std::string> economies_in_words(const Scene& scene, const engine::Simulation& simulation,
-                                            std::uint64_t sphere_steps);
+std::vector<std::string> economies_text(const Scene& scene, const engine::Simulation& simulation,
+                                        std::uint64_t sphere_steps);
 
 }  // namespace diefill::process

@@ -5,23 +5,23 @@
 #include <cmath>
 #include <cstdio>
 
-#include "engine/pinched_grains.h"
+#include "engine/limits/pinched_grains.h"
+#include "process/input/units.h"
 #include "process/machine/clear.h"
 #include "process/measure/cavity_position.h"
-#include "process/run/carried_powder.h"
-#include "process/run/die_frame.h"
+#include "process/powder/material.h"
+#include "process/powder/mixed_powder.h"
 #include "process/run/economies.h"
-#include "process/run/half_model.h"
-#include "process/run/impact_speed.h"
-#include "process/run/material.h"
-#include "process/run/mixed_powder.h"
-#include "process/run/pour.h"
 #include "process/run/powder_domain.h"
 #include "process/run/suction.h"
-#include "process/run/tool_paths.h"
-#include "process/run/wall_bodies.h"
 #include "process/scene/setting.h"
-#include "process/scene/units.h"
+#include "process/setup/impact_speed.h"
+#include "process/setup/pour.h"
+#include "process/tooling/co_moving_powder.h"
+#include "process/tooling/die_frame.h"
+#include "process/tooling/half_model.h"
+#include "process/tooling/tool_paths.h"
+#include "process/tooling/wall_bodies.h"
 
 namespace diefill::process {
 
@@ -55,11 +55,11 @@ FillRun::FillRun(const Scene& scene, const Tooling& tooling, const RunOptions& o
       progress_(options.show_progress) {
   const auto grains = pour(scene, engine_settings(scene, 1.0), tooling);
   if (setting_of(scene)) throw std::logic_error("a setting must be turned into numbers before a scene runs");
-  const double impact = foreseen_impact_speed(scene, tooling);
+  const double impact = predicted_impact_speed(scene, tooling);
   auto settings = engine_settings(scene, impact);
   settings.threads = options.threads;
-  settings.air_draught = draught_of(scene, tooling, settings);
-  if (auto carried = carried_powder(scene, tooling)) settings.sleep = std::move(carried);
+  settings.air_flow = air_flow_of(scene, tooling, settings);
+  if (auto carried = co_moving_powder(scene, tooling)) settings.sleep = std::move(carried);
   critical_step_ = process::critical_time_step(settings, impact);
   simulation_ = std::make_unique<engine::Simulation>(settings, wall_bodies(scene, tooling, settings));
 
@@ -91,7 +91,7 @@ void FillRun::run() {
     if (simulation_->steps() % kForcedEvery == 0) forced_tools.look(*simulation_);
     duties();
   }
-  health_.check(*simulation_);
+  monitor_.check(*simulation_);
   // The run may go on from here, where an unbroken one would not yet look.
   if (!schedule_.finished()) write_checkpoint();
   look_for_lost_grains();
@@ -102,7 +102,7 @@ void FillRun::run() {
 void FillRun::duties() {
   const std::uint64_t step = simulation_->steps();
   if (step % kPinchEvery == 0) shear_off_pinched_grains();
-  if (step % kHealthEvery == 0) health_.check(*simulation_);
+  if (step % kHealthEvery == 0) monitor_.check(*simulation_);
   if (step % kLostEvery == 0) look_for_lost_grains();
   if (step % kSpillEvery == 0) let_spilled_grains_go();
   if (scene_.measure.snapshot_interval > 0) keep_instant();
@@ -113,13 +113,13 @@ void FillRun::duties() {
   if (stage_over) clear_powder();
   if (step % kFeedEvery == 0 && source_.any()) let_powder_in();
   if (stage_over) {
-    progress_.say("t = " + std::to_string(simulation_->time()) + " s: " + schedule_.in_words());
+    progress_.say("t = " + std::to_string(simulation_->time()) + " s: " + schedule_.description());
     look_for_lost_grains();
   }
   if (step % kScheduleEvery == 0) show_progress();
   if (options_.stop != nullptr && options_.stop->load()) stop_with_checkpoint();
   if (stage_over || seconds_since(last_checkpoint_) > scene_.numerics.checkpoint_interval) write_checkpoint();
-  if (stage_over && !schedule_.finished()) leave_beginning();
+  if (stage_over && !schedule_.finished()) save_shared_start();
 }
 
 void FillRun::let_spilled_grains_go() {
@@ -190,7 +190,7 @@ void FillRun::shear_off_pinched_grains() {
   const double most = scene_.numerics.most_sheared;
   if (static_cast<double>(sheared_.grains()) > std::max(kFewSheared, most * poured))
     throw engine::OutOfRange(shear_warning() + " by t = " + std::to_string(simulation_->time()) +
-                             " s, more than " + number_in_words(100 * most) +
+                             " s, more than " + number_text(100 * most) +
                              " % of all (numerics.most_sheared): use smaller model grains or a shorter time "
                              "step, chamfer the edges that move past each other, or raise the limit");
 }
@@ -214,7 +214,7 @@ void FillRun::keep_instant() {
   results::Instant instant;
   instant.time = simulation_->time();
   instant.id = grains.id;
-  if (!simulation_->kinds().alike()) instant.kind.assign(grains.kind.begin(), grains.kind.end());
+  if (!simulation_->kinds().monodisperse()) instant.kind.assign(grains.kind.begin(), grains.kind.end());
   instant.position = grains.position;
   instant.orientation = grains.orientations();
   instant.velocity = grains.velocity;
@@ -252,7 +252,7 @@ void FillRun::show_progress() {
   char rate[96], doing[160];
   std::snprintf(rate, sizeof rate, "%.2f million sphere-steps/s",
                 1e-6 * static_cast<double>(sphere_steps_) / wall_seconds());
-  std::snprintf(doing, sizeof doing, "t = %.4f s, %s", now, schedule_.in_words().c_str());
+  std::snprintf(doing, sizeof doing, "t = %.4f s, %s", now, schedule_.description().c_str());
   progress_.show(now / (now + left), doing, rate);
 }
 
@@ -264,9 +264,8 @@ std::vector<std::string> FillRun::warnings() const {
   std::vector<std::string> all = warnings_;
   if (ran_out_of_time())
     all.insert(all.begin(), "unfinished: " + why_unfinished() + "; all figures refer to this time");
-  for (auto& economy : economies_in_words(scene_, *simulation_, sphere_steps_))
-    all.push_back(std::move(economy));
-  all.insert(all.end(), health_.warnings().begin(), health_.warnings().end());
+  for (auto& economy : economies_text(scene_, *simulation_, sphere_steps_)) all.push_back(std::move(economy));
+  all.insert(all.end(), monitor_.warnings().begin(), monitor_.warnings().end());
   if (sheared_.grains() > 0) all.push_back(shear_warning());
   if (auto leak = leak_watch_.warning(grains_poured())) all.push_back(std::move(*leak));
   return all;

@@ -7,17 +7,17 @@
 #include <functional>
 #include <memory>
 
-#include "engine/health.h"
+#include "engine/limits/validity_monitor.h"
 #include "process/run/checkpoint.h"
-#include "process/run/grain_tally.h"
 #include "process/run/leak_watch.h"
 #include "process/run/lost_grains.h"
 #include "process/run/powder_source.h"
 #include "process/run/probes.h"
-#include "process/run/progress.h"
 #include "process/run/schedule.h"
 #include "process/run/snapshots.h"
-#include "process/run/tooling.h"
+#include "process/tooling/grain_tally.h"
+#include "process/tooling/progress.h"
+#include "process/tooling/tooling.h"
 
 namespace diefill::process {
 
@@ -29,7 +29,7 @@ struct RunOptions {
   int threads = 2;
   bool resume = false;  ///< go on from the directory's checkpoint
   /// Where runs leave their beginnings for each other (beginning.h); empty: nowhere.
-  std::filesystem::path beginnings;
+  std::filesystem::path shared_starts;
   bool show_progress = true;
   const std::atomic<bool>* stop =
       nullptr;  ///< set from a signal handler: stop at the next step with a checkpoint
@@ -76,7 +76,7 @@ class FillRun {
  private:
   void start_or_resume();
   std::optional<Checkpoint> own_checkpoint() const;
-  std::optional<Checkpoint> shared_beginning() const;
+  std::optional<Checkpoint> shared_start() const;
   void go_on_from(const Checkpoint& checkpoint);
   void duties();
   void let_spilled_grains_go();
@@ -93,11 +93,11 @@ class FillRun {
   bool write_checkpoint();
   [[noreturn]] void stop_with_checkpoint();
   bool out_of_time() const;
-  void leave_beginning();
+  void save_shared_start();
   bool keep(const std::function<void()>& write, const std::string& otherwise);
   void show_progress();
   std::uint64_t scene_hash() const;
-  std::uint64_t beginning_hash(const ScheduleState& schedule, double now) const;
+  std::uint64_t start_hash(const ScheduleState& schedule, double now) const;
   std::size_t place_of(std::uint64_t id) const;
 
   const Scene& scene_;
@@ -110,7 +110,7 @@ class FillRun {
   PowderSource source_;
   Probes probes_;
   Snapshots snapshots_;
-  engine::Health health_;
+  engine::ValidityMonitor monitor_;
   LostGrains lost_grains_;
   LeakWatch leak_watch_;
   Progress progress_;

@@ -1,9 +1,9 @@
 // How a run keeps its state and goes on from what was kept.
+#include "process/input/units.h"
 #include "process/results/result_file.h"
-#include "process/run/beginning.h"
 #include "process/run/fill_run.h"
+#include "process/run/shared_start.h"
 #include "process/scene/identity.h"
-#include "process/scene/units.h"
 
 namespace diefill::process {
 
@@ -11,7 +11,7 @@ void FillRun::start_or_resume() {
   if (const auto own = own_checkpoint()) {
     go_on_from(*own);
     progress_.say("resuming at t = " + std::to_string(simulation_->time()) + " s");
-  } else if (const auto shared = shared_beginning()) {
+  } else if (const auto shared = shared_start()) {
     go_on_from(*shared);
     progress_.say("the first " + std::to_string(simulation_->time()) + " s are taken from an earlier run");
   } else if (options_.resume) {
@@ -31,12 +31,12 @@ std::optional<Checkpoint> FillRun::own_checkpoint() const {
   return checkpoint;
 }
 
-std::optional<Checkpoint> FillRun::shared_beginning() const {
-  if (options_.beginnings.empty()) return std::nullopt;
-  auto beginning = latest_beginning(options_.beginnings, [this](const Checkpoint& other) {
+std::optional<Checkpoint> FillRun::shared_start() const {
+  if (options_.shared_starts.empty()) return std::nullopt;
+  auto beginning = latest_shared_start(options_.shared_starts, [this](const Checkpoint& other) {
     const double now = other.simulation.time;
     const auto schedule = with_steps(other.schedule, schedule_.stages().size());
-    return schedule && other.beginning_hash == beginning_hash(*schedule, now) &&
+    return schedule && other.start_hash == start_hash(*schedule, now) &&
            snapshots_.all_to_come(schedule_.stages(), schedule->steps, now);
   });
   // Those of the other scene are its own affair, and none of ours has been due.
@@ -60,7 +60,7 @@ void FillRun::go_on_from(const Checkpoint& checkpoint) {
 Checkpoint FillRun::checkpoint() const {
   Checkpoint checkpoint;
   checkpoint.scene_hash = scene_hash();
-  checkpoint.beginning_hash = beginning_hash(schedule_.state(), simulation_->time());
+  checkpoint.start_hash = start_hash(schedule_.state(), simulation_->time());
   checkpoint.simulation = simulation_->snapshot();
   checkpoint.schedule = schedule_.state();
   checkpoint.probes = probes_.state();
@@ -91,10 +91,10 @@ void FillRun::stop_with_checkpoint() {
   throw Interrupted(stopped + " without space for a checkpoint: the computed results are lost");
 }
 
-void FillRun::leave_beginning() {
+void FillRun::save_shared_start() {
   // Air flows through what the whole schedule makes of the tools.
-  if (options_.beginnings.empty() || scene_.suction) return;
-  keep([this] { process::leave_beginning(options_.beginnings, checkpoint()); },
+  if (options_.shared_starts.empty() || scene_.suction) return;
+  keep([this] { process::save_shared_start(options_.shared_starts, checkpoint()); },
        "could not store the shared start for other runs, which will compute it themselves");
 }
 
@@ -124,15 +124,14 @@ std::string FillRun::why_unfinished() const {
   if (schedule_.finished()) return {};
   std::string why = "the scene had not ended ";
   if (out_of_time())
-    why += "after numerics.max_time of " + number_in_words(scene_.numerics.max_time) + " s";
+    why += "after numerics.max_time of " + number_text(scene_.numerics.max_time) + " s";
   else
-    why += "at t = " + number_in_words(simulation_->time()) + " s";
-  return why + " (current step: " + schedule_.in_words() + ')';
+    why += "at t = " + number_text(simulation_->time()) + " s";
+  return why + " (current step: " + schedule_.description() + ')';
 }
 
-std::uint64_t FillRun::beginning_hash(const ScheduleState& schedule, double now) const {
-  return process::beginning_hash(scene_, tooling_, {simulation_->settings().time_step, domain_}, schedule,
-                                 now);
+std::uint64_t FillRun::start_hash(const ScheduleState& schedule, double now) const {
+  return process::start_hash(scene_, tooling_, {simulation_->settings().time_step, domain_}, schedule, now);
 }
 
 }  // namespace diefill::process

@@ -3,7 +3,7 @@
 #include <cstdio>
 #include <limits>
 
-#include "process/run/half_model.h"
+#include "process/tooling/half_model.h"
 
 namespace diefill::process {
 

@@ -6,7 +6,7 @@
 #include <optional>
 #include <string>
 
-#include "process/run/tooling.h"
+#include "process/tooling/tooling.h"
 
 namespace diefill::process {
 

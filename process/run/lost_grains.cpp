@@ -3,7 +3,7 @@
 #include <array>
 #include <cstdio>
 
-#include "engine/out_of_range.h"
+#include "engine/numerics/out_of_range.h"
 
 namespace diefill::process {
 

@@ -5,11 +5,11 @@
 #include <cstdint>
 #include <vector>
 
-#include "engine/simulation.h"
-#include "geometry/point_grid.h"
-#include "geometry/solid_query.h"
-#include "geometry/voxel_grid.h"
-#include "process/run/tooling.h"
+#include "engine/simulation/simulation.h"
+#include "geometry/grids/point_grid.h"
+#include "geometry/reach/voxel_grid.h"
+#include "geometry/solid/solid_query.h"
+#include "process/tooling/tooling.h"
 
 namespace diefill::process {
 

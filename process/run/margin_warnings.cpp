@@ -2,13 +2,13 @@
 
 #include <cstdio>
 
-#include "engine/health.h"
+#include "engine/limits/validity_monitor.h"
 #include "process/results/margins.h"
 
 namespace diefill::process {
 
 std::vector<std::string> margin_warnings(const results::FillResult& result) {
-  auto lines = results::exceeded_in_words(result);
+  auto lines = results::exceeded_text(result);
   const engine::HealthLimits limits;
   const auto error = result.figures.find("energy_balance_error");
   if (error == result.figures.end()) return lines;

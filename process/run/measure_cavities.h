@@ -2,7 +2,7 @@
 #pragma once
 
 #include "process/results/fill_result.h"
-#include "process/run/tooling.h"
+#include "process/tooling/tooling.h"
 
 namespace diefill::process {
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstdio>
 
-#include "process/run/setup_findings.h"
+#include "process/setup/setup_findings.h"
 
 namespace diefill::process {
 
@@ -67,7 +67,7 @@ void tell_unfilled(const Scene& scene, const results::FillResult& result, std::v
 
 }  // namespace
 
-std::vector<std::string> outcome_in_words(const Scene& scene, const results::FillResult& result) {
+std::vector<std::string> outcome_text(const Scene& scene, const results::FillResult& result) {
   std::vector<std::string> lines;
   tell_lost(scene, result, lines);
   tell_unfilled(scene, result, lines);

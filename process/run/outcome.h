@@ -11,7 +11,7 @@ namespace diefill::process {
 
 /// Lines for the result's warnings; those that begin with kAlert (setup_findings.h) are likely mistakes. The
 /// result holds its figures already.
-std::vector<std::string> outcome_in_words(const Scene& scene, const results::FillResult& result);
+std::vector<std::string> outcome_text(const Scene& scene, const results::FillResult& result);
 
 /// Of `warnings` those that begin with kAlert, without it.
 std::vector<std::string> alerts_of(const std::vector<std::string>& warnings);

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "process/run/dice.h"
-#include "process/run/material.h"
+#include "process/powder/material.h"
+#include "process/powder/random.h"
 
 namespace diefill::process {
 
@@ -83,11 +83,11 @@ std::vector<engine::NewGrain> PowderSource::placed(const PowderInflow& inflow, s
   for (std::size_t k = 0; k < there.size(); ++k)
     if ((there.position[k] - middle).norm() < half.norm() + apart)
       near.emplace_back(there.position[k], simulation.shape_of(k).bounding_radius());
-  Dice dice(seed);
+  Random random(seed);
   std::vector<engine::NewGrain> grains;
   const std::size_t tries = 10 * wanted + 20;
   for (std::size_t n = 0; n < tries && grains.size() < wanted; ++n) {
-    const Eigen::Vector3d offset(dice.symmetric(), dice.symmetric(), dice.symmetric());
+    const Eigen::Vector3d offset(random.symmetric(), random.symmetric(), random.symmetric());
     const Eigen::Vector3d in_body = own + offset.cwiseProduct(half);
     const Eigen::Vector3d place = body != nullptr ? body->point(in_body) : in_body;
     const engine::KindNumber kind = kind_of(come + grains.size());
@@ -100,7 +100,7 @@ std::vector<engine::NewGrain> PowderSource::placed(const PowderInflow& inflow, s
     grain.kind = kind;
     grain.position = place;
     grain.velocity = inflow.velocity + velocity_of(body, place);
-    grain.orientation = dice.direction<4>();
+    grain.orientation = random.direction<4>();
     near.emplace_back(place, radius);
     grains.push_back(grain);
   }

@@ -4,11 +4,11 @@
 
 #include <vector>
 
-#include "engine/simulation.h"
-#include "geometry/solid_query.h"
+#include "engine/simulation/simulation.h"
+#include "geometry/solid/solid_query.h"
 #include "process/machine/powder_inflow.h"
 #include "process/run/schedule.h"
-#include "process/run/tooling.h"
+#include "process/tooling/tooling.h"
 
 namespace diefill::process {
 

@@ -1,7 +1,7 @@
 #include "process/run/powder_state.h"
 
-#include "engine/contact_stress.h"
-#include "process/run/material.h"
+#include "engine/observe/contact_stress.h"
+#include "process/powder/material.h"
 
 namespace diefill::process {
 
@@ -10,7 +10,7 @@ namespace {
 /// The kinds of `simulation` and the kind of every grain, where they are not all alike.
 void add_kinds(const Scene& scene, const engine::Simulation& simulation, results::PowderState& powder) {
   const engine::KindTable& kinds = simulation.kinds();
-  if (kinds.alike()) return;
+  if (kinds.monodisperse()) return;
   powder.kinds.diameter = grain_diameters(scene.powder);
   for (std::size_t k = 0; k < kinds.size(); ++k) {
     const engine::GrainShape& shape = kinds.shape(static_cast<engine::KindNumber>(k));
@@ -48,7 +48,7 @@ results::PowderState powder_state(const engine::Simulation& simulation, const en
 results::PowderState powder_state(const Scene& scene, const engine::Simulation& simulation) {
   // Of the grain of mean mass where there are several kinds, which no grain need have.
   const engine::GrainShape shape =
-      simulation.kinds().alike() ? simulation.settings().shape : engine_settings(scene, 1.0).shape;
+      simulation.kinds().monodisperse() ? simulation.settings().shape : engine_settings(scene, 1.0).shape;
   results::PowderState powder = powder_state(simulation, shape, scene.powder.grain_diameter);
   add_kinds(scene, simulation, powder);
   return powder;

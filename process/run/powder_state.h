@@ -1,10 +1,10 @@
 // The powder of a running simulation as results describe it.
 #pragma once
 
-#include "engine/simulation.h"
+#include "engine/simulation/simulation.h"
 #include "process/results/fill_result.h"
-#include "process/run/die_frame.h"
 #include "process/scene/scene.h"
+#include "process/tooling/die_frame.h"
 
 namespace diefill::process {
 

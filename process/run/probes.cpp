@@ -4,9 +4,9 @@
 #include <cmath>
 
 #include "process/measure/cavity_position.h"
-#include "process/run/die_frame.h"
-#include "process/run/grain_tally.h"
-#include "process/run/half_model.h"
+#include "process/tooling/die_frame.h"
+#include "process/tooling/grain_tally.h"
+#include "process/tooling/half_model.h"
 
 namespace diefill::process {
 

@@ -4,9 +4,9 @@
 
 #include <vector>
 
-#include "engine/simulation.h"
+#include "engine/simulation/simulation.h"
 #include "process/results/fill_result.h"
-#include "process/run/tooling.h"
+#include "process/tooling/tooling.h"
 
 namespace diefill::process {
 

@@ -4,9 +4,9 @@
 
 #include "process/machine/moving_tool.h"
 #include "process/machine/powder_inflow.h"
-#include "process/run/die_frame.h"
-#include "process/run/half_model.h"
-#include "process/run/material.h"
+#include "process/powder/material.h"
+#include "process/tooling/die_frame.h"
+#include "process/tooling/half_model.h"
 
 namespace diefill::process {
 
@@ -159,7 +159,7 @@ bool Schedule::control(engine::Simulation& simulation) {
     if (prescribed_motion_is_on())
       state.ringing = {};
     else
-      watch_for_ringing(state.ringing, *law, resistance, now, names_in_words(stages_.steps[k]->tools()));
+      watch_for_ringing(state.ringing, *law, resistance, now, names_text(stages_.steps[k]->tools()));
     any = true;
   }
   return any;
@@ -184,21 +184,21 @@ std::vector<results::Stage> Schedule::past() const {
     if (!state.is_over()) continue;
     std::string tools;
     for (const auto& tool : stages_.steps[k]->tools()) tools += (tools.empty() ? "" : ", ") + tool;
-    past.push_back({tools, stages_.steps[k]->in_words(), state.started, state.ended});
+    past.push_back({tools, stages_.steps[k]->description(), state.started, state.ended});
   }
   return past;
 }
 
-std::string Schedule::in_words() const {
+std::string Schedule::description() const {
   std::string words;
   for (std::size_t k = 0; k < stages_.size(); ++k)
-    if (state_.steps[k].is_on()) words += (words.empty() ? "" : " and ") + stages_.steps[k]->in_words();
+    if (state_.steps[k].is_on()) words += (words.empty() ? "" : " and ") + stages_.steps[k]->description();
   return !words.empty() ? words : finished() ? "done" : "waiting for the next step";
 }
 
 double Schedule::time_left(double now, double settling_time) const {
-  const auto plan = foreseen(stages_, settling_time);
-  // A step that has begun or ended shifts everything foreseen after it by as much.
+  const auto plan = predicted(stages_, settling_time);
+  // A step that has begun or ended shifts everything predicted after it by as much.
   double shift = 0, end = 0;
   for (std::size_t k = 0; k < stages_.size(); ++k) {
     if (!state_.steps[k].waits()) shift = state_.steps[k].started - plan[k].started;
@@ -210,7 +210,7 @@ double Schedule::time_left(double now, double settling_time) const {
 
 geometry::Box Schedule::swept() const {
   geometry::Box box = tooling_.all;
-  const auto states = foreseen(stages_, kSettlingGuess);
+  const auto states = predicted(stages_, kSettlingGuess);
   for (const double time : instants(stages_, states, 200))
     for (const Tool& tool : tooling_.tools) {
       if (!stages_.moves(tool.spec.name)) continue;

@@ -6,11 +6,11 @@
 #include <string>
 #include <vector>
 
-#include "engine/simulation.h"
+#include "engine/simulation/simulation.h"
 #include "process/machine/step.h"
 #include "process/results/fill_result.h"
-#include "process/run/stages.h"
-#include "process/run/tooling.h"
+#include "process/tooling/stages.h"
+#include "process/tooling/tooling.h"
 
 namespace diefill::process {
 
@@ -58,7 +58,7 @@ class Schedule {
   void count_inflow(std::size_t k, std::size_t grains) { state_.steps[k + 1].grains_come += grains; }
 
   /// Steps that are on, in words; "done" after the last.
-  std::string in_words() const;
+  std::string description() const;
   /// s that remain at least, counting `settling_time` s for whatever is not known beforehand.
   double time_left(double now, double settling_time) const;
   /// Box (m) round everything the tools reach in all steps.

@@ -2,8 +2,8 @@
 
 #include <cstdio>
 
-#include "process/run/material.h"
-#include "process/scene/scene_error.h"
+#include "process/input/scene_error.h"
+#include "process/powder/material.h"
 
 namespace diefill::process {
 namespace {
@@ -30,8 +30,8 @@ double permeability(double diameter, double solid_fraction) {
   return diameter * diameter * pores * pores * pores / (kCarman * solid_fraction * solid_fraction);
 }
 
-std::optional<engine::AirDraught> draught_of(const Scene& scene, const Tooling& tooling,
-                                             const engine::SimulationSettings& settings) {
+std::optional<engine::AirFlow> air_flow_of(const Scene& scene, const Tooling& tooling,
+                                           const engine::SimulationSettings& settings) {
   if (!scene.suction) return std::nullopt;
   const SuctionSpec& suction = *scene.suction;
   if (!tooling.cavity.found)
@@ -43,14 +43,14 @@ std::optional<engine::AirDraught> draught_of(const Scene& scene, const Tooling& 
                      " cavities, but suction supports only one; remove the table");
   const double fraction =
       suction.solid_fraction > 0 ? suction.solid_fraction : expected_solid_fraction(scene);
-  engine::AirDraught draught;
-  draught.body = tooling.index_of(suction.tool);
-  draught.region = {tooling.cavity.box.lower, tooling.cavity.box.upper};
-  draught.resistance = suction.viscosity / permeability(suction.particle_diameter, fraction) *
-                       settings.shape.solid_volume / fraction;
-  const double taken_along = draught.resistance * settings.time_step / settings.shape.mass;
+  engine::AirFlow flow;
+  flow.body = tooling.index_of(suction.tool);
+  flow.region = {tooling.cavity.box.lower, tooling.cavity.box.upper};
+  flow.resistance = suction.viscosity / permeability(suction.particle_diameter, fraction) *
+                    settings.shape.solid_volume / fraction;
+  const double taken_along = flow.resistance * settings.time_step / settings.shape.mass;
   if (taken_along > kMostTakenAlong) refuse_fine_particles(scene, taken_along);
-  return draught;
+  return flow;
 }
 
 }  // namespace diefill::process

@@ -3,9 +3,9 @@
 
 #include <optional>
 
-#include "engine/air_draught.h"
-#include "engine/simulation.h"
-#include "process/run/tooling.h"
+#include "engine/contact/air_flow.h"
+#include "engine/simulation/simulation.h"
+#include "process/tooling/tooling.h"
 
 namespace diefill::process {
 
@@ -13,12 +13,12 @@ namespace diefill::process {
 /// d^2 (1 - phi)^3 / (180 phi^2) (Carman 1937, "Fluid flow through granular beds", after Kozeny 1927).
 double permeability(double diameter, double solid_fraction);
 
-/// The draught of the scene's [suction]; none without that table. Darcy's law (1856): the pressure in the air
-/// falls by viscosity / permeability times the flux against the grains, and pulls at every grain by that
+/// The air flow of the scene's [suction]; none without that table. Darcy's law (1856): the pressure in the
+/// air falls by viscosity / permeability times the flux against the grains, and pulls at every grain by that
 /// gradient times the volume the grain stands for, solid volume over solid fraction. Acts on powder in the
 /// cavity below the fill plane; the air in the shoe above stands at ambient pressure. Throws SceneError where
 /// there is no cavity, or where the air would take grains along within a few time steps of `settings`.
-std::optional<engine::AirDraught> draught_of(const Scene& scene, const Tooling& tooling,
-                                             const engine::SimulationSettings& settings);
+std::optional<engine::AirFlow> air_flow_of(const Scene& scene, const Tooling& tooling,
+                                           const engine::SimulationSettings& settings);
 
 }  // namespace diefill::process

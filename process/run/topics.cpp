@@ -4,9 +4,9 @@
 #include <cstdio>
 
 #include "engine/coarse_graining/methods.h"
+#include "process/powder/law_terms.h"
+#include "process/powder/tool_surface.h"
 #include "process/run/assemble.h"
-#include "process/run/law_terms.h"
-#include "process/run/tool_surface.h"
 #include "process/scene/contact_spec.h"
 #include "process/scene/setting.h"
 
@@ -30,7 +30,7 @@ void state(results::Topic& topic, const std::string& name, const std::string& te
   topic.text.push_back(text);
 }
 
-std::string model_in_words(GrainModel model) {
+std::string model_text(GrainModel model) {
   switch (model) {
     case GrainModel::A:
       return "A: a sphere that does not rotate";
@@ -52,12 +52,12 @@ results::Topic powder_topic(const Scene& scene) {
   if (powder.apparent_density > 0)
     state(topic, "Apparent density of the real powder",
           with_number("%.4g kg/m\u00b3", powder.apparent_density));
-  state(topic, "Grain model", model_in_words(powder.model));
+  state(topic, "Grain model", model_text(powder.model));
   state(topic, "Calibrated grain size", with_number("%.4g mm", 1e3 * fine));
   state(
       topic, "Grain size as simulated",
       with_number("%.4g mm", 1e3 * powder.grain_diameter) + (powder.sizes.empty() ? "" : " (of mean mass)"));
-  if (!powder.sizes.empty()) state(topic, "Grain sizes", powder.sizes_in_words);
+  if (!powder.sizes.empty()) state(topic, "Grain sizes", powder.sizes_text);
   const double factor = coarse_graining_factor(powder);
   state(topic, "Coarse graining",
         with_number("factor %.3g: ", factor) +
@@ -69,7 +69,7 @@ results::Topic powder_topic(const Scene& scene) {
 /// The laws of [contact], at the powder's own size.
 void add_named_laws(const ContactSpec& contact, results::Topic& topic) {
   for (std::size_t k = 0; k < contact.grains.words.size(); ++k) {
-    const PartInWords &grains = contact.grains.words[k], &walls = contact.walls.words[k];
+    const PartDescription &grains = contact.grains.words[k], &walls = contact.walls.words[k];
     std::string name = grains.kind == "normal" ? "Normal force" : grains.kind;
     name[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(name[0])));
     state(topic, name, grains.words + (walls.words == grains.words ? "" : "; with tools " + walls.words));
@@ -163,11 +163,11 @@ results::Topic numerics_topic(const Scene& scene, const FillRun& run) {
 results::Topic assumptions_topic(const Scene& scene, const engine::SimulationSettings& settings) {
   results::Topic topic{"assumptions", {}, {}};
   state(topic, "Omitted terms (zero coefficient)", joined(law_terms(scene, settings).left_out));
-  const bool alike = scene.powder.sizes.empty();
+  const bool monodisperse = scene.powder.sizes.empty();
   state(topic, "Grain size",
-        !alike ? "grains have a few sizes, one shape, one material and one density"
-               : "all grains have one size and shape; the calibrated parameters stand in for size "
-                 "distribution and lubricant");
+        !monodisperse ? "grains have a few sizes, one shape, one material and one density"
+                      : "all grains have one size and shape; the calibrated parameters stand in for size "
+                        "distribution and lubricant");
   state(topic, "Stiffness",
         "grains are deliberately softer than metal to allow longer time steps; the effect on packing and "
         "flow is small");
@@ -176,8 +176,8 @@ results::Topic assumptions_topic(const Scene& scene, const engine::SimulationSet
   state(topic, "Air", "no air flow: trapped air and suction filling are not modelled");
   state(topic, "Tools", "rigid, without wear; they follow the schedule whatever the force");
   state(topic, "Segregation",
-        alike ? "cannot occur with grains of one size"
-              : "by size is simulated, with the sizes of the model grains; see the mixing indices");
+        monodisperse ? "cannot occur with grains of one size"
+                     : "by size is simulated, with the sizes of the model grains; see the mixing indices");
   if (coarse_graining_factor(scene.powder) > 1)
     state(topic, "Narrow places",
           "an opening acts narrower by 1.4 times the increase in grain size (Bierwisch 2009, section 3.2.2)");

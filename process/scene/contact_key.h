@@ -5,8 +5,8 @@
 #include <limits>
 #include <string>
 
+#include "process/input/table_reader.h"
 #include "process/scene/scene.h"
-#include "process/scene/table_reader.h"
 
 namespace diefill::process {
 
@@ -39,7 +39,7 @@ struct ContactQuantity {
 };
 
 inline std::string shown_quantity(const std::string& name, double value, std::string_view unit) {
-  return name + ' ' + number_in_words(value) + ' ' + std::string(unit);
+  return name + ' ' + number_text(value) + ' ' + std::string(unit);
 }
 
 /// A key with a unit.
@@ -69,7 +69,7 @@ ContactKey<Parameters> number_key(std::string name, double Parameters::*member, 
                 need == Need::linked ? std::numeric_limits<double>::quiet_NaN() : parameters.*member;
             parameters.*member = table.number(name, rule).value_or(absent);
           },
-          [=](const Parameters& parameters) { return name + ' ' + number_in_words(parameters.*member); },
+          [=](const Parameters& parameters) { return name + ' ' + number_text(parameters.*member); },
           wanted(need) ? std::string(rule.example) : ""};
 }
 

@@ -48,7 +48,7 @@ ContactPart<Parameters> entry(const std::string& name,
     for (const auto& key : keys) key.read(table, powder, own);
     return Parameters(own);
   };
-  part.in_words = [name, keys](const Parameters& parameters) {
+  part.description = [name, keys](const Parameters& parameters) {
     const Own* own = parameters.template of<Part>();
     std::string values;
     for (const auto& key : keys)

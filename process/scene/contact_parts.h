@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "engine/laws/law_parameters.h"
+#include "process/input/table_reader.h"
 #include "process/scene/scene.h"
-#include "process/scene/table_reader.h"
 
 namespace diefill::process {
 
@@ -19,7 +19,7 @@ struct ContactPart {
   std::vector<std::string> of_powder;  ///< keys of [powder] that give what is left out
   /// Reads all its keys but `law`; linked ones that are missing are not numbers.
   std::function<Parameters(TableReader&, const PowderSpec&)> read;
-  std::function<std::string(const Parameters&)> in_words;  ///< name and values
+  std::function<std::string(const Parameters&)> description;  ///< name and values
   /// As a scene may name it, such as { law = "Mindlin", friction = 0.5, shear_modulus = "5 MPa" }: with the
   /// keys that have no value of their own, also those that another part may give.
   std::string example;

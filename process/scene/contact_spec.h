@@ -7,21 +7,21 @@
 #include <vector>
 
 #include "engine/laws/law_parameters.h"
+#include "process/input/table_reader.h"
 #include "process/scene/scene.h"
-#include "process/scene/table_reader.h"
 
 namespace diefill::process {
 
 /// One part of a law, for reports.
-struct PartInWords {
+struct PartDescription {
   std::string kind;   ///< such as "damping"
   std::string words;  ///< such as "restitution (restitution 0.5)"; "none"
 };
 
 /// The law of one pair of materials.
-struct PairLaw {
-  engine::laws::LawParameters law;  ///< at the powder's own grain size, SI units
-  std::vector<PartInWords> words;   ///< normal, damping, friction, rolling, attraction
+struct PairLawSpec {
+  engine::laws::LawParameters law;     ///< at the powder's own grain size, SI units
+  std::vector<PartDescription> words;  ///< normal, damping, friction, rolling, attraction
 };
 
 /// The usual rule of coarse graining (Bierwisch 2009, chapter 3), the first of
@@ -29,7 +29,7 @@ struct PairLaw {
 inline constexpr const char* kBierwischScaling = "bierwisch";
 
 struct ContactSpec {
-  PairLaw grains, walls;
+  PairLawSpec grains, walls;
   std::string coarse_graining = kBierwischScaling;  ///< the rule by its name
 };
 

@@ -14,9 +14,9 @@ struct EconomySpec {
   double wake_force = 0.5;     ///< over m g: change of the force on a sleeping grain that wakes it
   /// m beside every cavity: powder in the shoe that is farther off is carried along as a block.
   std::optional<double> carry_beyond;
-  std::optional<int> mirror;   ///< 0: half model across the plane x = 0, 1: across y = 0
-  bool drop_spilled = true;    ///< grains that leave the tools are taken out at once
-  bool skip_far_walls = true;  ///< walls that powder cannot reach, or is far from, cost nothing
+  std::optional<int> mirror;              ///< 0: half model across the plane x = 0, 1: across y = 0
+  bool drop_spilled = true;               ///< grains that leave the tools are taken out at once
+  bool skip_far_walls = true;             ///< walls that powder cannot reach, or is far from, cost nothing
   std::string mirror_place, carry_place;  ///< of the keys in the scene file, for messages
 };
 

@@ -5,7 +5,7 @@
 #include <fstream>
 #include <iterator>
 
-#include "engine/fnv1a.h"
+#include "engine/numerics/fnv1a.h"
 #include "process/scene/scene_text.h"
 
 namespace diefill::process {

@@ -5,8 +5,8 @@
 #include <numbers>
 #include <utility>
 
-#include "engine/grain_shape.h"
-#include "process/scene/numbers_apart.h"
+#include "engine/powder/grain_shape.h"
+#include "process/input/numbers_apart.h"
 
 namespace diefill::process {
 namespace {
@@ -16,7 +16,7 @@ constexpr double kFinest = 0.1, kCoarsest = 20;                 // wanted over r
 constexpr double kPeriodOverDiameter = 4;
 
 std::string millimetres(double length) {
-  return number_in_words(length * 1e3) + " mm";
+  return number_text(length * 1e3) + " mm";
 }
 
 /// Two lengths that differ, with so many digits that they do so in words.
@@ -82,7 +82,7 @@ void check_density(const TableReader& table, const PowderSpec& powder) {
   const double density = powder.grain_mass / solid_volume(powder);
   if (density >= kLightestGrain && density <= kHeaviestGrain) return;
   table.reject("grain_mass", "with sphere_radius " + millimetres(powder.sphere_radius) +
-                                 " the grain density is " + number_in_words(density / 1000) +
+                                 " the grain density is " + number_text(density / 1000) +
                                  " g/cm^3, allowed: 0.1 to 25 g/cm^3; check both units");
 }
 

@@ -1,8 +1,8 @@
 // Checks that need more than one key: values that are each allowed but cannot work together.
 #pragma once
 
+#include "process/input/table_reader.h"
 #include "process/scene/scene.h"
-#include "process/scene/table_reader.h"
 
 namespace diefill::process {
 

@@ -25,7 +25,7 @@ struct ChosenPart {
   [[noreturn]] void refuse(const std::string& line) const {
     throw SceneError(table.where(named ? "law" : "normal") + ": found \"" + part->name + "\", " + line);
   }
-  PartInWords in_words(const std::string& kind) const { return {kind, part->in_words(parameters)}; }
+  PartDescription description(const std::string& kind) const { return {kind, part->description(parameters)}; }
 };
 
 /// Reads `kind` from `walls` if it stands there, otherwise from `contact`, otherwise takes the first part.
@@ -57,10 +57,10 @@ struct ChosenLaw {
     return {normal.parameters,  damping.parameters,    friction.parameters,
             rolling.parameters, attraction.parameters, load_rule};
   }
-  PairLaw pair() const {
+  PairLawSpec pair() const {
     return {law(),
-            {normal.in_words("normal"), damping.in_words("damping"), friction.in_words("friction"),
-             rolling.in_words("rolling"), attraction.in_words("attraction")}};
+            {normal.description("normal"), damping.description("damping"), friction.description("friction"),
+             rolling.description("rolling"), attraction.description("attraction")}};
   }
   /// Calls use(part) for each.
   template <class Use>

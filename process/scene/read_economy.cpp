@@ -18,7 +18,7 @@ void refuse_while_shaken(TableReader& table, const Scene& scene, const std::stri
     if (step->stays() && !step->tools().empty())
       table.reject(
           key,
-          "the step \"" + step->in_words() +
+          "the step \"" + step->description() +
               "\" vibrates a tool, and sleeping powder would not move with it; remove the key or the step");
 }
 
@@ -34,8 +34,8 @@ void refuse_lopsided(TableReader& table, const Eigen::Vector3d& lower, const Eig
                      const std::string& what) {
   constexpr double kEqual = 1e-6;  // m
   if (std::abs(lower[axis] + upper[axis]) <= kEqual) return;
-  table.reject("mirror", what + " reaches from " + number_in_words(1e3 * lower[axis]) + " to " +
-                             number_in_words(1e3 * upper[axis]) + " mm along " + (axis == 0 ? "x" : "y") +
+  table.reject("mirror", what + " reaches from " + number_text(1e3 * lower[axis]) + " to " +
+                             number_text(1e3 * upper[axis]) + " mm along " + (axis == 0 ? "x" : "y") +
                              "; a half model needs the same extent on both sides of 0");
 }
 
@@ -49,11 +49,11 @@ void check_mirror(TableReader& table, Scene& scene) {
     const PowderInflow* inflow = step->inflow();
     if (inflow == nullptr) continue;
     refuse_lopsided(table, inflow->lower, inflow->upper, axis,
-                    "the box of the step \"" + step->in_words() + "\"");
+                    "the box of the step \"" + step->description() + "\"");
     if (std::abs(inflow->velocity[axis]) > 0)
       table.reject(
           "mirror",
-          "the step \"" + step->in_words() +
+          "the step \"" + step->description() +
               "\" feeds powder across the mirror plane; a half model needs a velocity parallel to it");
   }
   scene.pour.lower[axis] = 0;

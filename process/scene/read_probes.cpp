@@ -1,6 +1,6 @@
 #include <algorithm>
 
-#include "process/scene/scene_error.h"
+#include "process/input/scene_error.h"
 #include "process/scene/sections.h"
 
 namespace diefill::process {

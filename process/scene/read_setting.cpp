@@ -2,7 +2,7 @@
 
 #include <sstream>
 
-#include "process/scene/nearest_key.h"
+#include "process/input/nearest_key.h"
 #include "process/scene/scene_text.h"
 #include "process/scene/setting.h"
 
@@ -27,7 +27,7 @@ constexpr const char* kChosenLine = "#   ";
 
 }  // namespace
 
-std::string in_words(Setting setting) {
+std::string description(Setting setting) {
   for (const auto& [word, value] : settings())
     if (value == setting) return word;
   return {};
@@ -50,8 +50,8 @@ std::optional<Setting> read_setting(TableReader& document) {
   for (const auto& [table, key] : kChosen) {
     auto reader = document.table(table);
     if (reader && reader->has(key))
-      reader->reject(key, "the setting \"" + in_words(*setting) + "\" sets it (" + document.where("setting") +
-                              "); remove one of the two");
+      reader->reject(key, "the setting \"" + description(*setting) + "\" sets it (" +
+                              document.where("setting") + "); remove one of the two");
   }
   return setting;
 }

@@ -1,8 +1,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "process/input/numbers_apart.h"
 #include "process/scene/contact_spec.h"
-#include "process/scene/numbers_apart.h"
 #include "process/scene/plausibility.h"
 #include "process/scene/sections.h"
 #include "process/scene/setting.h"
@@ -21,13 +21,13 @@ constexpr NumberRule kLogDeviation = {0, 2, true, "0.2"};
 constexpr std::int64_t kMostClasses = 32;
 constexpr std::size_t kUsualClasses = 8;
 /// Largest over smallest grain: as far as pairs of unequal spheres have been tried
-/// (tests/engine/size_ratio_test.cpp).
+/// (tests/engine/limits/size_ratio_test.cpp).
 constexpr double kWidest = 10;
 
 enum class Shape { classes, log_normal };
 
 std::string millimetres(double length) {
-  return number_in_words(length * 1e3) + " mm";
+  return number_text(length * 1e3) + " mm";
 }
 
 SizeBasis read_basis(TableReader& table) {
@@ -113,7 +113,7 @@ std::vector<engine::CutClass> cut_into_classes(TableReader& table, Shape shape) 
   return engine::size_classes(distribution, count);
 }
 
-std::string in_words(TableReader& table, Shape shape, const std::vector<engine::CutClass>& classes) {
+std::string description(TableReader& table, Shape shape, const std::vector<engine::CutClass>& classes) {
   return std::string(shape == Shape::classes ? "" : "log-normal, ") + std::to_string(classes.size()) +
          " classes from " + millimetres(classes.front().diameter) + " to " +
          millimetres(classes.back().diameter) +
@@ -145,15 +145,14 @@ void read_sizes(TableReader& powder_table, PowderSpec& powder) {
   }
   const double widest = classes.back().diameter / classes.front().diameter;
   if (widest > kWidest * (1 + 1e-9))
-    table->reject("distribution", "the largest grains (" + millimetres(classes.back().diameter) + ") are " +
-                                      numbers_apart(widest, kWidest).first +
-                                      " times the size of the smallest (" +
-                                      millimetres(classes.front().diameter) + "), allowed: up to " +
-                                      number_in_words(kWidest) +
-                                      " times; cut the distribution off with smallest and largest");
+    table->reject("distribution",
+                  "the largest grains (" + millimetres(classes.back().diameter) + ") are " +
+                      numbers_apart(widest, kWidest).first + " times the size of the smallest (" +
+                      millimetres(classes.front().diameter) + "), allowed: up to " + number_text(kWidest) +
+                      " times; cut the distribution off with smallest and largest");
   powder.grain_diameter = diameter_of_mean_mass(classes);
   if (classes.size() == 1) return;  // of one size after all
-  powder.sizes_in_words = in_words(*table, shape, classes);
+  powder.sizes_text = description(*table, shape, classes);
   powder.sizes = std::move(classes);
 }
 

@@ -1,8 +1,8 @@
 #include <algorithm>
 #include <functional>
 
+#include "process/input/scene_error.h"
 #include "process/machine/step_registry.h"
-#include "process/scene/scene_error.h"
 #include "process/scene/sections.h"
 
 namespace diefill::process {
@@ -91,7 +91,8 @@ void refuse_endless(const Step& step, TableReader& table) {
 
 }  // namespace
 
-std::vector<std::shared_ptr<const Step>> read_steps(TableReader& document, const std::vector<ToolSpec>& tools) {
+std::vector<std::shared_ptr<const Step>> read_steps(TableReader& document,
+                                                    const std::vector<ToolSpec>& tools) {
   std::vector<std::string> names;
   for (const ToolSpec& tool : tools) names.push_back(tool.name);
   Steps steps;

@@ -16,7 +16,7 @@ void refuse_moving_die(TableReader& table, const Scene& scene) {
     for (const auto& step : scene.steps) {
       const auto moved = step->tools();
       if (std::ranges::find(moved, tool.name) != moved.end())
-        table.reject("tool", "the step \"" + step->in_words() + "\" moves the die \"" + tool.name +
+        table.reject("tool", "the step \"" + step->description() + "\" moves the die \"" + tool.name +
                                  "\", but [suction] needs a die at rest; remove [suction] or the step");
     }
   }

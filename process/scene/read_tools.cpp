@@ -3,7 +3,7 @@
 #include <numbers>
 #include <system_error>
 
-#include "geometry/cad_parts.h"
+#include "geometry/cad/cad_parts.h"
 #include "process/scene/plausibility.h"
 #include "process/scene/sections.h"
 #include "process/scene/wall_rules.h"
@@ -51,7 +51,7 @@ std::filesystem::path read_file(TableReader& table) {
   if (std::filesystem::is_directory(status))
     table.reject("file", "this is a folder; give a CAD file in it, such as \"die.stl\"");
   if (geometry::cad_format(file) == nullptr)
-    table.reject("file", "unsupported file type; export the part as " + geometry::cad_formats_in_words());
+    table.reject("file", "unsupported file type; export the part as " + geometry::cad_formats_text());
   return file;
 }
 
@@ -127,7 +127,7 @@ std::vector<ToolSpec> read_tools(TableReader& document, const WallSpec& walls, c
   return tools;
 }
 
-std::string in_words(ToolRole role) {
+std::string description(ToolRole role) {
   for (const auto& [word, value] : roles()) {
     if (value == role) return word;
   }

@@ -11,11 +11,11 @@
 #include <string>
 #include <vector>
 
-#include "engine/size_classes.h"
+#include "engine/powder/size_classes.h"
+#include "process/input/scene_error.h"
 #include "process/machine/step.h"
 #include "process/machine/tool_spec.h"
 #include "process/scene/economy.h"
-#include "process/scene/scene_error.h"
 #include "process/scene/suction.h"
 
 namespace diefill::process {
@@ -49,7 +49,7 @@ struct PowderSpec {
   double grain_diameter = 6 * 7.84e-5;
   /// Sizes of the model grains (m), ascending, with their shares by number; empty: all grains are alike.
   std::vector<engine::CutClass> sizes;
-  std::string sizes_in_words;  ///< for people; empty where all grains are alike
+  std::string sizes_text;  ///< for people; empty where all grains are alike
 };
 
 /// m, the smallest and the largest grain size wanted.
@@ -95,7 +95,7 @@ struct PourSpec {
   int line = 0;
 };
 
-/// Lever arm of contact forces on composed grains (Bierwisch OP-2).
+/// Lever arm of contact forces on clumped grains (Bierwisch OP-2).
 enum class LeverArm { center, contact };
 /// Whether the tangential spring is cut back to the Coulomb limit while sliding (Bierwisch OP-1).
 enum class TangentialSpring { cut_back, free };
@@ -103,12 +103,12 @@ enum class TangentialSpring { cut_back, free };
 /// surface.
 enum class OpeningMeasure { surfaces, centres };
 
-/// What becomes of grains that tools wedge (engine/pinched_grains.h).
+/// What becomes of grains that tools wedge (engine/limits/pinched_grains.h).
 enum class PinchedGrains { shear_off, stop };
 
 /// How to compute.
 struct NumericsSpec {
-  double time_step_fraction = 0;    ///< of the critical step; 0: the default of engine/time_step
+  double time_step_fraction = 0;    ///< of the critical step; 0: the default of engine/limits/time_step
   std::optional<double> time_step;  ///< s, given outright
   LeverArm lever_arm = LeverArm::contact;
   TangentialSpring tangential_spring = TangentialSpring::cut_back;
@@ -116,8 +116,8 @@ struct NumericsSpec {
   std::array<std::optional<double>, 2> period;  ///< m, periodic length along x and y, centred on the origin
   PinchedGrains pinched_grains = PinchedGrains::shear_off;
   double most_sheared = 0.005;  ///< share of all grains poured that may be sheared off before the run stops
-  double skin = 0;                  ///< m, of the neighbour lists; 0: follows the motion of the powder
-  double max_time = 0;              ///< s of simulated time allowed in all; 0: no limit
+  double skin = 0;              ///< m, of the neighbour lists; 0: follows the motion of the powder
+  double max_time = 0;          ///< s of simulated time allowed in all; 0: no limit
   double checkpoint_interval = 60;  ///< s of wall-clock time
 };
 
@@ -187,7 +187,7 @@ struct Scene {
 
 /// The filling strategy in one line, such as "2 passages at 0.2 m/s, then a wait of 0.05 s"; "no motion"
 /// without steps.
-std::string strategy_in_words(const Scene& scene);
+std::string strategy_text(const Scene& scene);
 
 /// Reads and checks a scene file: unknown keys, units, ranges, missing files. Throws SceneError for the first
 /// fault found.

@@ -72,7 +72,7 @@ Scene read_scene(const std::filesystem::path& file) {
   return parse_scene(load_scene_text(file), file);
 }
 
-std::string strategy_in_words(const Scene& scene) {
+std::string strategy_text(const Scene& scene) {
   std::string words;
   for (const auto& step : scene.steps) {
     // Coming to rest goes without saying.
@@ -81,7 +81,7 @@ std::string strategy_in_words(const Scene& scene) {
     words += (words.empty()                                         ? ""
               : step->plan.start && !step->plan.start->with.empty() ? " with "
                                                                     : ", then ") +
-             step->in_words();
+             step->description();
   }
   return words.empty() ? "no motion" : words;
 }

@@ -7,12 +7,12 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "process/scene/scene_error.h"
-#include "process/scene/shown_value.h"
-#include "process/scene/syntax_remedy.h"
-#include "process/scene/text_encoding.h"
-#include "process/scene/text_file.h"
-#include "process/scene/toml_bounds.h"
+#include "process/input/scene_error.h"
+#include "process/input/shown_value.h"
+#include "process/input/syntax_remedy.h"
+#include "process/input/text_encoding.h"
+#include "process/input/text_file.h"
+#include "process/input/toml_bounds.h"
 
 namespace diefill::process {
 namespace {

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "process/input/table_reader.h"
 #include "process/scene/scene.h"
-#include "process/scene/table_reader.h"
 
 namespace diefill::process {
 
@@ -29,7 +29,8 @@ NumericsSpec read_numerics(TableReader table, const PowderSpec& powder);
 /// [pour].
 PourSpec read_pour(TableReader table, const PowderSpec& powder, const NumericsSpec& numerics);
 /// All [[step]] tables.
-std::vector<std::shared_ptr<const Step>> read_steps(TableReader& document, const std::vector<ToolSpec>& tools);
+std::vector<std::shared_ptr<const Step>> read_steps(TableReader& document,
+                                                    const std::vector<ToolSpec>& tools);
 /// All [[probe]] tables.
 std::vector<ProbeSpec> read_probes(TableReader& document, const std::vector<ToolSpec>& tools);
 /// All [[snapshot]] tables; `scene` has its tools and steps already.

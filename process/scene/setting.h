@@ -6,15 +6,15 @@
 #include <string>
 #include <vector>
 
+#include "process/input/table_reader.h"
 #include "process/scene/scene.h"
-#include "process/scene/table_reader.h"
 
 namespace diefill::process {
 
 enum class Setting { quick, working, reference };
 
 /// The setting as a scene spells it, such as "working".
-std::string in_words(Setting setting);
+std::string description(Setting setting);
 /// The setting of that name. Throws SceneError, naming the nearest, for any other.
 Setting setting_named(const std::string& name);
 

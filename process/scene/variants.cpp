@@ -5,12 +5,12 @@
 #include <algorithm>
 #include <sstream>
 
+#include "process/input/nearest_key.h"
+#include "process/input/units.h"
 #include "process/scene/folder_names.h"
-#include "process/scene/nearest_key.h"
 #include "process/scene/scene_text.h"
 #include "process/scene/sections.h"
 #include "process/scene/setting.h"
-#include "process/scene/units.h"
 
 namespace diefill::process {
 namespace {
@@ -221,7 +221,7 @@ std::optional<std::string> value_at(const std::string& text, const std::filesyst
   const toml::node* node = node_at(document, words_of(key, file));
   if (node == nullptr) return std::nullopt;
   if (const auto word = node->value_exact<std::string>()) return word;
-  if (const auto number = node->value_exact<double>()) return number_in_words(*number);
+  if (const auto number = node->value_exact<double>()) return number_text(*number);
   std::stringstream written;
   node->visit([&](const auto& value) { written << value; });
   return written.str();

@@ -1,8 +1,8 @@
 // What a wall may be, for [walls] and for a tool that differs from it.
 #pragma once
 
+#include "process/input/table_reader.h"
 #include "process/scene/scene.h"
-#include "process/scene/table_reader.h"
 
 namespace diefill::process {
 

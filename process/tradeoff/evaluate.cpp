@@ -105,7 +105,7 @@ std::string saving(double cost, double reference) {
 }
 
 /// What a quantity's error is within, in words.
-std::string limit_in_words(const TradeoffQuantity& quantity, double tolerance) {
+std::string limit_text(const TradeoffQuantity& quantity, double tolerance) {
   return quantity.floor > tolerance ? "the " + percent(quantity.floor) + " scatter over seeds"
                                     : "the tolerance of " + percent(tolerance);
 }
@@ -118,7 +118,7 @@ std::string advice_for(const Tradeoff& tradeoff, const TradeoffPoint& chosen,
   std::string words = "Take \"" + chosen.name + "\": " + saving(chosen.core_seconds, reference.core_seconds) +
                       " than \"" + reference.name + "\", error " + percent(chosen.error);
   if (const TradeoffQuantity* worst = quantity_called(tradeoff, chosen.worst))
-    words += " (" + worst->name + "), within " + limit_in_words(*worst, tradeoff.tolerance);
+    words += " (" + worst->name + "), within " + limit_text(*worst, tradeoff.tolerance);
   return words + '.';
 }
 

@@ -59,7 +59,7 @@ Runs read_runs(const std::filesystem::path& directory, const Setting& setting, i
   return runs;
 }
 
-std::string state_in_words(const Setting& setting, const Runs& runs) {
+std::string state_text(const Setting& setting, const Runs& runs) {
   if (!runs.core_seconds.empty()) return "finished";
   if (!setting.refused.empty()) return "refused";
   return runs.failure.empty() ? "left out" : "failed";
@@ -79,7 +79,7 @@ results::TradeoffPoint point_of(const Setting& setting, const Runs& runs) {
   for (const auto& values : runs.values) point.values.push_back(value_over(values));
   point.error = kNone;
   point.reason = setting.refused.empty() ? runs.failure : setting.refused;
-  point.state = state_in_words(setting, runs);
+  point.state = state_text(setting, runs);
   return point;
 }
 

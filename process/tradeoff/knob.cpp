@@ -47,7 +47,7 @@ int fineness(const Knob& knob, const std::string& a, const std::string& b) {
 }
 
 std::string in_millimetres(double metres) {
-  return number_in_words(1e3 * metres) + " mm";
+  return number_text(1e3 * metres) + " mm";
 }
 
 std::string toml_value(const std::string& value) {

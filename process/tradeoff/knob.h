@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "process/scene/units.h"
+#include "process/input/units.h"
 #include "process/scene/variants.h"
 
 namespace diefill::process {

@@ -1,6 +1,6 @@
 #include "process/tradeoff/knob_registry.h"
 
-#include "process/scene/nearest_key.h"
+#include "process/input/nearest_key.h"
 #include "process/tradeoff/knobs/knobs.h"
 
 namespace diefill::process {

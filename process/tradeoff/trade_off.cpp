@@ -4,9 +4,9 @@
 #include <cmath>
 #include <optional>
 
+#include "process/input/nearest_key.h"
 #include "process/results/job_cost.h"
-#include "process/run/progress.h"
-#include "process/scene/nearest_key.h"
+#include "process/tooling/progress.h"
 #include "process/tradeoff/evaluate.h"
 #include "process/tradeoff/gather.h"
 #include "process/tradeoff/quantities.h"
@@ -135,7 +135,7 @@ void add_remarks(results::Tradeoff& tradeoff, const TradeoffOptions& options) {
   }
   if (std::isfinite(options.jobs.cpu_seconds) && missing > 0)
     tradeoff.remarks.push_back(std::to_string(missing) + " runs did not fit the budget of " +
-                               number_in_words(options.jobs.cpu_seconds / 60) + " core minutes" +
+                               number_text(options.jobs.cpu_seconds / 60) + " core minutes" +
                                (without.empty() ? "" : "; no results for " + without) +
                                "; raise --budget to continue");
   for (const auto& point : tradeoff.points)

@@ -1,8 +1,8 @@
 #include "process/tradeoff/work_estimate.h"
 
+#include "process/powder/material.h"
 #include "process/run/fill_run.h"
-#include "process/run/material.h"
-#include "process/run/pour.h"
+#include "process/setup/pour.h"
 
 namespace diefill::process {
 

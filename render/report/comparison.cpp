@@ -7,11 +7,11 @@
 #include <limits>
 
 #include "process/results/figure_table.h"
-#include "render/field_places.h"
+#include "render/fields/field_places.h"
 #include "render/report/figure_text.h"
 #include "render/report/pictures_of.h"
 #include "render/report/speed_series.h"
-#include "render/ticks.h"
+#include "render/style/ticks.h"
 
 namespace diefill::render::report {
 namespace {
@@ -37,10 +37,9 @@ struct Merit {
 /// The first of these that all strategies have decides: even filling before much of it, since uneven density
 /// is what warps the sintered part.
 const Merit& merit_for(const std::vector<Strategy>& strategies) {
-  static constexpr std::array kMerits = {Merit{"azimuthal_variation", -1, "lowest first"},
-                                         Merit{"fill_ratio", 1, "highest first"},
-                                         Merit{"fill_density_kg_m3", 1, "highest first"},
-                                         Merit{"filled_mass_kg", 1, "highest first"}};
+  static constexpr std::array kMerits = {
+      Merit{"azimuthal_variation", -1, "lowest first"}, Merit{"fill_ratio", 1, "highest first"},
+      Merit{"fill_density_kg_m3", 1, "highest first"}, Merit{"filled_mass_kg", 1, "highest first"}};
   const auto* found = std::find_if(kMerits.begin(), kMerits.end(), [&](const Merit& merit) {
     return std::all_of(strategies.begin(), strategies.end(), [&](const Strategy& strategy) {
       return std::isfinite(strategy.of(merit.figure).mean);
@@ -106,7 +105,7 @@ Figure map_of(const Strategy& strategy, const results::Field2D& field, const Col
   std::string subtitle = result.powder_name + seed;
   if (result.maps.empty()) {
     add_section_places(style, result, result.sections.front().plane);
-    subtitle += ", " + section_in_words(result.sections.front().plane);
+    subtitle += ", " + section_text(result.sections.front().plane);
   } else {
     add_map_places(style, result, field);
   }
@@ -237,12 +236,12 @@ Section differences(const std::vector<Strategy>& strategies) {
 
 Section scatter_section(const std::vector<Strategy>& strategies) {
   Section section{"Single runs", 1, {}};
-  Table table{
-      "",
-      {"Run", "Seed", column_title("expected_mass_kg"), column_title("filled_mass_kg"),
-       column_title("fill_ratio"), column_title("solid_fraction_mean"), "Deviation from its strategy's mean mass [%]"},
-      {},
-      true};
+  Table table{"",
+              {"Run", "Seed", column_title("expected_mass_kg"), column_title("filled_mass_kg"),
+               column_title("fill_ratio"), column_title("solid_fraction_mean"),
+               "Deviation from its strategy's mean mass [%]"},
+              {},
+              true};
   for (const auto& strategy : strategies) {
     const double mean = strategy.of("filled_mass_kg").mean;
     for (const Run* run : strategy.runs) {

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "render/pictures.h"
+#include "render/fields/pictures.h"
 #include "render/report/document.h"
 #include "render/report/strategies.h"
 

@@ -117,7 +117,7 @@ CriticalSpeed critical_speed(const std::vector<double>& speed, const std::vector
   return result;
 }
 
-std::string in_words(const CriticalSpeed& critical) {
+std::string description(const CriticalSpeed& critical) {
   std::string runs;
   if (std::isfinite(critical.fastest_full))
     runs +=

@@ -31,6 +31,6 @@ CriticalSpeed critical_speed(const std::vector<double>& speed, const std::vector
                              const std::vector<double>& error = {});
 
 /// What to read of it, in sentences.
-std::string in_words(const CriticalSpeed& critical);
+std::string description(const CriticalSpeed& critical);
 
 }  // namespace diefill::render::report

@@ -17,8 +17,7 @@ using results::CavityRow;
 using results::FillResult;
 
 std::string full_mass_of(const CavityRow& row) {
-  return row.estimate ? "about " + results::mass_in_words(row.full_mass, 2)
-                      : results::mass_in_words(row.full_mass);
+  return row.estimate ? "about " + results::mass_text(row.full_mass, 2) : results::mass_text(row.full_mass);
 }
 
 /// Densities that follow from an estimate, to two digits: "about 2.4 g/cm³".

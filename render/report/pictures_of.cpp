@@ -10,10 +10,10 @@
 #include <functional>
 #include <stdexcept>
 
-#include "render/density_map.h"
-#include "render/field_places.h"
+#include "render/fields/density_map.h"
+#include "render/fields/field_places.h"
 #include "render/report/timeline.h"
-#include "render/snapshot.h"
+#include "render/scene3d/snapshot.h"
 
 namespace diefill::render::report {
 namespace {
@@ -68,7 +68,7 @@ std::string caption_of(const std::string& picture, const results::FillResult& re
     return "Height of the powder surface above the cavity floor, seen from above.";
   if (picture.starts_with("section")) {
     const auto* section = drawn_sections(result).at(number_in(picture) - 1);
-    return "Solid fraction, " + section_in_words(section->plane) + ".";
+    return "Solid fraction, " + section_text(section->plane) + ".";
   }
   if (picture == "snapshot")
     return "Powder and tools at the end, cut open; grains coloured by solid fraction.";

@@ -4,9 +4,9 @@
 #include <vector>
 
 #include "process/results/fill_result.h"
-#include "render/chart.h"
-#include "render/field_style.h"
-#include "render/pictures.h"
+#include "render/charts/chart.h"
+#include "render/fields/field_style.h"
+#include "render/fields/pictures.h"
 #include "render/report/document.h"
 
 namespace diefill::render::report {

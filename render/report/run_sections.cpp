@@ -37,7 +37,7 @@ Section warnings_section(const FillResult& result) {
   Section section{"Warnings", 1, {}};
   for (const auto& warning : result.warnings)
     if (!warning.empty()) section.blocks.emplace_back(Paragraph{warning, true});
-  for (const auto& line : results::exceeded_in_words(result))
+  for (const auto& line : results::exceeded_text(result))
     if (std::find(result.warnings.begin(), result.warnings.end(), line) == result.warnings.end())
       section.blocks.emplace_back(Paragraph{line, true});
   if (section.blocks.empty()) section.blocks.emplace_back(Paragraph{"The run reported no warnings."});
@@ -154,8 +154,7 @@ Section stability_section(const FillResult& result) {
     if (margin.exceeded()) table.rows.back().back() += ", exceeded";
   }
   section.blocks.emplace_back(table);
-  for (const auto& line : results::exceeded_in_words(result))
-    section.blocks.emplace_back(Paragraph{line, true});
+  for (const auto& line : results::exceeded_text(result)) section.blocks.emplace_back(Paragraph{line, true});
   section.blocks.emplace_back(
       Paragraph{"A run that exceeds one of these limits stops without results. For energy, unexplained loss "
                 "counts as much as gain; the run completes with a warning."});

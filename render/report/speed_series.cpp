@@ -51,7 +51,7 @@ Section speed_section(const std::vector<Strategy>& strategies) {
     error.push_back(found.deviation / std::sqrt(static_cast<double>(std::max(1, found.count))));
   }
   const CriticalSpeed critical = critical_speed(speed, ratio, error);
-  section.blocks.emplace_back(Paragraph{in_words(critical)});
+  section.blocks.emplace_back(Paragraph{description(critical)});
   section.blocks.emplace_back(Figures{
       {chart_picture(speed_chart(strategies, critical),
                      short_title("fill_ratio") + " of every speed; bars: standard deviation over seeds.")}});

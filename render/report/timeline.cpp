@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "render/axes.h"
-#include "render/picture_file.h"
-#include "render/text.h"
-#include "render/ticks.h"
+#include "render/style/axes.h"
+#include "render/style/picture_file.h"
+#include "render/style/text.h"
+#include "render/style/ticks.h"
 
 namespace diefill::render::report {
 namespace {

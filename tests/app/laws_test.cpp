@@ -42,15 +42,15 @@ std::vector<NamedLaws> named_laws() {
        "coefficient = \"1e-3 N s/m\" }\n"},
       {"CDT", hertz + "rolling = { law = \"CDT\", rolling_friction = 0.1 }\n"},
       {"EPSD2", hertz + "rolling = { law = \"EPSD2\", rolling_friction = 0.1 }\n"},
-      {"elastic CDT",
-       luding + "rolling = { law = \"elastic CDT\", rolling_friction = 0.1 }\n"},
+      {"elastic CDT", luding + "rolling = { law = \"elastic CDT\", rolling_friction = 0.1 }\n"},
       {"Luding", luding + "rolling = { law = \"Luding\", rolling_friction = 0.1 }\n"},
       {"van der Waals",
        hertz + "attraction = { law = \"van der Waals\", hamaker_constant = \"6.5e-20 J\" }\n"},
       {"capillary", hertz + "attraction = { law = \"capillary\", surface_tension = \"0.001 N/m\" }\n"},
   };
-  for (const char* method : {"none", "scaled-up particle", "Hu chapter 4 method 2", "Hu chapter 4 method 3",
-                             "Hu chapter 5 method 2", "Hu chapter 5 method 3", "Sakai-Koshizuka", "Chu", "Thakur"})
+  for (const char* method :
+       {"none", "scaled-up particle", "Hu chapter 4 method 2", "Hu chapter 4 method 3",
+        "Hu chapter 5 method 2", "Hu chapter 5 method 3", "Sakai-Koshizuka", "Chu", "Thakur"})
     laws.push_back({method, hertz, method});
   return laws;
 }

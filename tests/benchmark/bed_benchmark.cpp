@@ -4,8 +4,8 @@
 
 #include <cmath>
 
-#include "engine/health.h"
-#include "engine/simulation.h"
+#include "engine/limits/validity_monitor.h"
+#include "engine/simulation/simulation.h"
 
 namespace diefill::engine {
 namespace {
@@ -135,8 +135,8 @@ void narrow_slot(benchmark::State& state) {
 /// share.
 void health_check(benchmark::State& state) {
   const Simulation simulation = fallen_bed(model_d(7.84e-5, 7.63e-8), 12, 12, 1);
-  Health health;
-  for (auto _ : state) health.check(simulation);
+  ValidityMonitor monitor;
+  for (auto _ : state) monitor.check(simulation);
 }
 
 BENCHMARK(model_a_bed)->Arg(1)->Arg(2)->UseRealTime()->Unit(benchmark::kMillisecond);

@@ -5,8 +5,8 @@
 #include <memory>
 #include <random>
 
-#include "engine/contact_batch.h"
-#include "engine/laws/general_contact_law.h"
+#include "engine/coarse_graining/general_contact_law.h"
+#include "engine/contact/contact_batch.h"
 #include "tests/engine/laws/source_laws.h"
 
 namespace diefill::engine {
@@ -31,7 +31,7 @@ std::unique_ptr<Batch> touching(const std::vector<GeneralContactLaw>& laws) {
     batch->normal.set(lane, 1 / length(way) * way);
     batch->velocity.set(lane, {0.1 * number(random), 0.1 * number(random), 0.1 * number(random)});
     batch->relative_spin.set(lane, {100 * number(random), 100 * number(random), 100 * number(random)});
-    for (auto& numbers : batch->memory) numbers[lane] = 0;
+    for (auto& numbers : batch->history) numbers[lane] = 0;
     batch->law[lane] = &laws[lane % laws.size()];
   }
   return batch;
@@ -41,8 +41,8 @@ void react_one_by_one(Batch& batch) {
   for (std::size_t lane = 0; lane < Batch::kLanes; ++lane) {
     laws::ContactState state{batch.overlap[lane],       batch.normal[lane], batch.velocity[lane],
                              batch.relative_spin[lane], kTimeStep,          kTimeStep};
-    batch.change_memory(lane,
-                        [&](double* memory) { batch.put(lane, batch.law[lane]->react(state, memory)); });
+    batch.change_history(lane,
+                         [&](double* history) { batch.put(lane, batch.law[lane]->react(state, history)); });
   }
 }
 

@@ -67,9 +67,9 @@ Eigen::Vector3d mean_place(const Simulation& simulation) {
   return sum / static_cast<double>(simulation.grains().size());
 }
 
-class CarriedPowder : public ::testing::TestWithParam<Model> {};
+class CoMovingPowder : public ::testing::TestWithParam<Model> {};
 
-TEST_P(CarriedPowder, RidesAlongAndStaysAsItIs) {
+TEST_P(CoMovingPowder, RidesAlongAndStaysAsItIs) {
   auto simulation = tray_under_way(GetParam(), true);
   const std::size_t grains = simulation.grains().size();
   ASSERT_GT(simulation.sleepers(), grains * 9 / 10);
@@ -99,7 +99,7 @@ SpherePairs of_the_awake(const Simulation& simulation, SpherePairs pairs) {
   return pairs;
 }
 
-TEST_P(CarriedPowder, MissesNoTouchOfThoseWhoAreAwake) {
+TEST_P(CoMovingPowder, MissesNoTouchOfThoseWhoAreAwake) {
   auto simulation = filled_tray(GetParam(), true);
   run_steps(simulation, static_cast<int>((kSetsOut + kSpeedingUp) / kStep));
   std::size_t seen_while_some_sleep = 0;
@@ -126,7 +126,7 @@ TEST_P(CarriedPowder, MissesNoTouchOfThoseWhoAreAwake) {
 
 /// Two awake beds of clumps, one of them nudged by 1e-12 m, come to differ by up to 0.16 of a grain by then,
 /// here or there: only the mean over seeds can tell carried powder from awake one.
-TEST_P(CarriedPowder, IsOnAverageWhereItWouldBeAwake) {
+TEST_P(CoMovingPowder, IsOnAverageWhereItWouldBeAwake) {
   constexpr unsigned kSeeds = 6;
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
   for (unsigned seed = 3; seed < 3 + kSeeds; ++seed) {
@@ -141,7 +141,7 @@ TEST_P(CarriedPowder, IsOnAverageWhereItWouldBeAwake) {
 }
 
 /// The powder slides over the floor for 2 mm: friction on it takes all that the tray gives.
-TEST_P(CarriedPowder, KeepsItsAccounts) {
+TEST_P(CoMovingPowder, KeepsItsAccounts) {
   auto simulation = tray_under_way(GetParam(), true);
   const Ledger before = simulation.ledger();
   const double error_before = simulation.energy_balance_error();
@@ -152,7 +152,7 @@ TEST_P(CarriedPowder, KeepsItsAccounts) {
   EXPECT_LT(std::abs(simulation.energy_balance_error()), 5e-3);
 }
 
-TEST_P(CarriedPowder, WakesWhenItsCarrierStops) {
+TEST_P(CoMovingPowder, WakesWhenItsCarrierStops) {
   auto simulation = tray_under_way(GetParam(), true);
   const BodyMotion at = simulation.body_motion(kTray);
   simulation.set_motion(kTray, [at](double) {
@@ -168,7 +168,7 @@ TEST_P(CarriedPowder, WakesWhenItsCarrierStops) {
       << "it still has the speed that it was carried with";
 }
 
-TEST_P(CarriedPowder, StopsAndGoesOnBitForBit) {
+TEST_P(CoMovingPowder, StopsAndGoesOnBitForBit) {
   auto unbroken = tray_under_way(GetParam(), true);
   run_steps(unbroken, 1500);
   for (const int stop : {4, 333, 1200}) {
@@ -186,15 +186,15 @@ TEST_P(CarriedPowder, StopsAndGoesOnBitForBit) {
   EXPECT_GT(unbroken.sleepers(), unbroken.grains().size() / 2);
 }
 
-TEST_P(CarriedPowder, IsTheSameOnAnyNumberOfThreads) {
+TEST_P(CoMovingPowder, IsTheSameOnAnyNumberOfThreads) {
   std::vector<std::uint64_t> hashes;
   for (const int threads : {1, 2, 3}) hashes.push_back(tray_under_way(GetParam(), true, threads).hash());
   EXPECT_EQ(hashes, std::vector<std::uint64_t>(3, hashes.front()));
 }
 
-INSTANTIATE_TEST_SUITE_P(Grains, CarriedPowder, ::testing::Values(Model::a, Model::d));
+INSTANTIATE_TEST_SUITE_P(Grains, CoMovingPowder, ::testing::Values(Model::a, Model::d));
 
-TEST(CarriedPowder, WakesWhereItIsToBeAwake) {
+TEST(CoMovingPowder, WakesWhereItIsToBeAwake) {
   const double size = grain_size(Model::a);
   auto settings = filled_tray(Model::a, true).settings();
   const double from = mean_place(tray_under_way(Model::a, true)).x() + size;

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "engine/simulation.h"
+#include "engine/simulation/simulation.h"
 
 namespace diefill::engine {
 
@@ -13,8 +13,8 @@ template <class Visit>
 void visit_touching_grain_pairs(const Simulation& simulation, const Visit& visit) {
   for (const auto& block : simulation.neighbours().blocks()) {
     const auto& table = block.grain_pairs;
-    table.visit_touching([&](std::size_t p, const double* memory) {
-      visit(block, block.sphere(table.pair[p].own), p, memory);
+    table.visit_touching([&](std::size_t p, const double* history) {
+      visit(block, block.sphere(table.pair[p].own), p, history);
     });
   }
 }
@@ -27,8 +27,8 @@ inline double overlap_of(const Simulation& simulation, const Block& block, std::
 }
 
 /// Tangential spring (m) that a pair remembers.
-inline Eigen::Vector3d spring_of(const double* memory) {
-  return {memory[0], memory[1], memory[2]};
+inline Eigen::Vector3d spring_of(const double* history) {
+  return {history[0], history[1], history[2]};
 }
 
 /// Energy (J) in the tangential springs: 1/2 kappa_t sqrt(h / R_eff) xi^2 each.
@@ -37,9 +37,9 @@ inline double tangential_energy(const Simulation& simulation) {
   const double effective = 0.5 * settings.shape.sphere_radius;
   double energy = 0;
   visit_touching_grain_pairs(simulation, [&](const Block& block, std::size_t i, std::size_t p,
-                                             const double* memory) {
+                                             const double* history) {
     energy += 0.5 * settings.grain_contact.tangential *
-              std::sqrt(overlap_of(simulation, block, i, p) / effective) * spring_of(memory).squaredNorm();
+              std::sqrt(overlap_of(simulation, block, i, p) / effective) * spring_of(history).squaredNorm();
   });
   return energy;
 }

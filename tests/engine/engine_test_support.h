@@ -10,8 +10,8 @@
 #include <stdexcept>
 #include <vector>
 
-#include "engine/rigid_motion.h"
-#include "engine/simulation.h"
+#include "engine/powder/rigid_motion.h"
+#include "engine/simulation/simulation.h"
 
 namespace diefill::engine {
 

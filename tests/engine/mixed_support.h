@@ -13,15 +13,15 @@ inline double mass_of_ball(double radius) {
 
 /// Rotating spheres of kMixRadius times each of `sizes`, by turns of material "iron" and "wax", with one law
 /// between all but two: that of unlike materials, and that with walls ("steel").
-inline GrainMix mix_of(const std::vector<double>& sizes, const laws::LawParameters& alike,
+inline GrainMix mix_of(const std::vector<double>& sizes, const laws::LawParameters& monodisperse,
                        const laws::LawParameters& unlike, const laws::LawParameters& walls) {
   GrainMix mix;
   for (std::size_t k = 0; k < sizes.size(); ++k) {
     const double radius = kMixRadius * sizes[k];
     mix.kinds.push_back({model_b(radius, mass_of_ball(radius)), k % 2 == 0 ? "iron" : "wax"});
   }
-  mix.laws = {{"iron", "iron", alike},
-              {"wax", "wax", alike},
+  mix.laws = {{"iron", "iron", monodisperse},
+              {"wax", "wax", monodisperse},
               {"wax", "iron", unlike},
               {"steel", "iron", walls},
               {"wax", "steel", walls}};

@@ -107,11 +107,11 @@ std::map<std::pair<SphereName, SphereName>, Eigen::Vector3d> springs(const Simul
   std::map<std::pair<SphereName, SphereName>, Eigen::Vector3d> found;
   const std::size_t per_grain = simulation.spheres().spheres_per_grain;
   visit_touching_grain_pairs(
-      simulation, [&](const Block& block, std::size_t i, std::size_t p, const double* memory) {
+      simulation, [&](const Block& block, std::size_t i, std::size_t p, const double* history) {
         const std::size_t j = block.sphere(block.grain_pairs.pair[p].other);
         const auto pair = named(simulation, i, j);
         const bool straight = pair.first == SphereName{simulation.grains().id[i / per_grain], i % per_grain};
-        found[pair] = straight ? spring_of(memory) : Eigen::Vector3d(-spring_of(memory));
+        found[pair] = straight ? spring_of(history) : Eigen::Vector3d(-spring_of(history));
       });
   return found;
 }

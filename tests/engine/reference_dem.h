@@ -10,7 +10,7 @@
 #include <tuple>
 #include <vector>
 
-#include "engine/simulation.h"
+#include "engine/simulation/simulation.h"
 #include "thesis_rotation.h"
 
 namespace diefill::engine {

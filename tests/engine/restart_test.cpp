@@ -46,7 +46,8 @@ TEST_P(Restart, GoesOnBitForBitInAFreshSimulation) {
   run_steps(broken, 50);
   // Stop while grains touch each other and the plate.
   Snapshot snapshot = broken.snapshot();
-  while (broken.steps() < 600 && (snapshot.grain_memory.pair.empty() || snapshot.wall_memory.pair.empty())) {
+  while (broken.steps() < 600 &&
+         (snapshot.grain_history.pair.empty() || snapshot.wall_history.pair.empty())) {
     broken.step();
     snapshot = broken.snapshot();
   }

@@ -1,10 +1,10 @@
 // Rotations exactly as printed in Bierwisch 2009, section 2.2.2, in the thesis' own order of quaternion
-// components: a second, independent way to write what engine/rigid_motion.h does.
+// components: a second, independent way to write what engine/powder/rigid_motion.h does.
 #pragma once
 
 #include <Eigen/Core>
 
-#include "engine/grains.h"
+#include "engine/powder/grains.h"
 
 namespace diefill::engine {
 

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "contact_energy.h"
-#include "engine/simulation.h"
+#include "engine/simulation/simulation.h"
 
 namespace diefill::engine {
 

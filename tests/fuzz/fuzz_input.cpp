@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "geometry/mesh_import.h"
-#include "geometry/mesh_repair.h"
+#include "geometry/cad/mesh_import.h"
+#include "geometry/mesh/mesh_repair.h"
 #include "project_paths.h"
 #include "tests/geometry/broken_files.h"
 #include "tests/geometry/mesh_files.h"

@@ -1,4 +1,4 @@
-// Stands in for geometry/cad_child.cpp in the guided fuzzer: readers run where the fuzzer sees their
+// Stands in for geometry/cad/cad_child.cpp in the guided fuzzer: readers run where the fuzzer sees their
 // coverage, and are held to a child's limit on memory by the operators below.
 #include <malloc.h>
 
@@ -7,7 +7,7 @@
 #include <new>
 #include <stdexcept>
 
-#include "geometry/cad_child.h"
+#include "geometry/cad/cad_child.h"
 
 namespace {
 

@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "geometry/mesh.h"
+#include "geometry/mesh/mesh.h"
 
 namespace diefill::geometry::sample {
 

@@ -3,7 +3,7 @@
 
 #include <Eigen/Geometry>
 
-#include "geometry/mesh.h"
+#include "geometry/mesh/mesh.h"
 
 namespace diefill::geometry::sample {
 

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "geometry/mesh_import.h"
+#include "geometry/cad/mesh_import.h"
 #include "project_paths.h"
 
 namespace diefill::geometry::sample {

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "geometry/mesh.h"
+#include "geometry/mesh/mesh.h"
 
 namespace diefill::geometry::sample {
 

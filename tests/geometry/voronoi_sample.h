@@ -6,7 +6,7 @@
 #include <random>
 #include <vector>
 
-#include "geometry/voronoi.h"
+#include "geometry/voronoi/voronoi.h"
 
 namespace diefill::geometry {
 

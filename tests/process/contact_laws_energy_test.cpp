@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "engine/out_of_range.h"
+#include "engine/numerics/out_of_range.h"
 #include "tests/process/scene_files.h"
 #include "tests/support/registered_laws.h"
 #include "tests/support/worked_bed.h"

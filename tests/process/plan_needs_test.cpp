@@ -34,7 +34,7 @@ TEST(PlanNeeds, WidthPressureAndLaws) {
   EXPECT_EQ(needs.piston_pressure, 0);
   EXPECT_EQ(needs.laws.left_out,
             (std::vector<std::string>{"cohesion with tools", "rolling friction", "suction of air"}));
-  const auto said = in_words(needs, planned.scene, planned.tooling);
+  const auto said = description(needs, planned.scene, planned.tooling);
   EXPECT_TRUE(says(said, "narrowest, 4.500 mm"));
   EXPECT_TRUE(says(said, "0.42 of it"));
   EXPECT_TRUE(says(said, "300 wall spheres"));
@@ -53,7 +53,7 @@ velocity = "0.1 m/s"
   PlannedScene planned(tables);
   const auto remarks = [&] {
     const Needs needs = needs_of(planned.scene, planned.tooling);
-    const auto said = in_words(needs, planned.scene, planned.tooling);
+    const auto said = description(needs, planned.scene, planned.tooling);
     return std::pair(says(said, "limited by grains wedged by moving tools"),
                      says(said, "up to which grains wedged by moving tools stay stable"));
   };

@@ -11,8 +11,8 @@
 namespace diefill::process {
 
 /// A scene with a fault. To be tried from a file called `scene.toml` in a folder that holds files `die.stl`,
-/// `shoe.stl` and `part.step`, `part.sldprt` and a folder `parts`; what the files contain does not matter, the reader stops
-/// before.
+/// `shoe.stl` and `part.step`, `part.sldprt` and a folder `parts`; what the files contain does not matter,
+/// the reader stops before.
 struct WrongScene {
   std::string name;
   std::string text;

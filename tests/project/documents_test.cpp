@@ -33,7 +33,7 @@ TEST(Documents, LinkToFilesThatExist) {
 
 TEST(Documents, NameCommandsThatTheProgramHas) {
   std::set<std::string> commands;
-  const std::string source = text_of("app/commands.cpp");
+  const std::string source = text_of("app/commands/commands.cpp");
   const std::regex registration(R"(add_(\w+)\(program)");
   for (std::sregex_iterator match(source.begin(), source.end(), registration), end; match != end; ++match)
     commands.insert((*match)[1].str());

@@ -21,15 +21,17 @@ const std::vector<Rule>& rules() {
   static const std::vector<Rule> all = {
       {"engine/", {"engine/"}, {"Eigen/", "oneapi/tbb/"}},
       {"geometry/", {"geometry/"}, {"Eigen/", "CGAL/", "assimp/", "voro++/", "oneapi/tbb/", "tbb/"}},
-      {"geometry/read_3mf.cpp", {"geometry/"}, {"Eigen/", "Model/COM/"}},
-      {"geometry/referred_files.cpp", {"geometry/"}, {"nlohmann/"}},
-      {"geometry/read_curved_faces.cpp",
+      {"geometry/cad/read_3mf.cpp", {"geometry/"}, {"Eigen/", "Model/COM/"}},
+      {"geometry/cad/referred_files.cpp", {"geometry/"}, {"nlohmann/"}},
+      {"geometry/cad/read_curved_faces.cpp",
        {"geometry/"},
        {"BRep", "IGES", "Interface_", "Message", "Poly_", "STEPCAF", "Standard_", "TColStd_", "TDF_",
         "TDataStd_", "TDocStd_", "TopExp_", "TopoDS", "XCAFDoc_"}},
       {"process/results/", {"process/results/"}, {"Eigen/", "hdf5.h", "nlohmann/"}},
       {"process/measure/", {"process/results/", "process/measure/", "geometry/"}, {"Eigen/"}},
-      {"process/", {"engine/", "geometry/", "process/"}, {"Eigen/", "toml++/", "udunits2.h", "zlib.h", "boost/math/"}},
+      {"process/",
+       {"engine/", "geometry/", "process/"},
+       {"Eigen/", "toml++/", "udunits2.h", "zlib.h", "boost/math/"}},
       {"process/compare/kept_aside.cpp", {"process/"}, {"nlohmann/"}},
       {"render/", {"process/results/", "render/"}, {"Eigen/", "Q", "vtk", "GL/"}},
       {"render/report/critical_speed.cpp", {"render/", "process/results/"}, {"boost/math/"}},
@@ -87,17 +89,20 @@ TEST(FolderRules, EveryFolderIncludesOnlyWhatItMayKnow) {
 }
 
 TEST(FolderRules, TrespassesAreNoticed) {
-  EXPECT_EQ(trespasses("engine/a.cpp", "#include \"geometry/mesh.h\"\n").size(), 1U);
+  EXPECT_EQ(trespasses("engine/a.cpp", "#include \"geometry/mesh/mesh.h\"\n").size(), 1U);
   EXPECT_EQ(
       trespasses("engine/a.cpp", "#include <hdf5.h>\n#include <vector>\n#include <Eigen/Core>\n").size(), 1U);
   EXPECT_EQ(trespasses("geometry/a.h", "  # include \"process/scene/scene.h\"\n").size(), 1U);
   EXPECT_EQ(trespasses("process/results/a.h", "#include \"process/scene/scene.h\"\n").size(), 1U);
   EXPECT_EQ(
-      trespasses("process/run/a.h", "#include \"render/chart.h\"\n#include \"engine/walls.h\"\n").size(), 1U);
+      trespasses("process/run/a.h", "#include \"render/charts/chart.h\"\n#include \"engine/walls/walls.h\"\n")
+          .size(),
+      1U);
   EXPECT_EQ(trespasses("render/a.cpp", "#include \"process/measure/measure.h\"\n#include <QImage>\n").size(),
             1U);
-  EXPECT_EQ(trespasses("app/a.cpp", "#include \"tests/app/cad.h\"\n#include \"../engine/walls.h\"\n").size(),
-            2U);
+  EXPECT_EQ(
+      trespasses("app/a.cpp", "#include \"tests/app/cad.h\"\n#include \"../engine/walls/walls.h\"\n").size(),
+      2U);
   EXPECT_EQ(trespasses("geometry/a.cpp", "#include <TopoDS.hxx>\n").size(), 1U);
   EXPECT_EQ(trespasses("elsewhere/a.cpp", "").size(), 1U);
 }

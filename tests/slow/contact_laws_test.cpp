@@ -2,7 +2,7 @@
 // every part by itself and every two that go together, at the step that the program chooses.
 #include <gtest/gtest.h>
 
-#include "engine/out_of_range.h"
+#include "engine/numerics/out_of_range.h"
 #include "tests/support/registered_laws.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/support/worked_bed.h"

@@ -2,10 +2,10 @@
 // would bear and a jam would not: what swings up is sheared off before it gains energy.
 #include <gtest/gtest.h>
 
-#include "process/run/build_tooling.h"
+#include "process/powder/material.h"
 #include "process/run/fill_run.h"
-#include "process/run/material.h"
-#include "process/run/tooling.h"
+#include "process/setup/build_tooling.h"
+#include "process/tooling/tooling.h"
 #include "project_paths.h"
 #include "tests/support/scene_text.h"
 #include "tests/support/temporary_folder.h"

@@ -8,10 +8,10 @@
 #include <filesystem>
 #include <random>
 
-#include "engine/simulation.h"
-#include "geometry/mesh_import.h"
-#include "geometry/solid_query.h"
-#include "geometry/wall_spheres.h"
+#include "engine/simulation/simulation.h"
+#include "geometry/cad/mesh_import.h"
+#include "geometry/solid/solid_query.h"
+#include "geometry/wall_spheres/wall_spheres.h"
 #include "project_paths.h"
 
 namespace diefill::process {

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <vector>
 
-#include "render/colour_map.h"
+#include "render/style/colour_map.h"
 
 namespace diefill::support {
 

@@ -5,9 +5,9 @@
 #include <numbers>
 #include <random>
 
-#include "engine/health.h"
-#include "engine/simulation.h"
-#include "process/run/material.h"
+#include "engine/limits/validity_monitor.h"
+#include "engine/simulation/simulation.h"
+#include "process/powder/material.h"
 
 namespace diefill::support {
 
@@ -77,10 +77,10 @@ inline EnergyGained gained_by(engine::SimulationSettings settings, const BedWork
         Eigen::Vector3d(shift(random), shift(random), shift(random));
   }
   simulation.add_grains(grains);
-  engine::Health health;
+  engine::ValidityMonitor monitor;
   const auto until = [&](double time) {
     while (simulation.time() < time) simulation.step();
-    health.check(simulation);
+    monitor.check(simulation);
     return simulation.energy_balance_error();
   };
   EnergyGained gained;

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "engine/grain_contacts.h"
+#include "engine/observe/grain_contacts.h"
 
 namespace diefill::process::laboratory {
 

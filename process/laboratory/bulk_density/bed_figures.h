@@ -1,7 +1,7 @@
 // What is measured of a bed of spheres at rest on a floor: density and contacts between two heights.
 #pragma once
 
-#include "engine/simulation.h"
+#include "engine/simulation/simulation.h"
 
 namespace diefill::process::laboratory {
 

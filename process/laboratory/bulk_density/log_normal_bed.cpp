@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "engine/coarse_graining/scaled_up_particle.h"
-#include "engine/mix_time_step.h"
-#include "engine/size_classes.h"
-#include "engine/time_step.h"
+#include "engine/limits/mix_time_step.h"
+#include "engine/limits/time_step.h"
+#include "engine/powder/size_classes.h"
 #include "process/laboratory/bulk_density/sticky_spheres.h"
 
 namespace diefill::process::laboratory {

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "engine/coarse_graining/scaled_up_particle.h"
-#include "engine/general_time_step.h"
-#include "engine/time_step.h"
+#include "engine/limits/general_time_step.h"
+#include "engine/limits/time_step.h"
 
 namespace diefill::process::laboratory {
 

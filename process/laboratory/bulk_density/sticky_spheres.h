@@ -5,7 +5,7 @@
 #include <string>
 
 #include "engine/laws/law_parameters.h"
-#include "engine/simulation.h"
+#include "engine/simulation/simulation.h"
 
 namespace diefill::process::laboratory {
 

@@ -22,7 +22,7 @@ laws::CapillaryBridge::Parameters bridge_of(double smallest_gap) {
 }
 
 laws::PairProperties pair() {
-  const auto sphere = thesis_grain(GrainKind::sphere);
+  const auto sphere = thesis_grain(ParticleType::sphere);
   return {sphere.sphere_radius, sphere.sphere_radius, sphere.mass, sphere.mass};
 }
 

@@ -9,8 +9,8 @@
 #include "process/laboratory/stability/profile_walls.h"
 #include "process/laboratory/stability/registry.h"
 #include "process/laboratory/stability/trial.h"
-#include "process/run/material.h"
-#include "process/run/rest.h"
+#include "process/powder/material.h"
+#include "process/tooling/rest.h"
 
 namespace diefill::process::laboratory {
 

@@ -26,7 +26,7 @@ struct BoundPair {
 BoundPair bound_pair(double work_of_adhesion) {
   BoundPair pair;
   auto& settings = pair.settings;
-  settings.shape = thesis_grain(GrainKind::sphere);
+  settings.shape = thesis_grain(ParticleType::sphere);
   settings.grain_contact = elastic_contact();
   settings.grain_contact.work_of_adhesion = work_of_adhesion;
   settings.gravity.setZero();

@@ -3,8 +3,8 @@
 #include <Eigen/Dense>
 #include <cmath>
 
-#include "engine/periodic_box.h"
-#include "engine/rigid_motion.h"
+#include "engine/powder/periodic_box.h"
+#include "engine/powder/rigid_motion.h"
 
 namespace diefill::process::laboratory {
 

@@ -1,7 +1,7 @@
 // Touching grains as a network of linear springs: its fastest oscillation is what a time step must resolve.
 #pragma once
 
-#include "engine/simulation.h"
+#include "engine/simulation/simulation.h"
 
 namespace diefill::process::laboratory {
 

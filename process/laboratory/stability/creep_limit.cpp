@@ -41,7 +41,7 @@ laws::LawParameters law_with_spring() {
 
 engine::SimulationSettings settings_of(Rolling rolling) {
   engine::SimulationSettings settings;
-  const auto sphere = thesis_grain(GrainKind::sphere);
+  const auto sphere = thesis_grain(ParticleType::sphere);
   settings.shape = engine::model_b(kRadius, sphere.mass * std::pow(kRadius / sphere.sphere_radius, 3));
   settings.period[1] = 2.1 * kRadius * kWidth;
   settings.time_step = 6e-6;

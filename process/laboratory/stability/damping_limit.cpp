@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/time_step.h"
+#include "engine/limits/time_step.h"
 #include "process/laboratory/stability/pair_encounter.h"
 #include "process/laboratory/stability/registry.h"
 #include "process/laboratory/stability/trial.h"
@@ -18,7 +18,7 @@ constexpr double kSpeed = 0.5;  // m/s
 
 engine::SimulationSettings settings_with(double damping_over_radius) {
   engine::SimulationSettings settings;
-  settings.shape = thesis_grain(GrainKind::d);
+  settings.shape = thesis_grain(ParticleType::d);
   settings.grain_contact = elastic_contact();
   settings.grain_contact.damping = damping_over_radius * settings.shape.sphere_radius;
   settings.gravity.setZero();

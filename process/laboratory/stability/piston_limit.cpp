@@ -4,8 +4,8 @@
 #include <limits>
 #include <string>
 
-#include "engine/out_of_range.h"
-#include "engine/time_step.h"
+#include "engine/limits/time_step.h"
+#include "engine/numerics/out_of_range.h"
 #include "process/laboratory/stability/registry.h"
 #include "process/laboratory/stability/settled_pile.h"
 #include "process/laboratory/stability/trial.h"
@@ -32,7 +32,7 @@ struct PressedBed {
 };
 
 PressedBed bed_to_press(bool quick) {
-  const auto shape = thesis_grain(GrainKind::sphere);
+  const auto shape = thesis_grain(ParticleType::sphere);
   const SettledPile pile = settled_pile(shape, 0, quick ? 5 : 10, quick ? 6 : 12);
   PressedBed bed{pile.settings, pile.grains, 0};
   bed.settings.grain_contact.damping = bed.settings.wall_contact.damping = 1e6 * shape.sphere_radius;

@@ -4,7 +4,7 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "engine/walls.h"
+#include "engine/walls/walls.h"
 
 namespace diefill::process::laboratory {
 

@@ -5,7 +5,7 @@
 #include <limits>
 #include <numbers>
 
-#include "engine/simulation.h"
+#include "engine/simulation/simulation.h"
 
 namespace diefill::process::laboratory {
 

@@ -20,7 +20,7 @@ constexpr double kModulus = 5.5e6, kShear = 1.13e6;  // Pa, E* and G* of 10 MPa 
 /// A sphere at rest on a plane under gravity.
 engine::SimulationSettings resting_sphere(const laws::AnyRolling::Parameters& rolling) {
   engine::SimulationSettings settings;
-  const auto sphere = thesis_grain(GrainKind::sphere);
+  const auto sphere = thesis_grain(ParticleType::sphere);
   settings.shape = engine::model_b(sphere.sphere_radius, sphere.mass);
   laws::LawParameters law{.normal = laws::HertzMindlinNormal::Parameters{.modulus = kModulus}};
   law.damping = laws::RestitutionDamping::Parameters{.restitution = 0.3, .modulus = kModulus};
@@ -64,7 +64,7 @@ double moment_of_inertia(const engine::GrainShape& sphere) {
 
 void chatter(const ExperimentOptions& options, results::ExperimentResult& result) {
   constexpr double kStep = 5e-6, kLeast = 1e-8;  // s; rad/s, what the chart goes down to
-  const auto sphere = thesis_grain(GrainKind::sphere);
+  const auto sphere = thesis_grain(ParticleType::sphere);
   results::ExperimentChart chart;
   chart.name = "rolling_chatter";
   chart.title = "Residual spin of a resting sphere with a constant rolling torque";
@@ -105,7 +105,7 @@ double epsd2_step(const engine::GrainShape& sphere, double rolling) {
 }
 
 void epsd2(const ExperimentOptions& options, results::ExperimentResult& result) {
-  const auto sphere = thesis_grain(GrainKind::sphere);
+  const auto sphere = thesis_grain(ParticleType::sphere);
   results::ExperimentChart chart;
   chart.name = "rolling_epsd2";
   chart.title = "Time step at which the rolling spring EPSD2 becomes unstable";

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "engine/rigid_motion.h"
+#include "engine/powder/rigid_motion.h"
 #include "process/laboratory/stability/registry.h"
 #include "process/laboratory/stability/trial.h"
 

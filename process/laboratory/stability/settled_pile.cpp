@@ -3,7 +3,7 @@
 #include <cmath>
 #include <random>
 
-#include "engine/time_step.h"
+#include "engine/limits/time_step.h"
 #include "process/laboratory/stability/contact_network.h"
 
 namespace diefill::process::laboratory {

@@ -1,11 +1,11 @@
 // What a longer step does to a result: solid fraction of a settled bed of clumps.
 #include <cmath>
 
-#include "engine/out_of_range.h"
+#include "engine/numerics/out_of_range.h"
+#include "process/input/scene_error.h"
 #include "process/laboratory/settled_bed.h"
 #include "process/laboratory/stability/registry.h"
 #include "process/laboratory/stability/trial.h"
-#include "process/scene/scene_error.h"
 
 namespace diefill::process::laboratory {
 

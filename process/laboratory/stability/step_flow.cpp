@@ -7,14 +7,14 @@
 #include <random>
 #include <string>
 
-#include "engine/health.h"
+#include "engine/limits/validity_monitor.h"
+#include "process/input/scene_error.h"
 #include "process/laboratory/stability/profile_walls.h"
 #include "process/laboratory/stability/registry.h"
 #include "process/laboratory/stability/trial.h"
 #include "process/measure/heap_slope.h"
-#include "process/run/material.h"
-#include "process/run/rest.h"
-#include "process/scene/scene_error.h"
+#include "process/powder/material.h"
+#include "process/tooling/rest.h"
 
 namespace diefill::process::laboratory {
 
@@ -82,11 +82,11 @@ std::vector<engine::NewGrain> lattice(const FlowCase& flow, double solid_volume)
 void run_until_rest(engine::Simulation& simulation, double diameter, double longest,
                     const std::function<void()>& look) {
   RestWatch rest;
-  engine::Health health;
+  engine::ValidityMonitor monitor;
   const double end = simulation.time() + longest;
   do {
     for (int k = 0; k < 50; ++k) simulation.step();
-    health.check(simulation);
+    monitor.check(simulation);
     look();
   } while (simulation.time() < end && !rest.at_rest(simulation, diameter));
 }

@@ -3,7 +3,7 @@
 #include <cstdio>
 #include <numbers>
 
-#include "engine/out_of_range.h"
+#include "engine/numerics/out_of_range.h"
 #include "process/laboratory/settled_bed.h"
 #include "process/laboratory/stability/registry.h"
 #include "process/laboratory/stability/trial.h"
@@ -34,7 +34,7 @@ BedSpec bed_of(double reduced_modulus) {
 
 /// Pa, under the weight of the bed.
 double pressure_at_the_bottom() {
-  const auto sphere = thesis_grain(GrainKind::sphere);
+  const auto sphere = thesis_grain(ParticleType::sphere);
   return sphere.mass / sphere.solid_volume * kFraction * 9.81 * kHeight;
 }
 

@@ -5,7 +5,7 @@
 #include <limits>
 #include <numbers>
 
-#include "engine/time_step.h"
+#include "engine/limits/time_step.h"
 #include "process/laboratory/stability/elastic_gas.h"
 #include "process/laboratory/stability/registry.h"
 #include "process/laboratory/stability/settled_pile.h"
@@ -46,7 +46,7 @@ GasCase scaled_spheres(double scale) {
   return spheres;
 }
 
-GasCase thesis_gas(GrainKind kind, const std::string& name, double friction) {
+GasCase thesis_gas(ParticleType kind, const std::string& name, double friction) {
   GasCase gas;
   gas.name = name;
   gas.shape = thesis_grain(kind);
@@ -61,9 +61,9 @@ std::vector<GasCase> gas_cases() {
   return {scaled_spheres(1),
           scaled_spheres(2),
           scaled_spheres(4),
-          thesis_gas(GrainKind::c, "model C", 0),
-          thesis_gas(GrainKind::d, "model D", 0),
-          thesis_gas(GrainKind::d, "model D, friction 0.5", 0.5)};
+          thesis_gas(ParticleType::c, "model C", 0),
+          thesis_gas(ParticleType::d, "model D", 0),
+          thesis_gas(ParticleType::d, "model D, friction 0.5", 0.5)};
 }
 
 void find_in_gas(const ExperimentOptions& options, results::ExperimentResult& result) {
@@ -100,7 +100,7 @@ void find_in_gas(const ExperimentOptions& options, results::ExperimentResult& re
         [&](double time_step) { return energy_growth(gas, time_step, duration) < kAllowedGrowth; });
     const double critical = engine::critical_time_step(each.shape, each.contact, 1.0);
     result.limits.push_back({"gas of " + each.name + ": step at 1 % energy gained", limit, critical, "s",
-                             "engine/time_step.h, critical step at 1 m/s"});
+                             "engine/limits/time_step.h, critical step at 1 m/s"});
     result.limits.push_back({"gas of " + each.name + ": that step over a collision's duration",
                              limit / collision, std::nan(""), "1", ""});
     if (each.scale > 0) {
@@ -125,7 +125,7 @@ void find_in_gas(const ExperimentOptions& options, results::ExperimentResult& re
 
 struct PileCase {
   std::string name;
-  GrainKind kind;
+  ParticleType kind;
   double friction;
 };
 
@@ -142,9 +142,9 @@ void find_in_pile(const ExperimentOptions& options, results::ExperimentResult& r
              .lower = kFloor,
              .upper = 1};
   const long steps = options.quick ? 2000 : 20000;
-  const std::vector<PileCase> cases = {{"spheres", GrainKind::sphere, 0},
-                                       {"model D", GrainKind::d, 0},
-                                       {"model D, friction 0.5", GrainKind::d, 0.5}};
+  const std::vector<PileCase> cases = {{"spheres", ParticleType::sphere, 0},
+                                       {"model D", ParticleType::d, 0},
+                                       {"model D, friction 0.5", ParticleType::d, 0.5}};
   for (const auto& each : cases) {
     const auto pile = settled_pile(thesis_grain(each.kind), each.friction, 5, options.quick ? 5 : 12);
     const double stable = 2 / pile.eigenfrequency;

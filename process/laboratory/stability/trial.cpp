@@ -6,7 +6,7 @@
 #include <numbers>
 #include <numeric>
 
-#include "engine/out_of_range.h"
+#include "engine/numerics/out_of_range.h"
 
 namespace diefill::process::laboratory {
 
@@ -34,10 +34,10 @@ std::vector<double> linear_range(double lower, double upper, int count) {
   return values;
 }
 
-engine::GrainShape thesis_grain(GrainKind kind) {
+engine::GrainShape thesis_grain(ParticleType kind) {
   constexpr double kMass = 7.63e-8;
-  if (kind == GrainKind::c) return engine::model_c(8.9e-5, kMass);
-  if (kind == GrainKind::d) return engine::model_d(7.84e-5, kMass);
+  if (kind == ParticleType::c) return engine::model_c(8.9e-5, kMass);
+  if (kind == ParticleType::d) return engine::model_d(7.84e-5, kMass);
   return engine::model_a(1.5e-4, kMass);
 }
 

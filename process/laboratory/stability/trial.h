@@ -4,7 +4,7 @@
 
 #include <functional>
 
-#include "engine/simulation.h"
+#include "engine/simulation/simulation.h"
 
 namespace diefill::process::laboratory {
 
@@ -18,10 +18,10 @@ double largest_that_holds(double lower, double upper, double precision,
 std::vector<double> logarithmic_range(double lower, double upper, int count);
 std::vector<double> linear_range(double lower, double upper, int count);
 
-enum class GrainKind { sphere, c, d };
+enum class ParticleType { sphere, c, d };
 
 /// Bierwisch's grains of 7.63e-8 kg (2009, Table C.4); the sphere is model A.
-engine::GrainShape thesis_grain(GrainKind kind);
+engine::GrainShape thesis_grain(ParticleType kind);
 
 /// E~ = 1e7 Pa, no damping, no friction (2009, Table C.4).
 engine::ContactParameters elastic_contact();

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <string>
 
-#include "engine/time_step.h"
+#include "engine/limits/time_step.h"
 #include "process/laboratory/stability/registry.h"
 #include "process/laboratory/stability/settled_pile.h"
 #include "process/laboratory/stability/trial.h"
@@ -23,7 +23,7 @@ struct SlidingBed {
   std::vector<engine::NewGrain> grains;
 };
 
-SlidingBed bed_of(GrainKind kind, bool quick) {
+SlidingBed bed_of(ParticleType kind, bool quick) {
   const auto shape = thesis_grain(kind);
   const SettledPile pile = settled_pile(shape, kGrainFriction, quick ? 6 : 8, quick ? 6 : 10);
   SlidingBed bed{pile.settings, pile.grains};
@@ -92,12 +92,12 @@ void find_wall_friction_limit(const ExperimentOptions& options, results::Experim
   const auto spacings = linear_range(0.4, 2.2, options.quick ? 7 : 13);
   struct Case {
     std::string name;
-    GrainKind kind;
+    ParticleType kind;
     double wall_radius;  // over the sphere radius
   };
-  for (const Case& one :
-       {Case{"spheres, R_w = R", GrainKind::sphere, 1}, Case{"spheres, R_w = R / 2", GrainKind::sphere, 0.5},
-        Case{"model D, R_w = 1.91 R", GrainKind::d, 1.91}}) {
+  for (const Case& one : {Case{"spheres, R_w = R", ParticleType::sphere, 1},
+                          Case{"spheres, R_w = R / 2", ParticleType::sphere, 0.5},
+                          Case{"model D, R_w = 1.91 R", ParticleType::d, 1.91}}) {
     const SlidingBed bed = bed_of(one.kind, options.quick);
     const double radius = one.wall_radius * bed.settings.shape.sphere_radius;
     ExperimentSeries measured{.name = one.name, .x = {}, .y = {}};

@@ -3,8 +3,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "engine/health.h"
-#include "engine/time_step.h"
+#include "engine/limits/time_step.h"
+#include "engine/limits/validity_monitor.h"
 #include "process/laboratory/stability/registry.h"
 #include "process/laboratory/stability/trial.h"
 
@@ -112,7 +112,7 @@ void push_through(const ExperimentOptions& options, results::ExperimentResult& r
       "the hole.";
   chart.x = {.label = "Spacing of the wall spheres over their radius"};
   chart.y = {.label = "Speed [m/s]", .logarithmic = true};
-  const auto sphere = thesis_grain(GrainKind::sphere), clump = thesis_grain(GrainKind::d);
+  const auto sphere = thesis_grain(ParticleType::sphere), clump = thesis_grain(ParticleType::d);
   const double fine = sphere.sphere_radius;
   const std::vector<std::pair<std::string, Target>> cases = {
       {"sphere, R_w = R", {.shape = sphere, .wall_radius = fine}},
@@ -163,7 +163,7 @@ void strike_at_angles(const ExperimentOptions& options, results::ExperimentResul
     ExperimentSeries predicted{
         .name = "v / cos, " + name, .role = Role::predicted, .x = {}, .y = {}, .in_legend = false};
     for (const double degrees : linear_range(0, 70, options.quick ? 6 : 15)) {
-      Target target{.shape = thesis_grain(GrainKind::sphere), .spacing = spacing};
+      Target target{.shape = thesis_grain(ParticleType::sphere), .spacing = spacing};
       const double straight = speed_of_barrier(target);
       target.angle = degrees * std::numbers::pi / 180;
       measured.x.push_back(degrees);
@@ -227,7 +227,7 @@ void tilt(const ExperimentOptions& options, results::ExperimentResult& result) {
     ExperimentSeries predicted{
         .name = "geometry, " + name, .role = Role::predicted, .x = {}, .y = {}, .in_legend = false};
     for (const double spacing : linear_range(0.4, 2.2, options.quick ? 7 : 13)) {
-      Target target{.shape = thesis_grain(GrainKind::sphere), .spacing = spacing};
+      Target target{.shape = thesis_grain(ParticleType::sphere), .spacing = spacing};
       measured.x.push_back(spacing);
       predicted.x.push_back(spacing);
       predicted.y.push_back(tilt_of_geometry(target, friction) / kDegree);
@@ -238,7 +238,7 @@ void tilt(const ExperimentOptions& options, results::ExperimentResult& result) {
     chart.series.push_back(measured);
     chart.series.push_back(predicted);
   }
-  Target standard{.shape = thesis_grain(GrainKind::sphere)};
+  Target standard{.shape = thesis_grain(ParticleType::sphere)};
   result.limits.push_back({"tilt that moves a sphere, spacing 1.6 R_w, R_w = R, wall friction 0.15",
                            largest_that_holds(0.2 * kDegree, 85 * kDegree, 0.01,
                                               [&](double angle) { return stays(standard, 0.15, angle); }) /

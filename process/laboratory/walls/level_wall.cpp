@@ -3,7 +3,7 @@
 #include <cmath>
 #include <cstdio>
 
-#include "engine/time_step.h"
+#include "engine/limits/time_step.h"
 
 namespace diefill::process::laboratory {
 
@@ -34,7 +34,7 @@ engine::WallBodySpec level_mesh(double half_width) {
 engine::SimulationSettings single_sphere(double damping_over_radius, double friction) {
   constexpr double kFastest = 1.0;  // m/s
   engine::SimulationSettings settings;
-  settings.shape = thesis_grain(GrainKind::sphere);
+  settings.shape = thesis_grain(ParticleType::sphere);
   settings.wall_contact = elastic_contact();
   settings.wall_contact.damping = damping_over_radius * settings.shape.sphere_radius;
   settings.wall_contact.tangential = 1e6 * settings.shape.sphere_radius;
@@ -46,7 +46,7 @@ engine::SimulationSettings single_sphere(double damping_over_radius, double fric
   return settings;
 }
 
-std::string in_words(double radius_ratio) {
+std::string description(double radius_ratio) {
   char text[30];
   std::snprintf(text, sizeof text, "R_w = %.3g R", radius_ratio);
   return text;

@@ -3,7 +3,7 @@
 
 #include <functional>
 
-#include "engine/simulation.h"
+#include "engine/simulation/simulation.h"
 #include "process/laboratory/stability/trial.h"
 
 namespace diefill::process::laboratory {
@@ -30,6 +30,6 @@ engine::SimulationSettings single_sphere(double damping_over_radius, double fric
 inline constexpr double kRadiusRatios[] = {0.25, 0.5, 1, 2};
 
 /// "R_w = 0.5 R".
-std::string in_words(double radius_ratio);
+std::string description(double radius_ratio);
 
 }  // namespace diefill::process::laboratory

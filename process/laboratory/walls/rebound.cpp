@@ -102,7 +102,7 @@ void compare_rebound(const ExperimentOptions& options, results::ExperimentResult
                          "Speed of rebound over speed of impact");
   slowed.note = "Straight impact, damping 1e6 Pa s/m over R. Lines without points: on the mesh itself.";
   for (const double ratio : kRadiusRatios) {
-    ExperimentSeries direction{.name = in_words(ratio), .x = {}, .y = {}}, speed = direction;
+    ExperimentSeries direction{.name = description(ratio), .x = {}, .y = {}}, speed = direction;
     for (const double spacing : spacings) {
       const SphereGrid grid{ratio * single_sphere(0, 0).shape.sphere_radius, spacing};
       direction.x.push_back(spacing);
@@ -113,9 +113,9 @@ void compare_rebound(const ExperimentOptions& options, results::ExperimentResult
     turned.series.push_back(direction);
     slowed.series.push_back(speed);
     const SphereGrid usual{ratio * single_sphere(0, 0).shape.sphere_radius, 1.6};
-    result.limits.push_back({"direction at 45 degrees, rms deviation, spacing 1.6, " + in_words(ratio),
+    result.limits.push_back({"direction at 45 degrees, rms deviation, spacing 1.6, " + description(ratio),
                              on_spheres(usual, kSlanted, 0, places).deviation, 0, "degrees", "mesh"});
-    result.limits.push_back({"straight rebound, speed, spacing 1.6, " + in_words(ratio),
+    result.limits.push_back({"straight rebound, speed, spacing 1.6, " + description(ratio),
                              on_spheres(usual, 0, kDampingOverRadius, places).speed,
                              speed_on_mesh(std::numeric_limits<double>::infinity()), "1", "mesh, flat"});
   }

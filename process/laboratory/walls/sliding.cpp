@@ -65,7 +65,7 @@ void compare_sliding(const ExperimentOptions& options, results::ExperimentResult
     chart.y = {.label = "Effective coefficient of friction"};
     const double on_mesh = friction_felt(level_mesh(0.1), speed, 0.2);
     for (const double ratio : kRadiusRatios) {
-      ExperimentSeries felt{.name = in_words(ratio), .x = {}, .y = {}};
+      ExperimentSeries felt{.name = description(ratio), .x = {}, .y = {}};
       const double radius = ratio * single_sphere(0, 0).shape.sphere_radius;
       for (const double spacing : spacings) {
         felt.x.push_back(spacing);
@@ -74,7 +74,7 @@ void compare_sliding(const ExperimentOptions& options, results::ExperimentResult
       chart.series.push_back(felt);
       std::snprintf(text, sizeof text, "friction from %.2g m/s, spacing 1.6, ", speed);
       result.limits.push_back(
-          {text + in_words(ratio), mean_friction({radius, 1.6}, speed, directions), on_mesh, "1", "mesh"});
+          {text + description(ratio), mean_friction({radius, 1.6}, speed, directions), on_mesh, "1", "mesh"});
     }
     chart.series.push_back({.name = "mesh",
                             .role = ExperimentSeries::Role::predicted,

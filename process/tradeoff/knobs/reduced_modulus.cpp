@@ -4,7 +4,7 @@ namespace diefill::process {
 namespace {
 
 std::string in_megapascals(double pascals) {
-  return number_in_words(1e-6 * pascals) + " MPa";
+  return number_text(1e-6 * pascals) + " MPa";
 }
 
 /// The critical step goes with E~^(-2/5): a tenth costs 0.4 times as much.

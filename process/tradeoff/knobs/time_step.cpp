@@ -6,7 +6,7 @@ namespace {
 
 /// The program may choose a shorter step than the usual fraction, and a scene may give one outright.
 std::string current(const Scene& scene) {
-  return number_in_words(time_step_fraction(scene));
+  return number_text(time_step_fraction(scene));
 }
 
 }  // namespace

@@ -7,7 +7,7 @@ Knob wall_spacing_knob() {
           .label = "spacing of wall spheres over their radius",
           .sign = "wall spacing",
           .finer = Finer::smaller,
-          .current = [](const Scene& scene) { return number_in_words(scene.walls.spacing); },
+          .current = [](const Scene& scene) { return number_text(scene.walls.spacing); },
           .usual =
               [](const Scene&) {
                 return std::vector<std::string>{"2.4", "1.6", "1.2"};

@@ -52,13 +52,13 @@ TEST(CapillaryBridgePart, HasHusAnchors) {
   const CapillaryBridge part(kWet, pair);
   EXPECT_NEAR(CapillaryBridge::bridge_volume(kWet, pair), 5.43234e-13, 1e-18);
   EXPECT_NEAR(part.range(), 8.15948e-5, 1e-10);
-  double memory = 0;
-  part.force(0, &memory);
-  EXPECT_NEAR(part.force(1e-6, &memory), -1.52858e-4, 1e-9);
-  EXPECT_NEAR(part.force(1e-5, &memory), -1.16294e-4, 1e-9);
-  EXPECT_NEAR(part.force(5e-5, &memory), -3.10457e-5, 1e-10);
-  EXPECT_NEAR(part.force(part.range(), &memory), -1.41487e-5, 1e-10);
-  EXPECT_EQ(part.force(-1e-6, &memory), part.force(1e-6, &memory));
+  double history = 0;
+  part.force(0, &history);
+  EXPECT_NEAR(part.force(1e-6, &history), -1.52858e-4, 1e-9);
+  EXPECT_NEAR(part.force(1e-5, &history), -1.16294e-4, 1e-9);
+  EXPECT_NEAR(part.force(5e-5, &history), -3.10457e-5, 1e-10);
+  EXPECT_NEAR(part.force(part.range(), &history), -1.41487e-5, 1e-10);
+  EXPECT_EQ(part.force(-1e-6, &history), part.force(1e-6, &history));
 }
 
 TEST(CapillaryBridgePart, IsRabinovichsFormula) {
@@ -67,50 +67,50 @@ TEST(CapillaryBridgePart, IsRabinovichsFormula) {
   const CapillaryBridge part(wet, pair);
   const double radius = pair.effective_radius(), volume = CapillaryBridge::bridge_volume(wet, pair);
   EXPECT_NEAR(part.range(), 1.25 * std::cbrt(volume), 1e-18);
-  double memory = 1;
+  double history = 1;
   for (const double gap : {2e-6, 2e-5, 1e-4}) {
     const double immersion =
         0.5 * gap * (-1 + std::sqrt(1 + volume / (std::numbers::pi * radius * gap * gap)));
     const double expected =
         4 * std::numbers::pi * radius * 0.07 * std::cos(0.5) / (1 + gap / (2 * immersion));
-    EXPECT_NEAR(part.force(gap, &memory), -expected, 1e-12 * expected);
+    EXPECT_NEAR(part.force(gap, &history), -expected, 1e-12 * expected);
   }
 }
 
 TEST(CapillaryBridgePart, FormsOnTouchAndBreaksForGood) {
   const CapillaryBridge part(kWet, spheres(kRadius, kRadius));
-  double memory = 0;
-  for (const double gap : {5e-5, 1e-5, 1e-9}) EXPECT_EQ(part.force(gap, &memory), 0);  // coming closer
-  EXPECT_LT(part.force(0, &memory), 0);
-  for (const double gap : {-1e-6, 1e-5, 8.1e-5}) EXPECT_LT(part.force(gap, &memory), 0);
-  EXPECT_EQ(part.force(8.2e-5, &memory), 0);  // ruptured
-  for (const double gap : {8.1e-5, 1e-5, 1e-9}) EXPECT_EQ(part.force(gap, &memory), 0);
-  EXPECT_LT(part.force(0, &memory), 0);
+  double history = 0;
+  for (const double gap : {5e-5, 1e-5, 1e-9}) EXPECT_EQ(part.force(gap, &history), 0);  // coming closer
+  EXPECT_LT(part.force(0, &history), 0);
+  for (const double gap : {-1e-6, 1e-5, 8.1e-5}) EXPECT_LT(part.force(gap, &history), 0);
+  EXPECT_EQ(part.force(8.2e-5, &history), 0);  // ruptured
+  for (const double gap : {8.1e-5, 1e-5, 1e-9}) EXPECT_EQ(part.force(gap, &history), 0);
+  EXPECT_LT(part.force(0, &history), 0);
 }
 
 TEST(CapillaryBridgePart, EnergyIsIntegralOfForce) {
   const CapillaryBridge part(kWet, spheres(kRadius, kRadius));
-  double memory = 1;
+  double history = 1;
   for (const double gap : {-1e-6, 5e-7, 3e-6, 4e-5, 8e-5}) {
     const double step = 1e-9;
-    const double slope = (part.energy(gap + step, &memory) - part.energy(gap - step, &memory)) / (2 * step);
-    EXPECT_NEAR(slope, -part.force(gap, &memory), 1e-6 * slope);
+    const double slope = (part.energy(gap + step, &history) - part.energy(gap - step, &history)) / (2 * step);
+    EXPECT_NEAR(slope, -part.force(gap, &history), 1e-6 * slope);
   }
-  EXPECT_NEAR(part.energy(part.range(), &memory), 0, 1e-25);
-  memory = 0;
-  EXPECT_EQ(part.energy(1e-6, &memory), 0);
+  EXPECT_NEAR(part.energy(part.range(), &history), 0, 1e-25);
+  history = 0;
+  EXPECT_EQ(part.energy(1e-6, &history), 0);
 }
 
 TEST(CapillaryBridgePart, HasNoneOnWallsAndNoneWhenDry) {
-  double memory = 0;
+  double history = 0;
   const CapillaryBridge on_wall(kWet, sphere_on_wall(kRadius));
-  EXPECT_EQ(on_wall.force(-1e-6, &memory), 0);
+  EXPECT_EQ(on_wall.force(-1e-6, &history), 0);
   EXPECT_EQ(on_wall.range(), 0);
   auto dry = kWet;
   dry.liquid_fraction = 0;
   const CapillaryBridge none(dry, spheres(kRadius, kRadius));
-  EXPECT_EQ(none.force(-1e-6, &memory), 0);
-  EXPECT_EQ(none.energy(-1e-6, &memory), 0);
+  EXPECT_EQ(none.force(-1e-6, &history), 0);
+  EXPECT_EQ(none.energy(-1e-6, &history), 0);
 }
 
 /// Force over 2 pi gamma_L r_p and volume over that of one sphere of a toroidal bridge, contact angle 0,
@@ -130,8 +130,8 @@ TEST(CapillaryBridgePart, AgreesWithTheToroidalBridge) {
     auto wet = CapillaryBridge::Parameters{.surface_tension = 1, .smallest_gap = 1e-9};
     wet.liquid_fraction = volume / (2 * wet.bridge_share);
     const CapillaryBridge part(wet, spheres(1, 1));
-    double memory = 1;
-    EXPECT_NEAR(-part.force(2 * h, &memory) / (2 * std::numbers::pi), theory, 0.05 * theory) << h;
+    double history = 1;
+    EXPECT_NEAR(-part.force(2 * h, &history) / (2 * std::numbers::pi), theory, 0.05 * theory) << h;
   }
 }
 

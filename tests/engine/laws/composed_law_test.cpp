@@ -43,13 +43,13 @@ TEST(GeneralLawOfAnyParts, ReactsAsTheFixedLaw) {
   require_sensible(parameters);
   const auto fixed = fixed_law(parameters);
   const auto general = make_law(parameters, kPair);
-  std::vector<double> memory_fixed(FixedLaw::kMemory), memory_general(GeneralLaw::kMemory);
+  std::vector<double> memory_fixed(FixedLaw::kHistory), memory_general(GeneralLaw::kHistory);
   EXPECT_EQ(general.range(), fixed.range());
   for (int step = 0; step < 2000; ++step) {
     const auto a = fixed.react(state_at(step), memory_fixed.data());
     const auto b = general.react(state_at(step), memory_general.data());
     ASSERT_EQ(length(a.force - b.force), 0) << step;
-    ASSERT_EQ(length(a.couple - b.couple), 0) << step;
+    ASSERT_EQ(length(a.torque - b.torque), 0) << step;
     ASSERT_EQ(a.load, b.load);
     ASSERT_EQ(a.normal_power + a.viscous_power + a.friction_power + a.rolling_power + a.attraction_power,
               b.normal_power + b.viscous_power + b.friction_power + b.rolling_power + b.attraction_power);
@@ -59,40 +59,40 @@ TEST(GeneralLawOfAnyParts, ReactsAsTheFixedLaw) {
   }
 }
 
-TEST(ComposedLawMemory, HasRoomForTheLargestPartAndIsWipedApart) {
-  EXPECT_EQ(FixedLaw::kMemory, 1 + 4 + 3 + 0);
-  EXPECT_EQ(GeneralLaw::kMemory, 2 + 4 + 3 + 1);
+TEST(ComposedLawHistory, HasRoomForTheLargestPartAndIsWipedApart) {
+  EXPECT_EQ(FixedLaw::kHistory, 1 + 4 + 3 + 0);
+  EXPECT_EQ(GeneralLaw::kHistory, 2 + 4 + 3 + 1);
   const auto law = make_law(full_parameters(), kPair);
-  std::vector<double> memory(GeneralLaw::kMemory);
+  std::vector<double> history(GeneralLaw::kHistory);
   auto state = state_at(50);
   ASSERT_GT(state.overlap, 0);
-  law.react(state, memory.data());
-  EXPECT_GT(memory[0], 0);
-  EXPECT_NE(memory[GeneralLaw::kFrictionMemory], 0);
-  EXPECT_NE(memory[GeneralLaw::kRollingMemory], 0);
+  law.react(state, history.data());
+  EXPECT_GT(history[0], 0);
+  EXPECT_NE(history[GeneralLaw::kFrictionHistory], 0);
+  EXPECT_NE(history[GeneralLaw::kRollingHistory], 0);
   state.overlap = 0;
-  const auto apart = law.react(state, memory.data());
-  for (const double value : memory) EXPECT_EQ(value, 0);
-  EXPECT_EQ(length(apart.couple), 0);
+  const auto apart = law.react(state, history.data());
+  for (const double value : history) EXPECT_EQ(value, 0);
+  EXPECT_EQ(length(apart.torque), 0);
   EXPECT_EQ(apart.load, 0);
   EXPECT_LT(dot(apart.force, state.normal), 0);  // van der Waals goes on
   EXPECT_LT(length(cross(apart.force, state.normal)), 1e-15 * length(apart.force));
 }
 
-TEST(ComposedLawMemory, KeepsTheBridgeWhileApart) {
+TEST(ComposedLawHistory, KeepsTheBridgeWhileApart) {
   LawParameters parameters;
   parameters.attraction = CapillaryBridge::Parameters{.surface_tension = 0.07};
   const auto law = make_law(parameters, kPair);
-  std::vector<double> memory(GeneralLaw::kMemory);
+  std::vector<double> history(GeneralLaw::kHistory);
   ContactState state;
   state.normal = {0, 0, 1};
   state.overlap = -1e-6;
-  EXPECT_EQ(law.react(state, memory.data()).force.z, 0);
+  EXPECT_EQ(law.react(state, history.data()).force.z, 0);
   state.overlap = 1e-7;
-  law.react(state, memory.data());
+  law.react(state, history.data());
   state.overlap = -1e-6;
-  EXPECT_LT(law.react(state, memory.data()).force.z, 0);
-  EXPECT_LT(law.attraction_energy(state.overlap, memory.data()), 0);
+  EXPECT_LT(law.react(state, history.data()).force.z, 0);
+  EXPECT_LT(law.attraction_energy(state.overlap, history.data()), 0);
 }
 
 TEST(ComposedLawLoad, FollowsTheRule) {
@@ -106,8 +106,8 @@ TEST(ComposedLawLoad, FollowsTheRule) {
     parameters.damping = RestitutionDamping::Parameters{.restitution = 0.2, .modulus = 5e6};
     parameters.load_rule = rule;
     const auto law = make_law(parameters, kPair);
-    std::vector<double> memory(GeneralLaw::kMemory);
-    const auto reaction = law.react(state, memory.data());
+    std::vector<double> history(GeneralLaw::kHistory);
+    const auto reaction = law.react(state, history.data());
     const double elastic = HertzMindlinNormal({.modulus = 5e6}, kPair).force(overlap, root, nullptr).force;
     ASSERT_LT(elastic + reaction.viscous, 0);
     EXPECT_NEAR(reaction.force.z, elastic + reaction.viscous, 1e-15);
@@ -123,11 +123,11 @@ TEST(ComposedLawLoad, OfLudingIsShiftedByTheCohesionStiffness) {
                                LudingNormal::Parameters{.loading = 150, .unloading = 600, .cohesion = 20}};
   parameters.attraction = VanDerWaals::Parameters{.hamaker = 5e-18};
   const auto law = make_law(parameters, kPair);
-  std::vector<double> memory(GeneralLaw::kMemory);
+  std::vector<double> history(GeneralLaw::kHistory);
   ContactState state;
   state.overlap = 1e-6;
   state.normal = {0, 0, 1};
-  const auto reaction = law.react(state, memory.data());
+  const auto reaction = law.react(state, history.data());
   EXPECT_NEAR(reaction.load, 170e-6, 1e-18);  // van der Waals left out (Kottlan 2018, Eq. 18)
   EXPECT_NEAR(reaction.force.z, 150e-6 + reaction.attraction, 1e-18);
   EXPECT_LT(reaction.attraction, 0);

@@ -1,5 +1,5 @@
 // Many contacts at a time get from the parts of their laws, bit for bit, what each gets from react() alone.
-#include "engine/contacts_in_parts.h"
+#include "engine/contact/contacts_in_parts.h"
 
 #include <gtest/gtest.h>
 
@@ -7,9 +7,9 @@
 #include <random>
 #include <vector>
 
+#include "engine/coarse_graining/general_contact_law.h"
 #include "engine/coarse_graining/methods.h"
-#include "engine/contact_batch.h"
-#include "engine/laws/general_contact_law.h"
+#include "engine/contact/contact_batch.h"
 #include "tests/engine/laws/source_laws.h"
 
 namespace diefill::engine {
@@ -37,7 +37,7 @@ std::vector<InstructionSet> instruction_sets() {
 /// One contact by itself.
 struct Alone {
   laws::ContactState state;
-  std::vector<double> memory;
+  std::vector<double> history;
   laws::Reaction reaction;
 };
 
@@ -46,21 +46,21 @@ class Contacts {
  public:
   explicit Contacts(std::vector<const GeneralContactLaw*> laws) : laws_(std::move(laws)) {
     batch_->count = laws_.size();
-    for (auto& contact : alone_) contact.memory.assign(Batch::kMemory, 0.0);
-    for (auto& numbers : batch_->memory)
+    for (auto& contact : alone_) contact.history.assign(Batch::kHistory, 0.0);
+    for (auto& numbers : batch_->history)
       for (double& number : numbers.value) number = 0;
   }
   void step(InstructionSet instructions) {
     move();
     react_by_parts(*batch_, instructions, kTimeStep);
     for (std::size_t lane = 0; lane < laws_.size(); ++lane)
-      alone_[lane].reaction = laws_[lane]->react(alone_[lane].state, alone_[lane].memory.data());
+      alone_[lane].reaction = laws_[lane]->react(alone_[lane].state, alone_[lane].history.data());
   }
   void expect_the_same() const {
     for (std::size_t lane = 0; lane < laws_.size(); ++lane) {
-      const auto& [state, memory, reaction] = alone_[lane];
+      const auto& [state, history, reaction] = alone_[lane];
       for (const auto& [here, there] :
-           {std::pair{batch_->force[lane], reaction.force}, {batch_->couple[lane], reaction.couple}}) {
+           {std::pair{batch_->force[lane], reaction.force}, {batch_->torque[lane], reaction.torque}}) {
         EXPECT_EQ(here.x, there.x);
         EXPECT_EQ(here.y, there.y);
         EXPECT_EQ(here.z, there.z);
@@ -69,7 +69,7 @@ class Contacts {
       EXPECT_EQ(batch_->viscous_power[lane], reaction.viscous_power);
       EXPECT_EQ(batch_->friction_power[lane], reaction.friction_power);
       EXPECT_EQ(batch_->rolling_power[lane], reaction.rolling_power);
-      for (std::size_t k = 0; k < Batch::kMemory; ++k) EXPECT_EQ(batch_->memory[k][lane], memory[k]);
+      for (std::size_t k = 0; k < Batch::kHistory; ++k) EXPECT_EQ(batch_->history[k][lane], history[k]);
     }
   }
   /// Of all lanes.

@@ -29,10 +29,10 @@ class EdinburghCycle : public ::testing::TestWithParam<EdinburghBranch> {
                  std::sqrt(2 * plastic * 0.5 * kRadius - plastic * plastic);  ///< N, f_min
   double least_at = std::pow(std::pow(plastic, n) - (least - kPullOff) / k2, 1 / n);
   double limb = (least - kPullOff) / std::pow(least_at, n);
-  double memory[2] = {};
+  double history[2] = {};
   double work = 0;
 
-  StaticForce at(double overlap) { return part.force(overlap, std::sqrt(std::max(overlap, 0.0)), memory); }
+  StaticForce at(double overlap) { return part.force(overlap, std::sqrt(std::max(overlap, 0.0)), history); }
   /// Moves in small steps to `overlap` and returns the force there; adds to the work done on the spheres.
   double go(double from, double to, int steps = 4000) {
     double before = from > 0 ? at(from).force : -kPullOff, now = before;
@@ -94,11 +94,11 @@ TEST_P(EdinburghCycle, LosesTheAreaBetweenItsBranches) {
     return coefficient * std::pow(h, n + 1) / (n + 1);
   };
   go(0, kDeepest, 40000);
-  const double stored = part.energy(kDeepest, memory);
+  const double stored = part.energy(kDeepest, history);
   const double taken = work;
   EXPECT_NEAR(taken, area_below(k1, kDeepest) - kPullOff * kDeepest, 1e-6 * taken);
   go(kDeepest, plastic, 40000);
-  EXPECT_NEAR(taken - work, stored - part.energy(plastic, memory), 1e-6 * taken);
+  EXPECT_NEAR(taken - work, stored - part.energy(plastic, history), 1e-6 * taken);
   go(plastic, least_at, 40000);
   go(least_at, 0, 40000);
   // f_0 is conservative; what is lost lies between k_1 and k_2 above, and k_2 and the limb below.
@@ -113,7 +113,7 @@ TEST_P(EdinburghCycle, NeverYieldsEnergyOverAnyTurns) {
   for (const double turn : {0.5, 0.1, 1.0, 0.3, 0.6, 0.02, 0.05, 0.01, 1.4, 0.7, 0.65, 0.2, 1.6, 0.0}) {
     go(here, turn * kDeepest);
     here = turn * kDeepest;
-    const double lost = work - (here > 0 ? part.energy(here, memory) : 0);
+    const double lost = work - (here > 0 ? part.energy(here, history) : 0);
     EXPECT_GE(lost, least_lost - 1e-6 * scale() * kDeepest) << turn;
     least_lost = lost;
   }
@@ -122,20 +122,20 @@ TEST_P(EdinburghCycle, NeverYieldsEnergyOverAnyTurns) {
 TEST_P(EdinburghCycle, KeepsTheLimbNoSteeperThanTheStiffBranch) {
   given.surface_energy = 100;  // f_min beyond what the plastic overlap bears
   const EdinburghNormal sticky(given, pair);
-  sticky.force(kDeepest, std::sqrt(kDeepest), memory);
-  EXPECT_NEAR(memory[1], k2, 1e-9 * k2);
+  sticky.force(kDeepest, std::sqrt(kDeepest), history);
+  EXPECT_NEAR(history[1], k2, 1e-9 * k2);
   const double corner = std::pow(0.5 * std::pow(plastic, n), 1 / n);
-  EXPECT_NEAR(sticky.force(corner, std::sqrt(corner), memory).force,
+  EXPECT_NEAR(sticky.force(corner, std::sqrt(corner), history).force,
               -kPullOff - 0.5 * k2 * std::pow(plastic, n), 1e-9 * scale());
 }
 
 TEST_P(EdinburghCycle, WithoutSurfaceEnergyOnlyThePullOffForceHolds) {
   given.surface_energy = 0;
   const EdinburghNormal weak(given, pair);
-  weak.force(kDeepest, std::sqrt(kDeepest), memory);
+  weak.force(kDeepest, std::sqrt(kDeepest), history);
   for (const double share : {0.9, 0.5, 0.1}) {
     const double h = share * plastic;
-    EXPECT_DOUBLE_EQ(weak.force(h, std::sqrt(h), memory).force, -kPullOff);
+    EXPECT_DOUBLE_EQ(weak.force(h, std::sqrt(h), history).force, -kPullOff);
   }
 }
 
@@ -144,15 +144,15 @@ TEST_P(EdinburghCycle, WithoutPlasticityIsTheElasticSpring) {
   const EdinburghNormal elastic(given, pair);
   for (const double h : {1.0, 0.4, 0.7, 0.1}) {
     const double overlap = h * kDeepest, force = k1 * std::pow(overlap, n);
-    EXPECT_NEAR(elastic.force(overlap, std::sqrt(overlap), memory).force, force, 1e-12 * scale());
-    EXPECT_NEAR(elastic.energy(overlap, memory), force * overlap / (n + 1), 1e-12 * scale() * kDeepest);
+    EXPECT_NEAR(elastic.force(overlap, std::sqrt(overlap), history).force, force, 1e-12 * scale());
+    EXPECT_NEAR(elastic.energy(overlap, history), force * overlap / (n + 1), 1e-12 * scale() * kDeepest);
   }
 }
 
 TEST_P(EdinburghCycle, AsksForTheTimeStepOfTheStiffBranch) {
   const double step = 1e-6 * kDeepest;
-  EXPECT_NEAR(part.stiffness(kDeepest, memory), (line(kDeepest + step) - line(kDeepest - step)) / (2 * step),
-              1e-6 * part.stiffness(kDeepest, memory));
+  EXPECT_NEAR(part.stiffness(kDeepest, history), (line(kDeepest + step) - line(kDeepest - step)) / (2 * step),
+              1e-6 * part.stiffness(kDeepest, history));
 }
 
 TEST_P(EdinburghCycle, IsSimilarAtAnyScale) {

@@ -47,14 +47,14 @@ TEST(ScaledUpParticle, IsTheOrdinaryLawWithScaledParameters) {
       auto weak_torque = coarse;
       weak_torque.inertia_factor = 1 / rule.torque_factor();
       const auto by_parameters = laws::make_law(fine.similar(scale), weak_torque);
-      std::vector<double> one(GeneralLaw::kMemory), other(GeneralLaw::kMemory);
+      std::vector<double> one(GeneralLaw::kHistory), other(GeneralLaw::kHistory);
       EXPECT_NEAR(direct.range(), by_parameters.range(), 1e-12 * by_parameters.range());
       for (int step = 0; step < 600; ++step) {
         const auto state = state_at(step, scale);
         const auto a = direct.react(state, one.data());
         const auto b = by_parameters.react(state, other.data());
         expect_close(a.force, b.force, name + " force");
-        expect_close(a.couple, b.couple, name + " couple");
+        expect_close(a.torque, b.torque, name + " couple");
         EXPECT_NEAR(a.load, b.load, 1e-12 * b.load) << name;
         EXPECT_NEAR(a.friction_power, b.friction_power, 1e-10 * std::abs(b.friction_power)) << name;
         EXPECT_NEAR(a.rolling_power, b.rolling_power, 1e-10 * std::abs(b.rolling_power)) << name;
@@ -78,12 +78,12 @@ TEST(ForceScalingRules, CoincideAtScaleOne) {
     for (const auto& [name, law] : laws_of_the_sources()) {
       const auto scaled = scaled_law(law, rule, pair);
       const auto plain = laws::make_law(law, pair);
-      std::vector<double> one(GeneralLaw::kMemory), other(GeneralLaw::kMemory);
+      std::vector<double> one(GeneralLaw::kHistory), other(GeneralLaw::kHistory);
       for (int step = 0; step < 300; ++step) {
         const auto a = scaled.react(state_at(step, 1), one.data());
         const auto b = plain.react(state_at(step, 1), other.data());
         expect_close(a.force, b.force, name);
-        expect_close(a.couple, b.couple, name);
+        expect_close(a.torque, b.torque, name);
       }
     }
   }
@@ -122,8 +122,8 @@ TEST(ForceScalingRules, StiffenSpringsByTheirFactors) {
     auto state = state_at(30, 1);
     ASSERT_GT(state.overlap, 0);
     const auto normal_and_friction = [&](const auto& law) {
-      std::vector<double> memory(GeneralLaw::kMemory);
-      const auto reaction = law.react(state, memory.data());
+      std::vector<double> history(GeneralLaw::kHistory);
+      const auto reaction = law.react(state, history.data());
       const double normal = dot(reaction.force, state.normal);
       const double tangential = length(reaction.force - normal * state.normal);
       return std::array{normal - reaction.viscous, reaction.viscous, tangential};
@@ -146,11 +146,11 @@ TEST(ForceScalingRules, LiteralSpringsAreStiffer) {
   law.friction = laws::MindlinFriction::Parameters{.shear_modulus = 1.13e6, .friction = 1e9};
   law.rolling = laws::Epsd2Rolling::Parameters{.rolling_friction = 1e9, .shear_modulus = 1.13e6};
   const auto pull = [&] {
-    std::vector<double> memory(GeneralLaw::kMemory);
+    std::vector<double> history(GeneralLaw::kHistory);
     auto state = state_at(30, 1);
-    const auto reaction = scaled_law(law, rule, coarse).react(state, memory.data());
+    const auto reaction = scaled_law(law, rule, coarse).react(state, history.data());
     const double normal = dot(reaction.force, state.normal);
-    return std::array{length(reaction.force - normal * state.normal), length(reaction.couple)};
+    return std::array{length(reaction.force - normal * state.normal), length(reaction.torque)};
   };
   const auto similar = pull();
   rule.literal_spring = true;
@@ -169,12 +169,12 @@ TEST(ForceScalingRules, UnscaledGapsCutLiquidBridgesShort) {
     const auto coarse = laws::spheres(2.5e-4 * scale, 2.5e-4 * scale);
     const auto law = scaled_law(wet, force_scaling(name, scale), coarse);
     const double rupture = scaled_law(wet, scaled_up_particle(scale), coarse).range();
-    std::vector<double> memory(GeneralLaw::kMemory);
+    std::vector<double> history(GeneralLaw::kHistory);
     ContactState state;
     state.normal = {0, 0, 1};
-    law.react(state, memory.data());  // touch
+    law.react(state, history.data());  // touch
     state.overlap = -share * rupture;
-    return law.react(state, memory.data()).force.z;
+    return law.react(state, history.data()).force.z;
   };
   const auto ratio = [&](double scale, double share) {
     return force("Hu chapter 4 method 2", scale, share) / force("scaled-up particle", scale, share);

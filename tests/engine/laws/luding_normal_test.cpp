@@ -14,9 +14,9 @@ const double kLimit = kK2 / (kK2 - kK1) * kDepth * kRadius;  // m, equal spheres
 class LudingCycle : public ::testing::Test {
  protected:
   LudingNormal part{kParameters, spheres(kRadius, kRadius, 1545)};
-  double memory = 0;
+  double history = 0;
 
-  StaticForce at(double overlap) { return part.force(overlap, std::sqrt(overlap), &memory); }
+  StaticForce at(double overlap) { return part.force(overlap, std::sqrt(overlap), &history); }
   /// Moves in small steps to `overlap` and returns the force there; adds to the work done on the spheres.
   double go(double from, double to, int steps = 4000) {
     double before = from > 0 ? at(from).force : 0, now = before;
@@ -47,9 +47,9 @@ TEST_F(LudingCycle, UnloadsThroughTheExpectedZeroAndLimb) {
   // Most attractive where the unloading line meets the limb.
   const double corner = slope / (slope + kKc) * zero;
   EXPECT_NEAR(at((1 + 1e-9) * corner).force, -kKc * corner, 1e-7 * kKc * corner);
-  EXPECT_DOUBLE_EQ(memory, deepest);
+  EXPECT_DOUBLE_EQ(history, deepest);
   EXPECT_NEAR(at((1 - 1e-9) * corner).force, -kKc * corner, 1e-7 * kKc * corner);
-  EXPECT_NEAR(memory, deepest, 1e-7 * deepest);
+  EXPECT_NEAR(history, deepest, 1e-7 * deepest);
 }
 
 TEST_F(LudingCycle, LimbShortensTheMemoryAndLeavesNoFriction) {
@@ -59,8 +59,8 @@ TEST_F(LudingCycle, LimbShortensTheMemoryAndLeavesNoFriction) {
   const auto force = at(0.3 * corner);
   EXPECT_NEAR(force.force, -kKc * 0.3 * corner, 1e-12 * kK1 * deepest);
   EXPECT_NEAR(force.limit, 0, 1e-12 * kK1 * deepest);
-  EXPECT_NEAR(memory, (slope + kKc) / (slope - kK1) * 0.3 * corner, 1e-12 * deepest);
-  EXPECT_LT(memory, deepest);
+  EXPECT_NEAR(history, (slope + kKc) / (slope - kK1) * 0.3 * corner, 1e-12 * deepest);
+  EXPECT_LT(history, deepest);
 }
 
 TEST_F(LudingCycle, MinorLoopRunsBackOnItsOwnLine) {
@@ -70,7 +70,7 @@ TEST_F(LudingCycle, MinorLoopRunsBackOnItsOwnLine) {
   const double down = go(deepest, 0.9 * deepest);
   EXPECT_NEAR(down, kK1 * deepest - slope * 0.1 * deepest, 1e-10 * kK1 * deepest);
   EXPECT_NEAR(go(0.9 * deepest, deepest), kK1 * deepest, 1e-10 * kK1 * deepest);
-  EXPECT_DOUBLE_EQ(memory, deepest);
+  EXPECT_DOUBLE_EQ(history, deepest);
   // Beyond the old turning point virgin loading goes on.
   EXPECT_NEAR(go(deepest, 1.1 * deepest), kK1 * 1.1 * deepest, 1e-10 * kK1 * deepest);
 }
@@ -89,7 +89,7 @@ TEST_F(LudingCycle, BeyondThePlasticLimitOneSteepLineServes) {
 TEST_F(LudingCycle, EnergyIsWhatUnloadingGivesBack) {
   const double deepest = 0.7 * kLimit;
   go(0, deepest);
-  const double stored = part.energy(deepest, &memory);
+  const double stored = part.energy(deepest, &history);
   const double slope = part.unloading_slope(deepest);
   EXPECT_NEAR(stored, std::pow(kK1 * deepest, 2) / (2 * slope), 1e-12 * stored);
   EXPECT_NEAR(work, 0.5 * kK1 * deepest * deepest, 1e-6 * work);
@@ -104,7 +104,7 @@ TEST_F(LudingCycle, CyclesNeverYieldEnergy) {
   for (const double turn : {0.4, 0.1, 0.8, 0.3, 0.5, 0.02, 1.4, 0.2, 1.6, 0.0}) {
     go(here, turn * kLimit);
     here = turn * kLimit;
-    const double lost = work - part.energy(here, &memory);
+    const double lost = work - part.energy(here, &history);
     EXPECT_GE(lost, least - 1e-9 * kK1 * kLimit * kLimit) << turn;
     least = lost;
   }

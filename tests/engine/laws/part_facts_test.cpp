@@ -1,5 +1,5 @@
 // What the parts say of themselves is true of what they do: memory that turns its sign, hysteresis, damping.
-#include "engine/laws/general_contact_law.h"
+#include "engine/coarse_graining/general_contact_law.h"
 #include "law_test_support.h"
 #include "tests/engine/laws/source_laws.h"
 
@@ -12,7 +12,7 @@ class PartFacts : public ::testing::TestWithParam<NamedLaw> {};
 
 TEST_P(PartFacts, APairStoredTheOtherWayRoundGoesOnAsBefore) {
   const GeneralLaw law = make_law(GetParam().law, kPair);
-  std::vector<double> memory(GeneralLaw::kMemory), turned;
+  std::vector<double> history(GeneralLaw::kHistory), turned;
   ContactState state;
   state.normal = {0.6, 0, 0.8};
   state.time_step = state.rolling_step = 1e-7;
@@ -20,31 +20,31 @@ TEST_P(PartFacts, APairStoredTheOtherWayRoundGoesOnAsBefore) {
     state.overlap = 2e-6 * std::sin(0.02 * k) + 1e-8;
     state.velocity = {0.03, 0.05 * std::cos(0.1 * k), 0.01};
     state.spin = {20, -30.0 * std::sin(0.1 * k), 10};
-    law.react(state, memory.data());
+    law.react(state, history.data());
   }
-  turned = memory;
+  turned = history;
   for (std::size_t k = 0; k < turned.size(); ++k) turned[k] *= GeneralLaw::kMemorySigns[k];
   ContactState other = state;
   other.normal = -1.0 * state.normal;
   other.velocity = -1.0 * state.velocity;
   other.spin = -1.0 * state.spin;
-  const Reaction one = law.react(state, memory.data()), two = law.react(other, turned.data());
+  const Reaction one = law.react(state, history.data()), two = law.react(other, turned.data());
   EXPECT_EQ(one.force.x, -two.force.x);
   EXPECT_EQ(one.force.y, -two.force.y);
   EXPECT_EQ(one.force.z, -two.force.z);
-  EXPECT_EQ(one.couple.x, -two.couple.x);
-  EXPECT_EQ(one.couple.y, -two.couple.y);
-  EXPECT_EQ(one.couple.z, -two.couple.z);
+  EXPECT_EQ(one.torque.x, -two.torque.x);
+  EXPECT_EQ(one.torque.y, -two.torque.y);
+  EXPECT_EQ(one.torque.z, -two.torque.z);
   for (std::size_t k = 0; k < turned.size(); ++k)
-    EXPECT_EQ(turned[k], GeneralLaw::kMemorySigns[k] * memory[k]) << k;
+    EXPECT_EQ(turned[k], GeneralLaw::kMemorySigns[k] * history[k]) << k;
 }
 
 TEST_P(PartFacts, OnlyAHystereticForceDependsOnThePast) {
   const GeneralLaw law = make_law({.normal = GetParam().law.normal}, kPair);
-  std::vector<double> memory(GeneralLaw::kMemory), fresh(GeneralLaw::kMemory);
+  std::vector<double> history(GeneralLaw::kHistory), fresh(GeneralLaw::kHistory);
   const double overlap = 1e-6, deep = 3e-6;
-  law.normal.force(deep, std::sqrt(deep), memory.data());
-  const double later = law.normal.force(overlap, std::sqrt(overlap), memory.data()).force;
+  law.normal.force(deep, std::sqrt(deep), history.data());
+  const double later = law.normal.force(overlap, std::sqrt(overlap), history.data()).force;
   const double first = law.normal.force(overlap, std::sqrt(overlap), fresh.data()).force;
   EXPECT_EQ(law.normal.hysteretic(), later != first);
 }
@@ -58,23 +58,22 @@ TEST_P(PartFacts, DampingIsTheForceOverTheSpeed) {
 
 TEST_P(PartFacts, OnlyWhatAttractsPulls) {
   const GeneralLaw law = make_law(GetParam().law, kPair);
-  std::vector<double> memory(GeneralLaw::kMemory);
+  std::vector<double> history(GeneralLaw::kHistory);
   ContactState state;
   state.normal = {0, 0, 1};
   bool pulls = false;
   for (double overlap = 3e-6; overlap > 0; overlap -= 1e-9) {
     state.overlap = overlap;
-    pulls = pulls || law.react(state, memory.data()).force.z < 0;
+    pulls = pulls || law.react(state, history.data()).force.z < 0;
   }
   EXPECT_EQ(GetParam().law.attracts(), pulls);
 }
 
-INSTANTIATE_TEST_SUITE_P(Sources, PartFacts, ::testing::ValuesIn(laws_of_the_sources()),
-                         [](const auto& law) {
-                           std::string name = law.param.name;
-                           std::erase(name, ' ');
-                           return name;
-                         });
+INSTANTIATE_TEST_SUITE_P(Sources, PartFacts, ::testing::ValuesIn(laws_of_the_sources()), [](const auto& law) {
+  std::string name = law.param.name;
+  std::erase(name, ' ');
+  return name;
+});
 
 }  // namespace
 }  // namespace diefill::engine::laws

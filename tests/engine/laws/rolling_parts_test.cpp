@@ -16,7 +16,7 @@ class Rocker {
   double step() {
     spin_ += 0.5 * step_ * torque_ / inertia_;
     angle_ += step_ * spin_;
-    torque_ = part_.torque(memory_, kUp, {0, spin_, 0}, kRoot, {load_, load_}, load_, step_).y;
+    torque_ = part_.torque(history_, kUp, {0, spin_, 0}, kRoot, {load_, load_}, load_, step_).y;
     spin_ += 0.5 * step_ * torque_ / inertia_;
     return angle_;
   }
@@ -27,7 +27,7 @@ class Rocker {
   Part part_;
   double load_, spin_, step_, angle_ = 0, torque_ = 0;
   double inertia_ = sphere_on_wall(kRadius).effective_inertia();
-  double memory_[3] = {};
+  double history_[3] = {};
 };
 
 TEST(ConstantTorque, RollingBallStopsAfterThePredictedDistance) {
@@ -58,9 +58,9 @@ TEST(ConstantTorque, RollingBallStopsAfterThePredictedDistance) {
 /// N m, what a pair that has turned against each other at `spin` (rad/s) for `steps` steps resists with.
 template <class Part>
 Vector3 torque_after(const Part& part, int steps, Vector3 spin, double load, double step) {
-  double memory[3] = {};
+  double history[3] = {};
   Vector3 torque;
-  for (int k = 0; k < steps; ++k) torque = part.torque(memory, kUp, spin, kRoot, {}, load, step);
+  for (int k = 0; k < steps; ++k) torque = part.torque(history, kUp, spin, kRoot, {}, load, step);
   return torque;
 }
 
@@ -86,10 +86,10 @@ TEST(ConstantTorque, TakesEnergyOutOfEveryTurnToAndFro) {
   const double change = 0.1 * load * kRadius * step / pair.effective_inertia();
   for (const double fastest : {0.1, 1.0, 10.0, 1000.0}) {
     const LoadRolling part({.rolling_friction = 0.1}, pair);
-    double memory[3] = {}, work = 0;
+    double history[3] = {}, work = 0;
     for (int k = 0; k < 4000; ++k) {
       const Vector3 spin{fastest * change * std::sin(k * std::numbers::pi / 100), 0, 0};
-      work += dot(part.torque(memory, kUp, spin, kRoot, {}, load, step), spin);
+      work += dot(part.torque(history, kUp, spin, kRoot, {}, load, step), spin);
     }
     EXPECT_LT(work, 0) << fastest;
   }
@@ -190,9 +190,9 @@ TEST(LudingRollingPart, RocksWithItsDampingRatio) {
 
 TEST(LudingRollingPart, IsCutAtItsLimit) {
   const LudingRolling part({.rolling_friction = 0.1, .time_step = 1e-8}, spheres(kRadius, kRadius));
-  double memory[3] = {};
+  double history[3] = {};
   Vector3 torque;
-  for (int k = 0; k < 1000; ++k) torque = part.torque(memory, kUp, {0, 500, 3}, kRoot, {}, 1e-5, 1e-6);
+  for (int k = 0; k < 1000; ++k) torque = part.torque(history, kUp, {0, 500, 3}, kRoot, {}, 1e-5, 1e-6);
   EXPECT_NEAR(torque.y, -0.1 * 1e-5 * kRadius / 2, 1e-20);
   EXPECT_EQ(torque.z, 0);
 }

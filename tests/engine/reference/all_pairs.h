@@ -125,7 +125,7 @@ class AllPairs {
   /// The law of a pair with all it remembers.
   struct Bond {
     Law law;
-    std::vector<double> memory;
+    std::vector<double> history;
     double overlap = 0;
   };
   using Key = std::pair<std::size_t, std::size_t>;  // second: ball, or wall after all balls
@@ -153,7 +153,7 @@ class AllPairs {
     const auto found = bonds_.find(key);
     if (found != bonds_.end()) return found->second;
     return bonds_
-        .emplace(key, Bond{make(pair, balls[key.first].kind, other), std::vector<double>(Law::kMemory + 1)})
+        .emplace(key, Bond{make(pair, balls[key.first].kind, other), std::vector<double>(Law::kHistory + 1)})
         .first->second;
   }
 
@@ -173,8 +173,8 @@ class AllPairs {
     const Vector3 velocity = i.velocity + cross(i.spin, arm_i) - j.velocity - cross(j.spin, arm_j);
     const laws::Reaction reaction =
         react(bond, {overlap, normal, velocity, i.spin - j.spin, settings_.time_step});
-    push(i, reaction.force, arm_i, reaction.couple);
-    push(j, -reaction.force, arm_j, -reaction.couple);
+    push(i, reaction.force, arm_i, reaction.torque);
+    push(j, -reaction.force, arm_j, -reaction.torque);
   }
 
   void meet_wall(std::size_t a, std::size_t wall) {
@@ -188,14 +188,14 @@ class AllPairs {
     const Vector3 velocity = i.velocity + cross(i.spin, arm_i) - plane.velocity;
     const laws::Reaction reaction =
         react(bond, {overlap, plane.normal, velocity, i.spin, settings_.time_step});
-    push(i, reaction.force, arm_i, reaction.couple);
+    push(i, reaction.force, arm_i, reaction.torque);
   }
 
   laws::Reaction react(Bond& bond, const laws::ContactState& state) {
-    const laws::Reaction reaction = bond.law.react(state, bond.memory.data());
+    const laws::Reaction reaction = bond.law.react(state, bond.history.data());
     bond.overlap = state.overlap;
-    energy_.contact += bond.law.contact_energy(state.overlap, bond.memory.data());
-    energy_.attraction += bond.law.attraction_energy(state.overlap, bond.memory.data());
+    energy_.contact += bond.law.contact_energy(state.overlap, bond.history.data());
+    energy_.attraction += bond.law.attraction_energy(state.overlap, bond.history.data());
     energy_.normal_work += reaction.normal_power * settings_.time_step;
     energy_.viscous_work += reaction.viscous_power * settings_.time_step;
     energy_.friction_work += reaction.friction_power * settings_.time_step;
@@ -204,9 +204,9 @@ class AllPairs {
     return reaction;
   }
 
-  static void push(Ball& ball, Vector3 force, Vector3 arm, Vector3 couple) {
+  static void push(Ball& ball, Vector3 force, Vector3 arm, Vector3 torque) {
     ball.force += force;
-    ball.torque += cross(arm, force) + couple;
+    ball.torque += cross(arm, force) + torque;
   }
 
   Settings settings_;

@@ -1,0 +1,16 @@
+// How a bed moves, for those who hold it against another code.
+#pragma once
+
+#include <filesystem>
+
+#include "engine/simulation/simulation.h"
+
+namespace diefill::app {
+
+/// Steps the simulation `steps` times and writes into `folder`, which is made: `energy.csv`, kinetic energies
+/// every `every` steps, and `grains.csv`, the grains at the end, in the form of a bed of spheres
+/// (process/laboratory/race_bed.h) with the box centred on the origin. Throws results::ResultError where they
+/// cannot be written.
+void trace(engine::Simulation& simulation, int steps, int every, const std::filesystem::path& folder);
+
+}  // namespace diefill::app

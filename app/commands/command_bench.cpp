@@ -1,0 +1,196 @@
+#include <unistd.h>
+
+#include <cstdio>
+#include <ctime>
+#include <fstream>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <optional>
+
+#include "app/commands/bench_trace.h"
+#include "app/commands/commands.h"
+#include "app/exit_code.h"
+#include "app/freed_memory.h"
+#include "app/tables/finite_number.h"
+#include "process/input/scene_error.h"
+#include "process/input/units.h"
+#include "process/laboratory/race_bed.h"
+#include "process/setup/predicted_work.h"
+
+namespace diefill::app {
+
+namespace {
+
+using process::laboratory::RaceBed;
+using process::laboratory::read_race_bed;
+using process::laboratory::side_by_side;
+
+struct BenchOptions {
+  std::string bed;
+  std::optional<std::string> state, trace;
+  double width = 0;  ///< mm, of the box that `state` fills; 0: that of its kind
+  int threads = 1, steps = 600, copies = 1, every = 100;
+  std::size_t spheres = 50000;
+  bool json = false;
+};
+
+/// Steps before timing: the first searches and page faults are not what a run spends its time on.
+constexpr int kWarmUp = 100;
+
+/// Bytes of memory that the program holds now.
+double resident_bytes() {
+  std::ifstream file("/proc/self/statm");
+  double total = 0, resident = 0;
+  file >> total >> resident;
+  return resident * static_cast<double>(sysconf(_SC_PAGESIZE));
+}
+
+engine::Simulation assembled(const process::laboratory::RaceBedState& bed, int threads) {
+  engine::SimulationSettings settings = bed.settings;
+  settings.threads = threads;
+  engine::Simulation simulation(settings, bed.walls);
+  simulation.add_grains(bed.grains);
+  return simulation;
+}
+
+/// Pairs of spheres of grains that touch; walls do not count.
+double touching_grain_pairs(const engine::Simulation& simulation) {
+  std::size_t touching = 0;
+  for (const auto& block : simulation.neighbours().blocks())
+    for (const auto touches : block.grain_pairs.touching) touching += touches;
+  return static_cast<double>(touching);
+}
+
+/// Figures of `steps` steps from now on.
+nlohmann::ordered_json timed(engine::Simulation& simulation, int steps, double bytes) {
+  const auto before = simulation.timers().seconds();
+  const auto searches = simulation.searches();
+  const std::clock_t clock = std::clock();
+  for (int k = 0; k < steps; ++k) simulation.step();
+  const double cpu_seconds = static_cast<double>(std::clock() - clock) / CLOCKS_PER_SEC;
+  const auto after = simulation.timers().seconds();
+  const double spheres =
+      static_cast<double>(simulation.grains().size() * simulation.settings().shape.spheres());
+  double seconds = 0;
+  nlohmann::ordered_json phases;
+  for (std::size_t p = 0; p < after.size(); ++p) {
+    seconds += after[p] - before[p];
+    phases[engine::kPhaseNames[p]] = (after[p] - before[p]) / (spheres * steps) * 1e9;
+  }
+  nlohmann::ordered_json figures;
+  figures["sphere_steps_per_second"] = spheres * steps / seconds;
+  figures["spheres"] = spheres;
+  figures["steps"] = steps;
+  figures["threads"] = simulation.settings().threads;
+  figures["seconds"] = seconds;
+  figures["cpu_nanoseconds_per_sphere_step"] = cpu_seconds / (spheres * steps) * 1e9;
+  figures["nanoseconds_per_sphere_step"] = phases;
+  figures["contacts_per_sphere"] = 2 * touching_grain_pairs(simulation) / spheres;
+  figures["near_pairs_per_sphere"] = static_cast<double>(simulation.neighbours().near_pairs()) / spheres;
+  figures["steps_per_search"] =
+      static_cast<double>(steps) / std::max(1.0, static_cast<double>(simulation.searches() - searches));
+  figures["bytes_per_sphere"] = bytes / spheres;
+  figures["bytes_moved_per_sphere_step"] = simulation.bytes_moved_per_step() / spheres;
+  char hash[32];
+  std::snprintf(hash, sizeof hash, "%016llx", static_cast<unsigned long long>(simulation.hash()));
+  figures["state_hash"] = hash;
+  return figures;
+}
+
+void print(const nlohmann::ordered_json& figures) {
+  for (const auto& [name, value] : figures.items()) {
+    if (!value.is_object()) {
+      std::printf("%s: %s\n", name.c_str(),
+                  value.is_string() ? value.get<std::string>().c_str() : value.dump().c_str());
+      continue;
+    }
+    for (const auto& [phase, nanoseconds] : value.items())
+      std::printf("%s, %s: %.2f\n", name.c_str(), phase.c_str(), nanoseconds.get<double>());
+  }
+}
+
+/// Refuses a bed that does not fit into memory or steps that nobody waits for. `grains` of --state; 0: a bed
+/// is made.
+void refuse_endless(const BenchOptions& options, RaceBed kind, std::size_t grains) {
+  constexpr double kSpheresOfClump = 7;
+  const double copies = options.copies * static_cast<double>(options.copies);
+  const double spheres =
+      options.state ? static_cast<double>(grains) * copies * (kind == RaceBed::clumps ? kSpheresOfClump : 1)
+                    : static_cast<double>(options.spheres);
+  const std::string bed = "bench: " + process::number_text(spheres) + " spheres";
+  process::refuse_memory(bed, spheres, 0, 0, "use fewer (--spheres, --copies)");
+  const double sphere_steps = spheres * options.steps;
+  if (sphere_steps > process::kMostSphereSteps)
+    throw process::SceneError(bed + " over " + std::to_string(options.steps) + " steps are " +
+                              process::number_text(sphere_steps) + " sphere-steps, allowed: at most " +
+                              process::number_text(process::kMostSphereSteps) + "; use fewer (--steps)");
+}
+
+/// The bed that the options ask for.
+process::laboratory::RaceBedState wanted_bed(const BenchOptions& options) {
+  const RaceBed kind = options.bed == "spheres" ? RaceBed::spheres : RaceBed::clumps;
+  if (!options.state) {
+    refuse_endless(options, kind, 0);
+    return process::laboratory::loose_race_bed(kind, options.spheres);
+  }
+  const auto bed = read_race_bed(kind, *options.state, 1e-3 * options.width);
+  refuse_endless(options, kind, bed.grains.size());
+  return side_by_side(bed, options.copies);
+}
+
+int bench(const BenchOptions& options) {
+  give_back_freed_memory();
+  const double before = resident_bytes();
+  std::optional<engine::Simulation> simulation;
+  simulation.emplace(assembled(wanted_bed(options), options.threads));
+  if (options.trace) {
+    trace(*simulation, options.steps, options.every, *options.trace);
+    return kDone;
+  }
+  const int settling = options.state ? kWarmUp : process::laboratory::kRaceBedFall;
+  for (int k = 0; k < settling; ++k) simulation->step();
+  const auto figures = timed(*simulation, options.steps, resident_bytes() - before);
+  if (options.json)
+    std::printf("%s\n", figures.dump(2).c_str());
+  else
+    print(figures);
+  return kDone;
+}
+
+}  // namespace
+
+void add_bench(CLI::App& program, Action& chosen) {
+  auto* command = program.add_subcommand("bench", "Time the engine on a settled bed");
+  auto options = std::make_shared<BenchOptions>();
+  command->add_option("BED", options->bed, "spheres or clumps (model D)")
+      ->required()
+      ->check(CLI::IsMember({"spheres", "clumps"}));
+  command
+      ->add_option("--state", options->state,
+                   "settled bed to start from (CSV, plain or gzip; default: generate one)")
+      ->check(CLI::ExistingFile);
+  command->add_option("--width", options->width, "side in mm of the periodic box of --state")
+      ->check(CLI::Range(1.0, 1000.0))
+      ->check(finite_number())
+      ->needs("--state");
+  command
+      ->add_option("--copies", options->copies,
+                   "N: start from N x N copies of --state side by side, to measure the effect of size")
+      ->check(CLI::Range(1, 100))
+      ->needs("--state");
+  command->add_option("--trace", options->trace,
+                      "instead of timing, write kinetic energies and the final grains to this folder");
+  command->add_option("--every", options->every, "steps between energy outputs of --trace")
+      ->check(CLI::Range(1, 100000000));
+  command->add_option("--spheres", options->spheres, "size of a generated bed")
+      ->check(CLI::Range(1000, 20000000));
+  command->add_option("--threads", options->threads, "threads")->check(CLI::Range(1, 1024));
+  command->add_option("--steps", options->steps, "steps to time")->check(CLI::Range(1, 100000000));
+  command->add_flag("--json", options->json, "print JSON");
+  command->footer(
+      "Examples:\n  diefill bench clumps\n  diefill bench spheres --threads 2 --steps 2000 --json\n"
+      "Timings are noisy: compare only figures measured alternately in one session.");
+  command->callback([options, &chosen] { chosen = [options] { return bench(*options); }; });
+}
+
+}  // namespace diefill::app

@@ -1,0 +1,151 @@
+#include <cstdio>
+#include <thread>
+
+#include "app/commands/commands.h"
+#include "app/commands/scene_choice.h"
+#include "app/exit_code.h"
+#include "app/kept_notes.h"
+#include "app/output.h"
+#include "app/pictures/drawing.h"
+#include "app/stop_signals.h"
+#include "app/tables/comparison_table.h"
+#include "process/compare/collect.h"
+#include "process/compare/job_folder.h"
+#include "process/compare/kept_aside.h"
+#include "process/compare/run_jobs.h"
+
+namespace diefill::app {
+
+namespace {
+
+struct CompareArguments {
+  std::string scene, setting, out, export_to, collect_from;
+  int jobs = 1, seeds = 1;
+  bool quiet = false;
+};
+
+/// out/<folder of the scene>_<name of the scene>.
+std::filesystem::path default_directory(const std::filesystem::path& scene) {
+  const auto folder = std::filesystem::absolute(scene).parent_path().filename().string();
+  return std::filesystem::path("out") / (folder + '_' + scene.stem().string());
+}
+
+/// What a script should think of it: 0 where every run is finished.
+ExitCode exit_code_of(const results::Comparison& comparison) {
+  ExitCode worst = kDone;
+  for (const auto& run : comparison.runs) {
+    if (run.state == "finished") continue;
+    if (run.state == "not finished" || (run.exit_code != kOutOfRange && run.exit_code != kBadInput))
+      return kFailed;
+    if (worst != kBadInput) worst = run.exit_code == kBadInput ? kBadInput : kOutOfRange;
+  }
+  return worst;
+}
+
+int gather(const std::filesystem::path& directory) {
+  const auto comparison = process::collect(directory);
+  std::vector<std::filesystem::path> written = {"comparison.json", "comparison.csv"};
+  write_output([&] {
+    say_what_is_kept(process::keep_earlier_tables(directory, comparison));
+    results::write_comparison(directory, comparison);
+    for (const auto& picture : draw(directory, comparison)) written.push_back(picture.filename());
+  });
+  std::printf("%sin %s:", comparison_table(comparison).c_str(), directory.string().c_str());
+  for (const auto& file : written) std::printf(" %s", file.string().c_str());
+  std::printf("\n");
+  return exit_code_of(comparison);
+}
+
+std::vector<process::Variant> checked_variants(const CompareArguments& arguments) {
+  if (arguments.scene.empty())
+    throw process::SceneError(
+        "SCENE: found nothing, expected a scene file, or --collect with a directory of runs");
+  auto variants = wanted_variants(arguments.scene, arguments.setting);
+  process::check_seeds(variants, arguments.seeds);
+  return variants;
+}
+
+/// Writes the jobs into `directory`.
+results::JobList jobs_in(const std::filesystem::path& directory, const CompareArguments& arguments,
+                         const std::vector<process::Variant>& variants) {
+  make_output_directory(directory);
+  results::JobList list;
+  write_output([&] {
+    const std::string title = process::read_scene(arguments.scene).title;
+    list = process::write_jobs(directory, {title, variants, arguments.seeds, {}}, say_note);
+  });
+  return list;
+}
+
+int export_jobs(const CompareArguments& arguments) {
+  const std::filesystem::path directory = arguments.export_to;
+  const auto variants = checked_variants(arguments);
+  const OutputDirectory output(directory, {"tools"});
+  const auto list = jobs_in(directory, arguments, variants);
+  write_output([&] { process::write_job_scripts(directory, list, say_note); });
+  std::printf(
+      "%zu runs in %s; copy it to where they should run and start them there:\n"
+      "  sbatch slurm.sh                                 on a Slurm cluster\n"
+      "  xargs -d '\\n' -n 1 -P 4 sh -c < jobs.txt        on one machine (or ./run_here.sh 4)\n"
+      "then run diefill compare --collect %s\n",
+      list.jobs.size(), directory.string().c_str(), directory.string().c_str());
+  return kDone;
+}
+
+int compare(const CompareArguments& arguments) {
+  if (!arguments.collect_from.empty()) return gather(arguments.collect_from);
+  if (!arguments.export_to.empty()) return export_jobs(arguments);
+  const auto variants = checked_variants(arguments);
+  const std::filesystem::path directory =
+      arguments.out.empty() ? default_directory(arguments.scene) : std::filesystem::path(arguments.out);
+  const OutputDirectory output(directory, {"tools", "beginnings"});
+  const auto list = jobs_in(directory, arguments, variants);
+  process::JobOptions options;
+  options.program = std::filesystem::read_symlink("/proc/self/exe");
+  options.at_once = arguments.jobs;
+  options.cores = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+  options.share_starts = true;
+  options.show_progress = !arguments.quiet;
+  options.stop = &heed_stop_signals();
+  process::run_jobs(directory, list, options);
+  return gather(directory);
+}
+
+}  // namespace
+
+void add_compare(CLI::App& program, Action& chosen) {
+  auto* command = program.add_subcommand(
+      "compare", "Run all [[variant]]s of a scene and report differences larger than the scatter over seeds");
+  auto arguments = std::make_shared<CompareArguments>();
+  command->add_option("SCENE", arguments->scene, "scene file (TOML) with [[variant]] tables");
+  command->add_option("--seeds", arguments->seeds, "runs of each variant with consecutive seeds (default: 1)")
+      ->check(CLI::Range(1, 1000));
+  command->add_option("--jobs", arguments->jobs, "runs at a time, sharing the cores (default: 1)")
+      ->check(CLI::Range(1, 1024));
+  add_setting(*command, arguments->setting);
+  command->add_option("--out", arguments->out, "directory for results (default: out/<folder>_<scene>)");
+  command->add_flag("--quiet", arguments->quiet, "print no progress");
+  auto* exporting =
+      command->add_option("--export-jobs", arguments->export_to,
+                          "do not run: write scenes, command lines and job scripts to this directory");
+  command
+      ->add_option("--collect", arguments->collect_from,
+                   "do not run: collect the results of such a directory")
+      ->excludes(exporting)
+      ->excludes("--setting");
+  command->footer(
+      "Examples:\n"
+      "  diefill compare sample_tools/narrow_ring/strategies.toml --jobs 2 --seeds 3\n"
+      "  diefill compare strategies.toml --setting quick                  a first look with the same grains "
+      "for all\n"
+      "  diefill compare strategies.toml --seeds 5 --export-jobs jobs     then sbatch slurm.sh there\n"
+      "  diefill compare --collect jobs\n"
+      "Run the same command again to continue after a stop; finished runs are kept. Variants that differ "
+      "only in\nlater steps share their common start: with one job at a time it is computed once. Writes "
+      "comparison.json,\n"
+      "comparison.csv and comparison.png. Exit codes: 0 all runs finished, 1 some did not, 2 bad input, 3 "
+      "some left the\nvalid range of the method (the others are compared), 130 stopped.");
+  command->callback([arguments, &chosen] { chosen = [arguments] { return compare(*arguments); }; });
+}
+
+}  // namespace diefill::app

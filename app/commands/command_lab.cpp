@@ -1,0 +1,123 @@
+#include <cstdio>
+
+#include "app/commands/commands.h"
+#include "app/exit_code.h"
+#include "app/output.h"
+#include "app/pictures/drawing.h"
+#include "process/input/nearest_key.h"
+#include "process/input/scene_error.h"
+#include "process/laboratory/bulk_density/registry.h"
+#include "process/laboratory/stability/registry.h"
+#include "process/laboratory/walls/registry.h"
+#include "render/charts/experiment_chart.h"
+
+namespace diefill::app {
+
+namespace {
+
+using process::laboratory::Experiment;
+
+struct LabArguments {
+  std::string name = "all", out;
+  process::laboratory::ExperimentOptions options;
+};
+
+/// A family of experiments, as it is called on the command line.
+struct Family {
+  const char *name, *help;
+  const std::vector<Experiment>& (*experiments)();
+  bool has_published_points = false;
+};
+
+const Family kFamilies[] = {
+    {"stability", "Find the limits of each method and compare them with theory",
+     process::laboratory::stability_experiments},
+    {"walls", "Compare wall spheres with the exact surface", process::laboratory::wall_experiments},
+    {"bulk_density", "Compare the bulk density of cohesive powders with published values",
+     process::laboratory::bulk_density_experiments, true},
+};
+
+/// The experiments that `name` asks for; throws SceneError where there is none.
+std::vector<Experiment> wanted(const Family& family, const std::string& name) {
+  std::vector<std::string> names;
+  for (const auto& experiment : family.experiments()) {
+    if (name == "all") return family.experiments();
+    if (name == experiment.name) return {experiment};
+    names.push_back(experiment.name);
+  }
+  std::string message = std::string("lab ") + family.name + ": unknown experiment \"" + name + "\"";
+  if (const auto nearest = process::nearest_key(name, names)) message += "; did you mean " + *nearest + "?";
+  message += " (allowed: all";
+  for (const auto& known : names) message += ", " + known;
+  throw process::SceneError(message + ")");
+}
+
+void print(const results::ExperimentResult& result) {
+  std::printf("%s: %s (%.1f s of processor time)\n", result.name.c_str(), result.question.c_str(),
+              result.cpu_seconds);
+  for (const auto& limit : result.limits) {
+    std::printf("  %s: %.4g %s", limit.name.c_str(), limit.measured, limit.unit.c_str());
+    if (limit.predicted == limit.predicted)
+      std::printf(", predicted %.4g (%s)", limit.predicted, limit.source.c_str());
+    std::printf("\n");
+  }
+  std::fflush(stdout);
+}
+
+results::ExperimentResult perform_telling(const Experiment& one,
+                                          process::laboratory::ExperimentOptions options) {
+  process::Progress progress(true);
+  options.tell = progress.listener();
+  return process::laboratory::perform(one, options);
+}
+
+int experiment(const Family& family, const LabArguments& arguments) {
+  const auto experiments = wanted(family, arguments.name);
+  const std::filesystem::path out = arguments.out.empty() ? std::string("out/") + family.name : arguments.out;
+  make_output_directory(out);
+  set_up_drawing();
+  std::vector<results::ExperimentResult> found;
+  for (const auto& one : experiments) {
+    found.push_back(perform_telling(one, arguments.options));
+    print(found.back());
+    write_output([&] {
+      results::write_experiment(out, found.back());
+      for (const auto& chart : found.back().charts) render::draw_experiment(out, chart);
+      results::write_limits(out, family.name, found);
+    });
+  }
+  std::printf("tables and charts in %s: %s.csv, %s.json, one PNG and CSV per chart\n", out.string().c_str(),
+              family.name, family.name);
+  return kDone;
+}
+
+void add_family(CLI::App& lab, const Family& family, Action& chosen) {
+  auto* command = lab.add_subcommand(family.name, family.help);
+  auto arguments = std::make_shared<LabArguments>();
+  command->add_option("NAME", arguments->name, "experiment (default: all)");
+  command->add_flag("--quick", arguments->options.quick, "small beds and few points");
+  if (family.has_published_points)
+    command->add_flag("--published", arguments->options.published_only, "only points with published values");
+  command->add_option("--out", arguments->out,
+                      std::string("directory for tables and charts (default: out/") + family.name + ")");
+  command->add_option("--threads", arguments->options.threads, "number of threads; does not affect results")
+      ->check(CLI::Range(1, 1024));
+  std::string names = "Experiments:\n";
+  for (const auto& known : family.experiments()) names += "  " + known.name + ": " + known.question + "\n";
+  command->footer(names);
+  command->callback([arguments, &family, &chosen] {
+    chosen = [arguments, &family] { return experiment(family, *arguments); };
+  });
+}
+
+}  // namespace
+
+void add_lab(CLI::App& program, Action& chosen) {
+  auto* command = program.add_subcommand("lab", "Numerical experiments with the method itself");
+  command->require_subcommand(1);
+  for (const auto& family : kFamilies) add_family(*command, family, chosen);
+  command->footer(
+      "Examples:\n  diefill lab stability --quick\n  diefill lab stability time_step --out out/limits");
+}
+
+}  // namespace diefill::app

@@ -1,0 +1,310 @@
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <limits>
+#include <numbers>
+#include <stdexcept>
+
+#include "app/commands/commands.h"
+#include "app/exit_code.h"
+#include "app/output.h"
+#include "app/pictures/drawing.h"
+#include "app/pictures/picture_kinds.h"
+#include "app/pictures/source_names.h"
+#include "process/input/units.h"
+#include "process/measure/choose_cavity.h"
+#include "process/measure/measured_fields.h"
+#include "process/measure/time_average.h"
+#include "process/results/result_file.h"
+
+namespace diefill::app {
+
+namespace {
+
+struct MapArguments {
+  std::vector<std::string> directories, pictures, origin;
+  std::string out, averaging_width, normal, from, to, colour_by = "solid-fraction", tools = "cut",
+                                                      camera = "front";
+  std::vector<double> range;
+  int width = 1600, cavity = 1;
+  bool pdf = false, ambient_occlusion = false, time_average = false;
+};
+
+double quantity(const char* option, const std::string& text, process::Dimension dimension) {
+  try {
+    return process::parse_quantity(text, dimension);
+  } catch (const process::UnitError& error) {
+    throw process::SceneError(std::string(option) + ": found \"" + text + "\": " + error.what());
+  }
+}
+
+double length(const char* option, const std::string& text) {
+  return quantity(option, text, process::Dimension::length);
+}
+
+std::vector<double> numbers_in(const std::string& text) {
+  std::vector<double> numbers;
+  for (std::size_t at = 0; at <= text.size();) {
+    const std::size_t comma = std::min(text.find(',', at), text.size());
+    const std::string part = text.substr(at, comma - at);
+    std::size_t used = 0;
+    try {
+      numbers.push_back(std::stod(part, &used));
+    } catch (const std::exception&) {
+      return {};
+    }
+    if (used != part.size() || !std::isfinite(numbers.back())) return {};
+    at = comma + 1;
+  }
+  return numbers;
+}
+
+/// x, y, z or three numbers such as 1,0,1.
+Eigen::Vector3d normal_of(const std::string& text) {
+  if (text == "x") return Eigen::Vector3d::UnitX();
+  if (text == "y" || text.empty()) return Eigen::Vector3d::UnitY();
+  if (text == "z") return Eigen::Vector3d::UnitZ();
+  const auto numbers = numbers_in(text);
+  if (numbers.size() == 3) {
+    const Eigen::Vector3d normal(numbers[0], numbers[1], numbers[2]);
+    if (normal.norm() > 0) return normal;
+  }
+  throw process::SceneError("--normal: found \"" + text +
+                            "\", allowed: x, y, z, or three numbers not all 0, such as 1,0,1");
+}
+
+/// A preset, or azimuth and elevation in degrees.
+render::Camera camera_of(const std::string& text) {
+  constexpr double kDegree = std::numbers::pi / 180;
+  if (text == "front") return {};
+  if (text == "side") return {90 * kDegree, 20 * kDegree};
+  if (text == "corner") return {35 * kDegree, 30 * kDegree};
+  if (text == "above") return {0, 60 * kDegree};
+  if (text == "top") return {0, 90 * kDegree};
+  const auto numbers = numbers_in(text);
+  if (numbers.size() == 2 && std::abs(numbers[1]) <= 90) return {numbers[0] * kDegree, numbers[1] * kDegree};
+  throw process::SceneError("--camera: found \"" + text +
+                            "\", allowed: front, side, corner, above, top, or azimuth and elevation in "
+                            "degrees, such as 30,20");
+}
+
+render::SceneLook look_of(const MapArguments& arguments) {
+  render::SceneLook look;
+  look.ambient_occlusion = arguments.ambient_occlusion;
+  if (arguments.tools == "translucent") look.tools = render::ToolLook::kTranslucent;
+  if (arguments.tools == "hidden") look.tools = render::ToolLook::kHidden;
+  look.cut_powder = arguments.tools == "cut";
+  return look;
+}
+
+double averaging_width_of(const MapArguments& arguments, const std::vector<PictureSource>& sources) {
+  if (arguments.averaging_width.empty()) {
+    double width = 0;
+    for (const auto& source : sources)
+      width = std::max(width, process::default_averaging_width(source.result.powder.grain_diameter));
+    return width;
+  }
+  const double width = length("--averaging-width", arguments.averaging_width);
+  if (!(width > 0))
+    throw process::SceneError("--averaging-width: found \"" + arguments.averaging_width +
+                              "\", allowed: more than 0");
+  return width;
+}
+
+std::string with_number(const char* format, double number) {
+  char text[64];
+  std::snprintf(text, sizeof text, format, number);
+  return text;
+}
+
+/// Each source becomes the average of its instants from --from to --to.
+void average_over_time(PictureRequest& request) {
+  if (!request.plane_given && !request.sources.front().result.sections.empty()) {
+    request.plane = request.sources.front().result.sections.front().plane;
+    request.plane_given = true;
+  }
+  for (auto& source : request.sources) {
+    const double from = request.from.value_or(0), to = request.to.value_or(source.result.powder.time);
+    std::size_t instants = 0;
+    try {
+      source.result = process::time_average(source.result, from, to, &instants);
+    } catch (const std::invalid_argument& error) {
+      throw process::SceneError(std::string("--time-average: ") + error.what());
+    }
+    source.when = "mean of " + std::to_string(instants) + with_number(" instants, t = %.3f", from) +
+                  with_number(" to %.3f s", to);
+  }
+}
+
+/// Throws where --time-average goes with a kind that shows one instant.
+void require_averages(const MapArguments& arguments) {
+  if (!arguments.time_average) return;
+  std::string allowed;
+  for (const auto& kind : picture_kinds())
+    if (kind.over_time == OverTime::average) allowed += std::string(" ") + kind.name;
+  if (arguments.pictures.empty())
+    throw process::SceneError("--time-average: found no --picture; give one of" + allowed);
+  for (const auto& name : arguments.pictures)
+    if (picture_kind(name).over_time != OverTime::average)
+      throw process::SceneError("--time-average: found --picture " + name +
+                                ", which shows one instant; allowed:" + allowed);
+}
+
+/// The result in a directory, as of the cavity that was asked for.
+results::FillResult result_in(const std::string& directory, int cavity) {
+  results::FillResult result = results::read_results(directory);
+  try {
+    process::choose_cavity(result, cavity);
+  } catch (const std::invalid_argument& error) {
+    throw process::SceneError("--cavity: " + std::string(error.what()) + " (" + directory + ")");
+  }
+  return result;
+}
+
+PictureRequest request_of(const MapArguments& arguments) {
+  PictureRequest request;
+  const auto names = source_names({arguments.directories.begin(), arguments.directories.end()});
+  for (std::size_t k = 0; k < names.size(); ++k) {
+    results::FillResult result = result_in(arguments.directories[k], arguments.cavity);
+    std::string when = with_number("t = %.3f s", result.powder.time);
+    request.sources.push_back({names[k], std::move(result), std::move(when)});
+  }
+  const auto& first = request.sources.front().result;
+  request.out = arguments.out.empty() ? arguments.directories.front() : arguments.out;
+  request.averaging_width = averaging_width_of(arguments, request.sources);
+  Eigen::Vector3d origin = first.cavity.axis_origin;
+  for (std::size_t axis = 0; axis < arguments.origin.size(); ++axis)
+    origin[static_cast<Eigen::Index>(axis)] = length("--origin", arguments.origin[axis]);
+  request.plane = process::section_plane("section", origin, normal_of(arguments.normal));
+  request.plane_given = !arguments.origin.empty() || !arguments.normal.empty();
+  if (!arguments.from.empty()) request.from = quantity("--from", arguments.from, process::Dimension::time);
+  if (!arguments.to.empty()) request.to = quantity("--to", arguments.to, process::Dimension::time);
+  const double none = std::numeric_limits<double>::quiet_NaN();
+  request.lower = arguments.range.empty() ? none : arguments.range[0];
+  request.upper = arguments.range.empty() ? none : arguments.range[1];
+  if (request.lower >= request.upper)
+    throw process::SceneError("--range: the first number must be less than the second");
+  request.colour_by = arguments.colour_by;
+  request.look = look_of(arguments);
+  request.camera = camera_of(arguments.camera);
+  request.width = arguments.width;
+  request.pdf = arguments.pdf;
+  if (arguments.time_average) average_over_time(request);
+  return request;
+}
+
+/// The standard pictures of one result, as the run made them.
+int standard_pictures(PictureRequest& request) {
+  auto& result = request.sources.front().result;
+  process::FieldRequest fields;
+  fields.averaging_width = request.averaging_width;
+  if (request.plane_given) fields.sections.push_back(request.plane);
+  const int bins = result.profiles.empty() ? 36 : static_cast<int>(result.profiles.front().x.size());
+  process::measure_fields(result, fields, bins);
+  write_output([&] {
+    for (const auto& picture : draw(request.out, result)) std::printf("%s\n", picture.string().c_str());
+  });
+  return kDone;
+}
+
+int map(const MapArguments& arguments) {
+  for (const auto& name : arguments.pictures)
+    picture_kind(name);  // says what is wrong before anything is read
+  require_averages(arguments);
+  if (arguments.pictures.empty() && arguments.directories.size() > 1)
+    throw process::SceneError("several results directories: add --picture to choose what to draw");
+  PictureRequest request = request_of(arguments);
+  make_output_directory(request.out);
+  if (arguments.pictures.empty()) return standard_pictures(request);
+  set_up_drawing();
+  for (const auto& name : arguments.pictures) {
+    try {
+      write_output([&] {
+        for (const auto& picture : picture_kind(name).make(request))
+          std::printf("%s\n", picture.string().c_str());
+      });
+    } catch (const std::invalid_argument& error) {
+      throw process::SceneError("--picture " + name + ": " + error.what());
+    }
+  }
+  return kDone;
+}
+
+std::string kinds_text() {
+  std::string text = "Kinds of picture:\n";
+  for (const auto& kind : picture_kinds()) {
+    std::string name = kind.name;
+    name.resize(18, ' ');
+    text += "  " + name + kind.shows + "\n";
+  }
+  return text;
+}
+
+void add_look_options(CLI::App& command, MapArguments& arguments) {
+  command
+      .add_option(
+          "--range", arguments.range,
+          "limits of the colour scale, such as 0.3 0.42; for a difference, the second applies to both sides")
+      ->expected(2);
+  command.add_option("--colour-by", arguments.colour_by, "colour of grains in views and frames")
+      ->check(CLI::IsMember({"solid-fraction", "speed", "layer", "coordination", "diameter"}))
+      ->capture_default_str();
+  command.add_option("--tools", arguments.tools, "tools in views and frames")
+      ->check(CLI::IsMember({"cut", "translucent", "hidden"}))
+      ->capture_default_str();
+  command
+      .add_option("--camera", arguments.camera,
+                  "front, side, corner, above, top, or azimuth and elevation in degrees, such as 30,20")
+      ->capture_default_str();
+  command.add_flag("--ambient-occlusion", arguments.ambient_occlusion, "shade gaps between grains");
+  command.add_option("--width", arguments.width, "width of PNG files in pixels")
+      ->check(CLI::Range(400, 6400))
+      ->capture_default_str();
+  command.add_flag("--pdf", arguments.pdf, "also write charts as PDF");
+}
+
+}  // namespace
+
+void add_map(CLI::App& program, Action& chosen) {
+  auto* command = program.add_subcommand(
+      "map", "Draw pictures of results: maps, sections, differences, profiles, views, films");
+  auto arguments = std::make_shared<MapArguments>();
+  command->add_option("DIR", arguments->directories, "results directories of runs; several share one scale")
+      ->required();
+  command->add_option("--picture", arguments->pictures,
+                      "kinds of picture, see below (default: those of a run)");
+  command->add_option("--out", arguments->out, "directory for the pictures (default: the first DIR)");
+  command
+      ->add_option(
+          "--cavity", arguments->cavity,
+          "cavity to draw, by its number in the report; use --out to keep the pictures of the largest")
+      ->capture_default_str();
+  command->add_option("--averaging-width", arguments->averaging_width,
+                      "Gaussian width sigma of the averaging, such as '1 mm' (default: the larger of 0.5 mm "
+                      "and half the largest grain size)");
+  command
+      ->add_option("--origin", arguments->origin, "point of the section plane, such as '0 mm' '0 mm' '-5 mm'")
+      ->expected(3);
+  command->add_option("--normal", arguments->normal,
+                      "normal of the section plane: x, y, z, or three numbers such as 1,0,1");
+  command->add_option("--from", arguments->from,
+                      "time of an earlier instant, such as '0.2 s'; needs measure.snapshot_interval in the "
+                      "scene");
+  command->add_option("--to", arguments->to, "time of a later instant, or of the view (default: the end)");
+  command->add_flag("--time-average", arguments->time_average,
+                    "average over all stored instants between --from and --to");
+  add_look_options(*command, *arguments);
+  command->footer(
+      kinds_text() +
+      "Examples:\n"
+      "  diefill map out/narrow_ring --averaging-width '1 mm'\n"
+      "  diefill map out/narrow_ring --picture section --normal z --origin '0 mm' '0 mm' '-10 mm'\n"
+      "  diefill map out/twin_die --cavity 2 --out out/twin_die/cavity_2\n"
+      "  diefill map out/one out/two --picture difference --picture height-profile --pdf --out out/compared\n"
+      "  diefill map out/narrow_ring --picture displacement --from '0.2 s' --to '0.4 s'\n"
+      "  diefill map out/slit --picture velocity-section --time-average --from '0.5 s' --to '0.6 s'\n"
+      "  diefill map out/narrow_ring --picture view --tools translucent --camera corner --width 3200");
+  command->callback([arguments, &chosen] { chosen = [arguments] { return map(*arguments); }; });
+}
+
+}  // namespace diefill::app

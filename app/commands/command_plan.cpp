@@ -1,0 +1,145 @@
+#include <algorithm>
+#include <cstdio>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <thread>
+
+#include "app/commands/commands.h"
+#include "app/commands/scene_choice.h"
+#include "app/exit_code.h"
+#include "app/freed_memory.h"
+#include "app/tables/comparison_plan_report.h"
+#include "app/tables/finite_number.h"
+#include "app/tables/plan_report.h"
+#include "process/tooling/progress.h"
+
+namespace diefill::app {
+
+namespace {
+
+struct PlanArguments {
+  std::string scene, setting;
+  std::optional<double> minutes, error;
+  int threads = 0;
+  bool json = false, no_benchmark = false, variants = false;
+};
+
+void say_within_time(const process::plan::Plan& plan, double minutes,
+                     const std::optional<process::plan::Choice>& choice) {
+  if (!plan.pilot) {
+    std::printf("within %.4g minutes: unknown without the pilot run\n", minutes);
+  } else if (!choice) {
+    std::printf("within %.4g minutes: nothing fits; the quick setting takes %s\n", minutes,
+                process::duration_text(plan.choices[1].forecast.wall_seconds.value_or(0)).c_str());
+  } else {
+    std::printf("within %.4g minutes: %s (%zu spheres, %s)\n", minutes, scene_lines(*choice->numbers).c_str(),
+                choice->forecast.spheres, process::duration_text(*choice->forecast.wall_seconds).c_str());
+  }
+}
+
+void say_within_error(const process::plan::Plan& plan, double error, const std::optional<std::size_t>& best) {
+  if (!best) {
+    std::printf("error up to %.4g: unknown; no choice has a measured error this small\n", error);
+    return;
+  }
+  const auto& choice = plan.choices[*best];
+  std::printf("error up to %.4g: %s (%.2g of the %s)\n", error, choice.name.c_str(), choice.error->error,
+              choice.error->quantity.c_str());
+}
+
+void print_json(const nlohmann::ordered_json& json) {
+  std::printf("%s\n", json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace).c_str());
+}
+
+int plan_variants(const PlanArguments& arguments, process::plan::PlanOptions options) {
+  const std::string title = process::read_scene(arguments.scene).title;
+  const auto comparison = [&] {
+    process::Progress progress(true);
+    options.tell = progress.listener();
+    give_back_freed_memory();
+    return process::plan::forecast_comparison(wanted_variants(arguments.scene, arguments.setting), options);
+  }();
+  if (arguments.json)
+    print_json(comparison_plan_as_json(title, comparison));
+  else
+    print_comparison_plan(title, comparison, options.threads);
+  return kDone;
+}
+
+int plan(const PlanArguments& arguments) {
+  process::plan::PlanOptions options;
+  options.threads = arguments.threads > 0
+                        ? arguments.threads
+                        : static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+  options.pilot = !arguments.no_benchmark;
+  if (arguments.variants) return plan_variants(arguments, options);
+  const auto plan = [&] {
+    process::Progress progress(true);
+    options.tell = progress.listener();
+    give_back_freed_memory();  // as the runs will whose memory is foretold
+    return process::plan::make_plan(process::read_scene(arguments.scene), options);
+  }();
+  std::optional<process::plan::Choice> in_time;
+  std::optional<std::size_t> in_error;
+  if (arguments.minutes) in_time = process::plan::finest_within(plan, *arguments.minutes);
+  if (arguments.error) in_error = process::plan::cheapest_within(plan, *arguments.error);
+  if (!arguments.json) {
+    print_plan(plan);
+    if (arguments.minutes) say_within_time(plan, *arguments.minutes, in_time);
+    if (arguments.error) say_within_error(plan, *arguments.error, in_error);
+    if (process::has_variants(plan.scene))
+      std::printf("this is the scene without its [[variant]]s; use diefill plan --variants to plan them\n");
+    return kDone;
+  }
+  auto json = plan_as_json(plan);
+  if (arguments.minutes) json["within_minutes"] = in_time ? choice_as_json(*in_time) : nullptr;
+  if (arguments.error) {
+    json["within_error"] = nullptr;
+    if (in_error) json["within_error"] = plan.choices[*in_error].name;
+  }
+  print_json(json);
+  return kDone;
+}
+
+}  // namespace
+
+void add_plan(CLI::App& program, Action& chosen) {
+  auto* command =
+      program.add_subcommand("plan", "Print what a scene needs and predict its size, memory and time");
+  auto arguments = std::make_shared<PlanArguments>();
+  command->add_option("SCENE", arguments->scene, "scene file (TOML)")->required();
+  auto* minutes = command
+                      ->add_option("--minutes", arguments->minutes,
+                                   "pick the finest grains that fit this wall-clock time")
+                      ->check(CLI::Range(0.01, 1e6))
+                      ->check(finite_number());
+  auto* error =
+      command
+          ->add_option("--error", arguments->error,
+                       "pick the cheapest setting whose measured error is at most this share, such as 0.05")
+          ->check(CLI::Range(1e-6, 1.0))
+          ->check(finite_number());
+  command->add_option("--threads", arguments->threads, "threads of the planned run (default: all cores)")
+      ->check(CLI::Range(1, 1024));
+  command->add_flag("--no-benchmark", arguments->no_benchmark,
+                    "skip the pilot run; wall times are then unknown");
+  auto* variants = command
+                       ->add_flag("--variants", arguments->variants,
+                                  "predict diefill compare: each [[variant]] of the scene and all together")
+                       ->excludes(minutes)
+                       ->excludes(error);
+  add_setting(*command, arguments->setting)->needs(variants);
+  command->add_flag("--json", arguments->json, "print JSON, SI units");
+  command->footer(
+      "Reads the tools, runs the scene with less and coarser powder for about ten seconds, and prints what "
+      "the scene\nneeds and what it would cost as written and with the settings quick, working and reference "
+      "(diefill run --setting).\n"
+      "Examples:\n  diefill plan sample_tools/narrow_ring/fill.toml\n"
+      "  diefill plan my_die.toml --minutes 60\n"
+      "  diefill plan my_die.toml --json --no-benchmark\n"
+      "  diefill plan sample_tools/stepped_ring/strategies.toml --variants --setting quick");
+  command->callback([arguments, &chosen] { chosen = [arguments] { return plan(*arguments); }; });
+}
+
+}  // namespace diefill::app

@@ -1,0 +1,110 @@
+#include <cstdio>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "app/commands/commands.h"
+#include "app/exit_code.h"
+#include "app/output.h"
+#include "app/pictures/drawing.h"
+#include "process/input/scene_error.h"
+#include "process/results/atomic_file.h"
+#include "process/results/result_file.h"
+#include "render/report/html.h"
+#include "render/report/pdf.h"
+#include "render/report/report.h"
+
+namespace diefill::app {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+struct ReportArguments {
+  std::vector<std::string> directories;
+  std::string out;
+  bool pdf = false;
+};
+
+/// The finished runs that `directory`/comparison.json lists, by variant and seed.
+void add_comparison(std::vector<render::report::Run>& runs, const fs::path& directory) {
+  const fs::path file = directory / "comparison.json";
+  std::ifstream stream(file);
+  const auto comparison = nlohmann::json::parse(stream, nullptr, false);
+  if (!comparison.is_object() || !comparison.contains("runs"))
+    throw process::SceneError(file.string() +
+                              ": not a comparison written by diefill; give another directory");
+  std::size_t missing = 0;
+  const std::size_t before = runs.size();
+  for (const auto& run : comparison["runs"]) {
+    const std::string folder = run.value("folder", ""), variant = run.value("variant", "");
+    if (fs::exists(directory / folder / "results.h5"))
+      runs.push_back({folder, results::read_results(directory / folder), variant});
+    else
+      ++missing;
+  }
+  if (runs.size() == before)
+    throw process::SceneError(file.string() + ": the comparison has no results; finish it first");
+  if (missing > 0)
+    std::fprintf(stderr, "note: %zu runs of %s have no results and are omitted\n", missing,
+                 directory.string().c_str());
+}
+
+/// A comparison's directory holds runs in its subdirectories; any other directory is a run itself.
+void add_runs(std::vector<render::report::Run>& runs, const fs::path& directory) {
+  if (!fs::exists(directory / "results.h5") && fs::exists(directory / "comparison.json"))
+    add_comparison(runs, directory);
+  else
+    runs.push_back({directory.string(), results::read_results(directory), ""});
+}
+
+/// m, with which the result's own fields were averaged; 0: it has none.
+double averaging_width_of(const results::FillResult& result) {
+  return result.maps.empty() ? 0 : result.maps.front().averaging_width;
+}
+
+int report(const ReportArguments& arguments) {
+  std::vector<render::report::Run> runs;
+  for (const auto& directory : arguments.directories) add_runs(runs, directory);
+  for (auto& run : runs) run.other_cavities = of_other_cavities(run.result, averaging_width_of(run.result));
+  const fs::path html = arguments.out.empty() ? fs::path(arguments.directories.front()) / "report.html"
+                                              : fs::path(arguments.out);
+  if (html.extension() == ".pdf")
+    throw process::SceneError(
+        "--out: found \"" + arguments.out +
+        "\", expected the HTML page, such as \"report.html\"; --pdf writes the PDF next to it");
+  make_output_directory(html.parent_path().empty() ? fs::path(".") : html.parent_path());
+  write_output([&] {
+    set_up_drawing();
+    const auto document = render::report::report_of(runs);
+    results::write_text_atomically(html, render::report::html_page(document));
+    std::printf("%s\n", html.string().c_str());
+    if (!arguments.pdf) return;
+    const fs::path pdf = fs::path(html).replace_extension(".pdf");
+    results::write_text_atomically(pdf, render::report::pdf_pages(document));
+    std::printf("%s\n", pdf.string().c_str());
+  });
+  return kDone;
+}
+
+}  // namespace
+
+void add_report(CLI::App& program, Action& chosen) {
+  auto* command = program.add_subcommand(
+      "report", "Write a report of a run, or a comparison of several runs, as one page");
+  auto arguments = std::make_shared<ReportArguments>();
+  command
+      ->add_option("DIR", arguments->directories,
+                   "results directories of runs, or of a comparison; the first is the reference")
+      ->required();
+  command->add_flag("--pdf", arguments->pdf, "also write a PDF next to the HTML page");
+  command->add_option("--out", arguments->out,
+                      "file of the HTML page (default: report.html in the first DIR)");
+  command->footer(
+      "Runs whose scenes differ only in the seed count as one strategy; the report gives their scatter.\n"
+      "Examples:\n"
+      "  diefill report out/narrow_ring --pdf\n"
+      "  diefill report out/slow out/fast out/fast_seed_2 --out out/strategies.html");
+  command->callback([arguments, &chosen] { chosen = [arguments] { return report(*arguments); }; });
+}
+
+}  // namespace diefill::app

@@ -1,0 +1,162 @@
+#include <cstdio>
+#include <optional>
+#include <thread>
+
+#include "app/commands/commands.h"
+#include "app/commands/earlier_run.h"
+#include "app/commands/scene_choice.h"
+#include "app/exit_code.h"
+#include "app/freed_memory.h"
+#include "app/output.h"
+#include "app/pictures/drawing.h"
+#include "app/pictures/paraview_series.h"
+#include "app/stop_signals.h"
+#include "app/tables/check_report.h"
+#include "app/tables/run_summary.h"
+#include "process/powder/material.h"
+#include "process/results/figure_table.h"
+#include "process/results/group_names.h"
+#include "process/results/probe_table.h"
+#include "process/results/result_file.h"
+#include "process/run/assemble.h"
+#include "process/run/outcome.h"
+
+namespace diefill::app {
+
+namespace {
+
+struct RunArguments {
+  std::string scene, directory, setting, shared_starts;
+  int threads = 0;
+  bool resume = false, quiet = false, no_pictures = false;
+};
+
+/// out/<folder of the scene>, or out/<name of the scene> where its file name says more than "fill".
+std::filesystem::path default_directory(const std::filesystem::path& scene) {
+  const auto folder = std::filesystem::absolute(scene).parent_path().filename();
+  const auto name = scene.stem().string();
+  return std::filesystem::path("out") / (name == "fill" ? folder.string() : folder.string() + "_" + name);
+}
+
+void print_summary(const results::FillResult& result) {
+  const auto& figures = result.figures;
+  std::printf("%s: %s\n", result.title.c_str(), result.strategy.c_str());
+  std::printf("%s", filling_text(result).c_str());
+  std::printf(
+      "%.0f grains of d = %s, %.0f steps of %.3g s, %.3g s of simulated time in %s, %.2f million "
+      "sphere-steps/s\n",
+      figures.at("grains"), result.powder.sizes_text().c_str(), figures.at("steps"),
+      figures.at("time_step_s"), figures.at("simulated_s"),
+      process::duration_text(figures.at("wall_seconds")).c_str(),
+      1e-6 * figures.at("sphere_steps_per_second"));
+  std::printf("state %s, %s %.2g\n", result.state_hash.c_str(),
+              results::short_label(results::figure_called("energy_balance_error")).c_str(),
+              figures.at("energy_balance_error"));
+  for (const auto& warning : result.warnings)
+    if (!warning.starts_with(process::kAlert)) std::printf("note: %s\n", warning.c_str());
+}
+
+process::RunOptions options_of(const RunArguments& arguments, const process::Scene& scene) {
+  process::RunOptions options;
+  options.directory = arguments.directory.empty() ? default_directory(scene.file)
+                                                  : std::filesystem::path(arguments.directory);
+  options.threads = arguments.threads > 0
+                        ? arguments.threads
+                        : static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+  options.resume = arguments.resume;
+  options.shared_starts = arguments.shared_starts;
+  options.show_progress = !arguments.quiet;
+  return options;
+}
+
+/// Says that numerics.max_time was over before the scene.
+int unfinished(const process::FillRun& fill) {
+  std::fprintf(stderr,
+               "diefill: %s: results cover the simulated time only; raise max_time and run the same command "
+               "with --resume to continue\n",
+               fill.why_unfinished().c_str());
+  return kUnfinished;
+}
+
+int run(const RunArguments& arguments) {
+  process::Scene scene = wanted_scene(arguments.scene, arguments.setting);
+  process::RunOptions options = options_of(arguments, scene);
+  std::optional<OutputDirectory> output;
+  // Before work that a second run would do in vain.
+  if (std::filesystem::exists(options.directory)) output.emplace(options.directory);
+  const auto tooling = prepared_tooling(scene, !arguments.quiet);
+  scene = process::with_prepared_steps(std::move(scene), tooling);
+  if (arguments.resume && is_finished(options.directory, scene, tooling)) return kDone;
+  const auto folder = [&](const std::string& name) {
+    return options.directory / "snapshots" / results::group_names({name}).front();
+  };
+  options.snapshot = [&](const process::FillRun& under_way, const std::string& name) {
+    write_output([&] {
+      const auto snapshot = process::assemble(scene, tooling, under_way);
+      results::write_results(folder(name), snapshot);
+      results::write_report(folder(name), snapshot);
+    });
+  };
+  give_back_freed_memory();
+  options.stop = &heed_stop_signals();
+  process::FillRun fill(scene, tooling, options);  // refuses what cannot be begun, in one line
+  print_alerts(words_of(process::setup_findings(scene, tooling)));
+  if (!output) output.emplace(options.directory);
+  if (!options.shared_starts.empty()) make_output_directory(options.shared_starts);
+  keep_earlier_results(options.directory, arguments.resume);
+  fill.run();
+
+  const auto result = process::assemble(scene, tooling, fill);
+  std::vector<std::filesystem::path> pictures, series;
+  write_output([&] {
+    results::write_results(options.directory, result);
+    results::write_report(options.directory, result);
+    results::write_probe_tables(options.directory, result);
+    if (!arguments.no_pictures) pictures = draw(options.directory, result);
+    series = write_filling_series(result, options.directory / "paraview", options.directory / "filling.pvd");
+  });
+  const bool finished = fill.why_unfinished().empty();
+  if (finished) std::filesystem::remove(process::checkpoint_file(options.directory));
+  print_summary(result);
+  std::printf("results in %s: report.json, results.h5 (results.xdmf for ParaView)",
+              options.directory.string().c_str());
+  for (const auto& picture : pictures) std::printf(", %s", picture.filename().string().c_str());
+  if (!series.empty()) std::printf(", %s (plays in ParaView)", series.back().filename().string().c_str());
+  std::printf("\n");
+  print_alerts(process::alerts_of(result.warnings));
+  return finished ? kDone : unfinished(fill);
+}
+
+}  // namespace
+
+void add_run(CLI::App& program, Action& chosen) {
+  auto* command = program.add_subcommand("run", "Simulate a scene; write density maps, results and report");
+  auto arguments = std::make_shared<RunArguments>();
+  command->add_option("SCENE", arguments->scene, "scene file (TOML)")->required();
+  command->add_option("--out", arguments->directory,
+                      "directory for results (default: out/<folder of the scene>)");
+  command
+      ->add_option("--threads", arguments->threads,
+                   "number of threads (default: all cores); does not affect results")
+      ->check(CLI::Range(1, 1024));
+  add_setting(*command, arguments->setting);
+  command->add_flag("--resume", arguments->resume,
+                    "continue from the checkpoint in the results directory; a finished run is kept");
+  command->add_option("--beginnings", arguments->shared_starts,
+                      "directory where runs with the same start share it");
+  command->add_flag("--no-pictures", arguments->no_pictures, "draw nothing; use diefill map later");
+  command->add_flag("--quiet", arguments->quiet, "print no progress");
+  command->footer(
+      "Examples:\n"
+      "  diefill run sample_tools/narrow_ring/fill.toml\n"
+      "  diefill run my_die.toml --out results/my_die --threads 8\n"
+      "  diefill run my_die.toml --setting quick                   a first look (diefill plan describes it)\n"
+      "  diefill run my_die.toml --out results/my_die --resume     after Ctrl-C or a crash\n"
+      "Files of an earlier run in the directory are moved to its folder previous-1, previous-2, ...\n"
+      "Exit codes: 0 done, 1 failed, 2 bad input, 3 valid range of the method exceeded, 4 unfinished: "
+      "numerics.max_time\nended before the scene (results cover the simulated time; resume with a larger "
+      "one), 130 stopped (can be\nresumed).");
+  command->callback([arguments, &chosen] { chosen = [arguments] { return run(*arguments); }; });
+}
+
+}  // namespace diefill::app

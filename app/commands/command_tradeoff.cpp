@@ -1,0 +1,208 @@
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <cstdio>
+#include <thread>
+
+#include "app/commands/commands.h"
+#include "app/exit_code.h"
+#include "app/kept_notes.h"
+#include "app/output.h"
+#include "app/pictures/drawing.h"
+#include "app/stop_signals.h"
+#include "app/tables/finite_number.h"
+#include "app/tables/tradeoff_table.h"
+#include "process/compare/kept_aside.h"
+#include "process/results/tradeoff.h"
+#include "process/scene/folder_names.h"
+#include "process/setup/predicted_work.h"
+#include "process/tradeoff/trade_off.h"
+#include "render/charts/tradeoff_chart.h"
+
+namespace diefill::app {
+
+namespace {
+
+struct TradeoffArguments {
+  std::string scene, out, reference;
+  std::vector<std::string> vary, targets;
+  double budget = 0, tolerance = 2;
+  int seeds = 2, jobs = 1, threads = 1;
+  bool variants = false, quiet = false;
+};
+
+/// out/<folder of the scene>_<name of the scene>_tradeoff.
+std::filesystem::path default_directory(const std::filesystem::path& scene) {
+  const auto folder = std::filesystem::absolute(scene).parent_path().filename().string();
+  return std::filesystem::path("out") / (folder + '_' + scene.stem().string() + "_tradeoff");
+}
+
+/// "NAME=VALUE" as a pair. Throws SceneError for anything else.
+std::pair<std::string, double> read_target(const std::string& text) {
+  const std::size_t equals = text.find('=');
+  double value = 0;
+  if (equals != std::string::npos) {
+    const char* const end = text.data() + text.size();
+    const auto read = std::from_chars(text.data() + equals + 1, end, value);
+    if (read.ec == std::errc() && read.ptr == end) return {text.substr(0, equals), value};
+  }
+  throw process::SceneError("--target: found \"" + text +
+                            "\", expected NAME=NUMBER in the unit of the CSV, such as filled_mass=12.5");
+}
+
+/// A word as a shell takes it.
+std::string quoted(const std::string& word) {
+  std::string text = "'";
+  for (const char letter : word) text += letter == '\'' ? std::string("'\\''") : std::string(1, letter);
+  return text + '\'';
+}
+
+/// The command as one would type it again.
+std::string command_text(const TradeoffArguments& arguments) {
+  std::string words = "diefill tradeoff " + arguments.scene;
+  for (const auto& vary : arguments.vary) words += " --vary " + quoted(vary);
+  if (arguments.variants) words += " --variants";
+  for (const auto& target : arguments.targets) words += " --target " + quoted(target);
+  if (!arguments.reference.empty()) words += " --reference " + quoted(arguments.reference);
+  char text[100];
+  std::snprintf(text, sizeof text, " --seeds %d --tolerance %g", arguments.seeds, arguments.tolerance);
+  words += text;
+  if (arguments.budget > 0) {
+    std::snprintf(text, sizeof text, " --budget %g", arguments.budget);
+    words += text;
+  }
+  return words;
+}
+
+process::TradeoffOptions options_of(const TradeoffArguments& arguments) {
+  process::TradeoffOptions options;
+  options.directory =
+      arguments.out.empty() ? default_directory(arguments.scene) : std::filesystem::path(arguments.out);
+  for (const auto& text : arguments.targets) options.targets.insert(read_target(text));
+  options.seeds = arguments.seeds;
+  options.tolerance = 0.01 * arguments.tolerance;
+  options.reference = arguments.reference;
+  options.variants = arguments.variants;
+  options.command = command_text(arguments);
+  options.say = say_note;
+  options.jobs.program = std::filesystem::read_symlink("/proc/self/exe");
+  options.jobs.at_once = arguments.jobs;
+  options.jobs.threads = arguments.threads;
+  options.jobs.pictures = false;
+  options.jobs.show_progress = !arguments.quiet;
+  if (arguments.budget > 0) options.jobs.cpu_seconds = 60 * arguments.budget;
+  return options;
+}
+
+/// File names of the knobs' charts.
+std::vector<std::string> chart_names(const results::Tradeoff& tradeoff) {
+  std::vector<std::string> names;
+  for (const auto& knob : tradeoff.knobs) names.push_back(knob.name);
+  names = process::folder_names(names);
+  for (std::string& name : names) name = "knob_" + name + ".png";
+  return names;
+}
+
+bool any_result(const results::Tradeoff& tradeoff) {
+  return std::any_of(tradeoff.points.begin(), tradeoff.points.end(),
+                     [](const auto& point) { return std::isfinite(point.error); });
+}
+
+std::vector<std::string> write_all(const std::filesystem::path& directory,
+                                   const results::Tradeoff& tradeoff) {
+  std::vector<std::string> written = {"tradeoff.csv", "tradeoff.json"};
+  write_output([&] {
+    say_what_is_kept(process::keep_earlier_tables(directory, tradeoff));
+    results::write_tradeoff(directory, tradeoff);
+    if (!any_result(tradeoff)) return;
+    set_up_drawing();
+    render::draw_tradeoff(directory / "tradeoff.png", tradeoff);
+    written.emplace_back("tradeoff.png");
+    const auto charts = chart_names(tradeoff);
+    for (std::size_t k = 0; k < charts.size(); ++k) {
+      render::draw_knob(directory / charts[k], tradeoff, tradeoff.knobs[k]);
+      written.push_back(charts[k]);
+    }
+  });
+  return written;
+}
+
+int trade_off(const TradeoffArguments& arguments) {
+  const auto scene = process::read_scene(arguments.scene);
+  process::refuse_endless(scene);
+  auto options = options_of(arguments);
+  std::vector<process::KnobValues> knobs;
+  for (const auto& text : arguments.vary) knobs.push_back(process::read_vary(text));
+  auto plan = process::plan_tradeoff(scene, knobs, options);
+  const OutputDirectory output(options.directory, {"tools"});
+  options.jobs.stop = &heed_stop_signals();
+  const auto tradeoff = process::trade_off(scene, std::move(plan), options);
+  const auto written = write_all(options.directory, tradeoff);
+  std::printf("%sin %s:", tradeoff_table(tradeoff).c_str(), options.directory.string().c_str());
+  for (const auto& file : written) std::printf(" %s", file.c_str());
+  std::printf("\n");
+  return any_result(tradeoff) ? kDone : kFailed;
+}
+
+void add_options(CLI::App& command, TradeoffArguments& arguments) {
+  command.add_option("SCENE", arguments.scene, "scene file (TOML)")->required();
+  command
+      .add_option("--vary", arguments.vary,
+                  "KNOB=VALUE,VALUE,...: values of a knob, or of any scene key by its path; repeat for more "
+                  "knobs (default: all knobs that affect the scene)")
+      ->allow_extra_args(false);
+  command.add_flag("--variants", arguments.variants,
+                   "also use the scene's [[variant]] tables as settings: several knobs changed together");
+  command.add_option("--seeds", arguments.seeds, "runs of each setting with consecutive seeds (default: 2)")
+      ->check(CLI::Range(1, 1000));
+  command
+      .add_option(
+          "--budget", arguments.budget,
+          "total processor time of all runs in core minutes, including earlier calls (default: no limit)")
+      ->check(CLI::PositiveNumber)
+      ->check(finite_number());
+  command
+      .add_option("--tolerance", arguments.tolerance,
+                  "accepted error in percent where the scatter over seeds is smaller (default: 2)")
+      ->check(CLI::Range(0.0, 100.0))
+      ->check(finite_number());
+  command
+      .add_option("--target", arguments.targets,
+                  "NAME=VALUE: compare a quantity (its key in tradeoff.json) with a published value")
+      ->allow_extra_args(false);
+  command.add_option("--reference", arguments.reference,
+                     "reference setting (default: the most expensive one that only refines)");
+  command.add_option("--jobs", arguments.jobs, "runs at a time (default: 1)")->check(CLI::Range(1, 1024));
+  command
+      .add_option("--threads", arguments.threads,
+                  "threads of each run (default: 1, so that waiting does not count as cost)")
+      ->check(CLI::Range(1, 1024));
+  command.add_option("--out", arguments.out,
+                     "directory for results (default: out/<folder>_<scene>_tradeoff)");
+  command.add_flag("--quiet", arguments.quiet, "print no progress");
+}
+
+}  // namespace
+
+void add_tradeoff(CLI::App& program, Action& chosen) {
+  auto* command = program.add_subcommand(
+      "tradeoff", "Run a scene with several settings and chart the cost and error of each");
+  auto arguments = std::make_shared<TradeoffArguments>();
+  add_options(*command, *arguments);
+  command->footer(
+      "Examples:\n"
+      "  diefill tradeoff sample_tools/tradeoff/slit_discharge.toml --budget 30\n"
+      "  diefill tradeoff my_die.toml --vary 'grain_diameter=0.94 mm,1.88 mm' --vary 'time_step=0.3,0.4' "
+      "--seeds 3\n"
+      "  diefill tradeoff my_die.toml --vary 'step.1.velocity=0.1 m/s,0.2 m/s' --target solid_fraction=0.34\n"
+      "  diefill tradeoff sample_tools/tradeoff/narrow_ring.toml --variants --reference base\n"
+      "Knobs: grain_diameter, time_step, reduced_modulus, wall_sphere_radius, wall_spacing, powder_height,\n"
+      "slice_length, skin, grain_model; or the path of a key, such as powder.friction.\n"
+      "Run the same command again to continue after a stop; finished runs are kept. Writes tradeoff.csv, "
+      "tradeoff.json,\n"
+      "tradeoff.png and knob_<name>.png. Exit codes: 0 done, 1 no result to evaluate, 2 bad input, 130 "
+      "stopped.");
+  command->callback([arguments, &chosen] { chosen = [arguments] { return trade_off(*arguments); }; });
+}
+
+}  // namespace diefill::app

@@ -1,0 +1,119 @@
+#include "app/commands/scene_choice.h"
+
+#include <chrono>
+#include <cmath>
+#include <condition_variable>
+#include <cstdio>
+#include <mutex>
+#include <optional>
+#include <stop_token>
+#include <thread>
+
+#include "process/plan/setting.h"
+#include "process/plan/variant_setting.h"
+#include "process/powder/material.h"
+#include "process/setup/build_tooling.h"
+#include "process/setup/predicted_work.h"
+
+namespace diefill::app {
+
+namespace {
+
+// Radius of the grains over that of the wall spheres: what is remarked on, and what is proposed.
+constexpr double kFineWalls = 12, kUsualWalls = 5;
+
+/// What to say before tools are covered with spheres far finer than the powder.
+std::optional<std::string> fine_walls(const process::Scene& scene) {
+  const double grain = 0.5 * process::largest_grain(scene.powder), wall = scene.walls.sphere_radius;
+  if (scene.walls.kind == process::WallKind::mesh || grain < kFineWalls * wall) return std::nullopt;
+  char text[300];
+  std::snprintf(text, sizeof text,
+                "note: walls.sphere_radius is %.3g mm, 1/%.0f of the grain radius of %.3g mm: placing so "
+                "many wall spheres is slow; %.2g mm, a fifth, needs about %.0f times fewer",
+                1e3 * wall, grain / wall, 1e3 * grain, 1e3 * grain / kUsualWalls,
+                std::pow(grain / (kUsualWalls * wall), 2));
+  return text;
+}
+
+/// Says what is under way when that takes long, and not only when the next thing begins.
+class Ticker {
+ public:
+  Ticker(process::Progress& progress, bool wanted) : progress_(progress) {
+    if (wanted) thread_ = std::jthread([this](const std::stop_token& stop) { tick(stop); });
+  }
+  void tell(double share, const std::string& doing) {
+    const std::lock_guard lock(mutex_);
+    share_ = share;
+    doing_ = doing;
+    progress_.show(share_, doing_, "");
+  }
+
+ private:
+  void tick(const std::stop_token& stop) {
+    std::unique_lock lock(mutex_);
+    while (!stop.stop_requested()) {
+      wake_.wait_for(lock, stop, std::chrono::milliseconds(500), [] { return false; });
+      if (!stop.stop_requested() && !doing_.empty()) progress_.show(share_, doing_, "");
+    }
+  }
+
+  process::Progress& progress_;
+  std::mutex mutex_;
+  std::condition_variable_any wake_;
+  double share_ = 0;
+  std::string doing_;
+  std::jthread thread_;  ///< last, so that it ends before the rest goes
+};
+
+}  // namespace
+
+CLI::Option* add_setting(CLI::App& command, std::string& setting) {
+  return command.add_option("--setting", setting,
+                            "quick, working or reference: use the planner's grain diameter, time step, wall "
+                            "spacing and fill height instead of those of the scene");
+}
+
+void say_what_was_chosen(const process::Scene& scene) {
+  const auto chosen = process::chosen_in(scene.text);
+  for (std::size_t k = 0; k < chosen.size(); ++k)
+    std::fprintf(stderr, k == 0 ? "%s:\n" : "  %s\n", chosen[k].c_str());
+}
+
+process::Scene wanted_scene(const std::string& file, const std::string& setting) {
+  std::optional<process::Setting> wanted;
+  if (!setting.empty()) wanted = process::setting_named(setting);
+  auto scene = process::plan::settled_scene(process::read_scene(file), wanted);
+  process::refuse_endless(scene);
+  say_what_was_chosen(scene);
+  return scene;
+}
+
+std::vector<process::Variant> wanted_variants(const std::string& file, const std::string& setting) {
+  auto variants = process::read_variants(file);
+  if (setting.empty()) {
+    for (const auto& variant : variants)
+      if (!process::setting_of(variant.scene)) process::refuse_endless(variant.scene);
+    return variants;
+  }
+  variants = process::plan::with_setting(std::move(variants), process::setting_named(setting));
+  std::vector<std::string> said;
+  for (const auto& variant : variants) {
+    const auto chosen = process::chosen_in(variant.scene.text);
+    if (chosen == said) continue;
+    std::fprintf(stderr, "from \"%s\" on, ", variant.name.c_str());
+    say_what_was_chosen(variant.scene);
+    said = chosen;
+  }
+  return variants;
+}
+
+process::Tooling prepared_tooling(const process::Scene& scene, bool show_progress) {
+  process::Progress progress(show_progress);
+  if (const auto remark = fine_walls(scene)) progress.say(*remark);
+  Ticker ticker(progress, show_progress);
+  const double sphere = process::smallest_sphere(process::engine_settings(scene, 1.0));
+  return process::build_tooling(scene, sphere, process::largest_grain(scene.powder),
+                                [&](double share, const std::string& doing) { ticker.tell(share, doing); });
+}
+
+}  // namespace diefill::app

@@ -1,0 +1,31 @@
+// The scene that a command is to work on: as its file has it, or with the numbers of a setting.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <string>
+
+#include "process/scene/scene.h"
+#include "process/scene/variants.h"
+#include "process/tooling/tooling.h"
+
+namespace diefill::app {
+
+/// Adds --setting to a command; returns it for conditions.
+CLI::Option* add_setting(CLI::App& command, std::string& setting);
+
+/// Says on standard error what a setting chose and replaced in the scene, if one did.
+void say_what_was_chosen(const process::Scene& scene);
+
+/// Reads the scene. A setting of this name (empty: the scene's own, if it has one) is turned into numbers,
+/// and what it chose is said. Throws process::SceneError.
+process::Scene wanted_scene(const std::string& file, const std::string& setting);
+
+/// Reads the scene's variants. A setting of this name (empty: none) gives all of them alike numbers, and what
+/// it chose is said, once where it is the same. Throws process::SceneError.
+std::vector<process::Variant> wanted_variants(const std::string& file, const std::string& setting);
+
+/// The scene's tools, ready to be filled; how far that is is shown where wanted. Throws process::SceneError
+/// or geometry::MeshError.
+process::Tooling prepared_tooling(const process::Scene& scene, bool show_progress);
+
+}  // namespace diefill::app

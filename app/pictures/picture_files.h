@@ -1,0 +1,46 @@
+// What the makers of pictures share: titles, file names, writing at the width that was asked for.
+#pragma once
+
+#include "app/pictures/picture_kinds.h"
+#include "render/charts/chart.h"
+#include "render/fields/density_map.h"
+
+class QImage;
+
+namespace diefill::app {
+
+/// "Strategy" of the source; with several sources its directory's name before it.
+std::string title_of(const PictureRequest& request, const PictureSource& source);
+
+/// Powder, grain size, time, and the directory's name as source.
+std::string subtitle_of(const PictureSource& source);
+
+/// DIR's file for a kind: kind.png, or kind_<name>.png where there are several sources.
+std::filesystem::path file_of(const PictureRequest& request, const std::string& kind,
+                              const PictureSource& source);
+
+/// One scale for the fields of all sources, unless the user has given one.
+render::ColourRange shared_range(const PictureRequest& request, const std::vector<results::Field2D>& fields);
+
+/// Layout points to pixels for the width that was asked for.
+double pixels_of(const PictureRequest& request);
+
+/// Writes the picture scaled to exactly the width asked for; returns its path.
+std::filesystem::path write_picture(const PictureRequest& request, const std::filesystem::path& png,
+                                    const QImage& image);
+
+/// Draws one field a source as kind.png, all on one scale and in one style. `planes` has the plane of each
+/// where they are sections, and is empty where they are maps; `words` stand behind the subtitle.
+std::vector<std::filesystem::path> write_fields(const PictureRequest& request, const std::string& kind,
+                                                const std::vector<results::Field2D>& fields,
+                                                const std::vector<results::SectionPlane>& planes,
+                                                render::FieldStyle style, const std::string& words = "");
+
+/// Writes a chart of all sources as kind.png, and kind.pdf where that was asked for.
+std::vector<std::filesystem::path> write_chart(const PictureRequest& request, const std::string& kind,
+                                               render::Chart chart);
+
+/// Legend name of a source: none where it is alone.
+std::string legend_of(const PictureRequest& request, const PictureSource& source);
+
+}  // namespace diefill::app

@@ -1,0 +1,64 @@
+#include "app/pictures/picture_kinds.h"
+
+#include <algorithm>
+
+#include "process/input/nearest_key.h"
+
+namespace diefill::app {
+
+const std::vector<PictureKind>& picture_kinds() {
+  static const std::vector<PictureKind> kinds = {
+      {"map", "solid fraction over azimuth and height of a ring, Gaussian average", OverTime::average,
+       make_map},
+      {"plan-map", "solid fraction over x and y of any cavity, mean over height", OverTime::average,
+       make_plan_map},
+      {"fill-level-map", "powder surface over x and y of any cavity", OverTime::one_instant,
+       make_fill_level_map},
+      {"partial-volumes", "the same by exact partial volumes of cells, without averaging width",
+       OverTime::one_instant, make_partial_volume_map},
+      {"section", "solid fraction in a plane (--origin, --normal)", OverTime::average, make_section},
+      {"difference", "change from the first DIR to each other one, or between --from and --to",
+       OverTime::one_instant, make_difference},
+      {"displacement", "displacement of grains between --from and --to around the ring",
+       OverTime::one_instant, make_displacement},
+      {"velocity", "velocities around the ring", OverTime::average, make_velocity_map},
+      {"velocity-section", "velocities in a plane (--origin, --normal)", OverTime::average,
+       make_velocity_section},
+      {"pressure", "pressure in the powder around the ring", OverTime::one_instant, make_pressure_map},
+      {"pressure-section", "pressure in a plane (--origin, --normal)", OverTime::one_instant,
+       make_pressure_section},
+      {"size-map", "mean grain diameter around the ring, for powder of several sizes", OverTime::average,
+       make_size_map},
+      {"size-section", "mean grain diameter in a plane (--origin, --normal)", OverTime::average,
+       make_size_section},
+      {"height-profile", "solid fraction over height with its scatter, of any cavity", OverTime::average,
+       make_height_profile},
+      {"azimuth-profile", "solid fraction over azimuth with its scatter over height", OverTime::average,
+       make_azimuth_profile},
+      {"histogram", "histogram of the solid fraction of grains", OverTime::average, make_histogram},
+      {"fill-level", "powder surface over azimuth, or along the travel if the cavity is not a ring",
+       OverTime::one_instant, make_fill_level},
+      {"coordination", "histogram of the coordination number", OverTime::one_instant, make_coordination},
+      {"view", "shaded view (--colour-by, --tools, --camera, --ambient-occlusion)", OverTime::one_instant,
+       make_view},
+      {"frames", "the filling as numbered views, and as film.mp4 where ffmpeg is installed",
+       OverTime::one_instant, make_frames},
+  };
+  return kinds;
+}
+
+const PictureKind& picture_kind(const std::string& name) {
+  std::vector<std::string> names;
+  for (const auto& kind : picture_kinds()) {
+    if (kind.name == name) return kind;
+    names.emplace_back(kind.name);
+  }
+  std::string message = "--picture: found \"" + name + "\"";
+  if (const auto nearest = process::nearest_key(name, names))
+    message += "; did you mean \"" + *nearest + "\"?";
+  message += " Allowed:";
+  for (const auto& known : names) message += " " + known;
+  throw process::SceneError(message);
+}
+
+}  // namespace diefill::app

@@ -1,0 +1,172 @@
+#include "app/tables/plan_report.h"
+
+#include <cstdio>
+#include <functional>
+#include <nlohmann/json.hpp>
+
+#include "app/tables/pilot_report.h"
+#include "process/tooling/progress.h"
+
+namespace diefill::app {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+namespace plan = process::plan;
+
+template <class... Values>
+std::string text(const char* format, Values... values) {
+  char buffer[200];
+  std::snprintf(buffer, sizeof buffer, format, values...);
+  return buffer;
+}
+
+/// A line of the table: what it says of each choice.
+struct Row {
+  const char* name;
+  std::function<std::string(const plan::Choice&)> say;
+};
+
+std::string count(double number) {
+  return text("%.0f", number);
+}
+
+std::string time_of(const plan::Choice& choice) {
+  const auto& seconds = choice.forecast.wall_seconds;
+  return seconds ? process::duration_text(*seconds) : "unknown";
+}
+
+std::string error_of(const plan::Choice& choice) {
+  return choice.error ? text("%.1f %%", 100 * choice.error->error) : "unknown";
+}
+
+const std::vector<Row>& rows() {
+  using Choice = plan::Choice;
+  static const std::vector<Row> all = {
+      {"grain diameter, mm", [](const Choice& c) { return text("%.4g", 1e3 * c.forecast.grain_diameter); }},
+      {"powder in the shoe, mm", [](const Choice& c) { return text("%.4g", 1e3 * c.forecast.fill_height); }},
+      {"grains", [](const Choice& c) { return count(static_cast<double>(c.forecast.grains)); }},
+      {"spheres", [](const Choice& c) { return count(static_cast<double>(c.forecast.spheres)); }},
+      {"wall spheres", [](const Choice& c) { return count(static_cast<double>(c.forecast.wall_spheres)); }},
+      {"time step, us", [](const Choice& c) { return text("%.3g", 1e6 * c.forecast.time_step); }},
+      {"steps", [](const Choice& c) { return count(c.forecast.steps()); }},
+      {"simulated time, s", [](const Choice& c) { return text("%.3g", c.forecast.seconds()); }},
+      {"memory, MB", [](const Choice& c) { return text("%.0f", 1e-6 * c.forecast.memory); }},
+      {"wall time", time_of},
+      {"expected error", error_of}};
+  return all;
+}
+
+void print_table(const plan::Plan& plan) {
+  std::printf("\n%-24s", "");
+  for (const auto& choice : plan.choices) std::printf("%20s", choice.name.c_str());
+  std::printf("\n");
+  for (const Row& row : rows()) {
+    std::printf("%-24s", row.name);
+    for (const auto& choice : plan.choices) std::printf("%20s", row.say(choice).c_str());
+    std::printf("\n");
+  }
+  std::printf("\n");
+}
+
+void print_sources(const plan::Plan& plan) {
+  for (const auto& choice : plan.choices) {
+    if (!choice.numbers) continue;
+    std::printf("%s: ", choice.name.c_str());
+    for (std::size_t k = 0; k < choice.numbers->reasons.size(); ++k)
+      std::printf("%s%s", k == 0 ? "" : "; ", choice.numbers->reasons[k].c_str());
+    std::printf("\n");
+  }
+  if (plan.pilot) print_pilot(*plan.pilot);
+  std::printf("reading the tools took %.1f s\n", plan.tooling_seconds);
+  for (const auto& choice : plan.choices)
+    if (choice.error)
+      std::printf("expected error, %s: %s; %s\n", choice.name.c_str(), choice.error->quantity.c_str(),
+                  choice.error->source.c_str());
+  std::printf(
+      "expected errors are measured for this powder at this grain size; unknown where not measured\n");
+}
+
+Json phase_as_json(const plan::PhaseForecast& part) {
+  return {{"kind", plan::description(part.phase.kind)},
+          {"simulated_s", part.phase.seconds},
+          {"share_of_grains", part.phase.share},
+          {"steps", part.steps},
+          {"wall_seconds", part.wall_seconds > 0 ? Json(part.wall_seconds) : Json(nullptr)}};
+}
+
+Json needs_as_json(const plan::Needs& needs) {
+  Json json;
+  const auto& place = needs.cavity.narrowest_place;
+  json["narrowest_width_m"] = needs.cavity.found ? Json(needs.cavity.narrowest_width) : Json(nullptr);
+  json["narrowest_place_m"] = needs.cavity.found ? Json{place[0], place[1], place[2]} : Json(nullptr);
+  json["coarsest_grain_m"] = needs.coarsest_grain > 0 ? Json(needs.coarsest_grain) : Json(nullptr);
+  json["width_as_felt_m"] = needs.coarsest_grain > 0 ? Json(needs.width_as_felt) : Json(nullptr);
+  json["time_step_s"] = needs.time_step;
+  json["critical_time_step_s"] = needs.critical_step;
+  json["impact_speed_m_per_s"] = needs.impact_speed;
+  json["weight_pressure_pa"] = needs.weight_pressure;
+  json["piston_pressure_pa"] = needs.piston_pressure;
+  json["reduced_modulus_pa"] = needs.modulus;
+  json["least_modulus_pa"] = needs.least_modulus;
+  json["mirror_planes"] = Json::array();
+  for (const auto& plane : needs.planes)
+    json["mirror_planes"].push_back({{"normal", {plane.normal[0], plane.normal[1], plane.normal[2]}},
+                                     {"offset_m", plane.offset},
+                                     {"spoiled_by", plane.spoiler}});
+  json["laws"] = needs.laws.used;
+  json["left_out"] = needs.laws.left_out;
+  return json;
+}
+
+}  // namespace
+
+void print_plan(const plan::Plan& plan) {
+  std::printf("%s\n", plan.scene.title.c_str());
+  for (const auto& statement : plan.statements) std::printf("%s\n", statement.c_str());
+  print_table(plan);
+  print_sources(plan);
+}
+
+std::string scene_lines(const plan::SettingNumbers& numbers) {
+  return text("powder.grain_diameter = \"%.4g mm\", walls.spacing = %.2g, pour.fill_height = \"%.4g mm\"",
+              1e3 * numbers.grain_diameter, numbers.wall_spacing, 1e3 * numbers.fill_height);
+}
+
+Json choice_as_json(const plan::Choice& choice) {
+  const auto& forecast = choice.forecast;
+  Json json = {{"name", choice.name},
+               {"grain_diameter_m", forecast.grain_diameter},
+               {"fill_height_m", forecast.fill_height},
+               {"time_step_s", forecast.time_step},
+               {"critical_time_step_s", forecast.critical_step},
+               {"grains", forecast.grains},
+               {"spheres", forecast.spheres},
+               {"wall_spheres", forecast.wall_spheres},
+               {"steps", forecast.steps()},
+               {"simulated_s", forecast.seconds()},
+               {"memory_bytes", forecast.memory},
+               {"wall_seconds", forecast.wall_seconds ? Json(*forecast.wall_seconds) : Json(nullptr)},
+               {"expected_error", nullptr},
+               {"reasons", choice.numbers ? choice.numbers->reasons : std::vector<std::string>{}},
+               {"phases", Json::array()}};
+  if (choice.error)
+    json["expected_error"] = {{"quantity", choice.error->quantity},
+                              {"error", choice.error->error},
+                              {"source", choice.error->source}};
+  for (const auto& part : forecast.phases) json["phases"].push_back(phase_as_json(part));
+  return json;
+}
+
+Json plan_as_json(const plan::Plan& plan) {
+  Json json = {{"title", plan.scene.title},
+               {"needs", needs_as_json(plan.needs)},
+               {"statements", plan.statements},
+               {"tooling_seconds", plan.tooling_seconds},
+               {"pilot", plan.pilot ? pilot_as_json(*plan.pilot) : Json(nullptr)},
+               {"choices", Json::array()}};
+  for (const auto& choice : plan.choices) json["choices"].push_back(choice_as_json(choice));
+  return json;
+}
+
+}  // namespace diefill::app

@@ -1,0 +1,73 @@
+// Contacts on their way through the parts of a law, one lane each, so that every part can act on many of them
+// before the next one does.
+#pragma once
+
+#include "engine/laws/composed_law.h"
+#include "engine/numerics/lanes.h"
+#include "engine/numerics/vector_instructions.h"
+
+namespace diefill::engine {
+
+/// As laws::ContactInParts, which says what the numbers are.
+template <std::size_t kCount>
+class ContactsInParts {
+ public:
+  laws::ContactInParts operator[](std::size_t lane) const {
+    laws::ContactInParts contact;
+    contact.overlap = overlap_[lane];
+    contact.root_overlap = root_overlap_[lane];
+    contact.separation_speed = separation_speed_[lane];
+    contact.normal = normal_[lane];
+    contact.sliding = sliding_[lane];
+    contact.spin = spin_[lane];
+    contact.time_step = time_step_[lane];
+    contact.rolling_step = rolling_step_[lane];
+    contact.attraction = attraction_[lane];
+    contact.still = {still_force_[lane], still_limit_[lane]};
+    contact.viscous = viscous_[lane];
+    contact.load = load_[lane];
+    contact.tangential = tangential_[lane];
+    contact.torque = torque_[lane];
+    return contact;
+  }
+  void set(std::size_t lane, const laws::ContactInParts& contact) {
+    overlap_[lane] = contact.overlap;
+    root_overlap_[lane] = contact.root_overlap;
+    separation_speed_[lane] = contact.separation_speed;
+    normal_.set(lane, contact.normal);
+    sliding_.set(lane, contact.sliding);
+    spin_.set(lane, contact.spin);
+    time_step_[lane] = contact.time_step;
+    rolling_step_[lane] = contact.rolling_step;
+    attraction_[lane] = contact.attraction;
+    still_force_[lane] = contact.still.force;
+    still_limit_[lane] = contact.still.limit;
+    viscous_[lane] = contact.viscous;
+    load_[lane] = contact.load;
+    tangential_.set(lane, contact.tangential);
+    torque_.set(lane, contact.torque);
+  }
+
+ private:
+  using Scalars = Lanes<kCount>;
+  using Vectors = VectorLanes<kCount>;
+
+  Scalars overlap_, root_overlap_, separation_speed_;
+  Vectors normal_, sliding_, spin_;
+  Scalars time_step_, rolling_step_, attraction_, still_force_, still_limit_, viscous_, load_;
+  Vectors tangential_, torque_;
+};
+
+template <class Law>
+struct ContactBatch;
+namespace laws {
+class GeneralContactLaw;
+}
+
+/// Forces and couples of all lanes by the law that each names, parts one after the other over all lanes. In:
+/// overlap, normal, velocity where surfaces touch, relative spin and memory; out: force, torque, load, powers
+/// and memory, with the bits of GeneralContactLaw::react().
+void react_by_parts(ContactBatch<laws::GeneralContactLaw>& batch, InstructionSet instructions,
+                    double time_step);
+
+}  // namespace diefill::engine

@@ -1,0 +1,58 @@
+// Where spheres touch a tool of triangles. A contact is a place where the surface is nearest to the sphere's
+// centre, that is, nearer than all of the surface round about: the inside of a face, an edge or a corner that
+// stands out. A triangle whose nearest point lies on a seam to the next, which comes nearer still, is none:
+// faces go before edges and edges before corners, and what several triangles share counts once. A flat face
+// of many triangles is then as flat as one, a groove is touched on both sides.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "engine/contact/local_spheres.h"
+#include "engine/search/pair_table.h"
+#include "engine/walls/walls.h"
+
+namespace diefill::engine {
+
+/// Centre (m, body frame) of a sphere of `radius` (m) at `place` seen from the point of triangle `part` that
+/// it touches. For a centre behind the triangle: outwards, by almost nothing, so that it is pushed back.
+Eigen::Vector3d separation_from_triangle(const WallBody& body, std::uint32_t part,
+                                         const Eigen::Vector3d& place, double radius);
+
+/// A touching pair with a wall, seen in the body's frame.
+struct WallTouch {
+  std::uint32_t pair, kind;  ///< `kind`: of the pair's grain, 0 where all grains are alike
+  Vector3 separation;        ///< m, grain sphere from wall sphere, plane or triangle
+};
+
+/// A block's near pairs with one body of triangles, and where all is.
+struct MeshPairs {
+  const Block& block;
+  std::size_t number;  ///< of the body
+  const WallBody& body;
+  const BodyMotion& pose;
+  const LocalSpheres& spheres;
+  double radius;  ///< m, of the spheres
+
+  std::uint32_t begin() const { return block.wall_first[number]; }
+  std::uint32_t end() const { return block.wall_first[number + 1]; }
+  /// m, body frame.
+  Eigen::Vector3d place_of(LocalSphere sphere) const {
+    return pose.rotation.transpose() * (eigen(spheres.position(sphere)) - pose.translation);
+  }
+};
+
+/// Appends the pairs that touch, sphere after sphere. Returns the deepest overlap (m): beyond the
+/// radius where a centre has come behind the surface. A function of places alone.
+///
+/// Facets of one curved surface meet at angles below 15 degrees: of contacts whose normals differ by less
+/// only the deepest counts, or every seam of a hollow would push twice.
+double find_mesh_touches(const MeshPairs& near, std::vector<WallTouch>& touches);
+
+/// Notes in the block's `table` which pairs touch now. What a contact remembers follows it from triangle to
+/// triangle: one that begins while another of the same sphere ends, in about the same direction, goes on from
+/// there.
+void note_mesh_touches(PairTable<WallPair>& table, const MeshPairs& near,
+                       const std::vector<WallTouch>& touches);
+
+}  // namespace diefill::engine

@@ -1,0 +1,109 @@
+// The one loop over touching pairs, for grains and for walls, templated on the contact law so that terms a
+// scene does not use are not in it. A scene picks its instantiation once.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <vector>
+
+#include "engine/coarse_graining/general_contact_law.h"
+#include "engine/contact/deepest_overlap.h"
+#include "engine/contact/local_spheres.h"
+#include "engine/laws/contact_parameters.h"
+#include "engine/numerics/vector_instructions.h"
+#include "engine/powder/particle_types.h"
+
+namespace diefill::engine {
+
+// Only the loop at walls looks into these; the other one, which compiles for minutes, does not know them.
+class WallBody;
+struct BodyMotion;
+
+/// What one block did in one step.
+struct BlockTally {
+  double viscous_work = 0;     ///< J, done by damping (negative)
+  double tangential_work = 0;  ///< J, done by tangential forces
+  double drag_work = 0;        ///< J, done by air (negative)
+  double rolling_work = 0;     ///< J, done by rolling friction (negative)
+  DeepestOverlap overlap;      ///< m
+  bool list_is_old = false;    ///< a grain has moved farther than the list of near pairs allows
+  std::uint64_t touching = 0;  ///< pairs
+  /// s, of computing the block's pairs and of finishing what was ready then; where the two take turns.
+  double computing_time = 0, finishing_time = 0;
+  Eigen::Vector3d held_force = Eigen::Vector3d::Zero();  ///< N, on all grains that are carried asleep
+  std::vector<Eigen::Vector3d> body_force;               ///< N on each wall body
+  std::vector<Eigen::Vector3d> body_torque;              ///< N m about the origin of each body's frame
+
+  void start(std::size_t bodies);
+};
+
+/// A block's surroundings that contacts are computed from.
+struct ContactScene {
+  const LocalSpheres& spheres;
+  const std::vector<WallBody>& bodies;
+  const std::vector<BodyMotion>& body_motion;
+  double sphere_radius;  ///< m, the smallest
+  double time_step;      ///< s
+  InstructionSet instructions;
+};
+
+/// The force of one touching pair: on the block's sphere `own` from its partner, or from the wall.
+struct PairForce {
+  LocalSphere own, other;  ///< `other` means nothing at walls
+  Vector3 force;           ///< N, on own
+  Vector3 contact;         ///< m, middle of the overlap, where `own` is seen
+};
+using PairForceVisitor = std::function<void(const PairForce&)>;
+
+/// Contact forces of a block's pairs.
+class PairLoop {
+ public:
+  virtual ~PairLoop() = default;
+  /// Adds the forces of the block's touching pairs to `sums`, one for each of Block::sums, and advances what
+  /// pairs remember.
+  virtual void add_forces(Block& block, const ContactScene& scene, std::vector<ContactSum>& sums,
+                          BlockTally& tally) const = 0;
+  /// Visits the forces of the pairs that touched in the last step, in the order of the table, as they stand:
+  /// nothing is advanced.
+  virtual void visit_forces(const Block& block, const ContactScene& scene,
+                            const PairForceVisitor& visit) const = 0;
+  /// Energy (J) that the normal springs of the block's pairs hold.
+  virtual double stored_energy(const Block& block, const ContactScene& scene) const = 0;
+  /// For each number that a pair remembers: what it is multiplied by when the pair is seen from its other
+  /// side.
+  virtual std::vector<double> history_signs() const = 0;
+  /// Whether rolling loads of sums count.
+  virtual bool rolls() const = 0;
+  /// m, largest gap at which pairs act on each other.
+  virtual double range() const = 0;
+};
+
+/// Laws chosen from all that the sources know, for grains of one size.
+struct GeneralContact {
+  laws::LawParameters grains, walls;      ///< of the original grains where forces are scaled
+  coarse_graining::ForceScaling scaling;  ///< as it stands: none
+};
+
+/// The loop for pairs between grains of spheres of `sphere_radius` (m). `clumped`: several spheres a grain.
+std::unique_ptr<PairLoop> make_grain_loop(const ContactParameters& parameters, LeverArm arm,
+                                          SpringLimit limit, double sphere_radius, bool clumps);
+/// The loop for pairs of grains with walls: parameters and radius of wall spheres (m, infinite for planes and
+/// flat triangles) of every body.
+std::unique_ptr<PairLoop> make_wall_loop(const std::vector<ContactParameters>& parameters, LeverArm arm,
+                                         SpringLimit limit, double sphere_radius, bool clumps,
+                                         const std::vector<double>& wall_radii);
+/// The same for laws put together while the program runs. Throw std::invalid_argument where parts of the law
+/// do not go together, or walls are to attract from afar.
+std::unique_ptr<PairLoop> make_general_grain_loop(const GeneralContact& contact, LeverArm arm,
+                                                  const GrainShape& shape);
+std::unique_ptr<PairLoop> make_general_wall_loop(const GeneralContact& contact, LeverArm arm,
+                                                 const GrainShape& shape,
+                                                 const std::vector<double>& wall_radii);
+/// The same for grains of several kinds; `wall_materials` of every body. Throw std::invalid_argument where
+/// two materials have no law as well.
+std::unique_ptr<PairLoop> make_mixed_grain_loop(const KindTable& kinds, const GrainMix& mix, LeverArm arm);
+std::unique_ptr<PairLoop> make_mixed_wall_loop(const KindTable& kinds, const GrainMix& mix, LeverArm arm,
+                                               const std::vector<double>& wall_radii,
+                                               const std::vector<std::string>& wall_materials);
+
+}  // namespace diefill::engine

@@ -1,0 +1,29 @@
+// Vectors kept in a contact's history, and their turning with the contact plane.
+#pragma once
+
+#include "engine/laws/parts.h"
+#include "engine/numerics/vector3.h"
+
+namespace diefill::engine::laws {
+
+/// kMemorySigns of a vector: it points the other way for the other sphere.
+inline constexpr MemorySigns<3> kVectorSigns = {-1, -1, -1};
+
+inline Vector3 load_vector(const double* history) {
+  return {history[0], history[1], history[2]};
+}
+inline void store_vector(double* history, Vector3 v) {
+  history[0] = v.x;
+  history[1] = v.y;
+  history[2] = v.z;
+}
+/// v without its part along the unit vector n.
+inline Vector3 in_plane(Vector3 v, Vector3 n) {
+  return v - dot(v, n) * n;
+}
+/// What shortens a vector of `length` to `limit`; 1 if it is no longer than that.
+inline double shortening(double length, double limit) {
+  return length > limit ? limit / length : 1.0;
+}
+
+}  // namespace diefill::engine::laws

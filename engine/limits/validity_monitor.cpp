@@ -1,0 +1,187 @@
+#include "engine/limits/validity_monitor.h"
+
+#include <cmath>
+#include <cstdio>
+
+#include "engine/limits/general_time_step.h"
+#include "engine/limits/mix_time_step.h"
+#include "engine/limits/time_step.h"
+#include "engine/limits/worst_places.h"
+
+namespace diefill::engine {
+
+namespace {
+
+template <class... Values>
+std::string line(const char* format, Values... values) {
+  char text[640];
+  std::snprintf(text, sizeof text, format, values...);
+  return text;
+}
+
+/// ", deepest now between grain 1 at (..) mm and grain 2", or nothing.
+std::string deepest_text(const Simulation& simulation) {
+  const DeepestPair pair = deepest_pair(simulation);
+  if (pair.overlap <= 0) return {};
+  const Grains& grains = simulation.grains();
+  return ", deepest now between " + grain_text(grains, pair.first) + " and grain " +
+         std::to_string(grains.id[pair.second]);
+}
+
+/// "; the fastest, grain 1 at (..) mm, moves at 2 m/s".
+std::string fastest_text(const Simulation& simulation) {
+  const auto fastest = fastest_grain(simulation.grains());
+  return line("; the fastest, %s, moves at %.3g m/s", grain_text(simulation.grains(), fastest.grain).c_str(),
+              fastest.speed);
+}
+
+/// Critical time step (s) of a pair of grains of one kind at `overlap` (m), by whichever law is in use.
+double critical_at_overlap(const SimulationSettings& settings, double overlap) {
+  return settings.general_contact
+             ? critical_time_step_at_overlap(settings.shape, *settings.general_contact, overlap)
+             : critical_time_step_at_overlap(settings.shape, settings.grain_contact, overlap);
+}
+
+/// The same at the overlaps that grains have now, whatever their kinds.
+double critical_now(const Simulation& simulation) {
+  const auto& settings = simulation.settings();
+  const DeepestOverlap& deepest = simulation.overlaps();
+  if (settings.mix)
+    return critical_time_step_at_overlap(*settings.mix, deepest.grains, deepest.grains_over_radius);
+  return critical_at_overlap(settings, deepest.grains);
+}
+
+/// The same of a collision at `speed` (m/s).
+double critical_of_impact(const SimulationSettings& settings, double speed) {
+  if (settings.mix) return critical_time_step(*settings.mix, {}, speed);
+  return critical_at_overlap(settings, settings.general_contact
+                                           ? impact_overlap(settings.shape, *settings.general_contact, speed)
+                                           : impact_overlap(settings.shape, settings.grain_contact, speed));
+}
+
+}  // namespace
+
+void ValidityMonitor::warn_once(bool& warned, const std::string& warning) {
+  if (!warned) warnings_.push_back(warning);
+  warned = true;
+}
+
+void ValidityMonitor::check(const Simulation& simulation) {
+  check_numbers(simulation);
+  check_overlap(simulation);
+  check_time_step(simulation);
+  check_speed(simulation);
+  check_contacts(simulation);
+  check_energy(simulation);
+}
+
+void ValidityMonitor::check_numbers(const Simulation& simulation) const {
+  const Grains& grains = simulation.grains();
+  for (std::size_t k = 0; k < grains.size(); ++k)
+    if (!grains.position[k].allFinite() || !grains.velocity[k].allFinite() || !grains.spin[k].allFinite())
+      throw OutOfRange(line(
+          "grain %llu has no finite position or velocity at t = %.6g s: the run is unstable; take a "
+          "shorter time step (now %.3g s)",
+          static_cast<unsigned long long>(grains.id[k]), simulation.time(), simulation.settings().time_step));
+}
+
+void ValidityMonitor::check_overlap(const Simulation& simulation) {
+  const double grains = simulation.overlaps_of_run().grains_over_radius;
+  const double walls = simulation.overlaps_of_run().walls_over_radius;
+  if (grains > limits_.forbidden_overlap)
+    throw OutOfRange(line(
+        "two spheres overlap by %.2f of their radius by t = %.6g s%s (limit %.2f: STABILITY.md, "
+        "stiffness): grains are too soft for this speed or load; raise reduced_modulus or take a shorter "
+        "time step (now %.3g s)",
+        grains, simulation.time(), deepest_text(simulation).c_str(), limits_.forbidden_overlap,
+        simulation.settings().time_step));
+  if (walls > limits_.forbidden_wall_overlap)
+    throw OutOfRange(
+        line("a sphere is pressed into a wall by %.2f of its radius by t = %.6g s (limit %.2f), as when a "
+             "tool pinches a grain: slow the tool down, raise reduced_modulus or take a shorter time step "
+             "(now %.3g s)",
+             walls, simulation.time(), limits_.forbidden_wall_overlap, simulation.settings().time_step));
+  warn_of_overlap(grains, walls, simulation.time());
+}
+
+void ValidityMonitor::warn_of_overlap(double grains, double walls, double time) {
+  if (grains > limits_.comfortable_overlap)
+    warn_once(warned_of_overlap_,
+              line("overlap among grains reached %.2f of the sphere radius by t = %.6g s; up to %.2f is "
+                   "comfortable",
+                   grains, time, limits_.comfortable_overlap));
+  if (walls > limits_.forbidden_overlap)
+    warn_once(warned_of_pinch_,
+              line("a tool pinched a grain by t = %.6g s: overlap with a wall reached %.2f of the sphere "
+                   "radius",
+                   time, walls));
+}
+
+void ValidityMonitor::check_time_step(const Simulation& simulation) const {
+  const auto& settings = simulation.settings();
+  if (simulation.overlaps().grains <= 0) return;
+  const double critical = critical_now(simulation);
+  if (settings.time_step > critical)
+    throw OutOfRange(
+        line("the time step of %.3g s is above the critical one of %.3g s for the overlap of %.3g m "
+             "reached at t = %.6g s%s (STABILITY.md, time step); take a shorter step",
+             settings.time_step, critical, simulation.overlaps().grains, simulation.time(),
+             deepest_text(simulation).c_str()));
+}
+
+void ValidityMonitor::check_speed(const Simulation& simulation) {
+  const auto& settings = simulation.settings();
+  const auto fastest = fastest_for_its_size(simulation);
+  if (fastest.speed <= 0) return;
+  const double way = fastest.speed * settings.time_step / simulation.shape_of(fastest.grain).sphere_radius;
+  const std::string who = grain_text(simulation.grains(), fastest.grain);
+  if (way > limits_.forbidden_way)
+    throw OutOfRange(line(
+        "%s moves at %.3g m/s at t = %.6g s, %.2f of its sphere radius in a step (limit %.2f): it passes "
+        "others without meeting them; the run is unstable or the time step of %.3g s too long: take a "
+        "shorter one",
+        who.c_str(), fastest.speed, simulation.time(), way, limits_.forbidden_way, settings.time_step));
+  const double critical = critical_of_impact(settings, 2 * fastest.speed);
+  if (settings.time_step > limits_.comfortable_step * critical)
+    warn_once(warned_of_speed_,
+              line("%s moved at %.3g m/s at t = %.6g s, where a collision allows steps of %.3g s; the run's "
+                   "are %.3g s and up to %.2f of that is comfortable (STABILITY.md, time step)",
+                   who.c_str(), fastest.speed, simulation.time(), critical, settings.time_step,
+                   limits_.comfortable_step));
+}
+
+void ValidityMonitor::check_contacts(const Simulation& simulation) {
+  const auto spheres = static_cast<double>(simulation.grains().size() * simulation.kinds().spheres());
+  if (spheres <= 0) return;
+  const double contacts = static_cast<double>(simulation.touching_pairs()) / spheres;
+  if (contacts > limits_.forbidden_contacts)
+    throw OutOfRange(line(
+        "%.1f contacts a sphere at t = %.6g s%s (limit %.0f; equal spheres have room for 6): grains lie "
+        "inside each other; raise reduced_modulus, take a shorter time step (now %.3g s) or coarser wall "
+        "spheres",
+        contacts, simulation.time(), deepest_text(simulation).c_str(), limits_.forbidden_contacts,
+        simulation.settings().time_step));
+  if (contacts > limits_.comfortable_contacts)
+    warn_once(
+        warned_of_contacts_,
+        line("%.1f contacts a sphere at t = %.6g s; up to %.0f are comfortable, equal spheres have room "
+             "for 6",
+             contacts, simulation.time(), limits_.comfortable_contacts));
+}
+
+void ValidityMonitor::check_energy(const Simulation& simulation) {
+  const double error = simulation.energy_balance_error();
+  if (error > limits_.energy_error)
+    throw OutOfRange(
+        line("energy grew by %.1f %% of what was turned over with no work to explain it at t = %.6g s "
+             "(limit %.1f %%: STABILITY.md, time step): the time step of %.3g s is too long%s",
+             100 * error, simulation.time(), 100 * limits_.energy_error, simulation.settings().time_step,
+             fastest_text(simulation).c_str()));
+  if (error > limits_.comfortable_energy_error)
+    warn_once(warned_of_energy_,
+              line("energy grew by %.1f %% of what was turned over with no work to explain it by t = %.6g s; "
+                   "up to %.1f %% is comfortable (STABILITY.md, time step)",
+                   100 * error, simulation.time(), 100 * limits_.comfortable_energy_error));
+}
+
+}  // namespace diefill::engine

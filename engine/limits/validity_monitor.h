@@ -1,0 +1,60 @@
+// The method's valid range, watched while running: a run that leaves it says so and stops instead of
+// delivering garbage.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "engine/numerics/out_of_range.h"
+#include "engine/simulation/simulation.h"
+
+namespace diefill::engine {
+
+/// Limits of the method, each found by experiment (STABILITY.md). Between comfortable and forbidden a run
+/// goes on with a warning in its report.
+struct HealthLimits {
+  double comfortable_overlap = 0.2;  ///< over the smaller sphere radius: Hertz' law is a small-overlap law
+  double forbidden_overlap = 0.6;    ///< over the smaller sphere radius, among grains
+  /// Over the sphere radius, with walls. A moving tool may wedge a coarse grain against an edge, where soft
+  /// grains slip past with a deep overlap: that is reported. From here on a sphere's centre has passed the
+  /// envelope of the wall spheres: it is being pushed through the wall, and may come out behind it.
+  double forbidden_wall_overlap = 1.0;
+  double energy_error = 0.05;  ///< of the energy turned over, gained without any work that explains it
+  double comfortable_energy_error = 0.01;
+  /// Way of the fastest grain in a step over the sphere radius: two grains that come at each other so fast
+  /// are past each other's centres within a few steps.
+  double forbidden_way = 0.5;
+  /// Step over the critical one of a collision at twice the fastest grain's speed: undamped clumps gain
+  /// energy from 0.49 on (STABILITY.md, time step).
+  double comfortable_step = 0.5;
+  /// Pairs in touch over spheres. Twelve equal spheres fit round one, which makes 6; fine walls add more.
+  double comfortable_contacts = 8, forbidden_contacts = 30;
+};
+
+/// Watches one run.
+class ValidityMonitor {
+ public:
+  explicit ValidityMonitor(const HealthLimits& limits = {}) : limits_(limits) {}
+
+  /// Looks at the simulation as it is now; call every so many steps. Throws OutOfRange past a limit.
+  void check(const Simulation& simulation);
+  /// Warnings so far, each once.
+  const std::vector<std::string>& warnings() const { return warnings_; }
+
+ private:
+  void check_numbers(const Simulation& simulation) const;
+  void check_overlap(const Simulation& simulation);
+  void warn_of_overlap(double grains, double walls, double time);
+  void check_time_step(const Simulation& simulation) const;
+  void check_energy(const Simulation& simulation);
+  void check_speed(const Simulation& simulation);
+  void check_contacts(const Simulation& simulation);
+  void warn_once(bool& warned, const std::string& warning);
+
+  HealthLimits limits_;
+  bool warned_of_overlap_ = false, warned_of_pinch_ = false, warned_of_energy_ = false,
+       warned_of_speed_ = false, warned_of_contacts_ = false;
+  std::vector<std::string> warnings_;
+};
+
+}  // namespace diefill::engine

@@ -1,0 +1,72 @@
+#include "engine/numerics/thread_pool.h"
+
+#include <oneapi/tbb/parallel_for.h>
+#include <oneapi/tbb/task_arena.h>
+
+#include <atomic>
+
+namespace diefill::engine {
+
+namespace {
+
+/// What oneTBB guarantees, said so that the thread sanitizer sees it: Debian's library is not instrumented.
+/// All that happened before a parallel loop is seen inside it, and all that happened inside is seen after it.
+/// Costs nothing in other builds.
+class LoopOrder {
+#ifdef __SANITIZE_THREAD__
+ public:
+  void begin() {
+    begun_.fetch_add(1, std::memory_order_release);
+  }
+  void enter() {
+    begun_.load(std::memory_order_acquire);
+  }
+  void leave() {
+    ended_.fetch_add(1, std::memory_order_release);
+  }
+  void end() {
+    ended_.load(std::memory_order_acquire);
+  }
+
+ private:
+  std::atomic<unsigned> begun_{0}, ended_{0};
+#else
+ public:
+  void begin() {}
+  void enter() {}
+  void leave() {}
+  void end() {}
+#endif
+};
+
+}  // namespace
+
+/// oneTBB's, which headers that everybody reads need not bring along.
+class ThreadPool::Arena : public oneapi::tbb::task_arena {
+ public:
+  using task_arena::task_arena;
+};
+
+ThreadPool::ThreadPool(int threads) : threads_(threads), arena_(std::make_unique<Arena>(threads)) {}
+ThreadPool::~ThreadPool() = default;
+ThreadPool::ThreadPool(ThreadPool&&) noexcept = default;
+ThreadPool& ThreadPool::operator=(ThreadPool&&) noexcept = default;
+
+void ThreadPool::share_out(std::size_t count, void (*call)(const void* action, std::size_t k),
+                           const void* action) {
+  LoopOrder order;
+  order.begin();
+  arena_->execute([&] {
+    oneapi::tbb::parallel_for(
+        oneapi::tbb::blocked_range<std::size_t>(0, count, 1),
+        [&](const auto& range) {
+          order.enter();
+          for (std::size_t k = range.begin(); k != range.end(); ++k) call(action, k);
+          order.leave();
+        },
+        oneapi::tbb::simple_partitioner());
+  });
+  order.end();
+}
+
+}  // namespace diefill::engine

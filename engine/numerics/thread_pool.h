@@ -1,0 +1,41 @@
+// Threads for the engine. Work is cut into the same blocks whatever the number of threads, and what blocks
+// have in common is summed in block order, so that results do not depend on who computed what.
+#pragma once
+
+#include <cstddef>
+#include <memory>
+
+namespace diefill::engine {
+
+/// Runs independent pieces of work on a fixed number of threads.
+class ThreadPool {
+ public:
+  explicit ThreadPool(int threads);
+  ~ThreadPool();
+  ThreadPool(ThreadPool&&) noexcept;
+  ThreadPool& operator=(ThreadPool&&) noexcept;
+  int threads() const { return threads_; }
+
+  /// Calls action(k) for k in [0, count), each once; order and thread are unspecified. Throws what an action
+  /// throws.
+  template <class Action>
+  void for_each(std::size_t count, const Action& action) {
+    if (threads_ == 1 || count < 2) {
+      for (std::size_t k = 0; k < count; ++k) action(k);
+      return;
+    }
+    share_out(
+        count, [](const void* any, std::size_t k) { (*static_cast<const Action*>(any))(k); }, &action);
+  }
+
+ private:
+  class Arena;
+
+  /// Calls call(action, k), as for_each() does.
+  void share_out(std::size_t count, void (*call)(const void* action, std::size_t k), const void* action);
+
+  int threads_;
+  std::unique_ptr<Arena> arena_;
+};
+
+}  // namespace diefill::engine

@@ -1,0 +1,236 @@
+#include "engine/search/neighbour_list.h"
+
+#include <algorithm>
+#include <limits>
+#include <numeric>
+
+#include "engine/numerics/out_of_range.h"
+
+namespace diefill::engine {
+
+namespace {
+
+/// Spheres of a block, and how many blocks there are where these allow it: few, so that few pairs cross a
+/// border, but enough for threads to share the work evenly, and each so small that its spheres and sums stay
+/// in the second-level cache.
+constexpr std::size_t kSmallestBlock = 1024, kLargestBlock = 2048, kBlocks = 32;
+/// The same of powder that no cache has room for: what crosses a border comes from memory then, and costs
+/// more.
+constexpr std::size_t kLargestFromMemory = 4096, kBlocksFromMemory = 256;
+/// The same for sleeping grains: one that wakes spoils the rest of its whole block.
+constexpr std::size_t kSpheresPerSleepingBlock = 128;
+/// Spheres down to this share of a level's largest radius are in its cells: eight fit where the largest
+/// would.
+constexpr double kSmallestOfLevel = 0.5;
+
+/// Block borders depend on the number of grains only.
+std::size_t spheres_per_block(std::size_t spheres) {
+  return std::clamp(spheres / kBlocksFromMemory, std::clamp(spheres / kBlocks, kSmallestBlock, kLargestBlock),
+                    kLargestFromMemory);
+}
+
+}  // namespace
+
+NeighbourList::NeighbourList(const NeighbourSettings& settings, std::vector<std::uint32_t> body_first)
+    : settings_(settings), body_first_(std::move(body_first)) {
+  const auto& radii = settings_.sphere_radii;
+  std::vector<std::size_t> order(radii.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t a, std::size_t b) { return radii[a] > radii[b]; });
+  level_of_kind_.resize(radii.size());
+  for (const std::size_t kind : order) {
+    if (levels_.empty() || radii[kind] < kSmallestOfLevel * levels_.back().largest)
+      levels_.emplace_back().largest = radii[kind];
+    level_of_kind_[kind] = static_cast<std::uint8_t>(levels_.size() - 1);
+  }
+}
+
+void NeighbourList::build(const SphereField& spheres, const std::vector<WallBody>& bodies,
+                          const ListReference& reference, const ContactHistory& history,
+                          const ContactHistory& wall_history, ThreadPool& pool) {
+  sort_into_cells(spheres, reference.skin, pool);
+  const auto per_grain = static_cast<std::uint32_t>(spheres.spheres_per_grain);
+  count_ = 0;
+  cut_into_blocks(0, reference.awake_grains,
+                  spheres_per_block(reference.awake_grains * per_grain) / per_grain + 1);
+  cut_into_blocks(reference.awake_grains, spheres.grains, kSpheresPerSleepingBlock / per_grain + 1);
+  blocks_.resize(count_);
+  for (auto& block : blocks_) block.spheres_per_grain = per_grain;
+  pool.for_each(blocks_.size(), [&](std::size_t b) {
+    Block& block = blocks_[b];
+    block.reference = reference.position[(block.begin + block.end) / 2];
+    if (monodisperse())
+      find_grain_pairs<true>(block, spheres, reference, history);
+    else
+      find_grain_pairs<false>(block, spheres, reference, history);
+    find_wall_pairs(block, spheres, bodies, reference, wall_history);
+    block.sums.start(block.grains() + block.foreign.size(), settings_.sum_numbers);
+  });
+  index_foreign_sums();
+  // Between searches they would be the largest thing in memory that nobody looks at.
+  for (auto& level : levels_) level.cells = {};
+}
+
+void NeighbourList::sort_into_cells(const SphereField& spheres, double skin, ThreadPool& pool) {
+  const auto edge = [&](const SizeLevel& level) { return 2 * level.largest + settings_.law_range + skin; };
+  if (levels_.size() == 1) return levels_.front().cells.build(spheres, edge(levels_.front()), pool);
+  std::vector<std::vector<std::uint32_t>> members(levels_.size());
+  for (std::uint32_t j = 0; j < spheres.size(); ++j)
+    members[level_of_kind_[spheres.kind[spheres.owner(j)]]].push_back(j);
+  for (std::size_t l = 0; l < levels_.size(); ++l)
+    levels_[l].cells.build(spheres, std::move(members[l]), edge(levels_[l]), pool);
+}
+
+std::size_t NeighbourList::near_pairs() const {
+  std::size_t pairs = 0;
+  for (const auto& block : blocks_) pairs += block.grain_pairs.size();
+  return pairs;
+}
+
+/// Adds blocks of the grains [begin, end). Blocks of the list before are used again, with their memory.
+void NeighbourList::cut_into_blocks(std::size_t begin, std::size_t end, std::size_t grains_per_block) {
+  const std::size_t grains = end - begin;
+  const std::size_t added = (grains + grains_per_block - 1) / grains_per_block;
+  if (blocks_.size() < count_ + added) blocks_.resize(count_ + added);
+  for (std::size_t b = 0; b < added; ++b) {
+    Block& block = blocks_[count_ + b];
+    block.begin = static_cast<std::uint32_t>(begin + grains * b / added);
+    block.end = static_cast<std::uint32_t>(begin + grains * (b + 1) / added);
+  }
+  count_ += added;
+}
+
+/// Local numbers and sums of the block's spheres and of `partners`, which must be known.
+void NeighbourList::number_spheres(Block& block, const SphereField& spheres) const {
+  const auto per_grain = static_cast<std::uint32_t>(spheres.spheres_per_grain);
+  const std::size_t all = block.own_spheres() + block.partners.size();
+  if (all > std::numeric_limits<LocalSphere>::max())
+    throw OutOfRange(
+        "a grain has thousands of neighbours: powder has been pressed into itself, or its grains "
+        "are made of too many spheres");
+  block.kind.clear();
+  if (!monodisperse()) {
+    for (std::uint32_t k = 0; k < block.own_spheres(); ++k)
+      block.kind.push_back(spheres.kind[block.begin + k / per_grain]);
+    for (const std::uint32_t sphere : block.partners)
+      block.kind.push_back(spheres.kind[spheres.owner(sphere)]);
+  }
+  block.slot.clear();
+  if (per_grain > 1) block.slot.reserve(all);
+  for (std::uint32_t k = 0; per_grain > 1 && k < block.own_spheres(); ++k)
+    block.slot.push_back(static_cast<std::uint16_t>(k / per_grain));
+  block.foreign.clear();
+  block.seen.clear();
+  std::uint32_t last = kGone;
+  for (const std::uint32_t sphere : block.partners) {
+    const std::uint32_t grain = sphere / per_grain;
+    if (grain != last) {
+      block.foreign.push_back(static_cast<std::uint32_t>(spheres.owner(sphere)));
+      if (per_grain > 1) block.seen.push_back(grain);
+      last = grain;
+    }
+    if (per_grain > 1)
+      block.slot.push_back(static_cast<std::uint16_t>(block.grains() + block.foreign.size() - 1));
+  }
+  block.foreign.shrink_to_fit();
+  block.seen.shrink_to_fit();
+}
+
+template <bool kAlike>
+void NeighbourList::find_grain_pairs(Block& block, const SphereField& spheres, const ListReference& reference,
+                                     const ContactHistory& history) const {
+  struct Found {
+    std::uint32_t own, other;
+  };
+  const auto per_grain = static_cast<std::uint32_t>(spheres.spheres_per_grain);
+  const auto real_sphere = [&](std::uint32_t j) { return static_cast<std::uint32_t>(spheres.original(j)); };
+  const std::uint32_t first = block.begin * per_grain, end = block.end * per_grain;
+  std::vector<Found> found;
+  block.partners.clear();
+  for (std::uint32_t i = first; i < end; ++i) {
+    const Vector3 here = spheres.position(i);
+    const std::uint32_t grain = i / per_grain;
+    const std::uint8_t swift = reference.doublings[grain];
+    const double radius = settings_.sphere_radii[kAlike ? 0 : spheres.kind[grain]];
+    for (const SizeLevel& level : levels_) {
+      const double touching = radius + level.largest + settings_.law_range;
+      const double farthest = touching + 2 * reference.allowance(grain);
+      level.cells.visit_nearer(here, farthest, [&](const SphereCells::Near& near) {
+        // Every pair once: by the swifter grain, which looks farther, else by the first; an image stands for
+        // its owner.
+        const auto [j, other] = near.member;
+        const std::uint8_t other_swift = reference.doublings[other];
+        if (other_swift > swift || (other_swift == swift && other <= grain) || other == grain) return;
+        const double touching_now =
+            kAlike ? touching : radius + settings_.sphere_radii[spheres.kind[other]] + settings_.law_range;
+        const double reach = touching_now + reference.allowance(grain) + reference.allowance(other);
+        if (near.square >= reach * reach) return;
+        found.push_back({i, j});
+        if (j < first || j >= end) block.partners.push_back(j);
+      });
+    }
+  }
+  std::sort(block.partners.begin(), block.partners.end());
+  block.partners.erase(std::unique(block.partners.begin(), block.partners.end()), block.partners.end());
+  block.partners.shrink_to_fit();
+  number_spheres(block, spheres);
+
+  const auto local = [&](std::uint32_t j) {
+    if (j >= first && j < end) return static_cast<LocalSphere>(j - first);
+    const auto place = std::lower_bound(block.partners.begin(), block.partners.end(), j);
+    return static_cast<LocalSphere>(block.own_spheres() + (place - block.partners.begin()));
+  };
+  const double* opposite = settings_.grain_history_sign.data();
+  block.grain_pairs.start(found.size(), settings_.grain_history_sign.size());
+  for (const Found& pair : found) {
+    const std::uint32_t other = real_sphere(pair.other);
+    const GrainPair named = {local(pair.own), local(pair.other)};
+    if (pair.own < other)
+      block.grain_pairs.add(named, history.find(pair.own, other), nullptr);
+    else
+      block.grain_pairs.add(named, history.find(other, pair.own), opposite);
+  }
+  block.grain_pairs.finish();
+}
+
+void NeighbourList::index_foreign_sums() {
+  std::vector<std::uint32_t> home(blocks_.empty() ? 0 : blocks_.back().end);
+  for (std::uint32_t b = 0; b < blocks_.size(); ++b)
+    std::fill(home.begin() + blocks_[b].begin, home.begin() + blocks_[b].end, b);
+  foreign_first_.assign(blocks_.size() + 1, 0);
+  waiting_first_.assign(1, 0);
+  waiting_.clear();
+  awaited_.assign(blocks_.size(), 0);
+  std::vector<std::uint32_t> homes;
+  for (std::uint32_t b = 0; b < blocks_.size(); ++b) {
+    homes.assign(1, b);
+    for (const std::uint32_t grain : blocks_[b].foreign) {
+      homes.push_back(home[grain]);
+      ++foreign_first_[homes.back() + 1];
+    }
+    note_waiting(homes);
+  }
+  std::partial_sum(foreign_first_.begin(), foreign_first_.end(), foreign_first_.begin());
+  make_room(foreign_sums_, foreign_first_.back());
+  foreign_sums_.resize(foreign_first_.back());
+  std::vector<std::uint32_t> next(foreign_first_.begin(), foreign_first_.end() - 1);
+  for (std::uint32_t b = 0; b < blocks_.size(); ++b)
+    for (std::uint32_t k = 0; k < blocks_[b].foreign.size(); ++k) {
+      const std::uint32_t grain = blocks_[b].foreign[k];
+      const std::uint32_t own = home[grain];
+      foreign_sums_[next[own]++] = {b, static_cast<std::uint16_t>(blocks_[b].grains() + k),
+                                    static_cast<std::uint16_t>(grain - blocks_[own].begin)};
+    }
+}
+
+/// Adds the next block's row to the blocks that wait: `homes`, itself among them, each as often as it is met.
+void NeighbourList::note_waiting(std::vector<std::uint32_t>& homes) {
+  std::sort(homes.begin(), homes.end());
+  homes.erase(std::unique(homes.begin(), homes.end()), homes.end());
+  waiting_.insert(waiting_.end(), homes.begin(), homes.end());
+  waiting_first_.push_back(static_cast<std::uint32_t>(waiting_.size()));
+  for (const std::uint32_t other : homes) ++awaited_[other];
+}
+
+}  // namespace diefill::engine

@@ -1,0 +1,120 @@
+// Which spheres may come to touch: near pairs with a skin, renewed when motion has used the skin up. Motion
+// is measured against that of the powder as a whole, so that powder riding in a shoe does not age its list.
+#pragma once
+
+#include <optional>
+#include <span>
+
+#include "engine/numerics/thread_pool.h"
+#include "engine/powder/sphere_field.h"
+#include "engine/search/contact_history.h"
+#include "engine/search/sphere_cells.h"
+#include "engine/walls/walls.h"
+
+namespace diefill::engine {
+
+/// What the search needs to know.
+struct NeighbourSettings {
+  std::vector<double> sphere_radii;        ///< m, by kind of grain
+  double farthest_sphere = 0;              ///< m, of a sphere's centre from its grain's centre, at most
+  double law_range = 0;                    ///< m, gap up to which the law acts between grains
+  std::vector<double> grain_history_sign;  ///< PairLoop::history_signs() of pairs of grains
+  std::size_t wall_history = 0;            ///< numbers that touching pairs with walls remember
+  std::size_t sum_numbers = ContactSum::kRolling;  ///< of a ContactSum that count
+};
+
+/// m, radius of the spheres of a grain or image.
+inline double radius_of(const NeighbourSettings& settings, const SphereField& spheres, std::size_t grain) {
+  return settings.sphere_radii[spheres.kind.empty() ? 0 : spheres.kind[grain]];
+}
+
+/// The powder and the bodies as they stood when the list was made: all that is needed to tell when it is too
+/// old, and to make it again.
+struct ListReference {
+  std::vector<Eigen::Vector3d> position;  ///< m, of grains
+  std::vector<Quaternion> orientation;    ///< of grains of several spheres
+  std::vector<BodyMotion> bodies;
+  double skin = 0;  ///< m, how much nearer two slow spheres may come before the list must be renewed
+  std::vector<std::uint8_t> doublings;  ///< of grains: how often half the skin is doubled for swift ones
+  std::vector<double> body_allowance;   ///< m, how far each body may move
+  Eigen::Vector3d drift = Eigen::Vector3d::Zero();  ///< m/s, mean velocity of the powder
+  double time = 0;                                  ///< s
+  std::uint64_t step = 0;
+  std::uint64_t awake_grains = 0;  ///< those from here on slept: they get blocks of their own
+
+  /// m, how far grain k may move against the drift before the list must be renewed.
+  double allowance(std::size_t k) const { return allowance_of(doublings[k]); }
+  /// m, the same of grains for which half the skin is doubled so often.
+  double allowance_of(std::size_t often) const { return 0.5 * skin * static_cast<double>(1U << often); }
+};
+
+/// Near pairs in blocks.
+class NeighbourList {
+ public:
+  /// `body_first`: number of the first wall sphere of each body when all are counted through.
+  NeighbourList(const NeighbourSettings& settings, std::vector<std::uint32_t> body_first);
+
+  /// Finds all near pairs, with the memory of `history` (sphere pairs) and `wall_history`.
+  void build(const SphereField& spheres, const std::vector<WallBody>& bodies, const ListReference& reference,
+             const ContactHistory& history, const ContactHistory& wall_history, ThreadPool& pool);
+
+  std::vector<Block>& blocks() { return blocks_; }
+  const std::vector<Block>& blocks() const { return blocks_; }
+  /// Near pairs between grains.
+  std::size_t near_pairs() const;
+  const std::vector<std::uint32_t>& body_first() const { return body_first_; }
+  const NeighbourSettings& settings() const { return settings_; }
+
+  /// Where a grain's forces are summed outside its own block.
+  struct ForeignSum {
+    std::uint32_t block;
+    std::uint16_t slot;   ///< of the block's sums
+    std::uint16_t grain;  ///< counted from the first of its own block
+  };
+  /// Foreign sums of the grains of block b are [foreign_first()[b], foreign_first()[b + 1]), in the order of
+  /// the blocks that hold them.
+  const std::vector<std::uint32_t>& foreign_first() const { return foreign_first_; }
+  const std::vector<ForeignSum>& foreign_sums() const { return foreign_sums_; }
+
+  /// Blocks that cannot be finished before the pairs of block b are computed: itself and those whose grains
+  /// these pairs meet.
+  std::span<const std::uint32_t> waiting_for(std::size_t b) const {
+    return {waiting_.data() + waiting_first_[b], waiting_first_[b + 1] - waiting_first_[b]};
+  }
+  /// For how many blocks block b waits in this sense.
+  std::uint32_t awaited_by(std::size_t b) const { return awaited_[b]; }
+
+ private:
+  /// Spheres of similar size in cells that suit them: in cells for the largest, many small ones would have to
+  /// be passed by. Where all grains are alike there is one.
+  struct SizeLevel {
+    double largest = 0;  ///< m, sphere radius
+    SphereCells cells;
+  };
+
+  bool monodisperse() const { return settings_.sphere_radii.size() == 1; }
+  void sort_into_cells(const SphereField& spheres, double skin, ThreadPool& pool);
+  void cut_into_blocks(std::size_t begin, std::size_t end, std::size_t grains_per_block);
+  template <bool kAlike>
+  void find_grain_pairs(Block& block, const SphereField& spheres, const ListReference& reference,
+                        const ContactHistory& history) const;
+  void find_wall_pairs(Block& block, const SphereField& spheres, const std::vector<WallBody>& bodies,
+                       const ListReference& reference, const ContactHistory& history) const;
+  void fill_wall_table(Block& block, const std::vector<std::uint32_t>& parts,
+                       const ContactHistory& history) const;
+  void number_spheres(Block& block, const SphereField& spheres) const;
+  void index_foreign_sums();
+  void note_waiting(std::vector<std::uint32_t>& homes);
+
+  NeighbourSettings settings_;
+  std::vector<std::uint32_t> body_first_;
+  std::vector<Block> blocks_;
+  std::size_t count_ = 0;          ///< blocks that have been cut so far
+  std::vector<SizeLevel> levels_;  ///< by falling size
+  std::vector<std::uint8_t> level_of_kind_;
+  std::vector<std::uint32_t> foreign_first_;
+  std::vector<ForeignSum> foreign_sums_;
+  std::vector<std::uint32_t> waiting_first_, waiting_, awaited_;
+};
+
+}  // namespace diefill::engine

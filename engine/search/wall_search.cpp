@@ -1,0 +1,96 @@
+// Near pairs of a block with walls.
+#include <algorithm>
+#include <cmath>
+
+#include "engine/search/neighbour_list.h"
+
+namespace diefill::engine {
+
+namespace {
+
+/// A part of a body that is near a sphere, and how far away, m, rounded down; 0 where that is not known.
+struct NearPart {
+  float distance;
+  std::uint32_t part;
+
+  bool operator<(const NearPart& other) const {
+    return distance != other.distance ? distance < other.distance : part < other.part;
+  }
+};
+
+float rounded_down(double value) {
+  return std::nextafter(static_cast<float>(value), 0.0F);
+}
+
+/// m, rounded down; of a plane 0.
+float distance_of(const WallBody& body, std::uint32_t part, const Eigen::Vector3d& place) {
+  if (body.flat()) return 0;
+  const Eigen::Vector3d at =
+      body.meshed() ? nearest_point(body.triangles()[part], place).point : body.centres()[part];
+  return rounded_down((place - at).norm());
+}
+
+/// The parts of `body` no farther than `reach` (m) from `place` (m, body frame): wall spheres by rising
+/// distance, planes and triangles in their own order.
+void find_parts(const WallBody& body, const Eigen::Vector3d& place, double reach,
+                std::vector<NearPart>& parts) {
+  thread_local std::vector<std::uint32_t> found;
+  found.clear();
+  parts.clear();
+  body.find(place, reach, found);
+  for (const std::uint32_t part : found) parts.push_back({distance_of(body, part, place), part});
+  if (!body.flat() && !body.meshed()) std::sort(parts.begin(), parts.end());
+}
+
+}  // namespace
+
+void NeighbourList::find_wall_pairs(Block& block, const SphereField& spheres,
+                                    const std::vector<WallBody>& bodies, const ListReference& reference,
+                                    const ContactHistory& history) const {
+  const std::uint32_t per_grain = block.spheres_per_grain, own = block.own_spheres();
+  thread_local std::vector<NearPart> parts;
+  thread_local std::vector<std::uint32_t> found;
+  found.clear();
+  block.wall_first.assign(1, 0);
+  block.wall_run_first.assign(1, 0);
+  block.wall_runs.clear();
+  block.wall_distance.clear();
+  for (std::uint32_t b = 0; b < bodies.size(); ++b) {
+    const BodyMotion& pose = reference.bodies[b];
+    for (std::uint32_t k = 0; k < own; ++k) {
+      const std::uint32_t sphere = block.begin * per_grain + k, grain = sphere / per_grain;
+      const Eigen::Vector3d place =
+          pose.rotation.transpose() * (eigen(spheres.position(sphere)) - pose.translation);
+      find_parts(bodies[b], place,
+                 radius_of(settings_, spheres, grain) + bodies[b].sphere_radius() +
+                     reference.body_allowance[b] + reference.allowance(grain),
+                 parts);
+      if (parts.empty()) continue;
+      block.wall_runs.push_back(
+          {plain(place), static_cast<std::uint32_t>(found.size()), static_cast<LocalSphere>(k)});
+      for (const NearPart& near : parts) {
+        found.push_back(near.part);
+        block.wall_distance.push_back(near.distance);
+      }
+    }
+    block.wall_first.push_back(static_cast<std::uint32_t>(found.size()));
+    block.wall_run_first.push_back(static_cast<std::uint32_t>(block.wall_runs.size()));
+  }
+  block.wall_runs.push_back({{}, static_cast<std::uint32_t>(found.size()), 0});
+  fill_wall_table(block, found, history);
+}
+
+/// The table of the block's wall pairs with what they remember; `parts`: of their bodies.
+void NeighbourList::fill_wall_table(Block& block, const std::vector<std::uint32_t>& parts,
+                                    const ContactHistory& history) const {
+  block.wall_pairs.start(parts.size(), settings_.wall_history);
+  for (std::size_t body = 0; body + 1 < block.wall_run_first.size(); ++body)
+    for (std::uint32_t r = block.wall_run_first[body]; r < block.wall_run_first[body + 1]; ++r) {
+      const LocalSphere own = block.wall_runs[r].own;
+      for (std::uint32_t p = block.wall_runs[r].first; p < block.wall_runs[r + 1].first; ++p)
+        block.wall_pairs.add({parts[p], own}, history.find(block.sphere(own), body_first_[body] + parts[p]),
+                             nullptr);
+    }
+}
+
+}  // namespace diefill::engine

@@ -1,0 +1,22 @@
+// Reads CAD files in a child process: a crash of a library on a broken file does not end this process.
+#pragma once
+
+#include <functional>
+
+#include "geometry/cad/cad_parts.h"
+
+namespace diefill::geometry {
+
+/// Limits of a child.
+struct ChildLimits {
+  std::size_t file_bytes = 0;  ///< size of the file to be read
+  unsigned seconds = 60;       ///< of processor time for a small file
+};
+
+/// Calls `read` in a child process and hands on what it returns. The child may take 2 GiB of memory and the
+/// given processor time, and more for large files: 24 bytes and 10 microseconds for each byte of the file;
+/// three times that by the clock, for readers that wait. Throws std::runtime_error with the reason, also when
+/// the child crashed or had to be ended. Call from a thread while no other one is in the middle of a file.
+CadParts read_in_child(const std::function<CadParts()>& read, const ChildLimits& limits);
+
+}  // namespace diefill::geometry

@@ -1,0 +1,231 @@
+#include "geometry/cad/cad_file.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cstdint>
+#include <cstring>
+#include <fstream>
+#include <limits>
+#include <map>
+#include <sstream>
+#include <vector>
+
+#include "geometry/cad/read_binary_stl.h"
+#include "geometry/cad/read_text_stl.h"
+#include "geometry/cad/shown_text.h"
+#include "geometry/mesh/mesh.h"
+
+namespace diefill::geometry {
+
+namespace {
+
+constexpr std::size_t kStlHeader = 84;      // 80 bytes of text and the number of triangles
+constexpr std::size_t kStlTriangle = 50;    // 12 floats and 2 bytes of attributes
+constexpr std::size_t kLookForText = 1024;  // a text file shows its kind within so many bytes
+constexpr std::uintmax_t kLargestFile = std::uintmax_t{1} << 30;  // bytes: binary STL of 21 million triangles
+
+std::string lower_case(std::string text) {
+  std::transform(text.begin(), text.end(), text.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return text;
+}
+
+/// Bytes that are letters and line ends alone, as no binary file's are.
+bool is_plain_text(const std::string& bytes) {
+  const std::size_t looked_at = std::min(bytes.size(), kLookForText);
+  return std::all_of(bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(looked_at),
+                     [](unsigned char c) { return c >= 0x20 || c == '\t' || c == '\r' || c == '\n'; });
+}
+
+/// What files of other kinds begin with.
+struct FirstBytes {
+  std::string bytes, kind;
+  std::vector<std::string> endings;  ///< that may begin so
+};
+
+const std::vector<FirstBytes>& first_bytes() {
+  static const std::vector<FirstBytes> all = {
+      {"\x89PNG", "a PNG picture", {}},
+      {"\xff\xd8\xff", "a JPEG picture", {}},
+      {"%PDF", "a PDF document", {}},
+      {"PK\x03\x04", "a ZIP archive", {"3mf", "amf"}},
+      {"\x1f\x8b", "a gzip archive", {}},
+      {"<!DOCTYPE html", "a web page", {}},
+      {"<html", "a web page", {}},
+      {"ISO-10303-21", "a STEP file", {"step", "stp"}},
+      {"glTF", "a binary glTF file", {"glb", "gltf"}},
+      {"ply\n", "a PLY file", {"ply"}},
+      {"AC10", "an AutoCAD drawing", {}},
+  };
+  return all;
+}
+
+void check_first_bytes(const std::string& name, const std::string& ending, const std::string& bytes) {
+  for (const FirstBytes& other : first_bytes()) {
+    if (!bytes.starts_with(other.bytes)) continue;
+    if (std::find(other.endings.begin(), other.endings.end(), ending) != other.endings.end()) continue;
+    throw MeshError(name + " is actually " + other.kind + ", despite its file extension: " +
+                    (other.endings.empty() ? "export the part from the CAD program"
+                                           : "rename it to ." + other.endings.front()));
+  }
+}
+
+/// Text of 16 bits a letter, which no importer reads.
+void check_encoding(const std::string& name, const std::string& bytes) {
+  if (bytes.starts_with("\xff\xfe") || bytes.starts_with("\xfe\xff"))
+    throw MeshError(name + " is text in UTF-16: save it as plain text (UTF-8), or export it again");
+}
+
+void refuse_count(const std::string& name, std::uint64_t count, const std::string& what, std::size_t bytes) {
+  throw MeshError(name + " is truncated: its header announces " + std::to_string(count) + " " + what +
+                  ", more than its " + std::to_string(bytes) + " bytes can hold; export or copy it again");
+}
+
+/// Bytes of one value in a PLY file; types that PLY does not have are left to the importer.
+std::size_t bytes_of(const std::string& type) {
+  static const std::map<std::string, std::size_t> sizes = {
+      {"short", 2}, {"ushort", 2}, {"int16", 2},   {"uint16", 2}, {"int", 4},     {"uint", 4},
+      {"int32", 4}, {"uint32", 4}, {"float32", 4}, {"float", 4},  {"float64", 8}, {"double", 8}};
+  const auto known = sizes.find(type);
+  return known == sizes.end() ? 1 : known->second;
+}
+
+/// An element of a PLY header: how many there are, and how many bytes each takes at least.
+struct PlyElement {
+  std::string name;
+  std::uint64_t count = 0;
+  std::size_t least_bytes = 0;
+};
+
+/// Throws where there is no end of the header, behind which importers would look for ever.
+std::vector<PlyElement> ply_elements(const std::string& name, const std::string& bytes) {
+  std::vector<PlyElement> elements;
+  std::istringstream lines(bytes);
+  bool is_text = true;
+  for (std::string line; std::getline(lines, line);) {
+    std::istringstream words(line);
+    std::string word, type;
+    words >> word >> type;
+    if (word == "end_header" && line.find_first_not_of(" \t\r", word.size()) == std::string::npos)
+      return elements;
+    if (word == "format") is_text = type == "ascii";
+    if (word == "element") {
+      elements.push_back({type, 0, 0});
+      if (!(words >> elements.back().count))
+        elements.back().count = std::numeric_limits<std::uint64_t>::max();
+    }
+    if (word != "property" || elements.empty()) continue;
+    if (type == "list") words >> type;                            // a list may hold nothing but its length
+    elements.back().least_bytes += is_text ? 2 : bytes_of(type);  // a digit and a blank
+  }
+  throw MeshError(name + " is truncated: its header has no line 'end_header'; export or copy it again");
+}
+
+void check_ply(const std::string& name, const std::string& bytes) {
+  if (!bytes.starts_with("ply")) return;  // the importer says so
+  for (const PlyElement& element : ply_elements(name, bytes))
+    if (element.count > bytes.size() / std::max<std::size_t>(1, element.least_bytes))
+      refuse_count(name, element.count, element.name + " elements", bytes.size());
+}
+
+void check_off(const std::string& name, const std::string& bytes) {
+  std::istringstream words(bytes.substr(0, kLookForText));
+  std::string head;
+  std::uint64_t vertices = 0;
+  std::uint64_t faces = 0;
+  if (!(words >> head >> vertices >> faces)) return;
+  if (vertices > bytes.size() / 2) refuse_count(name, vertices, "corners", bytes.size());
+  if (faces > bytes.size() / 2) refuse_count(name, faces, "faces", bytes.size());
+}
+
+/// The bytes a binary STL file announces, or the closing word of a text, must be there.
+void check_stl(const std::string& name, const std::string& bytes) {
+  if (is_text_stl(bytes)) {
+    if (lower_case(bytes).find("endsolid") == std::string::npos)
+      throw MeshError(name +
+                      " is truncated: it is text without a closing 'endsolid'; export or copy it again");
+    return;
+  }
+  if (is_plain_text(bytes))
+    throw MeshError(name +
+                    " is text, but not STL: it does not begin with 'solid' and has no facets; give the file "
+                    "exported from CAD");
+  if (is_binary_stl(bytes)) return;
+  if (bytes.size() < kStlHeader)
+    throw MeshError(name + " is truncated: " + std::to_string(bytes.size()) +
+                    " bytes, but a binary STL has a header of 84 bytes; export or copy it again");
+  std::uint32_t triangles = 0;
+  std::memcpy(&triangles, bytes.data() + kStlHeader - sizeof triangles, sizeof triangles);
+  if (triangles == 0)
+    throw MeshError(name + " holds no triangles: its header counts none" +
+                    (bytes.size() == kStlHeader ? std::string(", and nothing follows it")
+                                                : ", and the " + std::to_string(bytes.size() - kStlHeader) +
+                                                      " bytes behind it are no whole triangles of 50 bytes") +
+                    "; export the part again, as a solid");
+  const std::size_t expected = kStlHeader + kStlTriangle * triangles;
+  if (bytes.size() < expected)
+    throw MeshError(name + " is truncated: its header announces " + std::to_string(triangles) +
+                    " triangles (" + std::to_string(expected) + " bytes), but the file has " +
+                    std::to_string(bytes.size()) + " bytes; export or copy it again");
+}
+
+}  // namespace
+
+namespace {
+
+/// What stands in the folder in place of a file.
+std::string kind_text(std::filesystem::file_type type) {
+  switch (type) {
+    case std::filesystem::file_type::directory:
+      return "a directory: give the CAD file inside it";
+    case std::filesystem::file_type::fifo:
+      return "a pipe: give a regular file";
+    case std::filesystem::file_type::socket:
+      return "a socket: give a regular file";
+    default:
+      return "a device: give a regular file";
+  }
+}
+
+/// Size in bytes of what is found to be a regular file that may be read. Devices and pipes never end.
+std::size_t size_of_regular(const std::filesystem::path& file) {
+  std::error_code error;
+  const auto status = std::filesystem::status(file, error);
+  if (!std::filesystem::exists(status))
+    throw MeshError(named(file) +
+                    (error && error != std::errc::no_such_file_or_directory
+                         ? " cannot be reached: " + error.message()
+                         : " does not exist: check the path, which is relative to the scene file"));
+  if (!std::filesystem::is_regular_file(status))
+    throw MeshError(named(file) + " is " + kind_text(status.type()));
+  const std::uintmax_t size = std::filesystem::file_size(file, error);
+  if (error) throw MeshError(named(file) + " cannot be read: " + error.message());
+  if (size > kLargestFile)
+    throw MeshError(named(file) + " has " + std::to_string(size >> 20U) + " MiB, allowed: up to " +
+                    std::to_string(kLargestFile >> 20U) + " MiB: export it with fewer triangles");
+  return static_cast<std::size_t>(size);
+}
+
+}  // namespace
+
+std::string read_cad_file(const std::filesystem::path& file) {
+  std::string bytes(size_of_regular(file), '\0');
+  std::ifstream stream(file, std::ios::binary);
+  if (!stream) throw MeshError(named(file) + " cannot be read: check its permissions");
+  stream.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+  bytes.resize(static_cast<std::size_t>(stream.gcount()));
+  if (bytes.empty()) throw MeshError(named(file) + " is empty: export it again");
+  return bytes;
+}
+
+void check_is_what_it_says(const std::filesystem::path& file, const std::string& ending,
+                           const std::string& bytes) {
+  const std::string name = named(file);
+  check_encoding(name, bytes);
+  check_first_bytes(name, ending, bytes);
+  if (ending == "stl") check_stl(name, bytes);
+  if (ending == "ply") check_ply(name, bytes);
+  if (ending == "off") check_off(name, bytes);
+}
+
+}  // namespace diefill::geometry

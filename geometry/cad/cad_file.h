@@ -1,0 +1,20 @@
+// The bytes of a CAD file, and the checks of them that come before any importer sees them.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+namespace diefill::geometry {
+
+/// All bytes of `file`. Throws MeshError when it is missing, no regular file (a directory, a pipe, a device),
+/// larger than 1 GiB, not readable or empty.
+std::string read_cad_file(const std::filesystem::path& file);
+
+/// Throws MeshError when `bytes` of a file that ends in `ending` (lower case) are those of another kind of
+/// file or text in UTF-16, hold no triangles (binary STL) or fewer than a header promises (binary STL, PLY,
+/// OFF), or end before `endsolid` (text STL): importers take some such files without a word and ask for
+/// memory without end on others.
+void check_is_what_it_says(const std::filesystem::path& file, const std::string& ending,
+                           const std::string& bytes);
+
+}  // namespace diefill::geometry

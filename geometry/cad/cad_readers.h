@@ -1,0 +1,18 @@
+// The readers behind read_cad_parts(), one library each. They throw std::runtime_error with the reason.
+#pragma once
+
+#include "geometry/cad/cad_parts.h"
+
+namespace diefill::geometry {
+
+/// OBJ, PLY, OFF, AMF, Collada, glTF (assimp). Formats whose y axis points up are turned so that z does.
+CadParts read_triangles(const std::filesystem::path& file, const CadFormat& format);
+
+/// 3MF (lib3mf): the mesh objects that the build items hold, however deep, placed.
+CadParts read_3mf(const std::filesystem::path& file);
+
+/// STEP and IGES (OpenCASCADE). A part is a product that holds faces, placed as the assembly places it.
+CadParts read_curved_faces(const std::filesystem::path& file, const CadFormat& format,
+                           double chord_tolerance);
+
+}  // namespace diefill::geometry

@@ -1,0 +1,23 @@
+// Finds the voxels of cavities: free space below the fill plane from which there is no way out but upwards.
+#pragma once
+
+#include <vector>
+
+#include "geometry/reach/voxel_grid.h"
+
+namespace diefill::geometry {
+
+/// An enclosed space of a grid whose top is the fill plane.
+struct CavityRegion {
+  VoxelGrid grid;
+  std::vector<std::uint8_t> inside;  ///< one byte a voxel, 1 in the cavity
+  Box box;                           ///< m, from wall to wall along the lines of voxel centres
+  double volume = 0;                 ///< m^3, exact along z
+};
+
+/// Looks for cavities in `grid`, whose top is the fill plane, and returns them by falling number of voxels,
+/// none below a hundredth of the largest; nothing when every free space has a way out through the grid's
+/// sides or bottom.
+std::vector<CavityRegion> find_cavity_regions(std::span<const Mesh* const> solids, const VoxelGrid& grid);
+
+}  // namespace diefill::geometry

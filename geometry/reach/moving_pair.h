@@ -1,0 +1,51 @@
+// Whether two solids that move past each other cut into each other, pose after pose.
+//
+// Points of both surfaces (corners, edges and faces) are asked for how deep they lie in the other solid. A
+// point that is far from the other solid is not asked again before the two have moved that far against each
+// other (conservative advancement), so that many close poses cost little.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <vector>
+
+#include "geometry/reach/posed_solids.h"
+#include "geometry/solid/solid_query.h"
+
+namespace diefill::geometry {
+
+/// Mean thickness (m) of a solid: its volume over half its surface; that of a sheet is the sheet's.
+double mean_thickness(const Mesh& mesh);
+
+/// Two solids and what is known of their distances.
+class MovingPair {
+ public:
+  /// Depths up to `tolerance` (m) are fits that rub, facets and rounding. Keeps references to all four.
+  MovingPair(const Mesh& one, const SolidQuery& solid_of_one, const Mesh& other,
+             const SolidQuery& solid_of_other, double tolerance);
+
+  /// The deepest place where one is in the other.
+  struct Cut {
+    double depth = 0;                                 ///< m
+    Eigen::Vector3d place = Eigen::Vector3d::Zero();  ///< m, laboratory frame
+  };
+  /// Nothing where they cut no deeper than the tolerance in these poses.
+  std::optional<Cut> look(const SolidPose& one, const SolidPose& other);
+
+ private:
+  struct Side {
+    std::vector<Eigen::Vector3d> points;  ///< m, of the surface, in the solid's own frame
+    std::vector<double> free_until;       ///< m travelled, for each point: not too deep before
+    Box box;                              ///< of the points
+    const SolidQuery* into = nullptr;     ///< the other solid
+    double travelled = 0;                 ///< m, since the first pose
+    std::optional<SolidPose> last;        ///< in the other's frame
+  };
+  static Side side(const Mesh& mesh, const SolidQuery& into);
+  void look_from(Side& side, const SolidPose& own, const SolidPose& other, std::optional<Cut>& deepest) const;
+
+  double tolerance_;
+  std::array<Side, 2> sides_;
+};
+
+}  // namespace diefill::geometry

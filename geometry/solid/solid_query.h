@@ -1,0 +1,59 @@
+// Distance, nearest point and inside/outside questions to a closed mesh, in double precision.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+
+#include "geometry/mesh/mesh.h"
+#include "geometry/mesh/triangle_tree.h"
+
+namespace diefill::geometry {
+
+struct Topology;
+
+/// Answers geometric questions about one closed, outward mesh. Building costs O(n log n), a question O(log
+/// n). Questions may be asked from several threads at once. Copies share what was built: 150 bytes a
+/// triangle.
+class SolidQuery {
+ public:
+  /// Throws MeshError for a mesh without a triangle that has an area.
+  explicit SolidQuery(const Mesh& mesh);
+  /// The same for a mesh whose adjacency is known.
+  SolidQuery(const Mesh& mesh, Topology topology);
+
+  struct Nearest {
+    Eigen::Vector3d point;  ///< m, on the surface
+    double distance;        ///< m, not negative
+    std::size_t triangle;
+  };
+  Nearest nearest(const Eigen::Vector3d& point) const;
+  struct SignedNearest : Nearest {
+    bool inside;  ///< the point asked about is inside the solid
+  };
+  /// Both answers for the price of one.
+  SignedNearest signed_nearest(const Eigen::Vector3d& point) const;
+  /// The answer for a point, kept to answer for others.
+  struct Known : SignedNearest {
+    Eigen::Vector3d asked;
+    std::uint32_t tree_triangle;  ///< number in tree()
+    bool alone;                   ///< TriangleTree::Hit::alone
+  };
+  /// The same, sooner where the surface is within `guess` (m) of the point or hardly farther and `region` is
+  /// that of a question about a place near by.
+  Known signed_nearest(const Eigen::Vector3d& point, double guess, TriangleTree::Region& region) const;
+  /// The same, soonest where `known` is of a point that differs by rounding alone.
+  Known signed_nearest(const Eigen::Vector3d& point, const Known& known, TriangleTree::Region& region) const;
+  bool inside(const Eigen::Vector3d& point) const;
+  /// Distance to the surface in m, negative inside the solid.
+  double signed_distance(const Eigen::Vector3d& point) const;
+  /// Of the mesh asked about.
+  const Topology& topology() const;
+  /// The triangles that count: none without area, none twice.
+  const TriangleTree& tree() const;
+
+ private:
+  struct Implementation;
+  std::shared_ptr<const Implementation> implementation_;
+};
+
+}  // namespace diefill::geometry

@@ -1,0 +1,54 @@
+#include "process/input/nearest_key.h"
+
+#include <algorithm>
+#include <cctype>
+#include <numeric>
+
+namespace diefill::process {
+namespace {
+
+std::string plain(std::string word) {
+  for (char& letter : word) {
+    letter = static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
+    if (letter == '-' || letter == ' ') letter = '_';
+  }
+  return word;
+}
+
+}  // namespace
+
+std::size_t edit_distance(const std::string& a, const std::string& b) {
+  const std::string from = plain(a), to = plain(b);
+  std::vector<std::size_t> row(to.size() + 1);
+  std::iota(row.begin(), row.end(), std::size_t{0});
+  for (std::size_t i = 0; i < from.size(); ++i) {
+    std::size_t diagonal = row[0];
+    row[0] = i + 1;
+    for (std::size_t j = 0; j < to.size(); ++j) {
+      const std::size_t replaced = diagonal + (from[i] == to[j] ? 0 : 1);
+      diagonal = row[j + 1];
+      row[j + 1] = std::min({replaced, row[j] + 1, row[j + 1] + 1});
+    }
+  }
+  return row.back();
+}
+
+std::optional<std::string> nearest_key(const std::string& word, const std::vector<std::string>& known) {
+  std::optional<std::string> nearest;
+  std::size_t least = 0;
+  constexpr std::size_t kLongest = 200;  // letters; the distance takes the product of both lengths in time
+  for (const std::string& candidate : known) {
+    const std::size_t longer = std::max(word.size(), candidate.size());
+    if (longer > kLongest) continue;
+    const std::size_t distance = edit_distance(word, candidate);
+    if (distance > 2 && 3 * distance > longer) continue;
+    if (2 * distance >= longer) continue;
+    if (!nearest || distance < least) {
+      nearest = candidate;
+      least = distance;
+    }
+  }
+  return nearest;
+}
+
+}  // namespace diefill::process

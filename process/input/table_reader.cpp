@@ -1,0 +1,345 @@
+#include "process/input/table_reader.h"
+
+#include <toml++/toml.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "process/input/nearest_key.h"
+#include "process/input/scene_error.h"
+#include "process/input/shown_value.h"
+
+namespace diefill::process {
+namespace {
+
+std::string place(const std::filesystem::path& file, const toml::source_position& position) {
+  // A value made up by the parser has no position; it belongs to the top of the file.
+  const auto line = std::max<toml::source_index>(position.line, 1),
+             column = std::max<toml::source_index>(position.column, 1);
+  return file.string() + ':' + std::to_string(line) + ':' + std::to_string(column);
+}
+
+/// Such as "more than 0 m/s and at most 10 m/s is allowed".
+std::string allowed_range(std::string_view least, bool above, std::string_view most) {
+  std::string words;
+  if (!least.empty()) words = (above ? "more than " : "at least ") + std::string(least);
+  if (!most.empty()) words += (words.empty() ? "at most " : " and at most ") + std::string(most);
+  return "allowed: " + words;
+}
+
+/// To what rounding makes of a limit that is written in another unit.
+bool within(double value, double least, bool above, double most) {
+  constexpr double kRounding = 1e-12;
+  return (above ? value > least : value >= least - kRounding * std::abs(least)) &&
+         value <= most + kRounding * std::abs(most);
+}
+
+/// Lists longer than any scene's would be gone through for minutes.
+constexpr std::size_t kMostEntries = 1000, kLongestName = 100;
+/// Names that a message lists before it says how many more there are.
+constexpr std::size_t kMostListed = 20;
+
+void refuse_long(const toml::array& list, const std::string& where) {
+  if (list.size() <= kMostEntries) return;
+  throw SceneError(where + ": found a list of " + std::to_string(list.size()) + ", allowed: up to " +
+                   std::to_string(kMostEntries));
+}
+
+std::string listed(const std::vector<std::string>& words, const std::string& last) {
+  std::string list;
+  for (std::size_t i = 0; i < words.size() && i < kMostListed; ++i)
+    list += (i == 0 ? "\"" : i + 1 == words.size() ? last + '"' : ", \"") + one_line(words[i]) + '"';
+  if (words.size() > kMostListed) list += " and " + std::to_string(words.size() - kMostListed) + " more";
+  return list;
+}
+
+constexpr std::string_view kAxes = "xyz";
+
+/// The value of a whole or decimal number. Whole numbers beyond 2^53 lose digits that no range here allows
+/// anyway.
+double plain_number(const toml::node& node) {
+  if (const auto whole = node.value_exact<std::int64_t>()) return static_cast<double>(*whole);
+  return *node.value_exact<double>();
+}
+
+}  // namespace
+
+TableReader::TableReader(const toml::table& table, std::filesystem::path file, std::string path)
+    : table_(&table), file_(std::move(file)), path_(std::move(path)) {}
+
+int TableReader::line() const {
+  return std::max(1, static_cast<int>(table_->source().begin.line));
+}
+
+std::string TableReader::full_key(const std::string& key) const {
+  return one_line(path_.empty() ? key : path_ + '.' + key, 120);
+}
+
+const toml::node* TableReader::find(const std::string& key) {
+  if (std::find(known_.begin(), known_.end(), key) == known_.end()) known_.push_back(key);
+  return table_->get(key);
+}
+
+bool TableReader::has(const std::string& key) {
+  return find(key) != nullptr;
+}
+
+std::string TableReader::where(const std::string& key) const {
+  const toml::node* node = table_->get(key);
+  return place(file_, (node != nullptr ? node : table_)->source().begin) + ": " + full_key(key);
+}
+
+void TableReader::reject_node(const toml::node& node, const std::string& key,
+                              const std::string& allowed) const {
+  throw SceneError(place(file_, node.source().begin) + ": " + full_key(key) + ": found " + shown_value(node) +
+                   ", " + allowed);
+}
+
+void TableReader::reject(const std::string& key, const std::string& allowed) const {
+  const toml::node* node = table_->get(key);
+  if (node == nullptr) throw SceneError(where(key) + ": " + allowed);
+  reject_node(*node, key, allowed);
+}
+
+void TableReader::require(const std::string& key, const std::string& example) {
+  if (has(key)) return;
+  std::vector<std::string> present;
+  for (const auto& [name, value] : *table_) {
+    const bool asked = std::find(known_.begin(), known_.end(), name.str()) != known_.end();
+    if (!asked) present.emplace_back(name.str());
+  }
+  const auto meant = nearest_key(key, present);
+  throw SceneError(where(key) + ": found nothing, a value is required, such as " + example +
+                   (meant ? " (found \"" + *meant + "\": did you mean \"" + key + "\"?)" : ""));
+}
+
+double TableReader::checked_quantity(const toml::node& node, const std::string& key,
+                                     const QuantityRule& rule) const {
+  const std::string_view example = rule.example.empty() ? example_of(rule.dimension) : rule.example;
+  const auto text = node.value_exact<std::string>();
+  if (!text)
+    reject_node(node, key,
+                "expected " + description(rule.dimension) + " with its unit, such as \"" +
+                    std::string(example) + '"');
+  double value = 0;
+  try {
+    value = parse_quantity(*text, rule.dimension, example);
+  } catch (const UnitError& error) {
+    reject_node(node, key, error.what());
+  }
+  const double least = rule.least.empty() ? -HUGE_VAL : parse_quantity(rule.least, rule.dimension);
+  const double most = rule.most.empty() ? HUGE_VAL : parse_quantity(rule.most, rule.dimension);
+  if (!within(value, least, rule.above, most)) {
+    reject_node(
+        node, key,
+        allowed_range(rule.least, rule.above, rule.most) + ", such as \"" + std::string(example) + '"');
+  }
+  return value;
+}
+
+std::optional<double> TableReader::quantity(const std::string& key, const QuantityRule& rule) {
+  const toml::node* node = find(key);
+  if (node == nullptr) return std::nullopt;
+  return checked_quantity(*node, key, rule);
+}
+
+double TableReader::required_quantity(const std::string& key, const QuantityRule& rule) {
+  require(key, '"' + std::string(rule.example.empty() ? example_of(rule.dimension) : rule.example) + '"');
+  return *quantity(key, rule);
+}
+
+std::optional<double> TableReader::number(const std::string& key, const NumberRule& rule) {
+  const toml::node* node = find(key);
+  if (node == nullptr) return std::nullopt;
+  const std::string example = "such as " + std::string(rule.example);
+  if (!node->is_number()) reject_node(*node, key, "expected a number without quotes or unit, " + example);
+  const double value = plain_number(*node);
+  if (!within(value, rule.least, rule.above, rule.most)) {
+    reject_node(*node, key,
+                allowed_range(number_text(rule.least), rule.above, number_text(rule.most)) + ", " + example);
+  }
+  return value;
+}
+
+std::optional<std::int64_t> TableReader::integer(const std::string& key, std::int64_t least,
+                                                 std::int64_t most) {
+  const toml::node* node = find(key);
+  if (node == nullptr) return std::nullopt;
+  const auto value = node->value_exact<std::int64_t>();
+  if (!value || *value < least || *value > most) {
+    reject_node(*node, key,
+                "expected a whole number from " + std::to_string(least) + " to " + std::to_string(most));
+  }
+  return value;
+}
+
+std::optional<bool> TableReader::flag(const std::string& key) {
+  const toml::node* node = find(key);
+  if (node == nullptr) return std::nullopt;
+  const auto value = node->value_exact<bool>();
+  if (!value) reject_node(*node, key, "expected true or false without quotes");
+  return value;
+}
+
+std::optional<std::string> TableReader::text(const std::string& key) {
+  const toml::node* node = find(key);
+  if (node == nullptr) return std::nullopt;
+  const auto value = node->value_exact<std::string>();
+  if (!value) reject_node(*node, key, "expected a text in quotes");
+  if (!is_printable(*value))
+    reject_node(*node, key, "expected a text on one line, without line breaks or other control characters");
+  return value;
+}
+
+std::string TableReader::required_text(const std::string& key, const std::string& example) {
+  require(key, '"' + example + '"');
+  return *text(key);
+}
+
+std::string TableReader::required_name(const std::string& key, const std::string& example) {
+  std::string name = required_text(key, example);
+  if (name.empty() || name.find('/') != std::string::npos) {
+    reject(key, "expected a name of at least one letter and no slash, such as \"" + example + '"');
+  }
+  if (name.size() > kLongestName)
+    reject(key, "the name has " + std::to_string(name.size()) + " bytes, allowed: up to " +
+                    std::to_string(kLongestName) + ", because files and columns are named after it");
+  return name;
+}
+
+std::vector<std::string> TableReader::texts(const std::string& key, const std::string& example) {
+  const toml::node* node = find(key);
+  if (node == nullptr) return {};
+  if (const auto single = node->value_exact<std::string>()) return {*single};
+  const std::string needed = "expected a text or a list of texts, such as [\"" + example + "\"]";
+  const toml::array* list = node->as_array();
+  if (list == nullptr || list->empty()) reject_node(*node, key, needed);
+  refuse_long(*list, where(key));
+  std::vector<std::string> values;
+  for (const toml::node& element : *list) {
+    const auto text = element.value_exact<std::string>();
+    if (!text) reject_node(element, key, needed);
+    values.push_back(*text);
+  }
+  return values;
+}
+
+std::vector<double> TableReader::quantities(const std::string& key, const QuantityRule& rule) {
+  const toml::node* node = find(key);
+  if (node == nullptr) return {};
+  const toml::array* list = node->as_array();
+  if (list == nullptr || list->empty())
+    reject_node(*node, key, "expected a list, such as [\"" + std::string(rule.example) + "\"]");
+  refuse_long(*list, where(key));
+  std::vector<double> values;
+  for (const toml::node& element : *list) values.push_back(checked_quantity(element, key, rule));
+  return values;
+}
+
+std::optional<Eigen::Vector3d> TableReader::point(const std::string& key, const QuantityRule& rule) {
+  const toml::node* node = find(key);
+  if (node == nullptr) return std::nullopt;
+  const toml::array* list = node->as_array();
+  const std::string example(rule.example.empty() ? example_of(rule.dimension) : rule.example);
+  if (list == nullptr || list->size() != 3) {
+    reject_node(*node, key,
+                "expected three values along x, y and z, such as [\"" + example + "\", \"0 mm\", \"0 mm\"]");
+  }
+  Eigen::Vector3d values;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    values[static_cast<Eigen::Index>(axis)] =
+        checked_quantity((*list)[axis], key + '[' + kAxes[axis] + ']', rule);
+  }
+  return values;
+}
+
+Eigen::Vector3d TableReader::required_point(const std::string& key, const QuantityRule& rule) {
+  require(key, "[\"" + std::string(rule.example) + "\", \"0 mm\", \"0 mm\"]");
+  return *point(key, rule);
+}
+
+std::optional<Eigen::Vector3d> TableReader::direction(const std::string& key) {
+  const toml::node* node = find(key);
+  if (node == nullptr) return std::nullopt;
+  const std::string needed =
+      "expected an axis (\"x\", \"y\", \"z\", \"-x\", ...) or three numbers that are not all zero, such as "
+      "[0, 1, 0]";
+  if (const auto word = node->value_exact<std::string>()) {
+    const bool negative = word->starts_with('-');
+    const std::string axis = word->substr(negative || word->starts_with('+') ? 1 : 0);
+    const std::size_t index = axis.size() == 1 ? kAxes.find(axis) : std::string_view::npos;
+    if (index == std::string_view::npos) reject_node(*node, key, needed);
+    return Eigen::Vector3d::Unit(static_cast<Eigen::Index>(index)) * (negative ? -1.0 : 1.0);
+  }
+  const toml::array* list = node->as_array();
+  if (list == nullptr || list->size() != 3) reject_node(*node, key, needed);
+  Eigen::Vector3d vector;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    if (!(*list)[axis].is_number()) reject_node(*node, key, needed);
+    vector[static_cast<Eigen::Index>(axis)] = plain_number((*list)[axis]);
+  }
+  if (!vector.allFinite() || !(vector.stableNorm() > 0)) reject_node(*node, key, needed);
+  return vector.stableNormalized();
+}
+
+std::optional<std::size_t> TableReader::chosen(const std::string& key,
+                                               const std::vector<std::string>& words) {
+  const auto value = text(key);
+  if (!value) return std::nullopt;
+  const auto match = std::find(words.begin(), words.end(), *value);
+  if (match != words.end()) return static_cast<std::size_t>(match - words.begin());
+  const auto meant = nearest_key(*value, words);
+  reject(key,
+         "allowed: " + listed(words, " or ") + (meant ? "; did you mean \"" + one_line(*meant) + "\"?" : ""));
+}
+
+std::optional<TableReader> TableReader::table(const std::string& key) {
+  const toml::node* node = find(key);
+  if (node == nullptr) return std::nullopt;
+  if (!node->is_table()) {
+    const std::string header = '[' + full_key(key) + ']';
+    reject_node(*node, key, "expected one table: write " + header + " on its own line with its keys below");
+  }
+  return TableReader(*node->as_table(), file_, full_key(key));
+}
+
+TableReader TableReader::required_table(const std::string& key) {
+  require(key, "a table [" + full_key(key) + "] with its keys below it");
+  return *table(key);
+}
+
+std::vector<TableReader> TableReader::tables(const std::string& key) {
+  std::vector<TableReader> readers;
+  const toml::node* node = find(key);
+  if (node == nullptr) return readers;
+  const toml::array* list = node->as_array();
+  const std::string header = "[[" + full_key(key) + "]]";
+  const std::string needed =
+      "expected a list of tables: write " + header + " with double brackets above the keys of each";
+  if (list == nullptr) reject_node(*node, key, needed);
+  refuse_long(*list, where(key));
+  for (const toml::node& element : *list) {
+    if (!element.is_table()) reject_node(element, key, needed);
+    readers.emplace_back(*element.as_table(), file_, full_key(key));
+  }
+  return readers;
+}
+
+void TableReader::finish() const {
+  for (const auto& [name, value] : *table_) {
+    const std::string key(name.str());
+    if (std::find(known_.begin(), known_.end(), key) != known_.end()) continue;
+    const std::string at = place(file_, name.source().begin) + ": " + full_key(key);
+    const auto meant = nearest_key(key, known_);
+    std::string remedy;
+    if (meant) {
+      remedy = "did you mean \"" + *meant + "\"?";
+    } else {
+      remedy = "the allowed keys are ";
+      for (const std::string& known : known_) remedy += (known == known_.front() ? "" : ", ") + known;
+    }
+    throw SceneError(at + ": found " + shown_value(value) + " under an unknown key; " + remedy);
+  }
+}
+
+}  // namespace diefill::process

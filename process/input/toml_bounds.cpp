@@ -1,0 +1,93 @@
+#include "process/input/toml_bounds.h"
+
+#include <algorithm>
+#include <string_view>
+
+#include "process/input/scene_error.h"
+
+namespace diefill::process {
+namespace {
+
+constexpr int kMostDots = 16, kMostBrackets = 16;  // scenes use four of either
+
+/// Goes through TOML text without its strings and comments, and counts.
+class NestingCount {
+ public:
+  NestingCount(std::string_view text, const std::filesystem::path& file) : text_(text), file_(file) {}
+
+  void check() {
+    while (at_ < text_.size()) {
+      const char letter = text_[at_];
+      if (letter == '"' || letter == '\'')
+        skip_string(letter);
+      else if (letter == '#')
+        skip_to(text_.find('\n', at_));
+      else
+        count(letter);
+    }
+  }
+
+ private:
+  void skip_to(std::size_t place) { at_ = std::min(place, text_.size()); }
+
+  void skip_string(char quote) {
+    const std::string three(3, quote);
+    if (text_.substr(at_).starts_with(three)) return skip_long_string(three);
+    for (++at_; at_ < text_.size() && text_[at_] != '\n'; ++at_) {
+      if (text_[at_] == '\\' && quote == '"') {
+        ++at_;
+      } else if (text_[at_] == quote) {
+        ++at_;
+        return;
+      }
+    }
+  }
+
+  void skip_long_string(const std::string& three) {
+    at_ += three.size();
+    while (at_ < text_.size() && !text_.substr(at_).starts_with(three)) {
+      if (text_[at_] == '\n') ++line_;
+      at_ += text_[at_] == '\\' && three[0] == '"' ? 2 : 1;
+    }
+    skip_to(at_ + three.size());
+  }
+
+  void count(char letter) {
+    ++at_;
+    if (letter == '.') {
+      if (++dots_ > kMostDots)
+        refuse("a key of more than " + std::to_string(kMostDots) + " parts joined by dots");
+      return;
+    }
+    if (letter == '\n') {
+      ++line_;
+      // A bracket left open is a fault of its own, which the parser names.
+    } else if (letter == '[' || letter == '{') {
+      if (++brackets_ > kMostBrackets)
+        refuse("brackets nested more than " + std::to_string(kMostBrackets) + " deep");
+    } else if (letter == ']' || letter == '}') {
+      brackets_ = std::max(0, brackets_ - 1);
+    } else if (letter != ',' && letter != '=') {
+      return;
+    }
+    dots_ = 0;
+  }
+
+  [[noreturn]] void refuse(const std::string& found) const {
+    throw SceneError(file_.string() + ':' + std::to_string(line_) + ": found " + found +
+                     ", but no scene needs more than four; is this a scene?");
+  }
+
+  std::string_view text_;
+  const std::filesystem::path& file_;
+  std::size_t at_ = 0, line_ = 1;
+  int dots_ = 0, brackets_ = 0;
+};
+
+}  // namespace
+
+void refuse_deep_nesting(const std::string& text, const std::filesystem::path& file) {
+  NestingCount(text, file).check();
+}
+
+}  // namespace diefill::process

@@ -1,0 +1,63 @@
+#include "process/powder/law_terms.h"
+
+#include <algorithm>
+
+#include "process/powder/tool_surface.h"
+#include "process/scene/contact_spec.h"
+
+namespace diefill::process {
+
+namespace {
+
+/// A part of the laws of [contact], once where grains and tools have the same.
+void add_part(const PartDescription& grains, const PartDescription& walls, LawTerms& terms) {
+  const auto add = [&](const PartDescription& part, const std::string& where) {
+    const bool none = part.words == "none";
+    (none ? terms.left_out : terms.used).push_back(part.kind + where + (none ? "" : " " + part.words));
+  };
+  if (grains.words == walls.words) return add(grains, "");
+  add(grains, " among grains");
+  add(walls, " with tools");
+}
+
+/// Whether `coefficient` is above zero for [walls] or for a tool that differs from it.
+bool any_tool(const Scene& scene, double (*coefficient)(const Scene&, const ToolSpec&)) {
+  return coefficient(scene, {}) > 0 ||
+         std::any_of(scene.tools.begin(), scene.tools.end(),
+                     [&](const ToolSpec& tool) { return coefficient(scene, tool) > 0; });
+}
+
+}  // namespace
+
+LawTerms law_terms(const Scene& scene, const engine::SimulationSettings& settings) {
+  const auto& grains = settings.grain_contact;
+  LawTerms terms;
+  const auto& contact = scene.contact;
+  if (contact)
+    for (std::size_t k = 0; k < contact->grains.words.size(); ++k)
+      add_part(contact->grains.words[k], contact->walls.words[k], terms);
+  const auto term = [&](const std::string& name, bool used) {
+    (used ? terms.used : terms.left_out).push_back(name);
+  };
+  if (!contact) {
+    term("Hertz repulsion", true);
+    term("damping", grains.damping > 0);
+    term("Coulomb friction among grains", grains.friction > 0);
+    term("Coulomb friction with tools", any_tool(scene, friction_of));
+    term("cohesion among grains", grains.work_of_adhesion > 0);
+    term("cohesion with tools", any_tool(scene, adhesion_of));
+    term("rolling friction", scene.powder.model == GrainModel::B && grains.rolling_friction > 0);
+  }
+  term("rotation of grains", settings.shape.rotates);
+  term("air drag", settings.air_viscosity > 0);
+  term("suction of air", scene.suction.has_value());
+  return terms;
+}
+
+std::string joined(const std::vector<std::string>& names) {
+  std::string text;
+  for (const auto& name : names) text += (text.empty() ? "" : ", ") + name;
+  return text.empty() ? "none" : text;
+}
+
+}  // namespace diefill::process

@@ -1,0 +1,138 @@
+#include "process/setup/build_tooling.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <future>
+#include <utility>
+
+#include "geometry/reach/moving_pair.h"
+#include "process/setup/predicted_work.h"
+#include "process/setup/reachable_surface.h"
+#include "process/setup/read_tooling.h"
+#include "process/setup/wall_sphere_limit.h"
+#include "process/tooling/cover_progress.h"
+#include "process/tooling/half_model.h"
+#include "process/tooling/periodic_tool.h"
+#include "process/tooling/tool_fit.h"
+
+namespace diefill::process {
+
+namespace {
+
+// Shares of the work after reading, as a die of ten million triangles has them.
+constexpr double kToolsFit = 0.3, kReachKnown = 0.33;
+
+/// Openings measured between centres (OP-12): the spheres' centres, not their surfaces, lie on the CAD
+/// surface.
+void move_to_surface(geometry::WallSpheres& spheres, const geometry::SolidQuery& solid) {
+  for (auto& centre : spheres.centres) centre = solid.nearest(centre).point;
+  spheres.mean_deviation += spheres.radius;
+  spheres.largest_deviation += spheres.radius;
+}
+
+bool is_mesh(const Scene& scene, const ToolSpec& spec) {
+  return spec.walls.value_or(scene.walls.kind) == WallKind::mesh;
+}
+
+/// Covers the tool. Where the mesh is the wall, spheres only cut the cells of grains that measures take: in
+/// sheet thinner than they are they are made as small as it needs.
+geometry::WallSpheres spheres_of(const Scene& scene, const Tool& tool, double grain_diameter,
+                                 geometry::WallSphereOptions options, const std::string& where) {
+  constexpr double kShareOfSheet = 0.45;
+  constexpr int kHalvings = 3;
+  const auto& period = scene.numerics.period;
+  const auto make = [&] {
+    return period[0] || period[1]
+               ? make_periodic_wall_spheres(tool.mesh, options, period, 2 * grain_diameter, where)
+               : geometry::make_wall_spheres(tool.mesh, tool.solid(), options);
+  };
+  if (!is_mesh(scene, tool.spec)) return make();
+  options.radius = std::min(options.radius, kShareOfSheet * geometry::mean_thickness(tool.mesh));
+  for (int halving = 0; halving < kHalvings; ++halving, options.radius *= 0.5) try {
+      return make();
+    } catch (const geometry::MeshError&) {
+      continue;
+    }
+  return make();
+}
+
+/// The tool's wall spheres; complaints about its geometry name the tool.
+geometry::WallSpheres cover(const Scene& scene, const Tool& tool, double grain_diameter,
+                            decltype(geometry::WallSphereOptions::reachable) reachable,
+                            decltype(geometry::WallSphereOptions::tell) tell) {
+  const std::string where = tool_text(scene, tool.spec);
+  geometry::WallSphereOptions options;
+  options.radius = wall_sphere_radius(scene, tool.spec);
+  options.spacing = tool.spec.spacing.value_or(scene.walls.spacing);
+  options.reachable = std::move(reachable);
+  options.tell = std::move(tell);
+  try {
+    auto spheres = spheres_of(scene, tool, grain_diameter, options, where);
+    if (scene.numerics.opening == OpeningMeasure::centres) move_to_surface(spheres, tool.solid());
+    keep_near_half(scene, spheres);
+    return spheres;
+  } catch (const geometry::MeshError& error) {
+    const std::string message = error.what();
+    const bool thin = message.find("thinner than a wall sphere") != std::string::npos;
+    throw SceneError(where + ": " + message + (thin ? ", or set walls = \"mesh\" for this tool" : ""));
+  }
+}
+
+/// The surface that powder meets where the mesh itself is the wall.
+geometry::Mesh wall_mesh(const Scene& scene, const Tool& tool, double grain_diameter) {
+  return periodic_wall_mesh(tool.mesh, scene.numerics.period, 4 * grain_diameter,
+                            tool_text(scene, tool.spec));
+}
+
+void refuse_leaks(const Scene& scene, const Tool& tool, double smallest_radius) {
+  if (tool.spheres.largest_gap < 2 * smallest_radius) return;
+  char text[300];
+  const Eigen::Vector3d place = tool.spheres.largest_gap_place * 1e3;
+  std::snprintf(text, sizeof text,
+                ": a sphere of a grain, %.4g mm in diameter, could pass the wall through a gap of %.4g mm "
+                "near (%.2f, %.2f, %.2f) mm; reduce the spacing or the radius of the wall spheres",
+                2e3 * smallest_radius, 1e3 * tool.spheres.largest_gap, place[0], place[1], place[2]);
+  throw SceneError(tool_text(scene, tool.spec) + text);
+}
+
+}  // namespace
+
+Tooling build_tooling(const Scene& as_read, double smallest_radius, double grain_diameter,
+                      const TellProgress& tell) {
+  refuse_endless(as_read);
+  Tooling tooling = read_tooling(as_read, tell);
+  const Scene scene = with_prepared_steps(as_read, tooling);
+  tell(kToolsFit, "finding surfaces that powder can reach");
+  const ReachableSurface reachable(scene, tooling, grain_diameter);
+  const auto needs_wall = [&](std::size_t tool, const Eigen::Vector3d& point, const Eigen::Vector3d& normal) {
+    return !scene.economy.skip_far_walls || reachable(tool, point, normal);
+  };
+  refuse_too_many_wall_spheres(scene, tooling, needs_wall);
+  std::vector<CoverProgress::Part> parts;
+  for (const Tool& tool : tooling.tools)
+    parts.push_back({tool.spec.name, static_cast<double>(tool.mesh.triangles.size())});
+  CoverProgress progress(parts);
+  // Tools do not know of each other: they are covered side by side.
+  std::vector<std::future<geometry::WallSpheres>> covered;
+  for (std::size_t k = 0; k < tooling.tools.size(); ++k)
+    covered.push_back(std::async(std::launch::async, [&, k] {
+      return cover(
+          scene, tooling.tools[k], grain_diameter,
+          [&, k](const Eigen::Vector3d& point, const Eigen::Vector3d& normal) {
+            return needs_wall(k, point, normal);
+          },
+          [&, k](double share) { progress.done(k, share); });
+    }));
+  for (std::size_t k = 0; k < tooling.tools.size(); ++k) {
+    Tool& tool = tooling.tools[k];
+    tool.spheres = progress.wait_for(k, covered[k], kReachKnown, tell);
+    if (is_mesh(scene, tool.spec))
+      tool.wall_mesh = wall_mesh(scene, tool, grain_diameter);
+    else
+      refuse_leaks(scene, tool, smallest_radius);
+  }
+  return tooling;
+}
+
+}  // namespace diefill::process

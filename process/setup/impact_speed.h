@@ -1,0 +1,12 @@
+// How fast things may hit each other in a scene: sets the critical time step.
+#pragma once
+
+#include "process/tooling/tooling.h"
+
+namespace diefill::process {
+
+/// m/s: fastest collision to be expected in a scene, from the depth of the pour, of the cavity, and the
+/// tools' motion. Steps must have been prepared.
+double predicted_impact_speed(const Scene& scene, const Tooling& tooling);
+
+}  // namespace diefill::process

@@ -1,0 +1,107 @@
+// Whether powder that steps let in has room to come.
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <numbers>
+
+#include "process/machine/powder_inflow.h"
+#include "process/powder/material.h"
+#include "process/powder/random.h"
+#include "process/setup/setup_findings.h"
+#include "process/tooling/stages.h"
+
+namespace diefill::process {
+
+namespace {
+
+constexpr int kTries = 400, kAtLast = 20000;  // places in a box that are tried
+constexpr int kTimes = 5;                     // instants of a step
+constexpr double kRandomPacking =
+    0.38;  // share that spheres dropped at random take of a box (random addition)
+
+/// Share of the box in which a grain has room at one instant.
+double room_at(const Tooling& tooling, const PowderInflow& inflow, const Stages& stages,
+               const std::vector<StepState>& states, double time, double radius, int tries = kTries) {
+  std::vector<ToolPose> poses;
+  for (const Tool& tool : tooling.tools) poses.push_back(pose_of(stages, states, tool.spec.name, time));
+  const ToolPose carrier = inflow.with.empty() ? ToolPose{} : poses[tooling.index_of(inflow.with)];
+  const Eigen::Vector3d middle = 0.5 * (inflow.lower + inflow.upper),
+                        half = 0.5 * (inflow.upper - inflow.lower);
+  Random random(1);
+  int free = 0;
+  for (int n = 0; n < tries; ++n) {
+    const Eigen::Vector3d offset(random.symmetric(), random.symmetric(), random.symmetric());
+    const Eigen::Vector3d own = middle + offset.cwiseProduct(half);
+    const Eigen::Vector3d place = carrier.rotation * own + carrier.translation;
+    bool clear = true;
+    for (std::size_t k = 0; clear && k < poses.size(); ++k)
+      clear = tooling.tools[k].solid().signed_distance(poses[k].rotation.transpose() *
+                                                       (place - poses[k].translation)) >= radius;
+    free += clear ? 1 : 0;
+  }
+  return static_cast<double>(free) / tries;
+}
+
+std::string box_text(const PowderInflow& inflow) {
+  char text[200];
+  const Eigen::Vector3d from = 1e3 * inflow.lower, to = 1e3 * inflow.upper;
+  std::snprintf(text, sizeof text, "the box from (%.4g, %.4g, %.4g) to (%.4g, %.4g, %.4g) mm", from.x(),
+                from.y(), from.z(), to.x(), to.y(), to.z());
+  return text;
+}
+
+/// kg/s that grains which fall out of the box leave room for.
+double largest_rate(const Scene& scene, const PowderInflow& inflow, double share,
+                    const engine::SimulationSettings& settings) {
+  const double across = 2 * settings.shape.bounding_radius();
+  const Eigen::Vector3d size = (inflow.upper - inflow.lower).cwiseMax(across);
+  const double grain = std::numbers::pi / 6 * across * across * across;
+  const double held = std::max(1.0, kRandomPacking * share * size.prod() / grain) * settings.shape.mass;
+  const double height = size.z(), speed = std::abs(inflow.velocity.z()), g = scene.gravity.norm();
+  const double time = (std::sqrt(speed * speed + 2 * g * height) - speed) / g;
+  return held / time;
+}
+
+}  // namespace
+
+std::vector<SetupFinding> inflow_findings(const Scene& scene, const Tooling& tooling) {
+  std::vector<SetupFinding> findings;
+  const bool any = std::any_of(scene.steps.begin(), scene.steps.end(),
+                               [](const auto& step) { return step->inflow() != nullptr; });
+  if (!any) return findings;
+  const auto settings = engine_settings(scene, 1.0);
+  const Stages stages(scene);
+  const auto states = predicted(stages, kSettlingGuess);
+  for (std::size_t k = 0; k < scene.steps.size(); ++k) {
+    const PowderInflow* inflow = scene.steps[k]->inflow();
+    if (inflow == nullptr) continue;
+    const StepState& state = states[k + 1];
+    double room = 0;
+    for (int n = 0; n < kTimes; ++n)
+      room = std::max(room, room_at(tooling, *inflow, stages, states,
+                                    state.started + (state.ended - state.started) * n / (kTimes - 1),
+                                    settings.shape.bounding_radius()));
+    if (room == 0)
+      room =
+          room_at(tooling, *inflow, stages, states, state.started, settings.shape.bounding_radius(), kAtLast);
+    const Eigen::Vector3d middle = 0.5 * (inflow->lower + inflow->upper);
+    const std::string step = scene.steps[k]->plan.where;
+    if (room == 0)
+      throw SceneError(step + ": " + box_text(*inflow) +
+                       " lies inside a tool or leaves no space for a grain between tools, so no powder can "
+                       "enter; move it");
+    if (!inflow->rate) continue;
+    const double most = largest_rate(scene, *inflow, room, settings);
+    if (*inflow->rate <= most) continue;
+    char text[300];
+    std::snprintf(
+        text, sizeof text,
+        "rate is %.4g g/s, but %s delivers at most about %.2g g/s, as fast as grains fall out of it: powder "
+        "will enter more slowly; enlarge the box, give the grains a velocity, or reduce the rate",
+        1e3 * *inflow->rate, box_text(*inflow).c_str(), 1e3 * most);
+    findings.push_back({step + ": " + text, {middle}});
+  }
+  return findings;
+}
+
+}  // namespace diefill::process

@@ -1,0 +1,148 @@
+#include "process/setup/predicted_work.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <limits>
+
+#include "process/machine/powder_inflow.h"
+#include "process/powder/material.h"
+#include "process/scene/setting.h"
+#include "process/setup/impact_speed.h"
+#include "process/setup/pour.h"
+#include "process/tooling/machine_memory.h"
+#include "process/tooling/predicted_memory.h"
+#include "process/tooling/stages.h"
+#include "process/tooling/tool_fit.h"
+
+namespace diefill::process {
+
+namespace {
+
+template <class... Values>
+std::string line(const char* format, Values... values) {
+  char text[400];
+  std::snprintf(text, sizeof text, format, values...);
+  return text;
+}
+
+std::string place(const Scene& scene) {
+  return scene.file.string() + ": ";
+}
+
+/// Grains poured, and those that steps let in.
+double all_grains(const Scene& scene, const engine::GrainShape& shape) {
+  const Eigen::Vector3d size = scene.pour.upper - scene.pour.lower;
+  double volume = size[0] * size[1] * scene.pour.fill_height * expected_solid_fraction(scene);
+  for (const auto& step : scene.steps)
+    if (const PowderInflow* inflow = step->inflow(); inflow != nullptr && inflow->mass)
+      volume += *inflow->mass / shape.mass * shape.solid_volume;
+  return volume / shape.solid_volume;
+}
+
+/// s of simulated time after which the run ends in any case.
+double at_most(const Scene& scene, double seconds) {
+  return scene.numerics.max_time > 0 ? std::min(seconds, scene.numerics.max_time) : seconds;
+}
+
+void refuse_steps(const Scene& scene, double seconds, double time_step, double spheres) {
+  const double steps = at_most(scene, seconds) / time_step;
+  if (steps <= kMostSteps && steps * spheres <= kMostSphereSteps) return;
+  const std::string advice =
+      "; use a longer time step (numerics.time_step_fraction, numerics.time_step, a softer "
+      "powder.reduced_modulus), larger grains or shorter steps";
+  if (!(steps <= kMostSteps))
+    throw SceneError(place(scene) +
+                     line("%.3g s of simulated time in time steps of %.3g s are %.3g steps, ",
+                          at_most(scene, seconds), time_step, steps) +
+                     line("allowed: at most %.3g, because the run would never end", kMostSteps) + advice);
+  throw SceneError(place(scene) +
+                   line("%.3g spheres over %.3g time steps of %.3g s are %.3g sphere-steps, ", spheres, steps,
+                        time_step, steps * spheres) +
+                   line("allowed: at most %.3g, because the run would never end", kMostSphereSteps) + advice);
+}
+
+/// Whatever max_time says: nobody can tell where tools are after such times.
+void refuse_endless_motion(const Scene& scene, double seconds) {
+  constexpr double kLongest = 1e8;  // s
+  if (seconds <= kLongest) return;
+  throw SceneError(place(scene) + line("the steps take %.3g s of simulated time, allowed: at most %.3g s; "
+                                       "check whether a velocity, an acceleration or a ramp is too small",
+                                       seconds, kLongest));
+}
+
+/// Bytes of what measure.snapshot_interval keeps.
+double kept_bytes(const Scene& scene, double seconds, double grains) {
+  constexpr double kBytesOfGrain = 100;
+  return kBytesOfGrain * grains * at_most(scene, seconds) / scene.measure.snapshot_interval;
+}
+
+void refuse_snapshots(const Scene& scene, double seconds) {
+  for (const auto& snapshot : scene.snapshots) {
+    if (!snapshot.every || at_most(scene, seconds) / *snapshot.every <= kMostSnapshots) continue;
+    throw SceneError(
+        place(scene) + "snapshot \"" + snapshot.name + "\": " +
+        line("every %.3g s of %.3g s makes %.3g folders of results, allowed: at most %.3g; raise every",
+             *snapshot.every, at_most(scene, seconds), at_most(scene, seconds) / *snapshot.every,
+             kMostSnapshots));
+  }
+}
+
+/// Grains of which so many `spheres` as fit into memory make the same powder.
+std::string larger_grains(const Scene& scene, double spheres) {
+  constexpr double kRoundedUp = 1.05;
+  const double base = plan::predicted_memory(0, 0), room = std::max(0.1 * base, machine_memory() - base);
+  const double factor = std::cbrt((plan::predicted_memory(spheres, 0) - base) / room);
+  return line("use grains of %.2g mm or more (powder.grain_diameter)",
+              kRoundedUp * factor * 1e3 * scene.powder.grain_diameter) +
+         ", pour less, or run on a machine with more memory";
+}
+
+}  // namespace
+
+void refuse_memory(const std::string& what, double spheres, double wall_spheres, double more_bytes,
+                   const std::string& advice) {
+  const double bytes = plan::predicted_memory(spheres, wall_spheres) + more_bytes;
+  const double there = machine_memory();
+  if (bytes <= there) return;
+  throw SceneError(what +
+                   line(" would need about %.3g GB of memory, but only %.3g GB are available; ", 1e-9 * bytes,
+                        1e-9 * there) +
+                   advice);
+}
+
+void refuse_endless(const Scene& scene) {
+  if (setting_of(scene)) return;  // its grains are not chosen yet
+  const auto settings = engine_settings(scene, 1.0);
+  const double grains = all_grains(scene, settings.shape);
+  const double spheres = grains * static_cast<double>(settings.shape.spheres());
+  double longest = kSettlingGuess;
+  for (const auto& step : scene.steps)
+    if (!step->needs_cavity()) longest = std::max(longest, step->duration().value_or(0));
+  refuse_memory(place(scene) + line("%.3g grains of %.4g mm (%.3g spheres)", grains,
+                                    1e3 * scene.powder.grain_diameter, spheres),
+                spheres, 0, 0, larger_grains(scene, spheres));
+  refuse_steps(scene, longest, settings.time_step, spheres);
+  refuse_snapshots(scene, longest);
+}
+
+void refuse_endless_schedule(const Scene& scene, const Tooling& tooling) {
+  const Stages stages(scene);
+  double end = 0;
+  for (const auto& state : predicted(stages, kSettlingGuess))
+    end = std::isfinite(state.ended) ? std::max(end, state.ended) : std::numeric_limits<double>::infinity();
+  refuse_endless_motion(scene, end);
+  const auto still = engine_settings(scene, 1.0);
+  // Where a setting has still to choose them, grains are not what they will be.
+  const double grains = setting_of(scene) ? 0 : all_grains(scene, still.shape);
+  const double spheres = grains * static_cast<double>(still.shape.spheres());
+  refuse_steps(scene, end, still.time_step, spheres);  // before motions are asked for such times
+  refuse_steps(scene, end, engine_settings(scene, predicted_impact_speed(scene, tooling)).time_step, spheres);
+  refuse_snapshots(scene, end);
+  if (scene.measure.snapshot_interval > 0)
+    refuse_memory(place(scene) + line("%.3g instants of %.3g grains (measure.snapshot_interval)",
+                                      at_most(scene, end) / scene.measure.snapshot_interval, grains),
+                  spheres, 0, kept_bytes(scene, end, grains), "keep fewer instants");
+}
+
+}  // namespace diefill::process

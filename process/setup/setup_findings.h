@@ -1,0 +1,31 @@
+// Set-ups that can be computed but are likely mistakes: powder beside the shoe, a shoe above the die,
+// narrower than the cavity or never over it, a punch beside the die, too little powder.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "process/tooling/tooling.h"
+
+namespace diefill::process {
+
+/// One of them. The places are for a picture.
+struct SetupFinding {
+  std::string words;                    ///< one line: what, with numbers, and what to do
+  std::vector<Eigen::Vector3d> places;  ///< m, laboratory frame
+};
+
+/// All that is found; none for most scenes.
+std::vector<SetupFinding> setup_findings(const Scene& scene, const Tooling& tooling);
+
+/// Findings about the shoe: too high above the die, misses part of the cavity, or is out of scale.
+std::vector<SetupFinding> shoe_findings(const Scene& scene, const Tooling& tooling);
+
+/// Steps that let powder in with a rate that their boxes cannot give. Throws SceneError for a box in which no
+/// grain has room while its step is on: the step would never end.
+std::vector<SetupFinding> inflow_findings(const Scene& scene, const Tooling& tooling);
+
+/// Prefix of those warnings of a run that point to a likely mistake.
+inline constexpr const char* kAlert = "WARNING: ";
+
+}  // namespace diefill::process

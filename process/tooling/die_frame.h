@@ -1,0 +1,46 @@
+// What lies in the die, wherever the die has been moved: places are taken back to the frame in which the die
+// stands where the scene puts it.
+#pragma once
+
+#include "engine/simulation/simulation.h"
+#include "process/results/fill_result.h"
+#include "process/tooling/tooling.h"
+
+namespace diefill::process {
+
+/// The cavity as results describe it; azimuth 0 is along x.
+results::CavityState cavity_state(const geometry::Cavity& found);
+
+/// The die's frame at one time.
+class DieFrame {
+ public:
+  explicit DieFrame(const engine::BodyMotion& die) : die_(die) {}
+  /// True where the die stands as the scene puts it, to 1e-12 m and rad.
+  bool at_home() const;
+  /// m, how far the die's own origin stands off, and rad, by which it is turned.
+  double shift() const { return die_.translation.norm(); }
+  double turn() const { return Eigen::AngleAxisd(die_.rotation).angle(); }
+
+  Eigen::Vector3d point(const Eigen::Vector3d& laboratory) const {
+    return die_.rotation.transpose() * (laboratory - die_.translation);
+  }
+  Eigen::Vector3d direction(const Eigen::Vector3d& laboratory) const {
+    return die_.rotation.transpose() * laboratory;
+  }
+  /// A tensor of second order, such as a stress.
+  Eigen::Matrix3d tensor(const Eigen::Matrix3d& laboratory) const {
+    return die_.rotation.transpose() * laboratory * die_.rotation;
+  }
+  /// A body as it stands in the die's frame; at rest.
+  engine::BodyMotion pose(const engine::BodyMotion& body) const;
+  /// Powder with places, orientations and velocities (those of the laboratory, turned) in the die's frame.
+  results::PowderState powder(results::PowderState laboratory) const;
+
+ private:
+  engine::BodyMotion die_;
+};
+
+/// kg of powder whose grain centres lie in the cavity now.
+double filled_mass(const engine::Simulation& simulation, const Tooling& tooling);
+
+}  // namespace diefill::process

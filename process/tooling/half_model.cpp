@@ -1,0 +1,162 @@
+#include "process/tooling/half_model.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "geometry/solid/symmetry.h"
+#include "process/machine/force_control.h"
+
+namespace diefill::process {
+
+namespace {
+
+constexpr double kSymmetryOverRadius = 0.2;  // as process/tooling/diagnosis
+constexpr std::uint64_t kFirstImage = std::uint64_t{1} << 32;
+constexpr double kOutOfPlane = 1e-9;  // m, m/s, rad/s or none, what rounding makes of zero
+
+Eigen::Vector3d image_of(Eigen::Vector3d place, int axis) {
+  place[axis] = -place[axis];
+  return place;
+}
+
+/// Spins and torques keep their part along the normal of the mirror and turn the others round.
+Eigen::Vector3d image_of_spin(const Eigen::Vector3d& spin, int axis) {
+  return -image_of(spin, axis);
+}
+
+/// Grains of all models are mirror images of themselves across the planes of their body frame, so that the
+/// image of a turned grain is a turned grain again: turned about the image of the axis the other way round.
+Eigen::Vector4d image_of_turn(const Eigen::Vector4d& turn, int axis) {
+  const Eigen::Vector3d vector = image_of_spin(turn.tail<3>(), axis);
+  return {turn[0], vector[0], vector[1], vector[2]};
+}
+
+std::string plane_text(int axis) {
+  return axis == 0 ? "x = 0" : "y = 0";
+}
+
+void refuse_asymmetric_tool(const Scene& scene, const Tool& tool, int axis) {
+  const double tolerance = kSymmetryOverRadius * tool.spec.sphere_radius.value_or(scene.walls.sphere_radius);
+  const auto symmetry = geometry::find_symmetry(tool.solid(), tolerance);
+  const bool across = std::any_of(symmetry.planes.begin(), symmetry.planes.end(), [&](const auto& normal) {
+    return std::abs(std::abs(normal[axis]) - 1) < 1e-6;
+  });
+  if (across && std::abs(symmetry.centre[axis]) <= tolerance) return;
+  char text[200];
+  std::snprintf(text, sizeof text,
+                " is not symmetric across the plane %s within %.3g mm; remove the key, or choose the "
+                "symmetry plane of the tools (diefill check prints it)",
+                plane_text(axis).c_str(), 1e3 * tolerance);
+  throw SceneError(scene.economy.mirror_place + ": tool \"" + tool.spec.name + "\"" + text);
+}
+
+bool lies_in_plane(const ToolMotion& motion, int axis) {
+  Eigen::Matrix3d mirror = Eigen::Matrix3d::Identity();
+  mirror(axis, axis) = -1;
+  Eigen::Vector3d turning = motion.angular_velocity;
+  turning[axis] = 0;
+  return std::abs(motion.translation[axis]) <= kOutOfPlane &&
+         std::abs(motion.velocity[axis]) <= kOutOfPlane && turning.norm() <= kOutOfPlane &&
+         (mirror * motion.rotation * mirror - motion.rotation).norm() <= kOutOfPlane;
+}
+
+/// Looks at the motion at many instants, at no regular distance, so that no shaking hides between them.
+bool step_lies_in_plane(const Step& step, int axis) {
+  constexpr int kInstants = 2000;
+  constexpr double kGoldenRatio = 0.6180339887498949, kOpenEnded = 1;  // s, long enough to see what it does
+  constexpr double kFarEnough = 0.1;                                   // m or rad, to see where it goes
+  if (const ForceControl* control = step.control())
+    return lies_in_plane(control->motion(std::min(control->travel, kFarEnough), control->speed_limit), axis);
+  const double length = step.open_ended() ? kOpenEnded : step.duration().value_or(kOpenEnded);
+  for (int n = 1; n < kInstants; ++n)
+    if (!lies_in_plane(step.motion(length * std::fmod(n * kGoldenRatio, 1.0)), axis)) return false;
+  return true;
+}
+
+}  // namespace
+
+void refuse_asymmetry(const Scene& scene, const Tooling& tooling) {
+  if (!tooling.mirror) return;
+  const int axis = *tooling.mirror;
+  for (const Tool& tool : tooling.tools) refuse_asymmetric_tool(scene, tool, axis);
+  for (const auto& step : scene.steps) {
+    if (step->tools().empty() || step_lies_in_plane(*step, axis)) continue;
+    throw SceneError(scene.economy.mirror_place + ": the step \"" + step->description() +
+                     "\" moves a tool out of the mirror plane " + plane_text(axis) +
+                     ", so the two halves are not mirror images; remove the key");
+  }
+}
+
+void keep_near_half(const Scene& scene, geometry::WallSpheres& spheres) {
+  if (!scene.economy.mirror) return;
+  std::erase_if(spheres.centres,
+                [&](const auto& centre) { return centre[*scene.economy.mirror] < -spheres.radius; });
+}
+
+engine::WallBodySpec mirror_wall(int axis, const engine::ContactParameters& grain_contact) {
+  engine::WallBodySpec wall;
+  wall.name = "mirror plane";
+  wall.planes = {{Eigen::Vector3d::Zero(), Eigen::Vector3d::Unit(axis)}};
+  wall.contact = engine::mirror_plane(grain_contact);
+  return wall;
+}
+
+double copies(const Tooling& tooling) {
+  return tooling.mirror ? 2 : 1;
+}
+
+engine::WallLoad whole_load(const Tooling& tooling, const engine::WallLoad& load) {
+  if (!tooling.mirror) return load;
+  const int axis = *tooling.mirror;
+  return {load.force + image_of(load.force, axis), load.torque + image_of_spin(load.torque, axis)};
+}
+
+void add_images(const Tooling& tooling, results::PowderState& powder) {
+  if (!tooling.mirror) return;
+  const int axis = *tooling.mirror;
+  const std::size_t grains = powder.id.size();
+  for (std::size_t k = 0; k < grains; ++k) {
+    powder.id.push_back(kFirstImage + powder.id[k]);
+    powder.position.push_back(image_of(powder.position[k], axis));
+    powder.orientation.push_back(image_of_turn(powder.orientation[k], axis));
+    powder.velocity.push_back(image_of(powder.velocity[k], axis));
+    powder.angular_velocity.push_back(image_of_spin(powder.angular_velocity[k], axis));
+  }
+}
+
+void add_images(const Tooling& tooling, results::ContactStress& stress) {
+  if (!tooling.mirror) return;
+  const int axis = *tooling.mirror;
+  const std::size_t grains = stress.normal.size();
+  for (std::size_t k = 0; k < grains; ++k) {
+    stress.normal.push_back(stress.normal[k]);
+    // Shear between the two axes in the plane stays, the others change sides.
+    Eigen::Vector3d shear = -stress.shear[k];
+    shear[axis] = stress.shear[k][axis];
+    stress.shear.push_back(shear);
+  }
+}
+
+void add_images(const Tooling& tooling, results::Instant& instant) {
+  if (!tooling.mirror) return;
+  const int axis = *tooling.mirror;
+  const std::size_t grains = instant.id.size();
+  for (std::size_t k = 0; k < grains; ++k) {
+    instant.id.push_back(kFirstImage + instant.id[k]);
+    instant.position.push_back(image_of(instant.position[k], axis));
+    instant.orientation.push_back(image_of_turn(instant.orientation[k], axis));
+    instant.velocity.push_back(image_of(instant.velocity[k], axis));
+  }
+}
+
+void add_images(const Tooling& tooling, std::vector<Eigen::Vector3d>& centres) {
+  if (!tooling.mirror) return;
+  const int axis = *tooling.mirror;
+  // Spheres up to a radius beyond the plane are there already, each with its own image on this side.
+  std::erase_if(centres, [axis](const auto& centre) { return centre[axis] < 0; });
+  const std::size_t own = centres.size();
+  for (std::size_t k = 0; k < own; ++k) centres.push_back(image_of(centres[k], axis));
+}
+
+}  // namespace diefill::process

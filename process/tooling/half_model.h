@@ -1,0 +1,46 @@
+// Half a model for the whole: where tools and their motions are mirror images of themselves, half the powder
+// is computed in front of a plane that acts on grains as their images behind it would, and results show both
+// halves. What is lost: powder is never quite symmetric, so that the scatter between both halves is, and
+// grains cannot lie across the plane.
+#pragma once
+
+#include "engine/simulation/simulation.h"
+#include "process/results/fill_result.h"
+#include "process/tooling/tooling.h"
+
+namespace diefill::process {
+
+/// Throws SceneError when tools or motions are not mirror images of themselves. Steps must have been
+/// prepared. Does nothing without a mirror plane, as all of the following.
+void refuse_asymmetry(const Scene& scene, const Tooling& tooling);
+
+/// Drops the wall spheres that powder in front of the mirror plane cannot touch.
+void keep_near_half(const Scene& scene, geometry::WallSpheres& spheres);
+
+/// The mirror plane as a wall of powder with these contacts.
+engine::WallBodySpec mirror_wall(int axis, const engine::ContactParameters& grain_contact);
+
+/// 2 for a half model, 1 otherwise: what a grain, a mass, an energy counts.
+double copies(const Tooling& tooling);
+
+/// The load that both halves put on a tool.
+engine::WallLoad whole_load(const Tooling& tooling, const engine::WallLoad& load);
+
+/// Calls visit(place) for the place and its image.
+template <class Visit>
+void visit_images(const Tooling& tooling, const Eigen::Vector3d& place, const Visit& visit) {
+  visit(place);
+  if (!tooling.mirror) return;
+  Eigen::Vector3d image = place;
+  image[*tooling.mirror] = -image[*tooling.mirror];
+  visit(image);
+}
+
+/// Both halves of the powder, of its stress, of an instant kept on the way, of centres of wall spheres.
+/// Images follow the grains; their ids are those of the grains and 2^32.
+void add_images(const Tooling& tooling, results::PowderState& powder);
+void add_images(const Tooling& tooling, results::ContactStress& stress);
+void add_images(const Tooling& tooling, results::Instant& instant);
+void add_images(const Tooling& tooling, std::vector<Eigen::Vector3d>& centres);
+
+}  // namespace diefill::process

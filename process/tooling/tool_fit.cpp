@@ -1,0 +1,91 @@
+#include "process/tooling/tool_fit.h"
+
+#include <cmath>
+#include <cstdio>
+#include <limits>
+#include <utility>
+
+namespace diefill::process {
+
+namespace {
+
+constexpr double kLargestTool = 2;                            // m
+constexpr double kFarthestTool = 20;                          // m, middle from the origin of the scene
+constexpr double kSmallestUsual = 0.01, kLargestUsual = 0.8;  // m, extents of tools that presses have
+
+void deepen(Overlap& deepest, const geometry::Mesh& part, const Tool& other) {
+  const geometry::Box box = other.mesh.bounding_box();
+  for (const auto& corner : part.vertices) {
+    if (!box.contains(corner)) continue;
+    const double depth = -other.solid().signed_distance(corner);
+    if (depth > deepest.depth) deepest = {depth, corner};
+  }
+}
+
+/// Units in which the part would be as large as tools are, where `extent` is in the file's unit.
+std::string likely_unit(double extent) {
+  std::string units;
+  for (const auto& [name, metres] :
+       {std::pair{"mm", 1e-3}, {"um", 1e-6}, {"cm", 1e-2}, {"m", 1.0}, {"inch", 0.0254}}) {
+    char text[60];
+    const double size = extent * metres;
+    if (size < kSmallestUsual || size > kLargestUsual) continue;
+    std::snprintf(text, sizeof text, "%s%.4g mm in \"%s\"", units.empty() ? " (" : ", ", 1e3 * size, name);
+    units += text;
+  }
+  return units.empty() ? "" : units + ")";
+}
+
+/// Space is searched between all tools; and so far away single precision, as CAD files have it, is coarse.
+void refuse_far(const geometry::Mesh& mesh, const std::string& where) {
+  const geometry::Box box = mesh.bounding_box();
+  const Eigen::Vector3d middle = (box.lower + box.upper) / 2;
+  if (middle.cwiseAbs().maxCoeff() <= kFarthestTool) return;
+  // The axes along which the tool is near are left as they are in CAD.
+  Eigen::Vector3d back = Eigen::Vector3d::Zero();
+  for (int k = 0; k < 3; ++k)
+    if (std::abs(middle[k]) > kLargestTool) back[k] = -middle[k];
+  char text[400];
+  std::snprintf(text, sizeof text,
+                ": is %.4g m from the origin, allowed: up to %.4g m, because distant coordinates lose digits "
+                "in single-precision CAD files (steps of %.2g mm); move it to the origin in CAD, or add "
+                "[\"%.9g mm\", \"%.9g mm\", \"%.9g mm\"] to its position",
+                middle.norm(), kFarthestTool, 1e3 * middle.norm() * std::numeric_limits<float>::epsilon(),
+                1e3 * back[0], 1e3 * back[1], 1e3 * back[2]);
+  throw SceneError(where + text);
+}
+
+}  // namespace
+
+void check_size(const geometry::Mesh& mesh, double sphere_radius, double metres_per_unit,
+                const std::string& where) {
+  const Eigen::Vector3d size = mesh.bounding_box().size();
+  const bool too_large = size.maxCoeff() > kLargestTool, too_small = size.maxCoeff() < 4 * sphere_radius;
+  if (!too_large) refuse_far(mesh, where);  // a tool of 200 m lies far away for its unit's sake
+  if (!too_large && !too_small) return;
+  char text[240];
+  std::snprintf(text, sizeof text,
+                ": measures %.4g x %.4g x %.4g mm, %s; check whether length_unit is that of the CAD file",
+                1e3 * size[0], 1e3 * size[1], 1e3 * size[2],
+                too_large ? "allowed: up to 2000 mm" : "too small to be covered with wall spheres");
+  throw SceneError(where + text + likely_unit(size.maxCoeff() / metres_per_unit));
+}
+
+Overlap deepest_overlap(const Tool& one, const Tool& other) {
+  Overlap deepest;
+  deepen(deepest, one.mesh, other);
+  deepen(deepest, other.mesh, one);
+  return deepest;
+}
+
+void check_fit(const Tool& tool, const Tool& other, double sphere_radius, const std::string& where) {
+  const Overlap deepest = deepest_overlap(tool, other);
+  if (deepest.depth <= sphere_radius) return;
+  char text[120];
+  std::snprintf(text, sizeof text,
+                " overlap by %.3g mm near (%.2f, %.2f, %.2f) mm at the start; move one of them",
+                1e3 * deepest.depth, 1e3 * deepest.place[0], 1e3 * deepest.place[1], 1e3 * deepest.place[2]);
+  throw SceneError(where + " and tool \"" + other.spec.name + "\"" + text);
+}
+
+}  // namespace diefill::process

@@ -1,0 +1,31 @@
+// Checks sizes and positions of tools for mistakes: a wrong unit of length, a part that overlaps another.
+#pragma once
+
+#include <string>
+
+#include "process/tooling/tooling.h"
+
+namespace diefill::process {
+
+/// "file:line: tool "name"", where messages about a tool begin.
+std::string tool_text(const Scene& scene, const ToolSpec& spec);
+
+/// Throws SceneError (beginning with `where`) when the part is larger than any press or too small to be
+/// covered with wall spheres of that radius (m): its CAD file, read in units of `metres_per_unit`, is in
+/// another one.
+void check_size(const geometry::Mesh& mesh, double sphere_radius, double metres_per_unit,
+                const std::string& where);
+
+/// How deep one part reaches into another, judged by the corners of both.
+struct Overlap {
+  double depth = 0;  ///< m
+  Eigen::Vector3d place = Eigen::Vector3d::Zero();
+};
+Overlap deepest_overlap(const Tool& one, const Tool& other);
+
+/// Throws SceneError (beginning with `where`, which is of `tool`) when a corner of one of the two parts lies
+/// deeper inside the other than a wall sphere's radius, as they stand at the start. Fits and facets overlap
+/// by less.
+void check_fit(const Tool& tool, const Tool& other, double sphere_radius, const std::string& where);
+
+}  // namespace diefill::process

@@ -1,0 +1,64 @@
+// Tools that would pass through each other on the ways that a scene's steps take them.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "engine/simulation/simulation.h"
+#include "geometry/reach/moving_pair.h"
+#include "process/tooling/tooling.h"
+
+namespace diefill::process {
+
+/// Two tools, one of which would cut into the other.
+struct ToolCollision {
+  std::string one, other;                           ///< names
+  std::string where;                                ///< place of the step in the scene file; empty: no step's
+  double since = 0;                                 ///< s after that step began
+  double depth = 0;                                 ///< m, of the first cut
+  double deepest = 0;                               ///< m, on the whole way
+  Eigen::Vector3d place = Eigen::Vector3d::Zero();  ///< m, of the first cut
+  std::string description() const;                  ///< without `where`
+};
+
+/// A tool that would pass through another; the places are for a picture.
+struct ToolsCollide : SceneError {
+  ToolsCollide(const std::string& message, std::vector<ToolCollision> found)
+      : SceneError(message), collisions(std::move(found)) {}
+  std::vector<ToolCollision> collisions;
+};
+
+/// Depth (m) up to which two tools may be in each other: the larger radius of their wall spheres, as at the
+/// start, and at most a quarter of the thinner one's mean thickness.
+double allowed_depth(const Scene& scene, const Tool& one, const Tool& other);
+
+/// Ways of tools under force control are not known beforehand.
+enum class ForcedTools { stand, go_all_the_way };
+
+/// Follows all tools through all steps, which must have been prepared, and looks at every pair that moves
+/// against each other at poses at most half a millimetre apart; a pose that a pair has been in is not looked
+/// at again. One collision a pair at most.
+std::vector<ToolCollision> find_collisions(const Scene& scene, const Tooling& tooling, ForcedTools forced);
+
+/// Throws ToolsCollide for the collisions of prescribed motions.
+void refuse_collisions(const Scene& scene, const Tooling& tooling);
+
+/// Watches, while a run is under way, the tools whose way follows the powder's resistance.
+class ForcedToolWatch {
+ public:
+  /// Keeps a reference to `tooling`.
+  ForcedToolWatch(const Scene& scene, const Tooling& tooling);
+  /// Throws engine::OutOfRange when such a tool cuts into another.
+  void look(const engine::Simulation& simulation);
+
+ private:
+  struct Pair {
+    std::size_t one, other;
+    std::unique_ptr<geometry::MovingPair> solids;
+  };
+  const Tooling& tooling_;
+  std::vector<Pair> pairs_;
+};
+
+}  // namespace diefill::process

@@ -1,0 +1,16 @@
+// Tools as the engine has them: bodies of wall spheres or triangles.
+#pragma once
+
+#include <vector>
+
+#include "engine/simulation/simulation.h"
+#include "process/tooling/tooling.h"
+
+namespace diefill::process {
+
+/// The scene's tools in their order, each in its own frame, and the mirror plane of a half model as a last
+/// body without friction.
+std::vector<engine::WallBodySpec> wall_bodies(const Scene& scene, const Tooling& tooling,
+                                              const engine::SimulationSettings& settings);
+
+}  // namespace diefill::process

@@ -1,0 +1,222 @@
+#include "render/charts/curve_painter.h"
+
+#include <QPainterPath>
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "render/style/text.h"
+
+namespace diefill::render {
+namespace {
+
+constexpr double kLineWidth = 4;
+constexpr double kMarkerRadius = 8;
+constexpr double kSampleLength = 64;  // of the piece of curve in the legend
+constexpr double kLegendRow = 42;
+
+// How a curve looks: colours go through all curves; dashes only through those with lines, so that a model's
+// line among measured points is solid; with five marker shapes to eight colours no look repeats within forty
+// curves.
+struct Look {
+  QColor colour;
+  Qt::PenStyle dash;
+  std::size_t shape;
+};
+
+Look look_of(const std::vector<Curve>& curves, std::size_t index) {
+  static constexpr std::array<Qt::PenStyle, 4> kDashes{Qt::SolidLine, Qt::DashLine, Qt::DashDotLine,
+                                                       Qt::DotLine};
+  std::size_t lines_before = 0;
+  for (std::size_t k = 0; k < index; ++k)
+    lines_before += curves[k].style == CurveStyle::kLine || curves[k].style == CurveStyle::kLineAndMarkers;
+  return {curve_colour(index), kDashes[(lines_before + lines_before / 8) % kDashes.size()], index % 5};
+}
+
+QPen curve_pen(const Look& look) {
+  QPen pen(look.colour, kLineWidth, look.dash);
+  pen.setJoinStyle(Qt::RoundJoin);
+  pen.setCapStyle(Qt::FlatCap);
+  return pen;
+}
+
+QPolygonF marker_outline(std::size_t shape) {
+  constexpr double r = kMarkerRadius;
+  switch (shape) {
+    case 1:
+      return QRectF(-r, -r, 2 * r, 2 * r);
+    case 2:
+      return QPolygonF({{0, -1.3 * r}, {1.2 * r, r}, {-1.2 * r, r}});
+    case 3:
+      return QPolygonF({{0, -1.4 * r}, {1.4 * r, 0}, {0, 1.4 * r}, {-1.4 * r, 0}});
+    default:
+      return QPolygonF({{0, 1.3 * r}, {1.2 * r, -r}, {-1.2 * r, -r}});
+  }
+}
+
+void draw_marker(QPainter& painter, const QPointF& at, const Look& look) {
+  painter.setPen(QPen(Qt::white, 1.5));
+  painter.setBrush(look.colour);
+  if (look.shape == 0) {
+    painter.drawEllipse(at, kMarkerRadius, kMarkerRadius);
+  } else {
+    painter.drawPolygon(marker_outline(look.shape).translated(at));
+  }
+}
+
+bool is_drawable(const QPointF& point) {
+  return std::isfinite(point.x()) && std::isfinite(point.y());
+}
+
+void draw_line(QPainter& painter, const PlotArea& area, const Curve& curve, const Look& look) {
+  QPainterPath path;
+  bool in_piece = false;
+  for (std::size_t k = 0; k < curve.x.size(); ++k) {
+    const QPointF point = area.pixel(curve.x[k], curve.y[k]);
+    if (!is_drawable(point)) {
+      in_piece = false;
+      continue;
+    }
+    if (in_piece)
+      path.lineTo(point);
+    else
+      path.moveTo(point);
+    in_piece = true;
+  }
+  painter.setPen(curve_pen(look));
+  painter.setBrush(Qt::NoBrush);
+  painter.drawPath(path);
+}
+
+void draw_error_bars(QPainter& painter, const PlotArea& area, const Curve& curve, const Look& look) {
+  constexpr double kCap = 7;
+  painter.setPen(QPen(look.colour, 2.5));
+  for (std::size_t k = 0; k < curve.y_error.size(); ++k) {
+    const QPointF top = area.pixel(curve.x[k], curve.y[k] + curve.y_error[k]);
+    QPointF foot = area.pixel(curve.x[k], curve.y[k] - curve.y_error[k]);
+    if (!is_drawable(top)) continue;
+    if (!is_drawable(foot)) foot = {top.x(), area.rect.bottom()};  // beyond a logarithmic axis
+    painter.drawLine(top, foot);
+    painter.drawLine(top + QPointF(-kCap, 0), top + QPointF(kCap, 0));
+    painter.drawLine(foot + QPointF(-kCap, 0), foot + QPointF(kCap, 0));
+  }
+}
+
+void draw_bars(QPainter& painter, const PlotArea& area, const Curve& curve, const Look& look) {
+  QColor fill = look.colour;
+  fill.setAlpha(150);
+  painter.setBrush(fill);
+  painter.setPen(QPen(look.colour, 2));
+  const std::size_t count = curve.x.size();
+  for (std::size_t k = 0; k < count; ++k) {
+    const double spacing = count < 2       ? 1
+                           : k + 1 < count ? curve.x[k + 1] - curve.x[k]
+                                           : curve.x[k] - curve.x[k - 1];
+    const QPointF top_left = area.pixel(curve.x[k] - 0.5 * spacing, curve.y[k]);
+    const QPointF base =
+        area.pixel(curve.x[k] + 0.5 * spacing, area.y.logarithmic ? area.y.range.lower : 0.0);
+    if (is_drawable(top_left) && is_drawable(base)) painter.drawRect(QRectF(top_left, base).normalized());
+  }
+}
+
+// One shaded ribbon for each piece of the curve without gaps.
+void draw_band(QPainter& painter, const PlotArea& area, const Curve& curve, const Look& look) {
+  QColor fill = look.colour;
+  fill.setAlpha(55);
+  painter.setPen(Qt::NoPen);
+  painter.setBrush(fill);
+  QPolygonF upper, lower;
+  const auto close = [&] {
+    std::reverse(lower.begin(), lower.end());
+    if (upper.size() > 1) painter.drawPolygon(upper + lower);
+    upper.clear();
+    lower.clear();
+  };
+  for (std::size_t k = 0; k < curve.band.size(); ++k) {
+    const QPointF top = area.pixel(curve.x[k], curve.y[k] + curve.band[k]);
+    const QPointF foot = area.pixel(curve.x[k], curve.y[k] - curve.band[k]);
+    if (is_drawable(top) && is_drawable(foot)) {
+      upper << top;
+      lower << foot;
+    } else {
+      close();
+    }
+  }
+  close();
+}
+
+void draw_sample(QPainter& painter, const Curve& curve, const Look& look, double left, double middle) {
+  if (curve.style == CurveStyle::kBars) {
+    QColor fill = look.colour;
+    fill.setAlpha(150);
+    painter.setBrush(fill);
+    painter.setPen(QPen(look.colour, 2));
+    painter.drawRect(QRectF(left + 16, middle - 12, 32, 24));
+    return;
+  }
+  if (curve.style != CurveStyle::kMarkers) {
+    painter.setPen(curve_pen(look));
+    painter.drawLine(QPointF(left, middle), QPointF(left + kSampleLength, middle));
+  }
+  if (curve.style != CurveStyle::kLine) draw_marker(painter, {left + 0.5 * kSampleLength, middle}, look);
+}
+
+}  // namespace
+
+QColor curve_colour(std::size_t index) {
+  static const std::array<QColor, 8> kColours{
+      QColor(0, 114, 178), QColor(213, 94, 0),   QColor(0, 158, 115), QColor(204, 121, 167),
+      QColor(0, 0, 0),     QColor(86, 180, 233), QColor(230, 159, 0), QColor(130, 130, 130)};
+  return kColours[index % kColours.size()];
+}
+
+void draw_curve(QPainter& painter, const PlotArea& area, const std::vector<Curve>& curves,
+                std::size_t index) {
+  const Curve& curve = curves[index];
+  const Look look = look_of(curves, index);
+  draw_band(painter, area, curve, look);
+  if (curve.style == CurveStyle::kBars) {
+    draw_bars(painter, area, curve, look);
+  } else if (curve.style != CurveStyle::kMarkers) {
+    draw_line(painter, area, curve, look);
+  }
+  draw_error_bars(painter, area, curve, look);
+  if (curve.style != CurveStyle::kMarkers && curve.style != CurveStyle::kLineAndMarkers) return;
+  for (std::size_t k = 0; k < curve.x.size(); ++k) {
+    const QPointF point = area.pixel(curve.x[k], curve.y[k]);
+    if (is_drawable(point)) draw_marker(painter, point, look);
+  }
+}
+
+double draw_legend(QPainter* painter, const std::vector<Curve>& curves, double left, double top,
+                   double width) {
+  constexpr double kTextGap = 12, kColumnGap = 40;
+  const QFont font = text_font(kTickPixels);
+  std::vector<std::size_t> named;
+  double widest = 0;
+  for (std::size_t k = 0; k < curves.size(); ++k) {
+    if (curves[k].name.empty()) continue;
+    named.push_back(k);
+    widest = std::max(widest, text_width(QString::fromStdString(curves[k].name), font));
+  }
+  const double text_room = std::min(widest + 2, width - kSampleLength - kTextGap);
+  const double column_width = kSampleLength + kTextGap + text_room + kColumnGap;
+  const auto columns =
+      static_cast<std::size_t>(std::max(1.0, std::floor((width + kColumnGap) / column_width)));
+  const std::size_t rows = (named.size() + columns - 1) / columns;
+  for (std::size_t entry = 0; painter && entry < named.size(); ++entry) {
+    const Curve& curve = curves[named[entry]];
+    const double x = left + static_cast<double>(entry % columns) * column_width;
+    const double y = top + static_cast<double>(entry / columns) * kLegendRow;
+    draw_sample(*painter, curve, look_of(curves, named[entry]), x, y + 0.5 * kLegendRow);
+    painter->setFont(font);
+    painter->setPen(Qt::black);
+    const QString name = QString::fromStdString(curve.name);
+    painter->drawText(QRectF(x + kSampleLength + kTextGap, y, text_room + 4, kLegendRow),
+                      Qt::AlignLeft | Qt::AlignVCenter,
+                      QFontMetricsF(font).elidedText(name, Qt::ElideRight, text_room + 1));
+  }
+  return static_cast<double>(rows) * kLegendRow;
+}
+
+}  // namespace diefill::render

@@ -1,0 +1,36 @@
+#include "render/charts/experiment_chart.h"
+
+#include "render/charts/chart.h"
+
+namespace diefill::render {
+
+namespace {
+
+ChartAxis axis_of(const results::ExperimentAxis& axis) {
+  return {.label = axis.label, .lower = axis.lower, .upper = axis.upper, .logarithmic = axis.logarithmic};
+}
+
+}  // namespace
+
+std::filesystem::path draw_experiment(const std::filesystem::path& directory,
+                                      const results::ExperimentChart& chart) {
+  Chart drawn;
+  drawn.title = chart.title;
+  drawn.subtitle = chart.subtitle;
+  drawn.note = chart.note;
+  drawn.x = axis_of(chart.x);
+  drawn.y = axis_of(chart.y);
+  for (const auto& series : chart.series) {
+    const bool measured = series.role == results::ExperimentSeries::Role::measured;
+    drawn.curves.push_back({.name = series.in_legend ? series.name : "",
+                            .x = series.x,
+                            .y = series.y,
+                            .style = measured ? CurveStyle::kLineAndMarkers : CurveStyle::kLine,
+                            .y_error = {}});
+  }
+  const auto png = directory / (chart.name + ".png");
+  draw_chart(png, drawn);
+  return png;
+}
+
+}  // namespace diefill::render

@@ -1,0 +1,74 @@
+#include "render/charts/variation_charts.h"
+
+#include "render/style/axes.h"
+#include "render/style/text.h"
+
+namespace diefill::render {
+namespace {
+
+void prepare(Chart& chart, const results::Profile& profile) {
+  chart.x.label = axis_label(profile.x_name, profile.x_unit).toStdString();
+  chart.y.label = axis_label(profile.quantity, profile.unit).toStdString();
+  if (profile.x_name == "height")
+    chart.x.label = axis_label("height above cavity floor", profile.x_unit).toStdString();
+  if (profile.x_name != "azimuth") return;
+  chart.x.lower = 0;
+  chart.x.upper = 360;
+  chart.x.degrees = true;
+  for (const auto& marker : shoe_markers()) chart.markers.push_back({marker.x, marker.text.toStdString()});
+}
+
+}  // namespace
+
+Chart spread_chart(const std::vector<Named<results::SpreadProfile>>& profiles, const std::string& title,
+                   const std::string& subtitle) {
+  Chart chart;
+  chart.title = title;
+  chart.subtitle = subtitle;
+  if (profiles.empty()) return chart;
+  prepare(chart, profiles.front().data.mean);
+  for (const auto& [name, profile] : profiles)
+    chart.curves.push_back({name, profile.mean.x, profile.mean.y, CurveStyle::kLine, {}, profile.spread});
+  const std::string over = profiles.front().data.mean.x_name == "azimuth" ? "height" : "azimuth";
+  chart.note = "Mean over " + over + "; band: +- one standard deviation over " + over;
+  return chart;
+}
+
+Chart histogram_chart(const std::vector<Named<results::Histogram>>& histograms, const std::string& title,
+                      const std::string& subtitle) {
+  Chart chart;
+  chart.title = title;
+  chart.subtitle = subtitle;
+  if (histograms.empty()) return chart;
+  chart.x.label = axis_label(histograms.front().data.quantity, histograms.front().data.unit).toStdString();
+  chart.y.label = "Share of grains [%]";
+  chart.y.lower = 0;
+  for (const auto& [name, histogram] : histograms) {
+    const QString summary = QStringLiteral("mean over these grains %1, standard deviation %2, %3 grains")
+                                .arg(histogram.mean, 0, 'g', 3)
+                                .arg(histogram.std, 0, 'g', 2)
+                                .arg(histogram.grains);
+    Curve curve{(name.empty() ? "" : name + ": ") + summary.toStdString(),
+                histogram.middle,
+                histogram.share,
+                histograms.size() > 1 ? CurveStyle::kLineAndMarkers : CurveStyle::kBars,
+                {}};
+    for (double& share : curve.y) share *= 100;
+    chart.curves.push_back(std::move(curve));
+  }
+  return chart;
+}
+
+Chart profile_chart(const std::vector<Named<results::Profile>>& profiles, const std::string& title,
+                    const std::string& subtitle) {
+  Chart chart;
+  chart.title = title;
+  chart.subtitle = subtitle;
+  if (profiles.empty()) return chart;
+  prepare(chart, profiles.front().data);
+  for (const auto& [name, profile] : profiles)
+    chart.curves.push_back({name, profile.x, profile.y, CurveStyle::kLine, {}});
+  return chart;
+}
+
+}  // namespace diefill::render

@@ -1,0 +1,169 @@
+#include "render/fields/comparison_picture.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+#include "render/fields/density_map.h"
+#include "render/fields/field_sampler.h"
+#include "render/style/colour_map.h"
+#include "render/style/picture_file.h"
+#include "render/style/text.h"
+
+namespace diefill::render {
+namespace {
+
+constexpr double kWidth = 1800, kMargin = 36, kGap = 44;
+constexpr double kNameBand = 46;  // above each panel
+constexpr double kTallest = 420, kLowest = 150;
+constexpr double kFoot = 60;
+
+/// Where the panels stand.
+struct Grid {
+  std::size_t columns = 1, rows = 1;
+  double left = 0, top = 0, width = 0, height = 0;  ///< of the first data rectangle
+  double step_x = 0, step_y = 0;
+  double bottom() const { return top + static_cast<double>(rows - 1) * step_y + height; }
+  QRectF rect(std::size_t k) const {
+    return {std::round(left + static_cast<double>(k % columns) * step_x),
+            std::round(top + static_cast<double>(k / columns) * step_y), width, height};
+  }
+};
+
+std::size_t columns_for(std::size_t fields) {
+  return fields <= 1 ? 1 : fields <= 8 ? 2 : 3;
+}
+
+/// Axes that hold all fields, so that equal heights stand level.
+PlotArea common_axes(const std::vector<ComparedField>& fields, const QSizeF& size) {
+  results::Field2D all = fields.front().field;
+  for (const auto& [name, field] : fields) {
+    all.first.front() = std::min(all.first.front(), field.first.front());
+    all.first.back() = std::max(all.first.back(), field.first.back());
+    all.second.front() = std::min(all.second.front(), field.second.front());
+    all.second.back() = std::max(all.second.back(), field.second.back());
+  }
+  PlotArea axes = field_axes(all, size);
+  if (has_azimuth(all)) axes.x.ticks = angle_ticks(axes.x.range, 5);
+  if (has_azimuth(all) && all.second_name == "height") axes.y.label = axis_label("height", all.second_unit);
+  return axes;
+}
+
+Grid lay_out(std::size_t fields, double heading, const PlotArea& axes, double bar_width) {
+  Grid grid;
+  grid.columns = columns_for(fields);
+  grid.rows = (fields + grid.columns - 1) / grid.columns;
+  const double beside = left_margin(axes.y), columns = static_cast<double>(grid.columns);
+  const double room = kWidth - 2 * kMargin - bar_width - kGap;
+  grid.step_x = room / columns;
+  grid.left = kMargin + beside;
+  grid.top = kMargin + heading + kNameBand;
+  grid.width = std::floor(grid.step_x - beside - (grid.columns > 1 ? kGap : 0));
+  const double ratio = axes.x.range.length() > 0 ? axes.y.range.length() / axes.x.range.length() : 1;
+  const bool equal_scales = axes.x.label.section(' ', -1) == axes.y.label.section(' ', -1);
+  grid.height =
+      std::round(std::clamp(equal_scales ? ratio * grid.width : 0.42 * grid.width, kLowest, kTallest));
+  if (equal_scales) grid.width = std::min(grid.width, std::round(grid.height / ratio));
+  grid.step_y = grid.height + kNameBand + bottom_margin() + 10;
+  return grid;
+}
+
+void draw_name(QPainter& painter, const QRectF& rect, const std::string& name) {
+  const QFont font = text_font(kSubtitlePixels, true);
+  painter.setFont(font);
+  painter.setPen(Qt::black);
+  const QString text =
+      QFontMetricsF(font).elidedText(QString::fromStdString(name), Qt::ElideRight, rect.width());
+  painter.drawText(QRectF(rect.left(), rect.top() - kNameBand, rect.width(), kNameBand - 4),
+                   Qt::AlignLeft | Qt::AlignVCenter, text);
+}
+
+std::vector<double> all_values(const std::vector<ComparedField>& fields) {
+  std::vector<double> values;
+  for (const auto& [name, field] : fields)
+    values.insert(values.end(), field.value.begin(), field.value.end());
+  return values;
+}
+
+/// What of the field lies on the axes; beyond its own nodes there is no value.
+PlacesShown paint_panel(QImage& image, const PlotArea& plot, const results::Field2D& field,
+                        const ColourBar& bar) {
+  PlotArea own = plot;
+  const bool all_round = has_azimuth(field);  // the field comes round again: it has values from end to end
+  const QPointF corner =
+      plot.pixel(all_round ? plot.x.range.lower : field.first.front(), field.second.front());
+  const QPointF opposite =
+      plot.pixel(all_round ? plot.x.range.upper : field.first.back(), field.second.back());
+  own.rect = QRectF(corner, opposite).normalized().intersected(plot.rect);
+  own.x.range = {plot.value(own.rect.topLeft()).x(), plot.value(own.rect.bottomRight()).x()};
+  own.y.range = {plot.value(own.rect.bottomRight()).y(), plot.value(own.rect.topLeft()).y()};
+  const QColor grey(kNoValueColour.red, kNoValueColour.green, kNoValueColour.blue);
+  QPainter(&image).fillRect(plot.rect, grey);
+  PlacesShown places = paint_field(image, own, field, bar);
+  if (own.rect != plot.rect) places.add(Place::kNoPowder);
+  return places;
+}
+
+void draw_foot(QPainter& painter, double height, const results::Field2D& field, const PlacesShown& places,
+               const ColourBar& bar) {
+  const double top = height - kMargin - 26;
+  painter.setFont(text_font(kNotePixels));
+  painter.setPen(QColor(70, 70, 70));
+  QString note = QStringLiteral("Mean over seeds; Gaussian average, σ = %1 mm")
+                     .arg(field.averaging_width * 1e3, 0, 'g', 3);
+  if (has_azimuth(field)) note += QStringLiteral("; the shoe first arrives at 0° and leaves at 180°");
+  if (!has_azimuth(field) && field.second_name == "y")
+    note += QStringLiteral("; seen from above, mean over height");
+  painter.drawText(QRectF(kMargin, top, kWidth - 2 * kMargin, 32), Qt::AlignLeft | Qt::AlignVCenter, note);
+  if (!places.any()) return;
+  const bool own_line = places.several();
+  const double left = own_line ? kMargin : kWidth - kMargin - places.legend_width();
+  places.draw_legend(painter, {left, top + 2 - (own_line ? kLegendLine : 0)}, bar);
+}
+
+}  // namespace
+
+ComparisonPicture compose_comparison(const std::vector<ComparedField>& fields, const std::string& title) {
+  if (fields.empty()) throw std::runtime_error("cannot draw a comparison without fields");
+  for (const auto& [name, field] : fields) check_field(field);
+  constexpr double kFromData = std::numeric_limits<double>::quiet_NaN();
+  ComparisonPicture picture;
+  const auto values = all_values(fields);
+  picture.bar =
+      make_colour_bar(axis_label(fields.front().field.quantity, ""), values, {kFromData, kFromData});
+  const Heading heading(title, "", kWidth - 2 * kMargin);
+  PlotArea axes = common_axes(fields, {600, 260});
+  const Grid grid = lay_out(fields.size(), heading.height(), axes, colour_bar_width(picture.bar));
+  const double height = grid.bottom() + bottom_margin() + kFoot + kLegendLine + kMargin;
+  picture.image = white_canvas(static_cast<int>(kWidth), static_cast<int>(height));
+  PlacesShown places;
+  for (std::size_t k = 0; k < fields.size(); ++k) {
+    picture.plots.push_back(axes);
+    picture.plots.back().rect = grid.rect(k);
+    places.add(paint_panel(picture.image, picture.plots.back(), fields[k].field, picture.bar));
+  }
+  QPainter painter(&picture.image);
+  painter.setRenderHints(QPainter::Antialiasing | QPainter::TextAntialiasing);
+  heading.draw(painter, kMargin, kMargin - 8);
+  for (std::size_t k = 0; k < fields.size(); ++k) {
+    PlotArea plot = picture.plots[k];
+    const bool lowest_in_column = k + grid.columns >= fields.size(), leftmost = k % grid.columns == 0;
+    if (!lowest_in_column) plot.x.label.clear();
+    if (!leftmost) plot.y.label.clear();
+    draw_axes(painter, plot, picture.image.size());
+    draw_name(painter, plot.rect, fields[k].name);
+  }
+  const double bar_height = std::min(grid.bottom() - grid.top, 900.0) - 2 * kBarPoint;
+  const double bar_left = kWidth - kMargin - colour_bar_width(picture.bar);
+  draw_colour_bar(painter, picture.bar, {bar_left, grid.top + kBarPoint, kBarWidth, bar_height});
+  draw_foot(painter, height, fields.front().field, places, picture.bar);
+  return picture;
+}
+
+void draw_comparison(const std::filesystem::path& png, const std::vector<ComparedField>& fields,
+                     const std::string& title) {
+  write_png(png, compose_comparison(fields, title).image);
+}
+
+}  // namespace diefill::render

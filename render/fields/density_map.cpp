@@ -1,0 +1,298 @@
+#include "render/fields/density_map.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "render/fields/arrow_painter.h"
+#include "render/fields/field_sampler.h"
+#include "render/style/colour_map.h"
+#include "render/style/picture_file.h"
+#include "render/style/text.h"
+
+namespace diefill::render {
+namespace {
+
+constexpr double kMargin = 36;
+constexpr double kBarGap = 44;  // between data rectangle and colour bar
+constexpr double kMapWidth = 1600, kMapHeight = 900;
+constexpr double kSectionSide = 1060;  // longest side of a section's data rectangle
+constexpr double kLeastSide = 90;      // a thinner rectangle gives up equal scales
+constexpr double kLeastBar = 420;
+constexpr double kLeastCanvas = 1000;
+constexpr double kNoteHeight = 44;
+
+struct Layout {
+  QSizeF canvas;
+  QRectF plot, bar;
+  bool equal_scales = false;
+};
+
+bool same_scales(const results::Field2D& field) {
+  return field.first_unit == field.second_unit;
+}
+
+// Longer rectangles take more ticks; a tick label of an x axis takes some 130 pixels, of a y axis some 60.
+int tick_count(double pixels, double pixels_per_tick) {
+  return std::clamp(static_cast<int>(pixels / pixels_per_tick) + 1, 2, 13);
+}
+
+// Size of the data rectangle: the given one, or with equal scales as large as fits a square.
+QSizeF plot_size(const results::Field2D& field, bool& equal_scales) {
+  const double width = field.first.back() - field.first.front();
+  const double height = field.second.back() - field.second.front();
+  const double scale = kSectionSide / std::max(width, height);
+  equal_scales = std::min(width, height) * scale >= kLeastSide;
+  return {std::max(std::round(width * scale), kLeastSide), std::max(std::round(height * scale), kLeastSide)};
+}
+
+Layout lay_out_map(double heading, const PlotArea& axes, double bar_width, double foot) {
+  Layout layout;
+  const double left = kMargin + left_margin(axes.y), top = kMargin + heading + kMarkerBand;
+  const double right = kMargin + bar_width + kBarGap, bottom = bottom_margin() + foot + kMargin;
+  layout.canvas = {kMapWidth, kMapHeight};
+  layout.plot = QRectF(left, std::round(top), std::round(kMapWidth - left - right),
+                       std::round(kMapHeight - top - bottom));
+  layout.bar = QRectF(layout.plot.right() + kBarGap, layout.plot.top() + kBarPoint, kBarWidth,
+                      layout.plot.height() - 2 * kBarPoint);
+  return layout;
+}
+
+Layout lay_out_section(double heading, const PlotArea& axes, double bar_width, double foot, bool equal_scales,
+                       double width) {
+  Layout layout;
+  layout.equal_scales = equal_scales;
+  const double left = kMargin + left_margin(axes.y), right = kMargin + bar_width + kBarGap;
+  const QSizeF plot = axes.rect.size();
+  const double body = std::max(plot.height(), kLeastBar);
+  const double top = kMargin + heading + 16;
+  layout.canvas = {std::round(width), std::round(top + body + bottom_margin() + foot + kMargin)};
+  const double indent = std::round(left + 0.5 * (width - left - right - plot.width()));
+  layout.plot = QRectF(indent, std::round(top + 0.5 * (body - plot.height())), plot.width(), plot.height());
+  const double bar_height = std::min(body, 900.0) - 2 * kBarPoint;
+  layout.bar = QRectF(layout.plot.right() + kBarGap, std::round(top + 0.5 * (body - bar_height)), kBarWidth,
+                      std::round(bar_height));
+  return layout;
+}
+
+void draw_outlines(QPainter& painter, const PlotArea& plot, const std::vector<Outline>& outlines) {
+  painter.save();
+  painter.setClipRect(plot.rect);
+  painter.setPen(QPen(QColor(40, 40, 40), 2.5));
+  painter.setBrush(Qt::NoBrush);
+  for (const Outline& outline : outlines) {
+    QPolygonF line;
+    for (const auto& point : outline) line << plot.pixel(point.x(), point.y());
+    painter.drawPolyline(line);
+  }
+  painter.restore();
+}
+
+double mean_of(const std::vector<double>& values) {
+  double sum = 0;
+  std::size_t count = 0;
+  for (const double value : values) {
+    if (!std::isfinite(value)) continue;
+    sum += value;
+    ++count;
+  }
+  return count > 0 ? sum / static_cast<double>(count) : std::nan("");
+}
+
+ColourBar make_bar(const results::Field2D& field, const ColourRange& range, const FieldStyle& style) {
+  const std::string name = style.scale_label.empty() ? field.quantity : style.scale_label;
+  const QString label = axis_label(name, style.unit);
+  ColourBar bar = style.diverging ? make_diverging_bar(label, field.value, range.upper)
+                                  : make_colour_bar(label, field.value, {range.lower, range.upper});
+  if (style.mark_mean) bar.mark = mean_of(field.value);
+  return bar;
+}
+
+QString note_text(const results::Field2D& field, const FieldStyle& style, const ColourBar& bar,
+                  bool broken_scales) {
+  QString note;
+  const auto add = [&note](const QString& part) { note += (note.isEmpty() ? "" : "; ") + part; };
+  if (std::isfinite(bar.mark))
+    add(QStringLiteral("▸ mean over the map's cells %1")
+            .arg(QString::fromStdString(tick_label(bar.mark, bar.range.length() / 100))));
+  if (field.averaging_width > 0)
+    add(QStringLiteral("Gaussian average, σ = %1 mm").arg(field.averaging_width * 1e3, 0, 'g', 3));
+  if (!style.note.empty()) add(QString::fromStdString(style.note));
+  if (broken_scales) add(QStringLiteral("axes have different scales"));
+  return note;
+}
+
+// The foot: what was averaged and marked at the left; what places without value are at the right end of that
+// line, or in a line of their own above it.
+void draw_foot(QPainter& painter, const QSizeF& canvas, const QString& note, const PlacesShown& places,
+               const ColourBar& bar) {
+  const double top = canvas.height() - kMargin - 30;
+  const bool own_line = places.several();
+  const double room = canvas.width() - 2 * kMargin - (places.any() && !own_line ? 220 : 0);
+  QFont font = text_font(kNotePixels);
+  for (int pixels = kNotePixels; pixels > 16 && text_width(note, font) > room;) font = text_font(--pixels);
+  painter.setFont(font);
+  painter.setPen(QColor(70, 70, 70));
+  painter.drawText(QRectF(kMargin, top, room, 32), Qt::AlignLeft | Qt::AlignVCenter, note);
+  if (!places.any()) return;
+  const double left = own_line ? kMargin : canvas.width() - kMargin - places.legend_width();
+  places.draw_legend(painter, {left, own_line ? top - kLegendLine + 6 : top + 2}, bar);
+}
+
+// A broken line across the data with its name at one end, below the line where there is no room above.
+void draw_fill_plane(QPainter& painter, const PlotArea& plot, double height, bool at_left) {
+  if (!(height >= plot.y.range.lower - 1e-6 && height <= plot.y.range.upper + 1e-6)) return;
+  const double y = plot.pixel(plot.x.range.lower, height).y();
+  const QColor colour(170, 0, 60);
+  painter.setPen(QPen(colour, 3, Qt::DashLine, Qt::FlatCap));
+  painter.drawLine(QPointF(plot.rect.left(), y), QPointF(plot.rect.right(), y));
+  const QString text = QStringLiteral("fill plane");
+  const QFont font = text_font(kNotePixels);
+  const double width = text_width(text, font) + 12, above = y - plot.rect.top() > 40 ? y - 34 : y + 5;
+  if (width > plot.rect.width()) return;
+  const QRectF label(at_left ? plot.rect.left() + 8 : plot.rect.right() - width - 8, above, width, 29);
+  painter.fillRect(label, QColor(255, 255, 255, 225));
+  painter.setFont(font);
+  painter.setPen(colour);
+  painter.drawText(label, Qt::AlignCenter, text);
+}
+
+// What of the field has no value, pixel by pixel: what paint_field will show.
+PlacesShown places_shown(const results::Field2D& field, const FieldStyle& style) {
+  PlacesShown places;
+  for (std::size_t n = 0; n < field.value.size(); ++n)
+    places.add(place_of(field.value[n], field.first[n % field.first.size()],
+                        field.second[n / field.first.size()], style));
+  return places;
+}
+
+// Lines, arrows, axes and remarks over the coloured field.
+void draw_on_field(QPainter& painter, const PlotArea& plot, const QSizeF& canvas, bool azimuth,
+                   const FieldStyle& style) {
+  draw_outlines(painter, plot, style.outlines);
+  draw_fill_plane(painter, plot, style.fill_plane, !style.arrows.empty());
+  draw_arrows(painter, plot, style);
+  draw_axes(painter, plot, canvas);
+  if (azimuth) draw_markers(painter, plot, shoe_markers());
+}
+
+}  // namespace
+
+PlotArea field_axes(const results::Field2D& field, const QSizeF& size) {
+  PlotArea area;
+  area.rect = QRectF(QPointF(0, 0), size);
+  area.x.label = axis_label(field.first_name, field.first_unit);
+  area.y.label = axis_label(field.second_name, field.second_unit);
+  area.x.range = {field.first.front(), field.first.back()};
+  area.y.range = {field.second.front(), field.second.back()};
+  if (has_azimuth(field)) {
+    area.x.range = {0, 360};
+    if (field.second_name == "height")
+      area.y.label = axis_label("height above cavity floor", field.second_unit);
+    area.x.ticks = angle_ticks(area.x.range, 9);
+  } else {
+    area.x.ticks = nice_ticks(area.x.range, tick_count(size.width(), 130));
+  }
+  area.y.ticks = nice_ticks(area.y.range, std::min(9, tick_count(size.height(), 75)));
+  return area;
+}
+
+namespace {
+
+/// Where a line of pixels goes into the tools and comes out of them, by their outlines.
+class ToolCrossings {
+ public:
+  ToolCrossings(const std::vector<Outline>& outlines, double second) {
+    for (const Outline& outline : outlines)
+      for (std::size_t k = 1; k < outline.size(); ++k) {
+        const auto &from = outline[k - 1], &to = outline[k];
+        if ((from.y() > second) == (to.y() > second)) continue;
+        at_.push_back(from.x() + (second - from.y()) / (to.y() - from.y()) * (to.x() - from.x()));
+      }
+    std::sort(at_.begin(), at_.end());
+  }
+  bool inside(double first) const {
+    return (std::upper_bound(at_.begin(), at_.end(), first) - at_.begin()) % 2 != 0;
+  }
+
+ private:
+  std::vector<double> at_;
+};
+
+}  // namespace
+
+PlacesShown paint_field(QImage& canvas, const PlotArea& plot, const results::Field2D& field,
+                        const ColourBar& bar, const FieldStyle& style) {
+  const results::Field2D round = continued_round(field);
+  const FieldSampler sampler(round);
+  PlacesShown places;
+  const double pixels = canvas.devicePixelRatio();
+  const QRect rect = QRectF(plot.rect.topLeft() * pixels, plot.rect.size() * pixels).toRect();
+  for (int row = rect.top(); row <= rect.bottom(); ++row) {
+    auto* line = reinterpret_cast<QRgb*>(canvas.scanLine(row));
+    const ToolCrossings tools(style.outlines, plot.value({0, (row + 0.5) / pixels}).y());
+    for (int column = rect.left(); column <= rect.right(); ++column) {
+      const QPointF at = plot.value({(column + 0.5) / pixels, (row + 0.5) / pixels});
+      const double value = sampler.at(at.x(), at.y());
+      Place place = place_of(value, at.x(), at.y(), style);
+      // Nodes know tools to half their distance; the outline knows them exactly.
+      if (place != Place::kValue && place != Place::kUnvalued && tools.inside(at.x())) place = Place::kTool;
+      places.add(place);
+      const Rgb colour = bar_colour(bar, value);
+      line[column] = place == Place::kValue ? qRgb(colour.red, colour.green, colour.blue)
+                                            : place_colour(place, bar, column, row);
+    }
+  }
+  return places;
+}
+
+FieldPicture compose_field(const results::Field2D& field, const std::string& title,
+                           const std::string& subtitle, const ColourRange& range, const FieldStyle& style) {
+  check_field(field);
+  FieldPicture picture;
+  picture.bar = make_bar(field, range, style);
+  const PlacesShown places = places_shown(field, style);
+  picture.has_holes = places.any();
+  const double foot = kNoteHeight + (places.several() ? kLegendLine : 0);
+
+  const double bar_width = colour_bar_width(picture.bar);
+  bool equal_scales = false;
+  const bool is_section = same_scales(field);
+  const QSizeF size = is_section ? plot_size(field, equal_scales) : QSizeF(1200, 560);
+  picture.plot = field_axes(field, size);
+  double width = kMapWidth;
+  if (is_section)
+    width = std::max({kLeastCanvas, 2 * kMargin + places.legend_width(),
+                      2 * kMargin + left_margin(picture.plot.y) + size.width() + kBarGap + bar_width});
+  const Heading heading(title, subtitle, width - 2 * kMargin);
+  const Layout layout =
+      is_section ? lay_out_section(heading.height(), picture.plot, bar_width, foot, equal_scales, width)
+                 : lay_out_map(heading.height(), picture.plot, bar_width, foot);
+  picture.plot.rect = layout.plot;
+  picture.image = white_canvas(static_cast<int>(layout.canvas.width()),
+                               static_cast<int>(layout.canvas.height()), style.pixels);
+  paint_field(picture.image, picture.plot, field, picture.bar, style);
+
+  QPainter painter(&picture.image);
+  painter.setRenderHints(QPainter::Antialiasing | QPainter::TextAntialiasing);
+  heading.draw(painter, kMargin, kMargin - 8);
+  draw_on_field(painter, picture.plot, layout.canvas, has_azimuth(field), style);
+  const auto has_value = [](double value) { return std::isfinite(value); };
+  if (std::any_of(field.value.begin(), field.value.end(), has_value)) {
+    picture.bar_rect = layout.bar;
+    draw_colour_bar(painter, picture.bar, layout.bar);
+  } else {
+    draw_centred(painter, layout.plot.center(),
+                 places.several() ? QStringLiteral("no value") : QStringLiteral("no powder"), kLabelPixels,
+                 layout.plot.width());
+  }
+  draw_foot(painter, layout.canvas, note_text(field, style, picture.bar, is_section && !equal_scales), places,
+            picture.bar);
+  return picture;
+}
+
+void draw_field(const std::filesystem::path& png, const results::Field2D& field, const std::string& title,
+                const std::string& subtitle, const ColourRange& range) {
+  write_png(png, compose_field(field, title, subtitle, range).image);
+}
+
+}  // namespace diefill::render

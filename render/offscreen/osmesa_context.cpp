@@ -1,0 +1,56 @@
+#include "render/offscreen/osmesa_context.h"
+
+#include <GL/osmesa.h>
+
+#include <stdexcept>
+
+extern "C" void (*glXGetProcAddressARB(const unsigned char* name))();
+
+namespace diefill::render {
+namespace {
+
+constexpr std::size_t kChannels = 4;
+
+void check_forwarding() {
+  constexpr const char* kProbe = "glGenFramebuffers";
+  const auto given = glXGetProcAddressARB(reinterpret_cast<const unsigned char*>(kProbe));
+  if (given != reinterpret_cast<void (*)()>(OSMesaGetProcAddress(kProbe)))
+    throw std::runtime_error("no software renderer: this program was linked without diefill_glx_forwarding");
+}
+
+}  // namespace
+
+OsmesaContext::OsmesaContext(int width, int height)
+    : width_(width),
+      height_(height),
+      pixels_(static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * kChannels) {
+  check_forwarding();
+  const int attributes[] = {OSMESA_FORMAT,
+                            OSMESA_RGBA,
+                            OSMESA_DEPTH_BITS,
+                            24,
+                            OSMESA_PROFILE,
+                            OSMESA_CORE_PROFILE,
+                            OSMESA_CONTEXT_MAJOR_VERSION,
+                            3,
+                            OSMESA_CONTEXT_MINOR_VERSION,
+                            3,
+                            0};
+  handle_ = OSMesaCreateContextAttribs(attributes, nullptr);
+  if (!handle_)
+    throw std::runtime_error("no software renderer: OSMesa gave no OpenGL 3.3 context (libosmesa6)");
+}
+
+OsmesaContext::~OsmesaContext() {
+  OSMesaDestroyContext(handle_);
+}
+
+void OsmesaContext::make_current() {
+  OSMesaMakeCurrent(handle_, pixels_.data(), GL_UNSIGNED_BYTE, width_, height_);
+}
+
+bool OsmesaContext::is_current() const {
+  return OSMesaGetCurrentContext() == handle_;
+}
+
+}  // namespace diefill::render

@@ -1,0 +1,24 @@
+// The tools as drawn through glass, with a numbered mark at every finding and a legend that says what it is.
+#pragma once
+
+#include <QImage>
+#include <QPointF>
+#include <string>
+#include <vector>
+
+#include "render/scene3d/findings.h"
+
+namespace diefill::render {
+
+/// A picture and where things lie on it.
+struct FindingsPicture {
+  QImage image;
+  std::vector<std::vector<QPointF>> marks;  ///< pixels, one a place, by finding
+};
+
+/// Draws all parts seen from the front, right and above. Findings beyond the twelfth have marks without lines
+/// in the legend. Throws std::runtime_error when no software renderer is available.
+FindingsPicture compose_findings(const std::vector<MarkedPart>& parts,
+                                 const std::vector<FindingMark>& findings, const std::string& title);
+
+}  // namespace diefill::render

@@ -1,0 +1,399 @@
+// Powders of several kinds: what must not change, whatever the number of threads, restarts or the order in
+// which grains were added; what is refused; and a powder of one kind given as a mix.
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <set>
+
+#include "engine/coarse_graining/methods.h"
+#include "engine/limits/mix_time_step.h"
+#include "engine/limits/pinched_grains.h"
+#include "engine/limits/validity_monitor.h"
+#include "engine/observe/contact_stress.h"
+#include "mixed_support.h"
+#include "tests/engine/laws/source_laws.h"
+
+namespace diefill::engine {
+namespace {
+
+laws::LawParameters rough() {
+  return bierwisch_parts({.reduced_modulus = 1e7,
+                          .damping = 150,
+                          .tangential = 150,
+                          .friction = 0.5,
+                          .work_of_adhesion = 0.002});
+}
+
+/// The same, with a `damping` (Pa s) by which the smallest of kTenfold are not overdamped.
+laws::LawParameters lively(double damping = 10) {
+  return bierwisch_parts({1e7, damping, 50, 0.5, 2e-4});  // E~, gamma_n, kappa_t, mu, w
+}
+
+/// Sizes over a range of ten.
+const std::vector<double> kTenfold = {1, 0.1, 0.4, 0.17};
+
+struct Bed {
+  bool periodic = true;
+  int threads = 1;
+  InstructionSet instructions = best_instruction_set();
+  double air = 2e-5;  // Pa s
+};
+
+Simulation empty_bed(const Bed& bed, const laws::LawParameters& law = lively()) {
+  auto settings = settings_of(mix_of(kTenfold, law, law, law), 4e-7);
+  settings.gravity = {0, 0, -9.81};
+  settings.air_viscosity = bed.air;
+  settings.threads = bed.threads;
+  settings.instructions = bed.instructions;
+  if (bed.periodic) settings.period = {14 * kMixRadius, 14 * kMixRadius};
+  return {settings, {steel_floor()}};
+}
+
+/// A few large spheres among many small ones, all in a box above the floor, none touching another at first.
+std::vector<NewGrain> crowd(std::size_t wanted, std::uint64_t seed) {
+  const PeriodicBox box({14 * kMixRadius, 14 * kMixRadius});
+  std::mt19937_64 random(seed);
+  std::vector<NewGrain> grains;
+  std::vector<double> radii;
+  while (grains.size() < wanted) {
+    NewGrain grain;
+    const std::size_t number = grains.size();
+    grain.kind = number < wanted / 40 ? 0 : number < wanted / 8 ? 2 : number < wanted / 2 ? 3 : 1;
+    const double radius = kMixRadius * kTenfold[grain.kind];
+    grain.position = random_vector(random, 6.5 * kMixRadius);
+    grain.position.z() = radius + 0.45 * std::abs(grain.position.z());
+    bool free = true;
+    for (std::size_t k = 0; k < number && free; ++k)
+      free = box.wrapped(grains[k].position - grain.position).norm() > radius + radii[k];
+    if (!free) continue;
+    grain.velocity = random_vector(random, 0.1) - Eigen::Vector3d(0, 0, 0.4);
+    grain.angular_velocity = random_vector(random, 100);
+    grains.push_back(grain);
+    radii.push_back(radius);
+  }
+  return grains;
+}
+
+/// Steps on and returns the most pairs that touched at a time.
+std::uint64_t most_touching(Simulation& simulation, int steps) {
+  std::uint64_t most = 0;
+  for (int k = 0; k < steps; ++k) {
+    simulation.step();
+    most = std::max(most, simulation.touching_pairs());
+  }
+  return most;
+}
+
+/// Pairs of ids of spheres that overlap, of all pairs there are.
+std::set<std::pair<std::uint64_t, std::uint64_t>> overlapping(const Simulation& simulation) {
+  const Grains& grains = simulation.grains();
+  const PeriodicBox box(simulation.settings().period);
+  std::set<std::pair<std::uint64_t, std::uint64_t>> pairs;
+  for (std::size_t i = 0; i < grains.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j) {
+      const double reach = simulation.shape_of(i).sphere_radius + simulation.shape_of(j).sphere_radius;
+      if (box.wrapped(grains.position[i] - grains.position[j]).norm() < reach)
+        pairs.insert(std::minmax(grains.id[i], grains.id[j]));
+    }
+  return pairs;
+}
+
+std::set<std::pair<std::uint64_t, std::uint64_t>> found(const Simulation& simulation) {
+  const Grains& grains = simulation.grains();
+  const SphereField& spheres = simulation.spheres();
+  std::set<std::pair<std::uint64_t, std::uint64_t>> pairs;
+  for (const Block& block : simulation.neighbours().blocks())
+    for (std::size_t p = 0; p < block.grain_pairs.size(); ++p) {
+      if (!block.grain_pairs.touching[p]) continue;
+      const GrainPair pair = block.grain_pairs.pair[p];
+      pairs.insert(std::minmax(grains.id[spheres.owner(block.sphere(pair.own))],
+                               grains.id[spheres.owner(block.sphere(pair.other))]));
+    }
+  return pairs;
+}
+
+class MixedBed : public ::testing::TestWithParam<bool> {
+ protected:
+  Bed bed() const { return {.periodic = GetParam()}; }
+};
+
+TEST_P(MixedBed, TouchingPairsAreThoseOfAllPairs) {
+  auto simulation = empty_bed(bed());
+  simulation.add_grains(crowd(1500, 7));
+  std::size_t seen = 0;
+  for (int round = 0; round < 12; ++round) {
+    run_steps(simulation, 60);
+    const auto expected = overlapping(simulation);
+    ASSERT_EQ(found(simulation), expected) << "after " << simulation.steps() << " steps";
+    seen += expected.size();
+  }
+  EXPECT_GT(seen, 200U);
+  EXPECT_GT(simulation.searches(), 5U);
+  EXPECT_GT(simulation.neighbours().blocks().size(), 1U);
+}
+
+TEST_P(MixedBed, ThreadsRestartAndInstructionsChangeNoBit) {
+  auto alone = empty_bed(bed());
+  const auto grains = crowd(1500, 8);
+  alone.add_grains(grains);
+  run_steps(alone, 700);
+  Bed other = bed();
+  other.threads = 2;
+  other.instructions = InstructionSet::baseline;
+  auto broken = empty_bed(other);
+  broken.add_grains(grains);
+  run_steps(broken, 300);
+  ASSERT_FALSE(broken.snapshot().grain_history.pair.empty());
+  auto resumed = empty_bed(other);
+  resumed.restore(broken.snapshot());
+  EXPECT_EQ(resumed.hash(), broken.hash());
+  run_steps(resumed, 400);
+  EXPECT_EQ(resumed.hash(), alone.hash());
+  EXPECT_EQ(resumed.energy().total(), alone.energy().total());
+  EXPECT_LT(alone.wall_load(0).force.z(), 0);
+}
+
+TEST_P(MixedBed, OrderInWhichGrainsAreAddedChangesNoBit) {
+  const auto grains = crowd(800, 9);
+  std::vector<std::size_t> order(grains.size());
+  for (std::size_t k = 0; k < order.size(); ++k) order[k] = (k * 373 + 11) % order.size();
+  std::vector<NewGrain> permuted;
+  for (const std::size_t k : order) permuted.push_back(grains[k]);
+  auto one = empty_bed(bed()), other = empty_bed(bed());
+  one.add_grains(grains);
+  other.add_grains(permuted);
+  run_steps(one, 500);
+  run_steps(other, 500);
+  for (std::size_t k = 0; k < order.size(); ++k) {
+    const std::size_t here = place_of(one, order[k]), there = place_of(other, k);
+    ASSERT_EQ(one.grains().position[here], other.grains().position[there]) << k;
+    ASSERT_EQ(one.grains().spin[here], other.grains().spin[there]) << k;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(OpenAndPeriodic, MixedBed, ::testing::Bool());
+
+TEST(MixedCloud, KeepsMomentumAndAngularMomentumAndBooksItsEnergy) {
+  auto law = rough();
+  law.rolling = laws::LoadRolling::Parameters{.rolling_friction = 0.05};
+  for (const auto model : {Model::b, Model::d}) {
+    auto mix = mix_of({1, 0.5, 0.8}, law, rough(), rough());
+    if (model == Model::d)
+      for (auto& kind : mix.kinds) kind.shape = model_d(kind.shape.sphere_radius / 3, kind.shape.mass);
+    Simulation simulation(settings_of(mix, 5e-8), {});
+    simulation.add_grains(mixed_cloud({4, 4, 4}, 2.05 * kMixRadius, 0.5, 3, 4));
+    const Eigen::Vector3d before = momentum_of_mix(simulation);
+    const Eigen::Vector3d turning = angular_momentum_of_mix(simulation);
+    ASSERT_GT(most_touching(simulation, 10000), 10U);
+    double scale = 0;
+    for (std::size_t k = 0; k < simulation.grains().size(); ++k)
+      scale += simulation.shape_of(k).mass * simulation.grains().velocity[k].norm();
+    EXPECT_LT((momentum_of_mix(simulation) - before).norm(), 1e-12 * scale);
+    // Single spheres: forces act at full radii, as far apart as the overlap; clumped grains meet in a point.
+    const double lost = (angular_momentum_of_mix(simulation) - turning).norm() / (scale * kMixRadius);
+    EXPECT_LT(lost, model == Model::d ? 1e-12 : 0.05);
+    EXPECT_NEAR(simulation.energy_balance_error(), 0, 2e-3);
+    EXPECT_NE(simulation.ledger().rolling_work, 0);
+  }
+}
+
+TEST(MixedCloud, ForcesOfContactsSumUpToThoseOnGrains) {
+  // Undamped: forces do not depend on velocities, which have changed since.
+  auto simulation = empty_bed({.air = 0}, lively(0));
+  simulation.add_grains(crowd(600, 3));
+  run_steps(simulation, 600);
+  const Grains& grains = simulation.grains();
+  std::vector<Eigen::Vector3d> sum(grains.size(), Eigen::Vector3d::Zero());
+  double largest = 0;
+  simulation.visit_contact_forces([&](const ContactForce& contact) {
+    sum[contact.grain] += contact.force;
+    EXPECT_LE(contact.arm.norm(), simulation.shape_of(contact.grain).sphere_radius);
+    largest = std::max(largest, contact.force.norm());
+    if (contact.other == kNoGrain) return;
+    sum[contact.other] -= contact.force;
+    EXPECT_LE(contact.other_arm.norm(), simulation.shape_of(contact.other).sphere_radius);
+  });
+  ASSERT_GT(largest, 0);
+  for (std::size_t k = 0; k < grains.size(); ++k) {
+    const Eigen::Vector3d weight = simulation.shape_of(k).mass * simulation.settings().gravity;
+    EXPECT_LT((sum[k] + weight - grains.force[k]).norm(), 1e-12 * largest) << k;
+  }
+}
+
+/// Largest distance (m) between a cloud of three kinds under `law` and the same cloud enlarged by `scale`
+/// under `scaling`, places divided by it, after times in the same proportion. In empty space.
+double unlikeness(const laws::LawParameters& law, const coarse_graining::ForceScaling& scaling) {
+  const double scale = scaling.scale, step = 2e-8;
+  const auto fine = mix_of({1, 0.6, 1.4}, law, law, law);
+  auto coarse = fine;
+  for (auto& kind : coarse.kinds)
+    kind.shape = model_b(scale * kind.shape.sphere_radius, scale * scale * scale * kind.shape.mass);
+  coarse.scaling = scaling;
+  const auto cloud = mixed_cloud({3, 3, 3}, 2.3 * kMixRadius, 0.4, 3, 5);
+  auto enlarged = cloud;
+  for (auto& grain : enlarged) {
+    grain.position *= scale;
+    grain.angular_velocity /= scale;
+  }
+  Simulation original(settings_of(fine, step), {}), scaled(settings_of(coarse, scale * step), {});
+  original.add_grains(cloud);
+  scaled.add_grains(enlarged);
+  EXPECT_GT(most_touching(original, 6000), 4U);
+  run_steps(scaled, 6000);
+  double most = 0;
+  for (std::uint64_t id = 0; id < cloud.size(); ++id)
+    most = std::max(most, (position_of(scaled, id) / scale - position_of(original, id)).norm());
+  return most;
+}
+
+TEST(MixedCloud, GeometricallySimilarGrainsMoveAsTheOriginalsDo) {
+  // Forces with l^2, torques with l^3, bodies with l^3 (Hu 2024, chapter 5, Method 2).
+  for (const auto& source : laws::laws_of_the_sources()) {
+    if (source.name == "Luding rolling") continue;  // its spring takes the scaled step for the original one
+    EXPECT_LT(unlikeness(source.law, coarse_graining::hu_chapter_5_method_2(4)), 1e-7 * kMixRadius)
+        << source.name;
+  }
+}
+
+TEST(MixedCloud, ScaledUpParticlesWithoutTorquesMoveAsTheOriginalsDo) {
+  // Torques grow with l^2 there (Hu 2024, section 3.4), which similar bodies do not: smooth spheres have
+  // none.
+  for (const auto& source : laws::laws_of_the_sources()) {
+    auto smooth = source.law;
+    smooth.friction = {};
+    smooth.rolling = {};
+    EXPECT_LT(unlikeness(smooth, coarse_graining::scaled_up_particle(4)), 1e-7 * kMixRadius) << source.name;
+  }
+}
+
+TEST(MixedSleep, SettledGrainsOfAllSizesSleepAndARestartChangesNoBit) {
+  const auto dry =
+      bierwisch_parts({.reduced_modulus = 1e7, .damping = 30, .tangential = 50, .friction = 0.5});
+  auto mix = mix_of({1, 0.25, 0.5}, dry, dry, dry);
+  for (auto& kind : mix.kinds) kind.shape = model_a(kind.shape.sphere_radius, kind.shape.mass);
+  constexpr double kFlat = std::numeric_limits<double>::infinity();
+  auto settings = settings_of(mix, 0.2 * critical_time_step(mix, {{"steel", kFlat}}, 0.3));
+  settings.gravity = {0, 0, -9.81};
+  settings.period = {10 * kMixRadius, 10 * kMixRadius};
+  settings.sleep = SleepSettings{};
+  Simulation simulation(settings, {steel_floor()});
+  auto grains = mixed_cloud({4, 4, 4}, 2.2 * kMixRadius, 0.02, 3, 12);
+  for (auto& grain : grains) grain.position.z() += 5 * kMixRadius;
+  simulation.add_grains(grains);
+  for (int round = 0; round < 60 && simulation.sleepers() < 40; ++round) run_steps(simulation, 2000);
+  ASSERT_GE(simulation.sleepers(), 40U);
+  std::set<KindNumber> kinds;
+  for (std::size_t k = 0; k < simulation.grains().size(); ++k)
+    if (simulation.asleep(k)) kinds.insert(simulation.grains().kind[k]);
+  EXPECT_EQ(kinds.size(), 3U);
+  Simulation resumed(settings, {steel_floor()});
+  resumed.restore(simulation.snapshot());
+  run_steps(simulation, 500);
+  run_steps(resumed, 500);
+  EXPECT_EQ(resumed.hash(), simulation.hash());
+}
+
+TEST(MixOfOneKind, IsTheGeneralLawBitForBit) {
+  for (const auto model : {Model::b, Model::d}) {
+    auto general = weightless(model, {}, 1e-6);
+    GeneralContact contact;
+    contact.grains = contact.walls = rough();
+    general.general_contact = contact;
+    auto mixed = weightless(model, {}, 1e-6);
+    mixed.mix.emplace();
+    mixed.mix->kinds = {{thesis_shape(model), "iron"}};
+    mixed.mix->laws = {{"iron", "iron", rough()}, {"steel", "iron", rough()}};
+    const auto floor = steel_floor(-5 * half_size(general.shape));
+    Simulation one(general, {floor}), other(mixed, {floor});
+    for (auto* simulation : {&one, &other}) {
+      simulation->add_grains(converging_cloud({4, 4, 4}, 2 * half_size(general.shape), 0.4, 8));
+      EXPECT_GT(most_touching(*simulation, 600), 4U);
+    }
+    EXPECT_EQ(one.hash(), other.hash());
+  }
+}
+
+TEST(MixOfOneKind, GivenTwiceMovesAlike) {
+  // Two kinds that are the same: through the tables, and through the loop that looks nothing up.
+  auto one_kind = mix_of({1}, rough(), rough(), rough());
+  auto two_kinds = one_kind;
+  two_kinds.kinds.push_back(one_kind.kinds.front());
+  Simulation one(settings_of(one_kind, 2e-7), {steel_floor(-5 * kMixRadius)});
+  Simulation other(settings_of(two_kinds, 2e-7), {steel_floor(-5 * kMixRadius)});
+  auto cloud = mixed_cloud({4, 4, 4}, 2 * kMixRadius, 0.4, 2, 8);
+  other.add_grains(cloud);
+  for (auto& grain : cloud) grain.kind = 0;
+  one.add_grains(cloud);
+  EXPECT_GT(most_touching(one, 2000), 10U);
+  run_steps(other, 2000);
+  for (std::uint64_t id = 0; id < cloud.size(); ++id)
+    EXPECT_LT((position_of(one, id) - position_of(other, id)).norm(), 1e-9 * kMixRadius);
+}
+
+TEST(MixedValidityMonitor, OverlapCountsOverTheSmallerSphere) {
+  // An overlap of 0.07 of a large sphere is 0.7 of a small one.
+  auto settings = settings_of(mix_of({1, 0.1}, rough(), rough(), rough()), 1e-9);
+  for (const KindNumber kind : {KindNumber{0}, KindNumber{1}}) {
+    Simulation simulation(settings, {});
+    std::vector<NewGrain> grains(2);
+    grains[1].kind = kind;
+    const double reach = kMixRadius * (kind == 0 ? 2 : 1.1);
+    grains[1].position.x() = reach - 0.07 * kMixRadius;
+    simulation.add_grains(grains);
+    simulation.step();
+    EXPECT_NEAR(simulation.overlaps().grains, 0.07 * kMixRadius, 1e-4 * kMixRadius);
+    EXPECT_NEAR(simulation.overlaps().grains_over_radius, kind == 0 ? 0.07 : 0.7, 1e-3);
+    if (kind == 0)
+      EXPECT_NO_THROW(ValidityMonitor().check(simulation));
+    else
+      EXPECT_THROW(ValidityMonitor().check(simulation), OutOfRange);
+  }
+}
+
+/// What is wrong with a mix, or with the settings and walls around it.
+std::string refusal(const SimulationSettings& settings, const WallBodySpec& wall) {
+  try {
+    Simulation simulation(settings, {wall});
+    simulation.add_grains({NewGrain{.kind = 7}});
+  } catch (const std::invalid_argument& error) {
+    return error.what();
+  }
+  return "nothing";
+}
+
+TEST(MixRefusals, NameWhatIsWrong) {
+  const auto good = settings_of(mix_of({1, 0.5}, rough(), rough(), rough()), 1e-7);
+  EXPECT_NE(refusal(good, steel_floor()).find("kind 7, but there are 2"), std::string::npos);
+
+  auto bad = good;
+  bad.mix->kinds[1].shape = model_d(kMixRadius, 1e-7);
+  EXPECT_NE(refusal(bad, steel_floor()).find("7 spheres and the first one of 1"), std::string::npos);
+  bad = good;
+  bad.mix->kinds[1].shape = model_a(kMixRadius, 1e-7);
+  EXPECT_NE(refusal(bad, steel_floor()).find("does not rotate"), std::string::npos);
+  bad = good;
+  bad.mix->laws.erase(bad.mix->laws.begin() + 2);
+  EXPECT_NE(refusal(bad, steel_floor()).find("'iron' and 'wax'"), std::string::npos);
+  bad = good;
+  bad.general_contact = GeneralContact{};
+  EXPECT_NE(refusal(bad, steel_floor()).find("laws of its own"), std::string::npos);
+  bad = good;
+  bad.mix->kinds.assign(300, good.mix->kinds.front());
+  EXPECT_NE(refusal(bad, steel_floor()).find("at most 256"), std::string::npos);
+  bad = good;
+  bad.mix->kinds.clear();
+  EXPECT_NE(refusal(bad, steel_floor()).find("at least one kind"), std::string::npos);
+  bad = good;
+  bad.mix->laws[1].law.attraction = laws::VanDerWaals::Parameters{.hamaker = 5e-18};
+  EXPECT_NE(refusal(bad, steel_floor()).find("between 'wax' and 'wax': van der Waals"), std::string::npos);
+
+  auto wall = steel_floor();
+  wall.contact = ContactParameters{};
+  EXPECT_NE(refusal(good, wall).find("wall 'floor' has a contact of its own"), std::string::npos);
+  wall = steel_floor();
+  wall.material = "brass";
+  EXPECT_NE(refusal(good, wall).find("'iron' and 'brass'"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace diefill::engine

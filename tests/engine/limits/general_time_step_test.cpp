@@ -1,0 +1,145 @@
+// The critical step of laws put together while the program runs, against closed forms and against the law
+// that the engine knows beforehand.
+#include "engine/limits/general_time_step.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "engine/coarse_graining/chu.h"
+#include "engine/coarse_graining/sakai_koshizuka.h"
+#include "engine/limits/time_step.h"
+
+namespace diefill::engine {
+namespace {
+
+using namespace laws;
+
+constexpr double kRadius = 1e-3, kMass = 1e-5;  // m, kg
+
+GeneralContact both(const LawParameters& law) {
+  return {law, law, {}};
+}
+
+LawParameters bierwisch(const ContactParameters& contact) {
+  LawParameters law;
+  law.normal = BierwischNormal::Parameters{contact.reduced_modulus, contact.work_of_adhesion};
+  law.damping = BierwischDamping::Parameters{contact.damping};
+  return law;
+}
+
+TEST(GeneralTimeStep, AgreesWithTheLawKnownBeforehand) {
+  for (const auto& shape : {model_a(kRadius, kMass), model_d(kRadius, kMass)})
+    for (const double damping : {0.0, 100.0, 3000.0}) {
+      const ContactParameters contact{.reduced_modulus = 1e7, .damping = damping};
+      const GeneralContact general = both(bierwisch(contact));
+      const double overlap = impact_overlap(shape, contact, 0.7);
+      EXPECT_NEAR(impact_overlap(shape, general, 0.7), overlap, 1e-4 * overlap);
+      // Tangential springs are none here, so that only normal ones count.
+      const double step = critical_time_step(shape, contact, 0.7);
+      EXPECT_NEAR(critical_time_step(shape, general, 0.7), step, 1e-3 * step) << damping;
+      const double pinched = pinch_time_step(shape, contact, 3e-4, 5e-4, 0.5 * kRadius);
+      EXPECT_NEAR(pinch_time_step(shape, general, 3e-4, 5e-4, 0.5 * kRadius), pinched, 1e-9 * pinched);
+    }
+}
+
+TEST(GeneralTimeStep, IsThatOfAnOscillatorForLinearSprings) {
+  constexpr double kStiffness = 500, kSpeed = 0.5;  // N/m, m/s
+  LawParameters law;
+  law.normal = LinearNormal::Parameters{kStiffness};
+  const GrainShape shape = model_a(kRadius, kMass);
+  EXPECT_NEAR(impact_overlap(shape, both(law), kSpeed), kSpeed * std::sqrt(0.5 * kMass / kStiffness), 1e-9);
+  const double oscillator = 2 * std::sqrt(0.5 * kMass / kStiffness);
+  EXPECT_NEAR(critical_time_step(shape, both(law), kSpeed), oscillator / std::sqrt(kContactsPerGrain),
+              1e-9 * oscillator);
+  law.damping = ConstantDamping::Parameters{1.0};  // kg/s
+  EXPECT_NEAR(critical_time_step(shape, both(law), kSpeed), 2 * 0.5 * kMass / 1.0, 1e-12);
+}
+
+TEST(GeneralTimeStep, FollowsTheStiffestSpringWhicheverItIs) {
+  const GrainShape shape = model_b(kRadius, kMass);
+  constexpr double kModulus = 5e6, kOverlap = 1e-5;  // Pa, m
+  LawParameters law;
+  law.normal = HertzMindlinNormal::Parameters{kModulus};
+  const double root = std::sqrt(0.5 * kRadius * kOverlap);
+  const double normal = 2 * std::sqrt(0.5 * kMass / (2 * kModulus * root));
+  EXPECT_NEAR(critical_time_step_at_overlap(shape, both(law), kOverlap), normal, 1e-9 * normal);
+
+  law.friction = MindlinFriction::Parameters{.shear_modulus = 20 * kModulus, .friction = 0.5};
+  const double tangential = 2 * std::sqrt(0.5 * kMass / 3.5 / (8 * 20 * kModulus * root));
+  EXPECT_NEAR(critical_time_step_at_overlap(shape, both(law), kOverlap), tangential, 1e-4 * tangential);
+
+  law.friction = {};
+  law.rolling = Epsd2Rolling::Parameters{.rolling_friction = 0.5, .shear_modulus = 20 * kModulus};
+  const double per_radian = 8 * 20 * kModulus * root * 0.25 * kRadius * kRadius;
+  const double rolling = 2 * std::sqrt(0.5 * 0.4 * kMass * kRadius * kRadius / per_radian);
+  EXPECT_NEAR(critical_time_step_at_overlap(shape, both(law), kOverlap), rolling, 1e-4 * rolling);
+}
+
+// A constant torque is as stiff as the step allows: it asks for none of its own.
+TEST(GeneralTimeStep, ConstantTorqueAsksForNoStep) {
+  const GrainShape shape = model_b(kRadius, kMass);
+  LawParameters law;
+  law.normal = LinearNormal::Parameters{500};
+  const double plain = critical_time_step(shape, both(law), 0.5);
+  law.rolling = LoadRolling::Parameters{.rolling_friction = 1};
+  EXPECT_EQ(critical_time_step(shape, both(law), 0.5), plain);
+  law.rolling = ElasticRolling::Parameters{.rolling_friction = 1, .stiffness = 500};
+  EXPECT_EQ(critical_time_step(shape, both(law), 0.5), plain);
+}
+
+TEST(GeneralTimeStep, LudingsUnloadingSpringAndStifferWallsCount) {
+  const GrainShape shape = model_a(kRadius, kMass);
+  LawParameters law;
+  law.normal = LudingNormal::Parameters{.loading = 100, .unloading = 2000};
+  const double packed = 2 * std::sqrt(0.5 * kMass / 2000) / std::sqrt(kContactsPerGrain);
+  EXPECT_NEAR(critical_time_step(shape, both(law), 0.5), packed, 1e-9 * packed);
+  GeneralContact contact = both(law);
+  contact.walls.normal = LinearNormal::Parameters{30 * 2000.0};
+  const double wall = 2 * std::sqrt(kMass / (30 * 2000.0)) / std::sqrt(kContactsPerGrain);
+  EXPECT_NEAR(critical_time_step(shape, contact, 0.5), wall, 1e-9 * wall);
+}
+
+// Hu 2024, section 4.3: springs that scale away from geometric similarity shorten the step by the root.
+TEST(GeneralTimeStep, ShrinksWithTheSpringsOfForceScaling) {
+  const GrainShape shape = model_a(kRadius, kMass);
+  LawParameters law;
+  law.normal = HertzMindlinNormal::Parameters{5e6};
+  const double plain = critical_time_step_at_overlap(shape, both(law), 1e-5);
+  for (const auto& scaling : {coarse_graining::chu(4), coarse_graining::sakai_koshizuka(4)}) {
+    const double scaled = critical_time_step_at_overlap(shape, {law, law, scaling}, 1e-5);
+    EXPECT_NEAR(scaled, plain / std::sqrt(scaling.spring_factor()), 1e-9 * scaled);
+  }
+}
+
+// STABILITY.md: at 1.5 times the speed that escapes, about what passing the smallest gap takes. The well is
+// twice as deep where grains touch as at the smallest gap, as the force is held from there on.
+TEST(GeneralTimeStep, DoesNotJumpOverVanDerWaalsGap) {
+  const GrainShape shape = model_a(kRadius, kMass);
+  constexpr double kHamaker = 5e-16, kGap = 1e-9;  // J, m
+  LawParameters law;
+  law.normal = HertzMindlinNormal::Parameters{5e6};
+  law.attraction =
+      VanDerWaals::Parameters{.hamaker = kHamaker, .smallest_gap = kGap, .largest_gap = 1e3 * kGap};
+  const double well = 2 * kHamaker * kRadius / 6 / kGap, speed = 1.5 * std::sqrt(2 * well / (0.5 * kMass));
+  GeneralContact contact = both(law);
+  contact.walls.attraction = {};
+  EXPECT_NEAR(critical_time_step(shape, contact, 0.5), 2 * kGap / speed, 0.01 * kGap / speed);
+}
+
+TEST(GeneralTimeStep, AdhesionPullsGrainsDeeper) {
+  const GrainShape shape = model_a(kRadius, kMass);
+  LawParameters law;
+  law.normal = JkrNormal::Parameters{.modulus = 5e6, .surface_energy = 0};
+  const double plain = impact_overlap(shape, both(law), 0.1);
+  law.normal = JkrNormal::Parameters{.modulus = 5e6, .surface_energy = 0.1};
+  const double sticky = impact_overlap(shape, both(law), 0.1);
+  EXPECT_GT(sticky, 1.01 * plain);
+  // There, work done and energy brought along balance.
+  const JkrNormal spring({.modulus = 5e6, .surface_energy = 0.1}, {kRadius, kRadius, kMass, kMass});
+  const double brought = 0.5 * 0.5 * kMass * 0.1 * 0.1;
+  EXPECT_NEAR(spring.energy(sticky, nullptr), brought, 1e-3 * brought);
+}
+
+}  // namespace
+}  // namespace diefill::engine

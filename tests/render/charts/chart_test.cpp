@@ -1,0 +1,171 @@
+#include "render/charts/chart.h"
+
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+#include "render/charts/chart_layout.h"
+#include "render/charts/curve_painter.h"
+#include "render/fields/pictures.h"
+#include "tests/render/fields/drawing_test.h"
+#include "tests/render/synthetic_ring.h"
+
+namespace diefill::render::test {
+namespace {
+
+using ChartTest = Drawing;
+constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+
+Rgb colour_of(std::size_t curve) {
+  const QColor colour = curve_colour(curve);
+  return {static_cast<std::uint8_t>(colour.red()), static_cast<std::uint8_t>(colour.green()),
+          static_cast<std::uint8_t>(colour.blue())};
+}
+
+Curve parabola(const std::string& name, double scale, CurveStyle style) {
+  Curve curve{name, {}, {}, style, {}};
+  for (int k = 0; k <= 10; ++k) {
+    curve.x.push_back(k);
+    curve.y.push_back(scale * k * k);
+  }
+  return curve;
+}
+
+Chart collapse_chart() {
+  Chart chart;
+  chart.title = "Mass flow through a slit collapses on one curve";
+  chart.subtitle = "four grain sizes, three slit widths";
+  chart.x.label = "(D − 1.4 d) / d [–]";
+  chart.y.label = "Mass flow per depth [kg/(m s)]";
+  chart.x.logarithmic = chart.y.logarithmic = true;
+  for (int k = 0; k < 5; ++k) {
+    Curve curve{"d = " + std::to_string(k + 1) + " mm", {}, {}, CurveStyle::kMarkers, {}};
+    for (int j = 1; j < 12; ++j) {
+      curve.x.push_back((1 + 0.2 * k) * std::pow(1.6, j));
+      curve.y.push_back(0.8 * std::pow(curve.x.back(), 1.5) * (1 + 0.05 * std::sin(7.0 * j + k)));
+      curve.y_error.push_back(0.2 * curve.y.back());
+    }
+    chart.curves.push_back(curve);
+  }
+  chart.curves.push_back({"0.8 x^1.5", {1, 400}, {0.8, 0.8 * std::pow(400, 1.5)}, CurveStyle::kLine, {}});
+  return chart;
+}
+
+TEST_F(ChartTest, CurvesPassThroughTheirPoints) {
+  Chart chart;
+  chart.x.label = "Time [s]";
+  chart.y.label = "Mass [g]";
+  chart.curves = {parabola("measured", 1, CurveStyle::kLineAndMarkers),
+                  parabola("model", 0.6, CurveStyle::kMarkers)};
+  const auto picture = compose_chart(chart);
+  keep(picture.image, "chart.png");
+  EXPECT_EQ(picture.image.size(), QSize(1600, 1000));
+  EXPECT_TRUE(has_white_border(picture.image, 8));
+  for (const std::size_t k : {3U, 5U, 8U}) {
+    for (std::size_t curve = 0; curve < 2; ++curve) {
+      const auto& data = chart.curves[curve];
+      EXPECT_TRUE(
+          close_to(pixel_at(picture.image, picture.plot.pixel(data.x[k], data.y[k])), colour_of(curve), 3));
+    }
+  }
+}
+
+TEST_F(ChartTest, MissingValuesLeaveAGap) {
+  Chart chart;
+  chart.curves = {{"", {0, 1, 2, 3, 4}, {1, 1, kNone, 1, 1}, CurveStyle::kLine, {}}};
+  chart.y.lower = 0;
+  chart.y.upper = 3;
+  chart.x.lower = -0.3;
+  chart.x.upper = 4.3;
+  const auto picture = compose_chart(chart);
+  EXPECT_TRUE(close_to(pixel_at(picture.image, picture.plot.pixel(0.5, 1)), colour_of(0), 3));
+  EXPECT_FALSE(close_to(pixel_at(picture.image, picture.plot.pixel(1.5, 1)), colour_of(0), 60));
+  EXPECT_FALSE(close_to(pixel_at(picture.image, picture.plot.pixel(2.5, 1)), colour_of(0), 60));
+}
+
+TEST_F(ChartTest, LogarithmicAxesPlaceDecadesEvenly) {
+  const auto picture = compose_chart(collapse_chart());
+  keep(picture.image, "chart_log.png");
+  EXPECT_TRUE(has_white_border(picture.image, 8));
+  const auto x = [&](double value) { return picture.plot.pixel(value, 1).x(); };
+  EXPECT_NEAR(x(100) - x(10), x(10) - x(1), 1e-6);
+  EXPECT_NEAR(picture.plot.pixel(1, picture.plot.y.range.lower).y(), picture.plot.rect.bottom(), 1e-9);
+}
+
+TEST_F(ChartTest, LogarithmicAxisRefusesLimitsThatAreNotPositive) {
+  Chart chart = collapse_chart();
+  chart.y.lower = 0;
+  EXPECT_THROW(compose_chart(chart), std::runtime_error);
+}
+
+TEST_F(ChartTest, HistogramStandsOnZero) {
+  Chart chart;
+  chart.title = "Solid fraction of the grains";
+  chart.x.label = "Solid fraction [–]";
+  chart.y.label = "Grains [–]";
+  Curve bars{"1 passage", {}, {}, CurveStyle::kBars, {}};
+  Curve more{"6 passages", {}, {}, CurveStyle::kBars, {}};
+  for (int k = 0; k < 20; ++k) {
+    bars.x.push_back(0.25 + 0.01 * k);
+    bars.y.push_back(400 + 300 * std::exp(-std::pow((k - 8) / 4.0, 2)));
+    more.x.push_back(bars.x.back());
+    more.y.push_back(380 + 320 * std::exp(-std::pow((k - 12) / 3.0, 2)));
+  }
+  chart.curves = {bars, more};
+  const auto picture = compose_chart(chart);
+  keep(picture.image, "chart_histogram.png");
+  EXPECT_DOUBLE_EQ(picture.plot.y.range.lower, 0);
+  EXPECT_NE(pixel_at(picture.image, picture.plot.pixel(0.30, 10)), (Rgb{255, 255, 255}));
+  EXPECT_LE(picture.plot.x.range.lower, 0.245);
+}
+
+TEST_F(ChartTest, LegendTakesRoomOnlyForNamedCurves) {
+  Chart chart;
+  chart.curves = {parabola("", 1, CurveStyle::kLine)};
+  const double top = compose_chart(chart).plot.rect.top();
+  chart.curves[0].name = "measured";
+  const double with_legend = compose_chart(chart).plot.rect.top();
+  EXPECT_GT(with_legend, top + 20);
+  for (int k = 0; k < 12; ++k)
+    chart.curves.push_back(parabola("a curve of a longer name " + std::to_string(k), k, CurveStyle::kLine));
+  const auto crowded = compose_chart(chart);
+  keep(crowded.image, "chart_crowded.png");
+  EXPECT_GT(crowded.plot.rect.top(), with_legend + 60);
+  EXPECT_TRUE(has_white_border(crowded.image, 8));
+}
+
+TEST_F(ChartTest, AxisRangesComeFromTheData) {
+  const auto range = [](std::vector<double> values) { return axis_range({}, values, false); };
+  EXPECT_DOUBLE_EQ(range({16, 17.9}).lower, 16);
+  EXPECT_DOUBLE_EQ(range({1, 17.9}).lower, 0);
+  EXPECT_DOUBLE_EQ(range({1, 17.9}).upper, 20);
+  EXPECT_LT(range({5, 5}).lower, 5);
+  EXPECT_GT(range({5, 5}).upper, 5);
+  EXPECT_DOUBLE_EQ(range({kNone}).upper, 1);
+  EXPECT_DOUBLE_EQ(axis_range({}, {16.2, 17.9}, true).lower, 0);
+}
+
+TEST_F(ChartTest, UnequalArraysAreRefusedByName) {
+  Chart chart;
+  chart.curves = {{"odd one", {1, 2, 3}, {1, 2}, CurveStyle::kLine, {}}};
+  try {
+    compose_chart(chart);
+    FAIL() << "3 x and 2 y values";
+  } catch (const std::runtime_error& error) {
+    EXPECT_NE(std::string(error.what()).find("odd one"), std::string::npos);
+  }
+}
+
+TEST_F(ChartTest, ProfileFileIsTheSameTwice) {
+  const auto profile = make_ring().profiles.front();
+  for (const char* name : {"one.png", "two.png"})
+    draw_profile(file(name), profile, "1 passage at 0.2 m/s", "Dist. AE, grain size 1.88 mm");
+  EXPECT_EQ(contents(file("one.png")), contents(file("two.png")));
+  const QImage image(QString::fromStdString(file("one.png").string()));
+  keep(image, "fill_level.png");
+  EXPECT_EQ(image.size(), QSize(1600, 1000));
+  EXPECT_TRUE(has_white_border(image, 8));
+}
+
+}  // namespace
+}  // namespace diefill::render::test

@@ -1,0 +1,91 @@
+#include "render/fields/comparison_picture.h"
+
+#include <stdexcept>
+
+#include "render/fields/field_sampler.h"
+#include "tests/render/fields/drawing_test.h"
+#include "tests/render/synthetic_ring.h"
+
+namespace diefill::render::test {
+namespace {
+
+using ComparisonPictures = Drawing;
+const std::string kTitle = "Narrow ring, shoe speed and number of passages";
+
+/// Maps of a ring, each 0.01 denser than the one before.
+std::vector<ComparedField> maps(int number) {
+  std::vector<ComparedField> fields;
+  for (int k = 0; k < number; ++k) {
+    fields.push_back({"variant " + std::to_string(k + 1), make_map()});
+    for (double& value : fields.back().field.value) value += 0.01 * k;
+  }
+  return fields;
+}
+
+TEST_F(ComparisonPictures, StandSideBySideWithinTheCanvas) {
+  for (const int number : {1, 2, 6, 9}) {
+    const auto picture = compose_comparison(maps(number), kTitle);
+    keep(picture.image, "comparison_" + std::to_string(number) + ".png");
+    EXPECT_TRUE(has_white_border(picture.image, 8)) << number;
+    ASSERT_EQ(picture.plots.size(), static_cast<std::size_t>(number));
+    for (std::size_t a = 0; a < picture.plots.size(); ++a) {
+      EXPECT_TRUE(QRectF(picture.image.rect()).contains(picture.plots[a].rect));
+      EXPECT_EQ(picture.plots[a].rect.size(), picture.plots[0].rect.size());
+      for (std::size_t b = 0; b < a; ++b)
+        EXPECT_FALSE(picture.plots[a].rect.intersects(picture.plots[b].rect)) << number;
+    }
+  }
+}
+
+// The same colour means the same solid fraction in every panel.
+TEST_F(ComparisonPictures, ShareOneScale) {
+  const auto fields = maps(4);
+  const auto picture = compose_comparison(fields, kTitle);
+  for (std::size_t k = 0; k < fields.size(); ++k) {
+    const FieldSampler sampler(fields[k].field);
+    for (const double azimuth : {40.0, 155.0, 300.0}) {
+      const auto colour = pixel_at(picture.image, picture.plots[k].pixel(azimuth, 8.1));
+      const auto expected =
+          value_colour(sampler.at(azimuth, 8.1), picture.bar.range.lower, picture.bar.range.upper);
+      EXPECT_TRUE(close_to(colour, expected, 6)) << k << ' ' << azimuth;
+    }
+  }
+}
+
+TEST_F(ComparisonPictures, LookLikeTheirReference) {
+  expect_like_reference(compose_comparison(maps(4), kTitle).image, "comparison.png");
+}
+
+// A variant whose powder is heaped higher does not stretch the others: equal heights stand level.
+TEST_F(ComparisonPictures, PutEqualHeightsLevel) {
+  auto fields = maps(2);
+  const std::size_t columns = fields[1].field.first.size();
+  fields[1].field.second.pop_back();
+  fields[1].field.value.resize(fields[1].field.value.size() - columns);
+  const auto picture = compose_comparison(fields, kTitle);
+  EXPECT_EQ(picture.plots[0].pixel(90, 10).y(), picture.plots[1].pixel(90, 10).y());
+  const QPointF above = picture.plots[1].pixel(90, fields[0].field.second.back()) + QPointF(0, 4);
+  EXPECT_EQ(pixel_at(picture.image, above), kNoValueColour);
+  const FieldSampler sampler(fields[1].field);
+  const auto colour = pixel_at(picture.image, picture.plots[1].pixel(90, 5.05));
+  EXPECT_TRUE(close_to(
+      colour, value_colour(sampler.at(90, 5.05), picture.bar.range.lower, picture.bar.range.upper), 6));
+}
+
+TEST_F(ComparisonPictures, TakeSectionsOfOtherCavities) {
+  std::vector<ComparedField> fields = {{"fast", make_section().field}, {"slow", make_section().field}};
+  const auto picture = compose_comparison(fields, kTitle);
+  keep(picture.image, "comparison_sections.png");
+  EXPECT_TRUE(has_white_border(picture.image, 8));
+  EXPECT_THROW(compose_comparison({}, kTitle), std::runtime_error);
+  fields[1].field.value.pop_back();
+  EXPECT_THROW(compose_comparison(fields, kTitle), std::runtime_error);
+}
+
+TEST_F(ComparisonPictures, AreWrittenAsPng) {
+  draw_comparison(file("comparison.png"), maps(3), kTitle);
+  EXPECT_EQ(contents(file("comparison.png")).substr(0, 8), "\x89PNG\r\n\x1a\n");
+}
+
+}  // namespace
+}  // namespace diefill::render::test

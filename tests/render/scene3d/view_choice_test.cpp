@@ -1,0 +1,69 @@
+#include "render/scene3d/view_choice.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "tests/render/synthetic_ring.h"
+
+namespace diefill::render::test {
+namespace {
+
+constexpr double kAspect = 1.3;
+
+// Whether a point lies in the picture, by the view's parallel projection.
+bool shows(const ViewChoice& view, const Eigen::Vector3d& point) {
+  const Eigen::Vector3d away = point - view.target;
+  const double up = away.z() * std::cos(view.elevation) + away.y() * std::sin(view.elevation);
+  return std::abs(away.x()) <= 0.5 * view.width && std::abs(up) <= 0.5 * view.height;
+}
+
+TEST(ViewChoice, CutsThroughTheAxisAndShowsTheWholeCavity) {
+  auto result = make_ring();
+  result.cavity.axis_origin.y() = 2e-3;
+  const auto view = choose_view(result, kAspect);
+  EXPECT_DOUBLE_EQ(view.cut_y, 2e-3);
+  EXPECT_NEAR(view.width / view.height, kAspect, 1e-12);
+  for (const double x : {-12.46e-3, 12.46e-3})
+    for (const double y : {2e-3, 12.46e-3})
+      for (const double z : {-20e-3, 0.0}) EXPECT_TRUE(shows(view, {x, y, z})) << x << " " << y << " " << z;
+}
+
+TEST(ViewChoice, NearShoeIsFramedFarShoeIsNot) {
+  auto result = make_ring();
+  result.tools = {make_tube("shoe", 10e-3, 12e-3, 0.3e-3, 12e-3, {22e-3, 0}, 4)};
+  result.powder = {};
+  const auto near = choose_view(result, kAspect);
+  EXPECT_TRUE(shows(near, {29e-3, 0, 5e-3}));
+  result.tools = {make_tube("shoe", 10e-3, 12e-3, 0.3e-3, 12e-3, {200e-3, 0}, 4)};
+  const auto far = choose_view(result, kAspect);
+  EXPECT_LT(far.width, near.width);
+  result.tools.clear();
+  EXPECT_DOUBLE_EQ(choose_view(result, kAspect).width, far.width);
+}
+
+TEST(ViewChoice, CavityNeverShrinksToASpeck) {
+  auto result = make_ring();
+  result.tools = {make_tube("shoe", 300e-3, 320e-3, 0.3e-3, 60e-3, {0, 0}, 4)};
+  const auto view = choose_view(result, kAspect);
+  EXPECT_LT(view.width, 4 * 2 * 12.46e-3);
+}
+
+TEST(ViewChoice, WithoutCavityThePowderIsFramed) {
+  auto result = make_ring();
+  result.cavity = {};
+  const auto view = choose_view(result, kAspect);
+  for (const auto& position : result.powder.position)
+    EXPECT_TRUE(position.y() < view.cut_y || shows(view, position));
+}
+
+TEST(ViewChoice, NothingAtAllIsEmpty) {
+  EXPECT_TRUE(choose_view(results::FillResult{}, kAspect).empty);
+  auto result = make_ring();
+  result.cavity = {};
+  result.powder = {};
+  EXPECT_FALSE(choose_view(result, kAspect).empty);
+}
+
+}  // namespace
+}  // namespace diefill::render::test
