@@ -69,8 +69,7 @@ nlohmann::ordered_json timed(engine::Simulation& simulation, int steps, double b
   for (int k = 0; k < steps; ++k) simulation.step();
   const double cpu_seconds = static_cast<double>(std::clock() - clock) / CLOCKS_PER_SEC;
   const auto after = simulation.timers().seconds();
-  const double spheres =
-      static_cast<double>(simulation.grains().size() * simulation.settings().shape.spheres());
+  const double spheres = static_cast<double>(simulation.grains().size() * simulation.types().spheres());
   double seconds = 0;
   nlohmann::ordered_json phases;
   for (std::size_t p = 0; p < after.size(); ++p) {

@@ -108,7 +108,7 @@ Predicted counted(const process::Scene& scene, const process::Tooling& tooling) 
   const double impact = process::predicted_impact_speed(scene, tooling);
   Predicted predicted;
   predicted.settings = process::engine_settings(scene, impact);
-  predicted.grains = process::grains_to_pour(scene, predicted.settings.shape);
+  predicted.grains = process::grains_to_pour(scene, process::mean_grain(scene));
   predicted.critical_step = process::critical_time_step(predicted.settings, impact);
   for (const auto& state : process::predicted(process::Stages(scene), 0))
     predicted.seconds = std::max(predicted.seconds, state.ended);
@@ -120,14 +120,14 @@ Predicted counted(const process::Scene& scene, const process::Tooling& tooling) 
 
 Predicted predicted_of(const process::Scene& scene, const process::Tooling& tooling) {
   constexpr std::size_t kMostPlaced = 1000000;  // spheres
-  const auto shape = process::engine_settings(scene, 1.0).shape;
+  const auto shape = process::mean_grain(scene);
   const bool few = process::grains_to_pour(scene, shape) * shape.spheres() <= kMostPlaced;
   return few ? placed(scene, tooling) : counted(scene, tooling);
 }
 
 nlohmann::ordered_json as_json(const Predicted& predicted) {
   return {{"grains", predicted.grains},
-          {"spheres", predicted.grains * predicted.settings.shape.spheres()},
+          {"spheres", predicted.grains * predicted.settings.shape().spheres()},
           {"time_step_s", predicted.settings.time_step},
           {"critical_time_step_s", predicted.critical_step}};
 }
@@ -137,7 +137,7 @@ void print_simulation(const process::Scene& scene, const process::Tooling& tooli
   const auto& settings = predicted.settings;
   std::printf("powder: %s, %zu grains of d = %.4g mm, %zu spheres; %zu wall spheres\n",
               scene.powder.name.c_str(), predicted.grains, 1e3 * scene.powder.grain_diameter,
-              predicted.grains * settings.shape.spheres(), tooling.wall_spheres());
+              predicted.grains * settings.shape().spheres(), tooling.wall_spheres());
   if (!scene.powder.sizes.empty())
     std::printf("sizes: %s; d is the size of the mean mass\n", scene.powder.sizes_text.c_str());
   std::printf("time step: %.3g s, %.2f of the critical %.3g s\n", settings.time_step,

@@ -33,8 +33,9 @@ void say_within_time(const process::plan::Plan& plan, double minutes,
     std::printf("within %.4g minutes: nothing fits; the quick setting takes %s\n", minutes,
                 process::duration_text(plan.choices[1].forecast.wall_seconds.value_or(0)).c_str());
   } else {
-    std::printf("within %.4g minutes: %s (%zu spheres, %s)\n", minutes, scene_lines(*choice->numbers).c_str(),
-                choice->forecast.spheres, process::duration_text(*choice->forecast.wall_seconds).c_str());
+    std::printf("within %.4g minutes: %s (%zu spheres, %s)\n", minutes,
+                scene_lines(plan.scene, *choice->numbers).c_str(), choice->forecast.spheres,
+                process::duration_text(*choice->forecast.wall_seconds).c_str());
   }
 }
 

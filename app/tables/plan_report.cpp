@@ -128,8 +128,9 @@ void print_plan(const plan::Plan& plan) {
   print_sources(plan);
 }
 
-std::string scene_lines(const plan::SettingNumbers& numbers) {
-  return text("powder.grain_diameter = \"%.4g mm\", walls.spacing = %.2g, pour.fill_height = \"%.4g mm\"",
+std::string scene_lines(const process::Scene& scene, const plan::SettingNumbers& numbers) {
+  return text("%s = \"%.4g mm\", walls.spacing = %.2g, pour.fill_height = \"%.4g mm\"",
+              scene.powder.sizes.empty() ? "powder.grain_diameter" : "powder.sizes.mean_size",
               1e3 * numbers.grain_diameter, numbers.wall_spacing, 1e3 * numbers.fill_height);
 }
 

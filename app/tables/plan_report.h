@@ -12,7 +12,7 @@ namespace diefill::app {
 void print_plan(const process::plan::Plan& plan);
 
 /// The scene's lines that take a choice's numbers, for copying into a scene file.
-std::string scene_lines(const process::plan::SettingNumbers& numbers);
+std::string scene_lines(const process::Scene& scene, const process::plan::SettingNumbers& numbers);
 
 /// All that print_plan() says, in SI units.
 nlohmann::ordered_json plan_as_json(const process::plan::Plan& plan);

@@ -17,13 +17,14 @@ class GeneralContactLaw {
   static constexpr bool kRolls = true;
   /// Whether the law is made of parts chosen while the program runs, so that react_by_parts() serves it.
   static constexpr bool kByParts = true;
-  /// N m over N; rolling resistance is a part of the law here.
-  static constexpr double rolling_friction = 0;
+  /// m, arm of rolling friction against each grain's own spin; other rolling resistance is a part of the law.
+  double rolling_friction = 0;
 
   /// `pair`: the grains as they are simulated. Throws what make_law throws.
   GeneralContactLaw(const LawParameters& parameters, const coarse_graining::ForceScaling& scaling,
                     const PairProperties& pair)
-      : law_(scaling, make_law(parameters, scaling.original(pair))),
+      : rolling_friction(scaling.scale * parameters.rolling.own_spin_arm()),
+        law_(scaling, make_law(parameters, scaling.original(pair))),
         hysteretic_(law_.parts().normal.hysteretic() ? 1 : 0),
         form_(law_.parts().form()) {}
 
@@ -53,10 +54,9 @@ class GeneralContactLaw {
   /// N/m and N s/m, of the normal force of a fresh contact at `overlap` (m): what a time step must resolve.
   double stiffness(double overlap) const { return law_.stiffness(overlap); }
   double damping(double overlap) const { return law_.damping(overlap); }
-  /// J that a fresh contact's normal force takes up until `overlap` (m).
-  double fresh_energy(double overlap) const {
-    const double history[kHistory + 1] = {};
-    return law_.contact_energy(overlap, history);
+  /// J of the distant attraction.
+  double attraction_energy(double overlap, const double* history) const {
+    return law_.attraction_energy(overlap, history);
   }
 
   /// What remembered numbers are multiplied by for the other sphere.

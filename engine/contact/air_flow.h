@@ -12,9 +12,9 @@ namespace diefill::engine {
 /// at every height of `region` as much volume of air and grains goes up or down as the tool makes or takes
 /// away.
 struct AirFlow {
-  std::size_t body = 0;        ///< number of the wall body that draws
-  Eigen::AlignedBox3d region;  ///< m, laboratory frame: where the powder is in the way of the air
-  double resistance = 0;       ///< N s/m a grain: force over the speed of the air against it
+  std::size_t body = 0;            ///< number of the wall body that draws
+  Eigen::AlignedBox3d region;      ///< m, laboratory frame: where the powder is in the way of the air
+  std::vector<double> resistance;  ///< N s/m a grain of each type: force over the speed of the air against it
 
   /// Adds the force on each of the grains [begin, end), along z: resistance times the tool's velocity
   /// (`speed`, m/s) less the grain's, predicted for the end of the step as for air at rest (OP-3). `contacts`

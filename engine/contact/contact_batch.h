@@ -48,7 +48,7 @@ struct ContactBatch {
   Vectors torque;  ///< N m on i besides that of the force; for laws by parts
 
   /// Which pair of kinds a lane is; only set where grains are not all alike.
-  std::uint32_t kinds[kLanes + kLaneGroup];
+  std::uint32_t classes[kLanes + kLaneGroup];
 
   /// Calls change(memory) with what the pair of a lane remembers.
   template <class Change>
@@ -78,7 +78,7 @@ struct ContactBatch {
       relative_spin.set(lane, relative_spin[count - 1]);
       place.set(lane, place[count - 1]);
       for (std::size_t k = 0; k < kHistory; ++k) history[k][lane] = history[k][count - 1];
-      kinds[lane] = kinds[count - 1];
+      classes[lane] = classes[count - 1];
     }
   }
 };

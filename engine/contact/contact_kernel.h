@@ -6,7 +6,9 @@
 #include <type_traits>
 
 #include "engine/contact/contact_batch.h"
+#include "engine/contact/pair_laws.h"
 #include "engine/contact/pair_loop.h"
+#include "engine/laws/bierwisch_law.h"
 #include "engine/laws/contact_law.h"
 
 namespace diefill::engine {
@@ -97,6 +99,11 @@ auto with_arm(LeverArm arm, bool clumps, const Use& use) {
   if (arm == LeverArm::center) return use(std::integral_constant<LeverArm, LeverArm::center>{}, kClumps);
   return use(std::integral_constant<LeverArm, LeverArm::contact>{}, kClumps);
 }
+
+/// Bierwisch's law, where spheres are of one class, forces are not scaled and that is their law with
+/// `material`: the tuned loops know it beforehand. Throws what ContactLaws::between() throws.
+std::optional<laws::BierwischLaw> tuned_law(const ParticleTypes& types, const ContactLaws& contact,
+                                            const std::string& material);
 
 /// Calls use(law, arm, clumped) with the types that the parameters ask for: `law` a ContactLaw type, `arm`
 /// and `clumped` as with_arm() gives them. This is where a cohesion or friction that deserves a loop of its

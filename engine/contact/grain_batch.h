@@ -33,7 +33,7 @@ struct GrainBatch : ContactBatch<Law> {
   void fill_last_group() {
     for (std::size_t lane = count; lane < whole_groups(count); ++lane) {
       pair[lane] = pair[count - 1];
-      this->kinds[lane] = this->kinds[count - 1];
+      this->classes[lane] = this->classes[count - 1];
     }
   }
 

@@ -72,7 +72,7 @@ class GrainLoop final : public PairLoop {
         batches.add(batch);
       });
       if constexpr (!Pairs::kAlike)
-        batches.add_over_radius(batch, [&](std::size_t lane) { return smaller_radius(batch.kinds[lane]); });
+        batches.add_over_radius(batch, [&](std::size_t lane) { return smaller_radius(batch.classes[lane]); });
     }
     table.keep(remembered);
     batches.book(scene.time_step, tally);
@@ -95,7 +95,7 @@ class GrainLoop final : public PairLoop {
       for (std::size_t lane = 0; lane < batch.count; ++lane) {
         const GrainPair pair = batch.pair[lane].pair;
         const Vector3 separation = batch.separation[lane];
-        const double radius = pairs_.of(kinds_of(batch, lane)).reach.radius;
+        const double radius = pairs_.of(pair_classes(batch, lane)).reach.radius;
         const double share = (radius - 0.5 * batch.overlap[lane]) / length(separation);
         visit(
             {pair.own, pair.other, batch.force[lane], scene.spheres.position(pair.own) - share * separation});
@@ -117,7 +117,7 @@ class GrainLoop final : public PairLoop {
       const GrainPair pair = table.pair[p];
       place += table.touching[p];
       const double* history = table.history_at(table.touching[p] ? place : GrainPairTable::kNothing);
-      const auto [law, reach] = pairs_.of(pairs_.kinds(block, pair));
+      const auto [law, reach] = pairs_.of(pairs_.classes(block, pair));
       const double overlap =
           reach.contact - length(scene.spheres.position(pair.own) - scene.spheres.position(pair.other));
       if (overlap > 0) energy += law.energy(overlap, history);
@@ -126,7 +126,7 @@ class GrainLoop final : public PairLoop {
   }
 
   std::vector<double> history_signs() const override { return Law::history_signs(); }
-  bool rolls() const override { return kRolls && pairs_.rolling_friction() != 0; }
+  bool rolls() const override { return kRolls && pairs_.rolls(); }
   double range() const override { return pairs_.range(); }
 
  private:
@@ -142,8 +142,8 @@ class GrainLoop final : public PairLoop {
       kTurns && (kClumps ? Lever<kArm>::kOtherDiffers : static_cast<bool>(Law::kRolls));
   static_assert(Pairs::kAlike || Law::kRolls, "unequal radii need the relative spin of a pair");
 
-  static std::uint32_t kinds_of(const Batch& batch, std::size_t lane) {
-    return Pairs::kAlike ? 0 : batch.kinds[lane];
+  static std::uint32_t pair_classes(const Batch& batch, std::size_t lane) {
+    return Pairs::kAlike ? 0 : batch.classes[lane];
   }
   /// m, of the pair's two spheres.
   double smaller_radius(std::uint32_t kinds) const {
@@ -154,7 +154,8 @@ class GrainLoop final : public PairLoop {
   void react_all(Batch& batch, InstructionSet instructions, double time_step) const {
     if constexpr (kClumps) bring_velocities_to_centres(batch);
     react<kArm, kClumps, !Pairs::kAlike>(
-        batch, [&](std::size_t lane) { return pairs_.of(kinds_of(batch, lane)); }, instructions, time_step);
+        batch, [&](std::size_t lane) { return pairs_.of(pair_classes(batch, lane)); }, instructions,
+        time_step);
   }
 
   /// Distances are tested first and touching pairs collected, so that the costly part runs without guessing.
@@ -194,7 +195,7 @@ class GrainLoop final : public PairLoop {
       for (std::size_t k = 0; k < how_many; ++k) now[k] = square[k] < reach_squared;
     } else {
       for (std::size_t k = 0; k < how_many; ++k)
-        now[k] = square[k] < pairs_.reach_squared(pairs_.kinds(block, near[k]));
+        now[k] = square[k] < pairs_.reach_squared(pairs_.classes(block, near[k]));
     }
     std::copy_n(now, std::size_t{how_many}, touches);
     Touches tested{0, 0};
@@ -230,7 +231,7 @@ class GrainLoop final : public PairLoop {
     batch.fill_last_group();
     if constexpr (!Pairs::kAlike)
       for (std::size_t lane = 0; lane < whole_groups(batch.count); ++lane)
-        batch.kinds[lane] = pairs_.kinds(block, batch.pair[lane].pair);
+        batch.classes[lane] = pairs_.classes(block, batch.pair[lane].pair);
     batch.template spread_separations<kWide>(spheres);
     batch.template spread_history<kWide>(block.grain_pairs);
     batch.template spread_motion<kWide, kClumps, kClumps || (kTurns && Law::kRolls)>(block, spheres);
@@ -239,10 +240,20 @@ class GrainLoop final : public PairLoop {
         batch.place.set(lane, spheres.position(batch.pair[lane].pair.own) - plain(block.reference));
   }
 
+  /// m, what loads are multiplied by for rolling friction against the grains' own spins; where types differ,
+  /// the loads of the lanes have become torques already.
+  double rolling_factor(Batch& batch) const {
+    if constexpr (!kRolls) return 0;
+    if constexpr (Pairs::kAlike) return pairs_.of(0).law.rolling_friction;
+    for (std::size_t lane = 0; lane < whole_groups(batch.count); ++lane)
+      batch.load[lane] *= pairs_.of(batch.classes[lane]).law.rolling_friction;
+    return 1;
+  }
+
   /// Adds the batch's forces to `sums`.
   template <bool kWide>
-  void hand_out(const Batch& batch, const Block& block, std::vector<ContactSum>& sums) const {
-    const double rolling = kRolls ? pairs_.rolling_friction() : 0;
+  void hand_out(Batch& batch, const Block& block, std::vector<ContactSum>& sums) const {
+    const double rolling = rolling_factor(batch);
     constexpr double kTurn = kClumps && !kOtherDiffers ? -1 : 1;
     if constexpr (kWide) {
       constexpr Four kForceOnOther{-1, -1, -1, 1}, kMomentOnOther{kTurn, kTurn, kTurn, kTurn};
@@ -281,33 +292,27 @@ std::unique_ptr<PairLoop> loop_over(Pairs pairs) {
   return std::make_unique<GrainLoop<Pairs, kArm, kClumps>>(std::move(pairs));
 }
 
-}  // namespace
-
-std::unique_ptr<PairLoop> make_grain_loop(const ContactParameters& parameters, LeverArm arm,
-                                          SpringLimit limit, double sphere_radius, bool clumps) {
-  return with_law(parameters, arm, clumps, limit,
+/// The tuned loop of grains of one type.
+std::unique_ptr<PairLoop> make_tuned_loop(const laws::BierwischLaw& law, const ParticleTypes& types,
+                                          LeverArm arm) {
+  const double radius = types.shape(0).sphere_radius;
+  return with_law(law.parameters, arm, types.clumps(), law.spring_limit,
                   [&]<class Law, class Arm, class Clumps>(std::type_identity<Law>, Arm, Clumps) {
-                    const Law law(parameters, effective_radius(sphere_radius, sphere_radius));
-                    return loop_over<Arm::value, Clumps::value>(MonodispersePairs<Law>(law, sphere_radius));
+                    return loop_over<Arm::value, Clumps::value>(MonodispersePairs<Law>(
+                        Law(law.parameters, effective_radius(radius, radius)), radius));
                   });
 }
 
-std::unique_ptr<PairLoop> make_general_grain_loop(const GeneralContact& contact, LeverArm arm,
-                                                  const GrainShape& shape) {
-  const double radius = shape.sphere_radius;
-  laws::require_sensible(contact.grains);
-  const laws::GeneralContactLaw law(contact.grains, contact.scaling,
-                                    {radius, radius, shape.mass, shape.mass});
-  return with_arm(arm, shape.spheres() > 1, [&]<class Arm, class Clumps>(Arm, Clumps) {
-    return loop_over<Arm::value, Clumps::value>(MonodispersePairs<laws::GeneralContactLaw>(law, radius));
-  });
-}
+}  // namespace
 
-std::unique_ptr<PairLoop> make_mixed_grain_loop(const KindTable& kinds, const GrainMix& mix, LeverArm arm) {
-  return with_arm(arm, kinds.clumps(), [&]<class Arm, class Clumps>(Arm, Clumps) {
-    if (!kinds.monodisperse()) return loop_over<Arm::value, Clumps::value>(KindPairs(kinds, mix));
+std::unique_ptr<PairLoop> make_grain_loop(const ParticleTypes& types, const ContactLaws& contact,
+                                          LeverArm arm) {
+  if (const auto tuned = tuned_law(types, contact, types.material(0)))
+    return make_tuned_loop(*tuned, types, arm);
+  return with_arm(arm, types.clumps(), [&]<class Arm, class Clumps>(Arm, Clumps) {
+    if (types.classes().size() > 1) return loop_over<Arm::value, Clumps::value>(ClassPairs(types, contact));
     return loop_over<Arm::value, Clumps::value>(MonodispersePairs<laws::GeneralContactLaw>(
-        law_of_kinds(kinds, mix, 0, 0), kinds.shape(0).sphere_radius));
+        law_between(types, contact, 0, 0), types.shape(0).sphere_radius));
   });
 }
 

@@ -27,9 +27,10 @@ class SphereOnMesh {
  public:
   /// `distance`: of the pairs when the list was made (Block::wall_distance), of which only those below
   /// `within` (m) can be overlapped.
-  void look(const WallBody& body, const Eigen::Vector3d& place, double radius, std::span<const WallPair> near,
-            const float* distance, double within) {
+  void look(const WallBody& body, const Eigen::Vector3d& place, std::uint32_t sphere_class, double radius,
+            std::span<const WallPair> near, const float* distance, double within) {
     body_ = &body;
+    class_ = sphere_class;
     place_ = place;
     tolerance_ = kSamePlace * radius;
     radius_ = radius;
@@ -52,7 +53,7 @@ class SphereOnMesh {
       return a.distance != b.distance ? a.distance < b.distance : a.height > b.height;
     });
     if (is_behind(nearest)) {
-      touches.push_back({first + nearest.near, 0, plain(separation(nearest))});
+      touches.push_back({first + nearest.near, class_, plain(separation(nearest))});
       return radius_ + nearest.distance;
     }
     kept_.clear();
@@ -67,7 +68,7 @@ class SphereOnMesh {
       const bool known =
           std::any_of(touches.begin() + static_cast<std::ptrdiff_t>(before), touches.end(),
                       [&](const WallTouch& t) { return same_direction(eigen(t.separation), way); });
-      if (!known) touches.push_back({first + foot->near, 0, plain(way)});
+      if (!known) touches.push_back({first + foot->near, class_, plain(way)});
     }
     return kept_.empty() ? 0 : radius_ - kept_.front()->distance;
   }
@@ -114,6 +115,7 @@ class SphereOnMesh {
 
   const WallBody* body_ = nullptr;
   Eigen::Vector3d place_ = Eigen::Vector3d::Zero();
+  std::uint32_t class_ = 0;
   double radius_ = 0, tolerance_ = 0;
   std::vector<Foot> feet_;
   std::vector<const Foot*> kept_;
@@ -131,13 +133,14 @@ std::uint32_t end_of_run(const PairTable<WallPair>& table, std::uint32_t p, std:
 std::uint32_t forerunner(const PairTable<WallPair>& table, const MeshPairs& near, std::uint32_t begin,
                          std::uint32_t end, const std::vector<std::uint8_t>& touches_now,
                          const WallTouch& touch) {
-  const Eigen::Vector3d place = near.place_of(table.pair[begin].own), way = eigen(touch.separation);
+  const LocalSphere own = table.pair[begin].own;
+  const Eigen::Vector3d place = near.place_of(own), way = eigen(touch.separation);
   std::uint32_t best = end;
   double nearest = 0;
   for (std::uint32_t q = begin; q < end; ++q) {
     if (!table.touching[q] || touches_now[q - near.begin()]) continue;
     const Eigen::Vector3d earlier =
-        separation_from_triangle(near.body, table.pair[q].wall, place, near.radius);
+        separation_from_triangle(near.body, table.pair[q].wall, place, near.radius_of(own));
     const double apart = (earlier - way).squaredNorm();
     if (!same_direction(earlier, way) || (best != end && apart >= nearest)) continue;
     best = q;
@@ -159,17 +162,21 @@ Eigen::Vector3d separation_from_triangle(const WallBody& body, std::uint32_t par
   return nearest.inside ? Eigen::Vector3d(height * normal) : Eigen::Vector3d(place - nearest.point);
 }
 
-double find_mesh_touches(const MeshPairs& near, std::vector<WallTouch>& touches) {
+DeepestOnMesh find_mesh_touches(const MeshPairs& near, std::vector<WallTouch>& touches) {
   thread_local SphereOnMesh sphere;
   const Block& block = near.block;
-  double deepest = 0;
+  DeepestOnMesh deepest;
   for (std::uint32_t r = block.wall_run_first[near.number]; r < block.wall_run_first[near.number + 1]; ++r) {
     const WallRun& run = block.wall_runs[r];
     const std::uint32_t first = run.first, count = block.wall_runs[r + 1].first - first;
     const Eigen::Vector3d place = near.place_of(run.own);
-    sphere.look(near.body, place, near.radius, std::span(block.wall_pairs.pair).subspan(first, count),
-                block.wall_distance.data() + first, run.within(plain(place), near.radius));
-    deepest = std::max(deepest, sphere.touch(first, touches));
+    const double radius = near.radius_of(run.own);
+    sphere.look(near.body, place, near.class_of(run.own), radius,
+                std::span(block.wall_pairs.pair).subspan(first, count), block.wall_distance.data() + first,
+                run.within(plain(place), radius));
+    const double overlap = sphere.touch(first, touches);
+    deepest.overlap = std::max(deepest.overlap, overlap);
+    deepest.over_radius = std::max(deepest.over_radius, overlap / radius);
   }
   return deepest;
 }

@@ -21,8 +21,8 @@ Eigen::Vector3d separation_from_triangle(const WallBody& body, std::uint32_t par
 
 /// A touching pair with a wall, seen in the body's frame.
 struct WallTouch {
-  std::uint32_t pair, kind;  ///< `kind`: of the pair's grain, 0 where all grains are alike
-  Vector3 separation;        ///< m, grain sphere from wall sphere, plane or triangle
+  std::uint32_t pair, sphere_class;  ///< of the pair's sphere, 0 where there is one
+  Vector3 separation;                ///< m, grain sphere from wall sphere, plane or triangle
 };
 
 /// A block's near pairs with one body of triangles, and where all is.
@@ -32,22 +32,31 @@ struct MeshPairs {
   const WallBody& body;
   const BodyMotion& pose;
   const LocalSpheres& spheres;
-  double radius;  ///< m, of the spheres
+  const std::vector<double>& radii;  ///< m, of the classes of spheres
 
   std::uint32_t begin() const { return block.wall_first[number]; }
   std::uint32_t end() const { return block.wall_first[number + 1]; }
+  std::uint32_t class_of(LocalSphere sphere) const {
+    return block.sphere_class.empty() ? 0 : block.sphere_class[sphere];
+  }
+  double radius_of(LocalSphere sphere) const { return radii[class_of(sphere)]; }
   /// m, body frame.
   Eigen::Vector3d place_of(LocalSphere sphere) const {
     return pose.rotation.transpose() * (eigen(spheres.position(sphere)) - pose.translation);
   }
 };
 
-/// Appends the pairs that touch, sphere after sphere. Returns the deepest overlap (m): beyond the
-/// radius where a centre has come behind the surface. A function of places alone.
+/// Deepest overlap of spheres with a body.
+struct DeepestOnMesh {
+  double overlap = 0;      ///< m; beyond the radius where a centre has come behind the surface
+  double over_radius = 0;  ///< over the sphere's radius
+};
+
+/// Appends the pairs that touch, sphere after sphere. A function of places alone.
 ///
 /// Facets of one curved surface meet at angles below 15 degrees: of contacts whose normals differ by less
 /// only the deepest counts, or every seam of a hollow would push twice.
-double find_mesh_touches(const MeshPairs& near, std::vector<WallTouch>& touches);
+DeepestOnMesh find_mesh_touches(const MeshPairs& near, std::vector<WallTouch>& touches);
 
 /// Notes in the block's `table` which pairs touch now. What a contact remembers follows it from triangle to
 /// triangle: one that begins while another of the same sphere ends, in about the same direction, goes on from

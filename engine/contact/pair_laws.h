@@ -1,5 +1,5 @@
-// Which law acts between which pair of grains: the same for all, or one for each pair of kinds. The pair loop
-// is made for either, so that powders whose grains are all alike look nothing up.
+// Which law acts between which pair of grains: the same for all, or one for each pair of types. The pair loop
+// is made for either, so that monodisperse powders look nothing up.
 #pragma once
 
 #include <algorithm>
@@ -12,7 +12,7 @@
 
 namespace diefill::engine {
 
-/// Grains of one kind.
+/// Grains of one type.
 template <class LawType>
 class MonodispersePairs {
  public:
@@ -23,7 +23,7 @@ class MonodispersePairs {
   MonodispersePairs(Law law, double radius) : law_(std::move(law)), reach_{2 * radius, radius} {}
 
   /// Number of a pair's law.
-  static std::uint32_t kinds(const Block&, GrainPair) { return 0; }
+  static std::uint32_t classes(const Block&, GrainPair) { return 0; }
   LawOfPair<Law> of(std::uint32_t) const { return {law_, reach_}; }
   /// m^2, of the distance up to which the pair acts on each other.
   double reach_squared(std::uint32_t) const {
@@ -31,44 +31,58 @@ class MonodispersePairs {
     return reach * reach;
   }
   double range() const { return law_.range(); }
-  double rolling_friction() const { return law_.rolling_friction; }
+  bool rolls() const { return law_.rolling_friction != 0; }
 
  private:
   Law law_;
   PairReach reach_;
 };
 
-/// Grains of several kinds, with any law of the sources between them.
-class KindPairs {
+/// Spheres of several classes, with any law between them.
+class ClassPairs {
  public:
   using Law = laws::GeneralContactLaw;
   static constexpr bool kAlike = false;
 
   /// Throws std::invalid_argument where a law makes no sense, or materials have none.
-  KindPairs(const KindTable& kinds, const GrainMix& mix);
+  ClassPairs(const ParticleTypes& types, const ContactLaws& contact);
 
-  std::uint32_t kinds(const Block& block, GrainPair pair) const {
-    return block.kind[pair.own] * count_ + block.kind[pair.other];
+  std::uint32_t classes(const Block& block, GrainPair pair) const {
+    return block.sphere_class[pair.own] * count_ + block.sphere_class[pair.other];
   }
-  LawOfPair<Law> of(std::uint32_t kinds) const { return {laws_[law_[kinds]], reach_[kinds]}; }
-  double reach_squared(std::uint32_t kinds) const { return reach_squared_[kinds]; }
+  LawOfPair<Law> of(std::uint32_t classes) const { return {laws_[law_[classes]], reach_[classes]}; }
+  double reach_squared(std::uint32_t classes) const { return reach_squared_[classes]; }
   /// m, the largest of all laws.
   double range() const { return range_; }
-  static double rolling_friction() { return Law::rolling_friction; }
+  bool rolls() const {
+    return std::any_of(laws_.begin(), laws_.end(), [](const Law& law) { return law.rolling_friction != 0; });
+  }
 
  private:
   std::uint32_t count_;
-  std::vector<Law> laws_;           ///< one for kinds i and j in either order
-  std::vector<std::uint32_t> law_;  ///< place in laws_ of kinds i, j at i * count_ + j, as below
+  std::vector<Law> laws_;           ///< one for classes i and j in either order
+  std::vector<std::uint32_t> law_;  ///< place in laws_ of classes i, j at i * count_ + j, as below
   std::vector<PairReach> reach_;
   std::vector<double> reach_squared_;
   double range_ = 0;
 };
 
-/// The law between a grain of `kind` and another, or a wall: throws as KindPairs does.
-laws::GeneralContactLaw law_of_kinds(const KindTable& kinds, const GrainMix& mix, KindNumber i, KindNumber j);
-/// `wall_radius`: m, of wall spheres; infinite for planes. Throws for laws that attract from afar as well.
-laws::GeneralContactLaw law_with_wall(const KindTable& kinds, const GrainMix& mix, KindNumber kind,
-                                      const std::string& wall_material, double wall_radius);
+/// The surface of a wall, as the law of its contacts needs it.
+struct WallSurface {
+  std::string material = kWallMaterial;
+  /// m, of wall spheres; infinite for planes and flat triangles.
+  double radius = std::numeric_limits<double>::infinity();
+  /// A plane of symmetry: grains meet their own mirror image, by the law of their own type.
+  bool mirror = false;
+};
+
+/// The law between spheres of classes i and j. Throws std::invalid_argument where their materials have none,
+/// or it makes no sense.
+laws::GeneralContactLaw law_between(const ParticleTypes& types, const ContactLaws& contact, ClassNumber i,
+                                    ClassNumber j);
+/// The law of spheres of `own` class at a wall. Throws for laws that attract from afar as well: wall spheres
+/// overlap, and each would pull as if it stood alone.
+laws::GeneralContactLaw law_at_wall(const ParticleTypes& types, const ContactLaws& contact, ClassNumber own,
+                                    const WallSurface& wall);
 
 }  // namespace diefill::engine

@@ -6,7 +6,6 @@
 #include <memory>
 #include <vector>
 
-#include "engine/coarse_graining/general_contact_law.h"
 #include "engine/contact/deepest_overlap.h"
 #include "engine/contact/local_spheres.h"
 #include "engine/laws/contact_parameters.h"
@@ -78,32 +77,16 @@ class PairLoop {
   virtual double range() const = 0;
 };
 
-/// Laws chosen from all that the sources know, for grains of one size.
-struct GeneralContact {
-  laws::LawParameters grains, walls;      ///< of the original grains where forces are scaled
-  coarse_graining::ForceScaling scaling;  ///< as it stands: none
-};
+struct WallSurface;
 
-/// The loop for pairs between grains of spheres of `sphere_radius` (m). `clumped`: several spheres a grain.
-std::unique_ptr<PairLoop> make_grain_loop(const ContactParameters& parameters, LeverArm arm,
-                                          SpringLimit limit, double sphere_radius, bool clumps);
-/// The loop for pairs of grains with walls: parameters and radius of wall spheres (m, infinite for planes and
-/// flat triangles) of every body.
-std::unique_ptr<PairLoop> make_wall_loop(const std::vector<ContactParameters>& parameters, LeverArm arm,
-                                         SpringLimit limit, double sphere_radius, bool clumps,
-                                         const std::vector<double>& wall_radii);
-/// The same for laws put together while the program runs. Throw std::invalid_argument where parts of the law
-/// do not go together, or walls are to attract from afar.
-std::unique_ptr<PairLoop> make_general_grain_loop(const GeneralContact& contact, LeverArm arm,
-                                                  const GrainShape& shape);
-std::unique_ptr<PairLoop> make_general_wall_loop(const GeneralContact& contact, LeverArm arm,
-                                                 const GrainShape& shape,
-                                                 const std::vector<double>& wall_radii);
-/// The same for grains of several kinds; `wall_materials` of every body. Throw std::invalid_argument where
-/// two materials have no law as well.
-std::unique_ptr<PairLoop> make_mixed_grain_loop(const KindTable& kinds, const GrainMix& mix, LeverArm arm);
-std::unique_ptr<PairLoop> make_mixed_wall_loop(const KindTable& kinds, const GrainMix& mix, LeverArm arm,
-                                               const std::vector<double>& wall_radii,
-                                               const std::vector<std::string>& wall_materials);
+/// The loop for pairs between grains: a tuned one where all grains are of one type and their law is
+/// Bierwisch's, with just the terms that are not 0; otherwise one for laws of any parts. Throws
+/// std::invalid_argument where materials have no law or its parts do not go together.
+std::unique_ptr<PairLoop> make_grain_loop(const ParticleTypes& types, const ContactLaws& contact,
+                                          LeverArm arm);
+/// The same for pairs of grains with walls, one surface for each body. Throws where a wall is to attract from
+/// afar as well.
+std::unique_ptr<PairLoop> make_wall_loop(const ParticleTypes& types, const ContactLaws& contact, LeverArm arm,
+                                         const std::vector<WallSurface>& surfaces);
 
 }  // namespace diefill::engine

@@ -11,13 +11,14 @@ namespace diefill::engine {
 namespace {
 
 /// Pairs of grains with walls. `kComposed`: several spheres a grain, moments about the block's reference
-/// point. `kKinds`: grains are not all alike.
-template <class Law, LeverArm kArm, bool kClumps, bool kKinds = false>
+/// point. `kSeveralClasses`: grains are of more than one type.
+template <class Law, LeverArm kArm, bool kClumps, bool kSeveralClasses = false>
 class WallLoop final : public PairLoop {
  public:
-  /// `laws`: one a kind for each body, body after body; `radii`: m, of the kinds' spheres.
-  WallLoop(std::vector<Law> laws, std::vector<double> radii)
-      : radii_(std::move(radii)), laws_(std::move(laws)) {}
+  /// `laws`: one a class for each body, body after body; `radii`: m, of the classes; `surfaces`: of the
+  /// bodies.
+  WallLoop(std::vector<Law> laws, std::vector<double> radii, std::vector<WallSurface> surfaces)
+      : radii_(std::move(radii)), laws_(std::move(laws)), surfaces_(std::move(surfaces)) {}
 
   void add_forces(Block& block, const ContactScene& scene, std::vector<ContactSum>& sums,
                   BlockTally& tally) const override {
@@ -34,7 +35,7 @@ class WallLoop final : public PairLoop {
       for (const std::uint32_t p :
            touching_pairs(block.wall_pairs, block.wall_first[body], block.wall_first[body + 1])) {
         const WallPair pair = block.wall_pairs.pair[p];
-        const WallTouch touch{p, kind_of(block, pair), separation_in_body(pair, body, scene)};
+        const WallTouch touch{p, class_of(block, pair), separation_in_body(pair, body, scene)};
         pack(block, body, touch, scene, 0, batch);
         batch.fill_last_group();
         react_all(batch, body, scene, 0);
@@ -53,15 +54,17 @@ class WallLoop final : public PairLoop {
         touches.clear();
         find_mesh_touches(mesh_pairs(block, body, scene), touches);
         for (const auto& touch : touches)
-          energy += law(body, 0).energy(reach(scene, body, 0) - length(touch.separation),
-                                        block.wall_pairs.history_of(touch.pair));
+          energy += law(body, touch.sphere_class)
+                        .energy(reach(scene, body, touch.sphere_class) - length(touch.separation),
+                                block.wall_pairs.history_of(touch.pair));
         continue;
       }
       for (std::uint32_t p = block.wall_first[body]; p < block.wall_first[body + 1]; ++p) {
         const WallPair pair = block.wall_pairs.pair[p];
-        const std::uint32_t kind = kind_of(block, pair);
-        const double overlap = reach(scene, body, kind) - length(separation_in_body(pair, body, scene));
-        if (overlap > 0) energy += law(body, kind).energy(overlap, block.wall_pairs.history_of(p));
+        const std::uint32_t own_class = class_of(block, pair);
+        const double overlap = reach(scene, body, own_class) - length(separation_in_body(pair, body, scene));
+        if (overlap > 0)
+          energy += own_share(body) * law(body, own_class).energy(overlap, block.wall_pairs.history_of(p));
       }
     }
     return energy;
@@ -77,30 +80,33 @@ class WallLoop final : public PairLoop {
  private:
   using Batch = ContactBatch<Law>;
 
-  /// Of the pair's grain.
-  static std::uint32_t kind_of(const Block& block, const WallPair& pair) {
-    return kKinds ? block.kind[pair.own] : 0;
+  /// Of the pair's sphere.
+  static std::uint32_t class_of(const Block& block, const WallPair& pair) {
+    return kSeveralClasses ? block.sphere_class[pair.own] : 0;
   }
-  const Law& law(std::size_t body, std::uint32_t kind) const {
-    return laws_[kKinds ? body * radii_.size() + kind : body];
+  const Law& law(std::size_t body, std::uint32_t own_class) const {
+    return laws_[kSeveralClasses ? body * radii_.size() + own_class : body];
   }
-  double reach(const ContactScene& scene, std::size_t body, std::uint32_t kind) const {
-    return radii_[kind] + scene.bodies[body].sphere_radius();
+  double reach(const ContactScene& scene, std::size_t body, std::uint32_t own_class) const {
+    return radii_[own_class] + (mirror(body) ? radii_[own_class] : scene.bodies[body].sphere_radius());
   }
+  bool mirror(std::size_t body) const { return surfaces_[body].mirror; }
+  /// Of a contact's energy, work and overlap: at a plane of symmetry half belongs to the image.
+  double own_share(std::size_t body) const { return mirror(body) ? 0.5 : 1; }
   void react_all(Batch& batch, std::size_t body, const ContactScene& scene, double time_step) const {
     const LawOfPair<Law> first{law(body, 0), {reach(scene, body, 0), radii_[0]}};
     react<kArm, kClumps>(
         batch,
         [&](std::size_t lane) {
-          if constexpr (!kKinds) return first;
-          const std::uint32_t kind = batch.kinds[lane];
-          return LawOfPair<Law>{law(body, kind), {reach(scene, body, kind), radii_[kind]}};
+          if constexpr (!kSeveralClasses) return first;
+          const std::uint32_t own_class = batch.classes[lane];
+          return LawOfPair<Law>{law(body, own_class), {reach(scene, body, own_class), radii_[own_class]}};
         },
         scene.instructions, time_step);
   }
 
   MeshPairs mesh_pairs(const Block& block, std::size_t body, const ContactScene& scene) const {
-    return {block, body, scene.bodies[body], scene.body_motion[body], scene.spheres, radii_[0]};
+    return {block, body, scene.bodies[body], scene.body_motion[body], scene.spheres, radii_};
   }
 
   /// m, body frame.
@@ -110,19 +116,20 @@ class WallLoop final : public PairLoop {
   }
 
   /// Centre of a grain's sphere at `place` (m) seen from a wall sphere, in the body's frame. From a plane or
-  /// triangle, its nearest point stands for the wall sphere.
-  static Vector3 separation_from_part(const WallBody& wall, std::uint32_t part, const Eigen::Vector3d& place,
-                                      const ContactScene& scene) {
+  /// triangle, its nearest point stands for the wall sphere; from a plane of symmetry the sphere's own image.
+  Vector3 separation_from_part(std::size_t body, std::uint32_t part, const Eigen::Vector3d& place,
+                               const ContactScene& scene) const {
+    const WallBody& wall = scene.bodies[body];
     if (!wall.flat() && !wall.meshed()) return plain(Eigen::Vector3d(place - wall.centres()[part]));
     if (wall.meshed()) return plain(separation_from_triangle(wall, part, place, scene.sphere_radius));
     const WallPlane& plane = wall.planes()[part];
     // A centre on the plane still has a side to be pushed to.
     const double height = std::max(plane.normal.dot(place - plane.point), 1e-9 * scene.sphere_radius);
-    return plain(Eigen::Vector3d(height * plane.normal));
+    return plain(Eigen::Vector3d((mirror(body) ? 2 * height : height) * plane.normal));
   }
 
-  static Vector3 separation_in_body(const WallPair& pair, std::size_t body, const ContactScene& scene) {
-    return separation_from_part(scene.bodies[body], pair.wall, place_in_body(pair.own, body, scene), scene);
+  Vector3 separation_in_body(const WallPair& pair, std::size_t body, const ContactScene& scene) const {
+    return separation_from_part(body, pair.wall, place_in_body(pair.own, body, scene), scene);
   }
 
   void find_touching(Block& block, std::size_t body, const ContactScene& scene,
@@ -130,9 +137,9 @@ class WallLoop final : public PairLoop {
     touching.clear();
     if (scene.bodies[body].meshed()) {
       const MeshPairs near = mesh_pairs(block, body, scene);
-      const double deepest = find_mesh_touches(near, touching);
-      tally.overlap.walls = std::max(tally.overlap.walls, deepest);
-      tally.overlap.walls_over_radius = std::max(tally.overlap.walls_over_radius, deepest / radii_[0]);
+      const DeepestOnMesh deepest = find_mesh_touches(near, touching);
+      tally.overlap.walls = std::max(tally.overlap.walls, deepest.overlap);
+      tally.overlap.walls_over_radius = std::max(tally.overlap.walls_over_radius, deepest.over_radius);
       return note_mesh_touches(block.wall_pairs, near, touching);
     }
     for (std::uint32_t r = block.wall_run_first[body]; r < block.wall_run_first[body + 1]; ++r)
@@ -142,17 +149,16 @@ class WallLoop final : public PairLoop {
   /// The touching pairs of one run, which ends before pair `end`.
   void find_touching_of_sphere(Block& block, const WallRun& run, std::uint32_t end, std::size_t body,
                                const ContactScene& scene, std::vector<WallTouch>& touching) const {
-    const WallBody& wall = scene.bodies[body];
     const Eigen::Vector3d place = place_in_body(run.own, body, scene);
-    const std::uint32_t kind = kKinds ? block.kind[run.own] : 0;
-    const double limit = reach(scene, body, kind);
+    const std::uint32_t own_class = kSeveralClasses ? block.sphere_class[run.own] : 0;
+    const double limit = reach(scene, body, own_class) + law(body, own_class).range();
     const double within = run.within(plain(place), limit);
     std::uint32_t p = run.first;
     for (; p < end && block.wall_distance[p] < within; ++p) {
-      const Vector3 between = separation_from_part(wall, block.wall_pairs.pair[p].wall, place, scene);
+      const Vector3 between = separation_from_part(body, block.wall_pairs.pair[p].wall, place, scene);
       const bool touches = dot(between, between) < limit * limit;
       note_touching(block.wall_pairs, p, touches);
-      if (touches) touching.push_back({p, kind, between});
+      if (touches) touching.push_back({p, own_class, between});
     }
     std::fill(block.wall_pairs.touching.data() + p, block.wall_pairs.touching.data() + end, std::uint8_t{0});
   }
@@ -173,19 +179,22 @@ class WallLoop final : public PairLoop {
       for (std::size_t lane = 0; lane < batch.count; ++lane)
         hand_out(batch, lane, block, body, pairs[lane], scene, sums, tally);
       batches.add(batch);
-      if constexpr (kKinds)
-        batches.add_over_radius(batch, [&](std::size_t lane) { return radii_[batch.kinds[lane]]; });
+      if constexpr (kSeveralClasses)
+        batches.add_over_radius(batch, [&](std::size_t lane) { return radii_[batch.classes[lane]]; });
     }
-    batches.book(scene.time_step, tally);
-    tally.overlap.walls = std::max(tally.overlap.walls, batches.deepest());
-    const double over_radius = kKinds ? batches.deepest_over_radius() : batches.deepest() / radii_[0];
-    tally.overlap.walls_over_radius = std::max(tally.overlap.walls_over_radius, over_radius);
+    const double share = own_share(body);
+    batches.book(share * scene.time_step, tally);
+    tally.overlap.walls = std::max(tally.overlap.walls, share * batches.deepest());
+    const double over_radius =
+        kSeveralClasses ? batches.deepest_over_radius() : batches.deepest() / radii_[0];
+    tally.overlap.walls_over_radius = std::max(tally.overlap.walls_over_radius, share * over_radius);
   }
 
   /// Way from the grain sphere's centre to the middle of the overlap, over the distance to the wall sphere.
   double contact_share(const WallTouch& touch, std::size_t body, const ContactScene& scene) const {
-    const double distance = length(touch.separation), overlap = reach(scene, body, touch.kind) - distance;
-    return (radii_[touch.kind] - 0.5 * overlap) / distance;
+    const double distance = length(touch.separation),
+                 overlap = reach(scene, body, touch.sphere_class) - distance;
+    return (radii_[touch.sphere_class] - 0.5 * overlap) / distance;
   }
 
   void pack(const Block& block, std::size_t body, const WallTouch& touch, const ContactScene& scene,
@@ -195,7 +204,7 @@ class WallLoop final : public PairLoop {
     const Vector3 here = scene.spheres.position(pair.own);
     const Eigen::Vector3d separation = pose.rotation * eigen(touch.separation);
     const Eigen::Vector3d contact = eigen(here) - contact_share(touch, body, scene) * separation;
-    if constexpr (kKinds) batch.kinds[lane] = touch.kind;
+    if constexpr (kSeveralClasses) batch.classes[lane] = touch.sphere_class;
     batch.separation.set(lane, plain(separation));
     const std::size_t slot = block.slot_of<kClumps>(pair.own);
     const Vector3 spin = scene.spheres.spin(slot);
@@ -210,7 +219,22 @@ class WallLoop final : public PairLoop {
       batch.spin_sum.set(lane, spin);
       if constexpr (Law::kRolls) batch.relative_spin.set(lane, spin - plain(pose.angular_velocity));
     }
+    if (mirror(body)) see_image(batch, lane);
     recall(block.wall_pairs.history_of(touch.pair), batch, lane);
+  }
+
+  /// Makes the motion against a plane of symmetry that against the grain's image: it comes as fast from the
+  /// other side, slides along, and spins the same way about the normal and the opposite way across it.
+  static void see_image(Batch& batch, std::size_t lane) {
+    const Vector3 separation = batch.separation[lane], velocity = batch.velocity[lane];
+    const double squared = dot(separation, separation);
+    batch.velocity.set(lane, 2 * dot(velocity, separation) / squared * separation);
+    if constexpr (Lever<kArm>::kTurns) {
+      const Vector3 spin = batch.spin_sum[lane];
+      const Vector3 along = dot(spin, separation) / squared * separation;
+      batch.spin_sum.set(lane, 2.0 * along);
+      if constexpr (Law::kRolls) batch.relative_spin.set(lane, 2.0 * (spin - along));
+    }
   }
 
   void hand_out(const Batch& batch, std::size_t lane, Block& block, std::size_t body, const WallTouch& touch,
@@ -221,7 +245,7 @@ class WallLoop final : public PairLoop {
     own.add_force(force);
     if constexpr (Lever<kArm>::kTurns) own.add_moment(batch.moment[lane]);
     if constexpr (!kClumps && Lever<kArm>::kTurns)
-      own.add_rolling_load(law(body, touch.kind).rolling_friction * batch.load[lane]);
+      own.add_rolling_load(law(body, touch.sphere_class).rolling_friction * batch.load[lane]);
     remember(batch, lane, block.wall_pairs.history_of(touch.pair));
 
     const Vector3 contact =
@@ -230,69 +254,64 @@ class WallLoop final : public PairLoop {
     tally.body_torque[body] -= (eigen(contact) - scene.body_motion[body].translation).cross(eigen(force));
   }
 
-  std::vector<double> radii_;  ///< m, of the kinds' spheres
+  std::vector<double> radii_;  ///< m, of the classes of spheres
   std::vector<Law> laws_;      ///< R_eff differs with the radius of a body's spheres (OP-5)
+  std::vector<WallSurface> surfaces_;
 };
 
-}  // namespace
-
-std::unique_ptr<PairLoop> make_wall_loop(const std::vector<ContactParameters>& parameters, LeverArm arm,
-                                         SpringLimit limit, double sphere_radius, bool clumps,
-                                         const std::vector<double>& wall_radii) {
-  // One loop for all bodies: it has the terms that any of them needs.
-  ContactParameters any;
-  for (const auto& body : parameters) {
-    any.friction = std::max(any.friction, body.friction);
-    any.work_of_adhesion = std::max(any.work_of_adhesion, body.work_of_adhesion);
+/// Bierwisch's law of each surface; nothing where any is another.
+std::vector<laws::BierwischLaw> tuned_laws(const ParticleTypes& types, const ContactLaws& contact,
+                                           const std::vector<WallSurface>& surfaces) {
+  std::vector<laws::BierwischLaw> laws;
+  for (const WallSurface& surface : surfaces) {
+    const auto law = tuned_law(types, contact, surface.mirror ? types.material(0) : surface.material);
+    if (!law || (!laws.empty() && law->spring_limit != laws.front().spring_limit)) return {};
+    laws.push_back(*law);
   }
-  return with_law(any, arm, clumps, limit,
+  return laws;
+}
+
+/// The tuned loop of grains of one type: one for all bodies, with the terms that any of them needs.
+std::unique_ptr<PairLoop> make_tuned_loop(const std::vector<laws::BierwischLaw>& surface_laws,
+                                          const std::vector<WallSurface>& surfaces,
+                                          const ParticleTypes& types, LeverArm arm) {
+  ContactParameters any;
+  for (const auto& law : surface_laws) {
+    any.friction = std::max(any.friction, law.parameters.friction);
+    any.work_of_adhesion = std::max(any.work_of_adhesion, law.parameters.work_of_adhesion);
+  }
+  const double radius = types.shape(0).sphere_radius;
+  return with_law(any, arm, types.clumps(), surface_laws.front().spring_limit,
                   [&]<class Law, class Arm, class Clumps>(std::type_identity<Law>, Arm,
                                                           Clumps) -> std::unique_ptr<PairLoop> {
                     std::vector<Law> laws;
-                    for (std::size_t body = 0; body < wall_radii.size(); ++body)
-                      laws.emplace_back(parameters[body], effective_radius(sphere_radius, wall_radii[body]));
+                    for (std::size_t body = 0; body < surfaces.size(); ++body)
+                      laws.emplace_back(
+                          surface_laws[body].parameters,
+                          effective_radius(radius, surfaces[body].mirror ? radius : surfaces[body].radius));
                     return std::make_unique<WallLoop<Law, Arm::value, Clumps::value>>(
-                        laws, std::vector{sphere_radius});
+                        laws, std::vector{radius}, surfaces);
                   });
 }
 
-std::unique_ptr<PairLoop> make_general_wall_loop(const GeneralContact& contact, LeverArm arm,
-                                                 const GrainShape& shape,
-                                                 const std::vector<double>& wall_radii) {
-  using Law = laws::GeneralContactLaw;
-  laws::require_sensible(contact.walls);
-  const double radius = shape.sphere_radius;
-  std::vector<Law> laws;
-  for (const double wall_radius : wall_radii) {
-    laws.emplace_back(
-        contact.walls, contact.scaling,
-        laws::PairProperties{radius, wall_radius, shape.mass, std::numeric_limits<double>::infinity()});
-    if (laws.back().range() > 0)
-      throw std::invalid_argument(
-          "walls attract only what touches them: give the wall law no distant attraction");
-  }
-  return with_arm(
-      arm, shape.spheres() > 1, [&]<class Arm, class Clumps>(Arm, Clumps) -> std::unique_ptr<PairLoop> {
-        return std::make_unique<WallLoop<Law, Arm::value, Clumps::value>>(laws, std::vector{radius});
-      });
-}
+}  // namespace
 
-std::unique_ptr<PairLoop> make_mixed_wall_loop(const KindTable& kinds, const GrainMix& mix, LeverArm arm,
-                                               const std::vector<double>& wall_radii,
-                                               const std::vector<std::string>& wall_materials) {
+std::unique_ptr<PairLoop> make_wall_loop(const ParticleTypes& types, const ContactLaws& contact, LeverArm arm,
+                                         const std::vector<WallSurface>& surfaces) {
   using Law = laws::GeneralContactLaw;
+  if (const auto tuned = tuned_laws(types, contact, surfaces); !tuned.empty())
+    return make_tuned_loop(tuned, surfaces, types, arm);
   std::vector<Law> laws;
-  for (std::size_t body = 0; body < wall_radii.size(); ++body)
-    for (std::size_t kind = 0; kind < kinds.size(); ++kind)
-      laws.push_back(
-          law_with_wall(kinds, mix, static_cast<KindNumber>(kind), wall_materials[body], wall_radii[body]));
-  return with_arm(arm, kinds.clumps(),
+  for (const WallSurface& surface : surfaces)
+    for (std::size_t own = 0; own < types.classes().size(); ++own)
+      laws.push_back(law_at_wall(types, contact, static_cast<ClassNumber>(own), surface));
+  return with_arm(arm, types.clumps(),
                   [&]<class Arm, class Clumps>(Arm, Clumps) -> std::unique_ptr<PairLoop> {
-                    using Monodisperse = WallLoop<Law, Arm::value, Clumps::value>;
-                    using Kinds = WallLoop<Law, Arm::value, Clumps::value, true>;
-                    if (kinds.monodisperse())
-                      return std::make_unique<Monodisperse>(laws, kinds.sphere_radii());
-                    return std::make_unique<Kinds>(laws, kinds.sphere_radii());
+                    using OneClass = WallLoop<Law, Arm::value, Clumps::value>;
+                    using SeveralClasses = WallLoop<Law, Arm::value, Clumps::value, true>;
+                    if (types.classes().size() == 1)
+                      return std::make_unique<OneClass>(laws, types.sphere_radii(), surfaces);
+                    return std::make_unique<SeveralClasses>(laws, types.sphere_radii(), surfaces);
                   });
 }
 

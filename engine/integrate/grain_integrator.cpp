@@ -183,14 +183,15 @@ struct GrainIntegrator::BodyLanes {
   Vector3 turning_drag(std::size_t lane) const { return turning_drag_[lane]; }
 };
 
-GrainIntegrator::GrainIntegrator(const KindTable& kinds, const Eigen::Vector3d& gravity, double air_viscosity,
-                                 bool rolls, double time_step, InstructionSet instructions)
+GrainIntegrator::GrainIntegrator(const ParticleTypes& kinds, const Eigen::Vector3d& gravity,
+                                 double air_viscosity, bool rolls, double time_step,
+                                 InstructionSet instructions)
     : rotates_(kinds.rotates()),
       way_per_turn_(kinds.way_per_turn()),
       time_step_(time_step),
       instructions_(instructions) {
   for (std::size_t k = 0; k < kinds.size(); ++k)
-    bodies_.push_back(body_of(kinds.shape(static_cast<KindNumber>(k)), gravity, air_viscosity));
+    bodies_.push_back(body_of(kinds.shape(static_cast<TypeNumber>(k)), gravity, air_viscosity));
   if (kinds.clumps()) return;
   std::vector<SphereIntegrator::Body> spheres;
   for (const Body& body : bodies_) spheres.push_back({body.mass, body.drag, body.inertia.x, body.weight});
@@ -199,12 +200,16 @@ GrainIntegrator::GrainIntegrator(const KindTable& kinds, const Eigen::Vector3d& 
 
 GrainIntegrator::Body GrainIntegrator::body_of(const GrainShape& shape, const Eigen::Vector3d& gravity,
                                                double air_viscosity) {
-  const double sphere_drag = 6 * std::numbers::pi * air_viscosity * shape.sphere_radius;
-  Eigen::Vector3d squares = Eigen::Vector3d::Zero();  // m^2, sum over spheres of (b^2 - b_a^2)
-  for (const auto& offset : shape.sphere_offsets)
-    squares += Eigen::Vector3d::Constant(offset.squaredNorm()) - offset.cwiseAbs2();
-  return {shape.mass, sphere_drag * static_cast<double>(shape.spheres()), plain(shape.inertia),
-          plain(Eigen::Vector3d(shape.mass * gravity)), sphere_drag * plain(squares)};
+  const double drag_over_radius = 6 * std::numbers::pi * air_viscosity;
+  double radii = 0;                                   // m, of all spheres
+  Eigen::Vector3d squares = Eigen::Vector3d::Zero();  // m^3, sum over spheres of R (b^2 - b_a^2)
+  for (std::size_t k = 0; k < shape.spheres(); ++k) {
+    const Eigen::Vector3d& offset = shape.sphere_offsets[k];
+    radii += shape.radius_of(k);
+    squares += shape.radius_of(k) * (Eigen::Vector3d::Constant(offset.squaredNorm()) - offset.cwiseAbs2());
+  }
+  return {shape.mass, drag_over_radius * radii, plain(shape.inertia),
+          plain(Eigen::Vector3d(shape.mass * gravity)), drag_over_radius * plain(squares)};
 }
 
 double GrainIntegrator::advance(Grains& grains, std::size_t begin, std::size_t end, const Vector3& drifted,

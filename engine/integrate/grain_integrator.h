@@ -19,8 +19,8 @@ class GrainIntegrator {
  public:
   /// `air_viscosity` in Pa s, Stokes drag on every sphere (Bierwisch 2009, Eq. 2.9). `rolls`: whether
   /// contacts' rolling loads count, which they can for single spheres only.
-  GrainIntegrator(const KindTable& kinds, const Eigen::Vector3d& gravity, double air_viscosity, bool rolls,
-                  double time_step, InstructionSet instructions);
+  GrainIntegrator(const ParticleTypes& kinds, const Eigen::Vector3d& gravity, double air_viscosity,
+                  bool rolls, double time_step, InstructionSet instructions);
 
   /// Takes grains [begin, end) to the end of the step and places their spheres, with the velocities that the
   /// present forces would lead to: forces depend on velocities (OP-3). Returns how far (m) any of their

@@ -153,7 +153,7 @@ double SphereIntegrator::slow_rolling(Grains& grains, std::size_t begin, std::si
   double power = 0;
   for (std::size_t k = begin; k < end; ++k) {
     Eigen::Vector3d& spin = grains.spin[k];
-    const double inertia = bodies_[grains.kind_of(k)].inertia, speed = spin.norm();
+    const double inertia = bodies_[grains.type_of(k)].inertia, speed = spin.norm();
     const double slower = std::max(0.0, speed - loads[k - begin] * time_step_ / inertia);
     power += 0.5 * inertia * (slower * slower - speed * speed) / time_step_;
     if (speed > 0) spin *= slower / speed;

@@ -14,6 +14,8 @@ struct NoParameters {
   bool attracts() const { return false; }
   bool surface_forces() const { return false; }
   double largest_friction() const { return 0; }
+  bool set_friction(double friction) const { return friction == 0; }
+  double own_spin_arm() const { return 0; }
   void run_in_steps_of(double) {}
 };
 

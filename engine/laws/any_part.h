@@ -97,6 +97,15 @@ class AnyPart {
     void run_in_steps_of(double time_step) {
       std::visit([time_step](auto& given) { given.run_in_steps_of(time_step); }, choice);
     }
+    double own_spin_arm() const {
+      return ask([](const auto& given) { return given.own_spin_arm(); });
+    }
+    bool set_work_of_adhesion(double work) {
+      return std::visit([work](auto& given) { return given.set_work_of_adhesion(work); }, choice);
+    }
+    bool set_friction(double coefficient) {
+      return std::visit([coefficient](auto& given) { return given.set_friction(coefficient); }, choice);
+    }
     double largest_friction() const {
       return ask([](const auto& given) { return given.largest_friction(); });
     }

@@ -24,6 +24,10 @@ struct BierwischNormal {
     bool damping_in_load() const { return true; }
     double hertzian_modulus() const { return 0.5 * reduced_modulus; }
     double linear_stiffness() const { return 0; }
+    bool set_work_of_adhesion(double w) {
+      work_of_adhesion = w;
+      return true;
+    }
   };
   static constexpr int kHistory = 0;
   static constexpr MemorySigns<0> kMemorySigns = {};

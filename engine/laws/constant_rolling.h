@@ -32,6 +32,7 @@ struct LoadRolling {
     double rolling_friction = 0;  ///< mu_r
     void check() const { require_range("rolling friction coefficient", rolling_friction, 0); }
     Parameters similar(double) const { return *this; }
+    double own_spin_arm() const { return 0; }
     void run_in_steps_of(double) {}
   };
   static constexpr int kHistory = 3;  ///< torque on i, N m
@@ -65,6 +66,7 @@ struct ElasticRolling {
       require_positive("stiffness", stiffness);
     }
     Parameters similar(double l) const { return {rolling_friction, l * stiffness, harmonic_mean}; }
+    double own_spin_arm() const { return 0; }
     void run_in_steps_of(double) {}
   };
   static constexpr int kHistory = 3;  ///< torque on i before its part along the normal is left out, N m

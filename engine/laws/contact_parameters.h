@@ -1,4 +1,4 @@
-// The material of a contact in absolute numbers, and the sphere pair it acts between. SI units.
+// Bierwisch's contact law in absolute numbers, as the tuned loops take it. SI units.
 #pragma once
 
 #include <cmath>
@@ -15,17 +15,6 @@ struct ContactParameters {
   double work_of_adhesion = 0;   ///< J/m^2, w; 0: no cohesion
   double rolling_friction = 0;   ///< m, mu_r, model B only; 0: none
 };
-
-/// A plane of this material acts on spheres of `grain` as their mirror images behind the plane would: an
-/// image overlaps twice as far as the plane, comes twice as fast, and slides along. No friction.
-inline ContactParameters mirror_plane(const ContactParameters& grain) {
-  ContactParameters plane = grain;
-  plane.reduced_modulus *= 2;
-  plane.damping *= 2;
-  plane.work_of_adhesion /= 2;
-  plane.tangential = plane.friction = 0;
-  return plane;
-}
 
 /// Which point of a grain a contact force acts on, and whose velocity is compared there.
 enum class LeverArm {

@@ -22,6 +22,10 @@ struct CundallFriction {
     }
     Parameters similar(double l) const { return {l * tangential, friction, cut_back}; }
     double largest_friction() const { return friction; }
+    bool set_friction(double coefficient) {
+      friction = coefficient;
+      return true;
+    }
   };
   static constexpr int kHistory = 3;  ///< xi, m
   static constexpr MemorySigns<3> kMemorySigns = kVectorSigns;

@@ -50,6 +50,10 @@ struct EdinburghNormal {
     bool damping_in_load() const { return true; }
     double hertzian_modulus() const { return is_hertzian() ? modulus : 0; }
     double linear_stiffness() const { return is_linear() ? stiffness : 0; }
+    bool set_work_of_adhesion(double w) {
+      surface_energy = w;
+      return true;
+    }
   };
   static constexpr int kHistory = 2;  ///< u_p in m^n; k_adh in N/m^n
   static constexpr MemorySigns<2> kMemorySigns = {1, 1};

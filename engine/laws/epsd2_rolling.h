@@ -20,6 +20,7 @@ struct Epsd2Rolling {
       require_positive("shear modulus G*", shear_modulus);
     }
     Parameters similar(double) const { return *this; }
+    double own_spin_arm() const { return 0; }
     void run_in_steps_of(double) {}
   };
   static constexpr int kHistory = 3;  ///< torque on i, N m

@@ -20,6 +20,7 @@
 #include "engine/laws/luding_normal.h"
 #include "engine/laws/luding_rolling.h"
 #include "engine/laws/mindlin_friction.h"
+#include "engine/laws/own_spin_rolling.h"
 #include "engine/laws/restitution_damping.h"
 #include "engine/laws/van_der_waals.h"
 
@@ -44,7 +45,8 @@ using AnyRolling = AnyRollingOf<FreeRolling,     //
                                 LoadRolling,     //
                                 ElasticRolling,  //
                                 Epsd2Rolling,    //
-                                LudingRolling>;
+                                LudingRolling,   //
+                                OwnSpinRolling>;
 using AnyAttraction = AnyAttractionOf<NoAttraction,  //
                                       VanDerWaals,   //
                                       CapillaryBridge>;

@@ -19,6 +19,7 @@ struct HertzMindlinNormal {
     bool damping_in_load() const { return true; }
     double hertzian_modulus() const { return modulus; }
     double linear_stiffness() const { return 0; }
+    bool set_work_of_adhesion(double w) const { return w == 0; }
   };
   static constexpr int kHistory = 0;
   static constexpr MemorySigns<0> kMemorySigns = {};

@@ -32,6 +32,10 @@ struct JkrNormal {
     bool damping_in_load() const { return false; }  ///< Hu 2024
     double hertzian_modulus() const { return modulus; }
     double linear_stiffness() const { return 0; }
+    bool set_work_of_adhesion(double w) {
+      surface_energy = 0.5 * w;
+      return true;
+    }
   };
   static constexpr int kHistory = 0;
   static constexpr MemorySigns<0> kMemorySigns = {};

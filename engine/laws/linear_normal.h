@@ -17,6 +17,7 @@ struct LinearNormal {
     bool damping_in_load() const { return true; }
     double hertzian_modulus() const { return 0; }
     double linear_stiffness() const { return stiffness; }
+    bool set_work_of_adhesion(double w) const { return w == 0; }
   };
   static constexpr int kHistory = 0;
   static constexpr MemorySigns<0> kMemorySigns = {};

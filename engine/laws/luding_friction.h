@@ -31,6 +31,12 @@ struct LudingFriction {
       return {l * stiffness, l * l * damping, static_friction, dynamic_friction, slip_memory};
     }
     double largest_friction() const { return static_friction; }
+    /// The dynamic coefficient keeps its share of the static one.
+    bool set_friction(double coefficient) {
+      dynamic_friction = static_friction > 0 ? dynamic_friction / static_friction * coefficient : coefficient;
+      static_friction = coefficient;
+      return true;
+    }
   };
   static constexpr int kHistory = 4;  ///< xi in m; 1 while sliding with slip history
   static constexpr MemorySigns<4> kMemorySigns = {-1, -1, -1, 1};

@@ -35,6 +35,7 @@ struct LudingNormal {
     bool damping_in_load() const { return true; }
     double hertzian_modulus() const { return 0; }
     double linear_stiffness() const { return loading; }
+    bool set_work_of_adhesion(double w) const { return w == 0; }
   };
   static constexpr int kHistory = 1;  ///< deepest overlap so far, m
   static constexpr MemorySigns<1> kMemorySigns = {1};

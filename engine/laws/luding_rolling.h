@@ -31,6 +31,7 @@ struct LudingRolling {
     Parameters similar(double l) const {
       return {rolling_friction, l * tangential_stiffness, stiffness_ratio, damping_ratio, l * time_step};
     }
+    double own_spin_arm() const { return 0; }
     void run_in_steps_of(double seconds) { time_step = seconds; }
   };
   static constexpr int kHistory = 3;  ///< spring torque on j, N m

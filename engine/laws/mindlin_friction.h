@@ -28,6 +28,10 @@ struct MindlinFriction {
     }
     Parameters similar(double) const { return *this; }
     double largest_friction() const { return friction; }
+    bool set_friction(double coefficient) {
+      friction = coefficient;
+      return true;
+    }
   };
   static constexpr int kHistory = 3;  ///< xi, m
   static constexpr MemorySigns<3> kMemorySigns = kVectorSigns;

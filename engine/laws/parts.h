@@ -58,16 +58,18 @@ concept Part = requires(const typename T::Parameters& parameters, const PairProp
 ///   repeats_surface_forces() whether its adhesion is the surface forces that an attraction may have, too
 ///   hertzian_modulus()       Pa, E* of a first loading 4/3 E* sqrt(R*) h^(3/2), or 0
 ///   linear_stiffness()       N/m, k_1 of a first loading k_1 h, or 0
+///   set_work_of_adhesion(w)  J/m^2, of another surface; false where the law has none
 template <class T>
 concept NormalPart = Part<T> && Remembers<T> &&
     requires(const T& part, double x, double* history, const double* past,
-             const typename T::Parameters& given) {
+             const typename T::Parameters& given, typename T::Parameters& changed) {
   { part.hysteretic() } -> std::same_as<bool>;
   { given.damping_in_load() } -> std::same_as<bool>;
   { given.attracts() } -> std::same_as<bool>;
   { given.repeats_surface_forces() } -> std::same_as<bool>;
   { given.hertzian_modulus() } -> std::same_as<double>;
   { given.linear_stiffness() } -> std::same_as<double>;
+  { changed.set_work_of_adhesion(x) } -> std::same_as<bool>;
   { part.force(x, x, history) } -> std::same_as<StaticForce>;
   { part.energy(x, past) } -> std::same_as<double>;
   { part.stiffness(x, past) } -> std::same_as<double>;
@@ -84,22 +86,26 @@ concept DampingPart = Part<T> && requires(const T& part, double x, const typenam
 
 /// force(history, n, sliding velocity in m/s, sqrt(h), load in N, time step in s): tangential force on i in
 /// N. Advances the history over the time step. largest_friction(): Coulomb's coefficient, the larger one
-/// where there are two.
+/// where there are two. set_friction(mu): that of another surface; false where the law has none.
 template <class T>
 concept FrictionPart = Part<T> && Remembers<T> &&
-    requires(const T& part, double* history, Vector3 v, double x, const typename T::Parameters& given) {
+    requires(const T& part, double* history, Vector3 v, double x, const typename T::Parameters& given,
+             typename T::Parameters& changed) {
   { given.largest_friction() } -> std::same_as<double>;
+  { changed.set_friction(x) } -> std::same_as<bool>;
   { part.force(history, v, v, x, x, x) } -> std::same_as<Vector3>;
 };
 
 /// torque(history, n, omega_i - omega_j in rad/s, sqrt(h), static force, load in N, time step in s): torque
 /// on i in N m; j receives the opposite. Advances the history over the time step. follows_time_step():
 /// whether its spring is made for the time step, and so asks for none. run_in_steps_of(s) tells its
-/// parameters the time step of the original grains.
+/// parameters the time step of the original grains. own_spin_arm(): m, what the load is multiplied by for a
+/// torque against each grain's own spin, which the integrator applies; 0 where the part acts on the pair.
 template <class T>
 concept RollingPart = Part<T> && Remembers<T> && requires(const T& part, double* history, Vector3 v, double x,
                                                           StaticForce f, typename T::Parameters& given) {
   given.run_in_steps_of(x);
+  { given.own_spin_arm() } -> std::same_as<double>;
   { part.follows_time_step() } -> std::same_as<bool>;
   { part.torque(history, v, v, x, f, x, x) } -> std::same_as<Vector3>;
 };

@@ -49,13 +49,14 @@ class ChainTerms {
       const std::size_t grain = spheres.owner(touch.sphere), other = spheres.owner(touch.other);
       if (place_of(grain) == kNoGrain && place_of(other) == kNoGrain) return;
       const Eigen::Vector3d normal = eigen(touch.normal);
-      add(touch.sphere, touch.other, normal, spring_between(simulation_, grain, other, touch.overlap));
+      add(touch.sphere, touch.other, normal,
+          spring_between(simulation_, touch.sphere, touch.other, touch.overlap));
     });
     visit_tool_touches(simulation_, block, [&](const ToolTouch& touch) {
       const std::size_t grain = spheres.owner(touch.sphere);
       if (place_of(grain) == kNoGrain) return;
       add(touch.sphere, kNoGrain, touch.normal,
-          spring_at_tool(simulation_, grain, touch.body, touch.overlap));
+          spring_at_tool(simulation_, touch.sphere, touch.body, touch.overlap));
     });
   }
 

@@ -14,10 +14,6 @@ constexpr double kInfinite = std::numeric_limits<double>::infinity();
 
 }  // namespace
 
-LawProbe::LawProbe(const laws::LawParameters& parameters, const coarse_graining::ForceScaling& scaling,
-                   const laws::PairProperties& pair)
-    : law_(laws::make_law(parameters, scaling.original(pair))), scaled_(scaling, law_) {}
-
 laws::Reaction LawProbe::react(double overlap, Vector3 velocity, Vector3 spin, double time_step) const {
   History history{};
   laws::ContactState state;
@@ -26,7 +22,7 @@ laws::Reaction LawProbe::react(double overlap, Vector3 velocity, Vector3 spin, d
   state.velocity = velocity;
   state.spin = spin;
   state.time_step = state.rolling_step = time_step;
-  return scaled_.react(state, history.data());
+  return law_.react(state, history.data());
 }
 
 double LawProbe::loading_force(double overlap) const {
@@ -38,12 +34,37 @@ double LawProbe::energy_of_approach() const {
   laws::ContactState touching;
   touching.normal = {0, 0, 1};
   touching.overlap = std::numeric_limits<double>::min();
-  scaled_.react(touching, history.data());  // forms the bridge where there is one
-  return -scaled_.attraction_energy(0, history.data());
+  law_.react(touching, history.data());  // forms the bridge where there is one
+  return -law_.attraction_energy(0, history.data());
 }
 
 double LawProbe::pull_at_touch() const {
   return -react(std::numeric_limits<double>::min(), {}, {}, 0).attraction;
+}
+
+/// J, work of the first approach to `overlap` (m): Simpson's rule after h = H u^2, which is smooth where
+/// forces begin with a root.
+double LawProbe::work_of_approach(double overlap) const {
+  constexpr int kIntervals = 32;
+  double sum = 0;
+  for (int n = 1; n <= kIntervals; ++n) {
+    const double u = static_cast<double>(n) / kIntervals;
+    const double weight = n == kIntervals ? 1 : (n % 2 == 1 ? 4 : 2);
+    sum += weight * loading_force(overlap * u * u) * 2 * overlap * u;
+  }
+  return sum / (3.0 * kIntervals);
+}
+
+double LawProbe::overlap_of_energy(double energy, double deepest) const {
+  if (!(energy > 0)) return 0;
+  double high = 1e-6 * deepest;
+  while (high < deepest && work_of_approach(high) < energy) high = std::min(2 * high, deepest);
+  double low = 0;
+  for (int halving = 0; halving < 40; ++halving) {
+    const double middle = 0.5 * (low + high);
+    (work_of_approach(middle) < energy ? low : high) = middle;
+  }
+  return high;
 }
 
 ContactSprings LawProbe::springs(double overlap) const {
@@ -53,10 +74,10 @@ ContactSprings LawProbe::springs(double overlap) const {
                dragged = react(overlap, along, {}, 0).force.x;
   const double rolled = react(overlap, {}, along, kShort).torque.x - react(overlap, {}, along, 0).torque.x;
   ContactSprings springs;
-  springs.normal = scaled_.stiffness(overlap);
+  springs.normal = law_.stiffness(overlap);
   springs.tangential = (dragged - slid) / (kSlow * kShort);
-  springs.rolling = law_.rolling.follows_time_step() ? 0 : -rolled / (kSlow * kShort);
-  springs.damping = scaled_.damping(overlap);
+  springs.rolling = law_.parts().rolling.follows_time_step() ? 0 : -rolled / (kSlow * kShort);
+  springs.damping = law_.damping(overlap);
   springs.sliding_damping = -dragged / kSlow;
   return springs;
 }

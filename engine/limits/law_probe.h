@@ -1,11 +1,9 @@
-// A contact law asked for numbers instead of stepped through time, and the time steps that they allow: what
-// the critical steps of powders of one size and of several sizes have in common.
+// A contact law asked for numbers instead of stepped through time, and the time steps that they allow.
 #pragma once
 
 #include <array>
 
-#include "engine/coarse_graining/scaled_law.h"
-#include "engine/laws/law_parameters.h"
+#include "engine/coarse_graining/general_contact_law.h"
 #include "engine/powder/grain_shape.h"
 
 namespace diefill::engine {
@@ -20,9 +18,7 @@ struct ContactSprings {
 /// The law of one pair as it is simulated.
 class LawProbe {
  public:
-  /// `pair`: the grains as they are simulated. Throws what make_law throws.
-  LawProbe(const laws::LawParameters& parameters, const coarse_graining::ForceScaling& scaling,
-           const laws::PairProperties& pair);
+  explicit LawProbe(const laws::GeneralContactLaw& law) : law_(law) {}
 
   /// N, of a first approach to `overlap` (m), damping left out.
   double loading_force(double overlap) const;
@@ -30,16 +26,18 @@ class LawProbe {
   double energy_of_approach() const;
   /// N, of the attraction where the pair comes to touch.
   double pull_at_touch() const;
+  /// m: where the work of a first approach has used up `energy` (J), at most `deepest` (m).
+  double overlap_of_energy(double energy, double deepest) const;
   /// Of a fresh contact at `overlap` (m). A rolling spring that is made for the time step has no part in it.
   ContactSprings springs(double overlap) const;
 
  private:
-  using History = std::array<double, static_cast<std::size_t>(laws::GeneralLaw::kHistory)>;
+  using History = std::array<double, static_cast<std::size_t>(laws::GeneralContactLaw::kHistory)>;
 
   laws::Reaction react(double overlap, Vector3 velocity, Vector3 spin, double time_step) const;
+  double work_of_approach(double overlap) const;
 
-  laws::GeneralLaw law_;
-  coarse_graining::ScaledLaw<laws::GeneralLaw> scaled_;
+  laws::GeneralContactLaw law_;
 };
 
 /// What moves where a contact pushes, drags and rolls; reduced where both grains do.

@@ -1,8 +1,9 @@
-// The longest time step that a powder allows, from its stiffest contact, and the fraction of it that we take.
+// The longest time step that a powder allows, from the stiffest and lightest of its contacts, and the
+// fraction of it that we take. Asks the laws themselves for stiffness and damping.
 #pragma once
 
-#include "engine/laws/contact_parameters.h"
-#include "engine/powder/grain_shape.h"
+#include "engine/contact/pair_laws.h"
+#include "engine/powder/particle_types.h"
 
 namespace diefill::engine {
 
@@ -20,26 +21,44 @@ inline constexpr double kContactsPerGrain = 5;
 /// forces only. A D grain: 2.49 (physics reference, section 4.3).
 double mobility(const GrainShape& shape);
 
-/// Overlap (m) of a head-on collision of two grains at relative speed `impact_speed` (m/s), undamped Hertz:
-/// h = (5 m_eff v^2 / (4 k))^(2/5), k = 2/3 E~ sqrt(R_eff).
-double impact_overlap(const GrainShape& shape, const ContactParameters& contact, double impact_speed);
+/// Overlap (m) of a head-on collision of grains whose spheres of classes i and j meet at relative speed
+/// `impact_speed` (m/s), undamped: where the work of repulsion less that of all attraction equals the kinetic
+/// energy; at most the radius of the smaller sphere. For Hertz' law h = (5 m_eff v^2 / (4 k))^(2/5), k = 2/3
+/// E~ sqrt(R_eff).
+double impact_overlap(const ParticleTypes& types, const ContactLaws& contact, ClassNumber i, ClassNumber j,
+                      double impact_speed);
 
-/// Critical time step (s): the smallest of the limits of the contact at the overlap of an impact at
-/// `impact_speed` (m/s), 2 sqrt(m_eff / k_n) for one contact, 2 sqrt(m / (2 Z k_n)) for Z contacts at a tenth
-/// of that overlap (a grain is not hit at full speed from all sides), and 2 m_eff / c for the damper, with m
-/// lightened by mobility().
-double critical_time_step(const GrainShape& shape, const ContactParameters& contact, double impact_speed);
+/// Critical time step (s): the smallest limit of all pairs of sphere classes, and of classes at `walls`, at
+/// the overlap of an impact at `impact_speed` (m/s), and of kContactsPerGrain contacts at a tenth of that
+/// overlap, whose springs count alone (a grain is not hit at full speed from all sides). A spring k on a mass
+/// m has the limit 2 sqrt(m / k), a damper c the limit 2 m / c: normal and tangential springs and dampers on
+/// the reduced mass, lightened as forces on the grain's outermost point turn it, and rolling springs on the
+/// reduced moment of inertia; in a packing they act on half of the smaller grain, as if it lay among grains
+/// of its own size. Attraction from afar has the limit of crossing its steep part at 1.5 times the speed of
+/// escape. Throws what making the laws throws.
+double critical_time_step(const ParticleTypes& types, const ContactLaws& contact,
+                          const std::vector<WallSurface>& walls, double impact_speed);
+
+/// The same for one contact among grains at overlaps of up to `overlap` (m) and `overlap_over_radius`, of the
+/// radius of the smaller sphere, on half of the smaller grain, which others may hold: what a run checks
+/// itself against. Which pair reached them does not matter: no pair has reached more.
+double critical_time_step_at_overlap(const ParticleTypes& types, const ContactLaws& contact, double overlap,
+                                     double overlap_over_radius);
+
+/// The same for one contact at the overlap of a collision among grains at `impact_speed` (m/s).
+double collision_time_step(const ParticleTypes& types, const ContactLaws& contact, double impact_speed);
 
 /// Critical time step (s) of a sphere pinched between two tools, as under the edge of a shoe: at `overlap`
-/// (m) it meets several wall spheres of radius `wall_radius` and distance `wall_spacing` (m) on either side
-/// at once, about pi 2 h (R + R_w) / s^2 (spheres whose overlap with a plane of them is positive) with half
-/// the overlap on average, and their stiffness and damping add up (stable_step()). Coarse grains on fine wall
-/// spheres have less room than the laws of one contact say.
-double pinch_time_step(const GrainShape& shape, const ContactParameters& contact, double wall_radius,
-                       double wall_spacing, double overlap);
+/// (m) it meets several wall spheres at distances of `wall_spacing` (m) on either side at once
+/// (pinching_contacts()), and their stiffness and damping add up (stable_step()). Coarse grains on fine wall
+/// spheres have less room than the laws of one contact say. Friction is left out: a pinched sphere slides.
+double pinch_time_step(const ParticleTypes& types, const ContactLaws& contact, ClassNumber own,
+                       const WallSurface& wall, double wall_spacing, double overlap);
 
-/// The same as critical_time_step() at a given overlap (m): what a run checks itself against.
-double critical_time_step_at_overlap(const GrainShape& shape, const ContactParameters& contact,
-                                     double overlap);
+// The same for grains of one type among themselves.
+
+double impact_overlap(const GrainShape& shape, const laws::LawParameters& law, double impact_speed);
+double critical_time_step(const GrainShape& shape, const laws::LawParameters& law, double impact_speed);
+double critical_time_step_at_overlap(const GrainShape& shape, const laws::LawParameters& law, double overlap);
 
 }  // namespace diefill::engine

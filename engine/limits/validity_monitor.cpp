@@ -3,8 +3,6 @@
 #include <cmath>
 #include <cstdio>
 
-#include "engine/limits/general_time_step.h"
-#include "engine/limits/mix_time_step.h"
 #include "engine/limits/time_step.h"
 #include "engine/limits/worst_places.h"
 
@@ -35,28 +33,16 @@ std::string fastest_text(const Simulation& simulation) {
               fastest.speed);
 }
 
-/// Critical time step (s) of a pair of grains of one kind at `overlap` (m), by whichever law is in use.
-double critical_at_overlap(const SimulationSettings& settings, double overlap) {
-  return settings.general_contact
-             ? critical_time_step_at_overlap(settings.shape, *settings.general_contact, overlap)
-             : critical_time_step_at_overlap(settings.shape, settings.grain_contact, overlap);
-}
-
-/// The same at the overlaps that grains have now, whatever their kinds.
+/// Critical time step (s) at the overlaps that grains have now.
 double critical_now(const Simulation& simulation) {
-  const auto& settings = simulation.settings();
   const DeepestOverlap& deepest = simulation.overlaps();
-  if (settings.mix)
-    return critical_time_step_at_overlap(*settings.mix, deepest.grains, deepest.grains_over_radius);
-  return critical_at_overlap(settings, deepest.grains);
+  return critical_time_step_at_overlap(simulation.types(), simulation.settings().contact, deepest.grains,
+                                       deepest.grains_over_radius);
 }
 
 /// The same of a collision at `speed` (m/s).
-double critical_of_impact(const SimulationSettings& settings, double speed) {
-  if (settings.mix) return critical_time_step(*settings.mix, {}, speed);
-  return critical_at_overlap(settings, settings.general_contact
-                                           ? impact_overlap(settings.shape, *settings.general_contact, speed)
-                                           : impact_overlap(settings.shape, settings.grain_contact, speed));
+double critical_of_impact(const Simulation& simulation, double speed) {
+  return collision_time_step(simulation.types(), simulation.settings().contact, speed);
 }
 
 }  // namespace
@@ -141,7 +127,7 @@ void ValidityMonitor::check_speed(const Simulation& simulation) {
         "others without meeting them; the run is unstable or the time step of %.3g s too long: take a "
         "shorter one",
         who.c_str(), fastest.speed, simulation.time(), way, limits_.forbidden_way, settings.time_step));
-  const double critical = critical_of_impact(settings, 2 * fastest.speed);
+  const double critical = critical_of_impact(simulation, 2 * fastest.speed);
   if (settings.time_step > limits_.comfortable_step * critical)
     warn_once(warned_of_speed_,
               line("%s moved at %.3g m/s at t = %.6g s, where a collision allows steps of %.3g s; the run's "
@@ -151,7 +137,7 @@ void ValidityMonitor::check_speed(const Simulation& simulation) {
 }
 
 void ValidityMonitor::check_contacts(const Simulation& simulation) {
-  const auto spheres = static_cast<double>(simulation.grains().size() * simulation.kinds().spheres());
+  const auto spheres = static_cast<double>(simulation.sphere_count());
   if (spheres <= 0) return;
   const double contacts = static_cast<double>(simulation.touching_pairs()) / spheres;
   if (contacts > limits_.forbidden_contacts)

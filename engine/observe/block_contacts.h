@@ -29,8 +29,7 @@ void visit_sphere_touches(const Simulation& simulation, const Block& block, cons
   const auto& table = block.grain_pairs;
   table.visit_touching([&](std::size_t p, const double*) {
     const std::size_t i = block.sphere(table.pair[p].own), j = block.sphere(table.pair[p].other);
-    const double reach = simulation.shape_of(spheres.owner(i)).sphere_radius +
-                         simulation.shape_of(spheres.owner(j)).sphere_radius;
+    const double reach = simulation.sphere_radius(i) + simulation.sphere_radius(j);
     const Vector3 apart = spheres.position(i) - spheres.position(j);
     const double distance = length(apart);
     if (distance < reach) visit(SphereTouch{i, j, reach - distance, (1 / distance) * apart});
@@ -62,7 +61,7 @@ void visit_tool_touches(const Simulation& simulation, const Block& block, const 
       if (!block.wall_pairs.touching[p]) continue;
       const WallPair& pair = block.wall_pairs.pair[p];
       const std::uint32_t i = block.sphere(pair.own);
-      const double radius = simulation.shape_of(spheres.owner(i)).sphere_radius;
+      const double radius = simulation.sphere_radius(i);
       const Eigen::Vector3d place =
           pose.rotation.transpose() * (eigen(spheres.position(i)) - pose.translation);
       ToolTouch touch = touch_of_part(wall, pair.wall, place, radius);

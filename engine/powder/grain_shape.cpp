@@ -44,8 +44,13 @@ GrainShape single_sphere(double radius, double mass, bool rotates) {
 
 double GrainShape::bounding_radius() const {
   double farthest = 0;
-  for (const auto& offset : sphere_offsets) farthest = std::max(farthest, offset.norm());
-  return farthest + sphere_radius;
+  if (sphere_radii.empty()) {
+    for (const auto& offset : sphere_offsets) farthest = std::max(farthest, offset.norm());
+    return farthest + sphere_radius;
+  }
+  for (std::size_t k = 0; k < spheres(); ++k)
+    farthest = std::max(farthest, sphere_offsets[k].norm() + sphere_radii[k]);
+  return farthest;
 }
 
 GrainShape model_a(double sphere_radius, double mass) {

@@ -6,17 +6,22 @@
 
 namespace diefill::engine {
 
-/// A rigid grain in its body frame. All spheres have the same radius; the frame is the principal one and its
-/// origin the centre of mass. SI units.
+/// A rigid grain in its body frame, which is the principal one and has its origin in the centre of mass. SI
+/// units.
 struct GrainShape {
-  double sphere_radius = 0;                           ///< m, R
+  double sphere_radius = 0;                           ///< m, R; of unequal spheres the smallest
   std::vector<Eigen::Vector3d> sphere_offsets;        ///< m, sphere centres in the body frame
+  std::vector<double> sphere_radii;                   ///< m, of each sphere; empty: all are sphere_radius
   double mass = 0;                                    ///< kg
   Eigen::Vector3d inertia = Eigen::Vector3d::Zero();  ///< kg m^2, principal moments
   double solid_volume = 0;                            ///< m^3, of the union of the spheres
   bool rotates = true;                                ///< model A ignores torques
 
   std::size_t spheres() const { return sphere_offsets.size(); }
+  /// m, of sphere `number`.
+  double radius_of(std::size_t number) const {
+    return sphere_radii.empty() ? sphere_radius : sphere_radii[number];
+  }
   /// m, radius of the smallest sphere about the centre of mass that holds the grain.
   double bounding_radius() const;
 };

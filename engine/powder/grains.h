@@ -29,7 +29,7 @@ struct Grains {
   std::size_t size() const { return id.size(); }
   /// `clumped`: several spheres a grain, which then have an orientation. `mixed`: there are several kinds.
   void resize(std::size_t count, bool clumps, bool mixed);
-  std::uint16_t kind_of(std::size_t k) const { return kind.empty() ? std::uint16_t{0} : kind[k]; }
+  std::uint16_t type_of(std::size_t k) const { return kind.empty() ? std::uint16_t{0} : kind[k]; }
   /// Of grain k: a single sphere's body frame is the laboratory's.
   Quaternion orientation_of(std::size_t k) const {
     return orientation.empty() ? Quaternion(1, 0, 0, 0) : orientation[k];

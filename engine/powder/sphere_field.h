@@ -31,8 +31,12 @@ struct SphereField {
   std::vector<Vector3> spin;      ///< rad/s, of clumped real grains, laboratory frame
   std::vector<GrainImage> images;
   PeriodicBox box;                            ///< beyond whose borders images are seen
-  std::vector<std::uint16_t> kind;            ///< of grains; empty where all are alike
-  std::vector<std::vector<Vector3>> offsets;  ///< m, of the spheres of each kind, body frame
+  std::vector<std::uint16_t> kind;            ///< types of grains; empty where there is one
+  std::vector<std::vector<Vector3>> offsets;  ///< m, of the spheres of each type, body frame
+  /// Where a type has fewer spheres than others, numbers are left over.
+  bool equal_counts = true;
+  std::vector<std::size_t> counts;          ///< spheres of each type
+  std::vector<std::uint16_t> sphere_class;  ///< type after type, spheres_per_grain each
 
   /// Velocities and spins of clumped grains follow them: entry k becomes the former entry order[k]. Grains
   /// that have just been added have none yet.
@@ -47,13 +51,23 @@ struct SphereField {
   void hold_places(ThreadPool& pool);
   void drop_places() { placed_.clear(); }
 
-  /// Spheres of real grains.
+  /// Numbers of spheres of real grains.
   std::size_t real() const { return grains * spheres_per_grain; }
   /// Those of images as well.
   std::size_t size() const { return (grains + images.size()) * spheres_per_grain; }
   /// m, from a grain's owner to the grain: 0 unless it is an image.
   Vector3 shift(std::size_t grain) const {
     return grain < grains ? Vector3{} : box.shift(images[grain - grains]);
+  }
+  /// Type of a real grain.
+  std::size_t type_of(std::size_t grain) const { return kind.empty() ? 0 : kind[grain]; }
+  /// Whether there is a sphere of number k.
+  bool exists(std::size_t k) const {
+    return equal_counts || k % spheres_per_grain < counts[type_of(owner(k))];
+  }
+  /// Class of sphere k (ParticleTypes::classes()).
+  std::uint16_t class_of(std::size_t k) const {
+    return sphere_class[type_of(owner(k)) * spheres_per_grain + k % spheres_per_grain];
   }
   /// Real grain that sphere k belongs to.
   std::size_t owner(std::size_t k) const {
@@ -98,9 +112,7 @@ struct SphereField {
     __builtin_prefetch(orientation_ + k);
   }
   /// m, of sphere `number` of real grain k in its frame.
-  const Vector3& offset(std::size_t k, std::size_t number) const {
-    return offsets[kind.empty() ? 0 : kind[k]][number];
-  }
+  const Vector3& offset(std::size_t k, std::size_t number) const { return offsets[type_of(k)][number]; }
   /// m, centre of sphere k.
   Vector3 position(std::size_t k) const {
     const Vector3 centre = position_of_real(original(k));

@@ -38,11 +38,11 @@ NeighbourList::NeighbourList(const NeighbourSettings& settings, std::vector<std:
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::stable_sort(order.begin(), order.end(),
                    [&](std::size_t a, std::size_t b) { return radii[a] > radii[b]; });
-  level_of_kind_.resize(radii.size());
-  for (const std::size_t kind : order) {
-    if (levels_.empty() || radii[kind] < kSmallestOfLevel * levels_.back().largest)
-      levels_.emplace_back().largest = radii[kind];
-    level_of_kind_[kind] = static_cast<std::uint8_t>(levels_.size() - 1);
+  level_of_class_.resize(radii.size());
+  for (const std::size_t one : order) {
+    if (levels_.empty() || radii[one] < kSmallestOfLevel * levels_.back().largest)
+      levels_.emplace_back().largest = radii[one];
+    level_of_class_[one] = static_cast<std::uint8_t>(levels_.size() - 1);
   }
 }
 
@@ -60,7 +60,7 @@ void NeighbourList::build(const SphereField& spheres, const std::vector<WallBody
   pool.for_each(blocks_.size(), [&](std::size_t b) {
     Block& block = blocks_[b];
     block.reference = reference.position[(block.begin + block.end) / 2];
-    if (monodisperse())
+    if (one_class())
       find_grain_pairs<true>(block, spheres, reference, history);
     else
       find_grain_pairs<false>(block, spheres, reference, history);
@@ -74,10 +74,11 @@ void NeighbourList::build(const SphereField& spheres, const std::vector<WallBody
 
 void NeighbourList::sort_into_cells(const SphereField& spheres, double skin, ThreadPool& pool) {
   const auto edge = [&](const SizeLevel& level) { return 2 * level.largest + settings_.law_range + skin; };
-  if (levels_.size() == 1) return levels_.front().cells.build(spheres, edge(levels_.front()), pool);
+  if (levels_.size() == 1 && spheres.equal_counts)
+    return levels_.front().cells.build(spheres, edge(levels_.front()), pool);
   std::vector<std::vector<std::uint32_t>> members(levels_.size());
   for (std::uint32_t j = 0; j < spheres.size(); ++j)
-    members[level_of_kind_[spheres.kind[spheres.owner(j)]]].push_back(j);
+    if (spheres.exists(j)) members[level_of_class_[spheres.class_of(j)]].push_back(j);
   for (std::size_t l = 0; l < levels_.size(); ++l)
     levels_[l].cells.build(spheres, std::move(members[l]), edge(levels_[l]), pool);
 }
@@ -109,12 +110,11 @@ void NeighbourList::number_spheres(Block& block, const SphereField& spheres) con
     throw OutOfRange(
         "a grain has thousands of neighbours: powder has been pressed into itself, or its grains "
         "are made of too many spheres");
-  block.kind.clear();
-  if (!monodisperse()) {
+  block.sphere_class.clear();
+  if (!one_class()) {
     for (std::uint32_t k = 0; k < block.own_spheres(); ++k)
-      block.kind.push_back(spheres.kind[block.begin + k / per_grain]);
-    for (const std::uint32_t sphere : block.partners)
-      block.kind.push_back(spheres.kind[spheres.owner(sphere)]);
+      block.sphere_class.push_back(spheres.class_of(block.begin * per_grain + k));
+    for (const std::uint32_t sphere : block.partners) block.sphere_class.push_back(spheres.class_of(sphere));
   }
   block.slot.clear();
   if (per_grain > 1) block.slot.reserve(all);
@@ -149,10 +149,11 @@ void NeighbourList::find_grain_pairs(Block& block, const SphereField& spheres, c
   std::vector<Found> found;
   block.partners.clear();
   for (std::uint32_t i = first; i < end; ++i) {
+    if (!kAlike && !spheres.exists(i)) continue;
     const Vector3 here = spheres.position(i);
     const std::uint32_t grain = i / per_grain;
     const std::uint8_t swift = reference.doublings[grain];
-    const double radius = settings_.sphere_radii[kAlike ? 0 : spheres.kind[grain]];
+    const double radius = settings_.sphere_radii[kAlike ? 0 : spheres.class_of(i)];
     for (const SizeLevel& level : levels_) {
       const double touching = radius + level.largest + settings_.law_range;
       const double farthest = touching + 2 * reference.allowance(grain);
@@ -163,7 +164,7 @@ void NeighbourList::find_grain_pairs(Block& block, const SphereField& spheres, c
         const std::uint8_t other_swift = reference.doublings[other];
         if (other_swift > swift || (other_swift == swift && other <= grain) || other == grain) return;
         const double touching_now =
-            kAlike ? touching : radius + settings_.sphere_radii[spheres.kind[other]] + settings_.law_range;
+            kAlike ? touching : radius + settings_.sphere_radii[spheres.class_of(j)] + settings_.law_range;
         const double reach = touching_now + reference.allowance(grain) + reference.allowance(other);
         if (near.square >= reach * reach) return;
         found.push_back({i, j});

@@ -15,7 +15,7 @@ namespace diefill::engine {
 
 /// What the search needs to know.
 struct NeighbourSettings {
-  std::vector<double> sphere_radii;        ///< m, by kind of grain
+  std::vector<double> sphere_radii;        ///< m, by class of spheres
   double farthest_sphere = 0;              ///< m, of a sphere's centre from its grain's centre, at most
   double law_range = 0;                    ///< m, gap up to which the law acts between grains
   std::vector<double> grain_history_sign;  ///< PairLoop::history_signs() of pairs of grains
@@ -23,9 +23,9 @@ struct NeighbourSettings {
   std::size_t sum_numbers = ContactSum::kRolling;  ///< of a ContactSum that count
 };
 
-/// m, radius of the spheres of a grain or image.
-inline double radius_of(const NeighbourSettings& settings, const SphereField& spheres, std::size_t grain) {
-  return settings.sphere_radii[spheres.kind.empty() ? 0 : spheres.kind[grain]];
+/// m, of a sphere of a grain or image.
+inline double radius_of(const NeighbourSettings& settings, const SphereField& spheres, std::size_t sphere) {
+  return settings.sphere_radii[settings.sphere_radii.size() == 1 ? 0 : spheres.class_of(sphere)];
 }
 
 /// The powder and the bodies as they stood when the list was made: all that is needed to tell when it is too
@@ -92,7 +92,7 @@ class NeighbourList {
     SphereCells cells;
   };
 
-  bool monodisperse() const { return settings_.sphere_radii.size() == 1; }
+  bool one_class() const { return settings_.sphere_radii.size() == 1; }
   void sort_into_cells(const SphereField& spheres, double skin, ThreadPool& pool);
   void cut_into_blocks(std::size_t begin, std::size_t end, std::size_t grains_per_block);
   template <bool kAlike>
@@ -111,7 +111,7 @@ class NeighbourList {
   std::vector<Block> blocks_;
   std::size_t count_ = 0;          ///< blocks that have been cut so far
   std::vector<SizeLevel> levels_;  ///< by falling size
-  std::vector<std::uint8_t> level_of_kind_;
+  std::vector<std::uint8_t> level_of_class_;
   std::vector<std::uint32_t> foreign_first_;
   std::vector<ForeignSum> foreign_sums_;
   std::vector<std::uint32_t> waiting_first_, waiting_, awaited_;

@@ -176,9 +176,9 @@ struct Block {
                                         ///< 0 where it is not known (planes)
   std::vector<std::uint32_t> partners;  ///< spheres outside the block (of grains or images), rising
   std::vector<std::uint16_t> slot;      ///< sum that forces on a local sphere of a clumped grain are added to
-  std::vector<std::uint16_t> kind;      ///< of a local sphere's grain; empty where all are alike
-  std::vector<std::uint32_t> foreign;   ///< grains outside the block that its pairs push
-  std::vector<std::uint32_t> seen;      ///< where they are clumped: each itself, or its image that pairs meet
+  std::vector<std::uint16_t> sphere_class;  ///< of a local sphere; empty where there is one class
+  std::vector<std::uint32_t> foreign;       ///< grains outside the block that its pairs push
+  std::vector<std::uint32_t> seen;  ///< where they are clumped: each itself, or its image that pairs meet
   /// Of the block's pairs in the last step; at its end those of own grains have become all that acts on them
   /// but weight and air at rest, unless grains sleep.
   ContactSums sums;

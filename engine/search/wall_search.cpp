@@ -59,11 +59,13 @@ void NeighbourList::find_wall_pairs(Block& block, const SphereField& spheres,
     const BodyMotion& pose = reference.bodies[b];
     for (std::uint32_t k = 0; k < own; ++k) {
       const std::uint32_t sphere = block.begin * per_grain + k, grain = sphere / per_grain;
+      if (!spheres.exists(sphere)) continue;
       const Eigen::Vector3d place =
           pose.rotation.transpose() * (eigen(spheres.position(sphere)) - pose.translation);
       find_parts(bodies[b], place,
-                 radius_of(settings_, spheres, grain) + bodies[b].sphere_radius() +
-                     reference.body_allowance[b] + reference.allowance(grain),
+                 radius_of(settings_, spheres, sphere) + bodies[b].sphere_radius() +
+                     (bodies[b].mirror() ? settings_.law_range : 0) + reference.body_allowance[b] +
+                     reference.allowance(grain),
                  parts);
       if (parts.empty()) continue;
       block.wall_runs.push_back(

@@ -30,55 +30,54 @@ constexpr std::size_t kManyBlocks = 64;
 }  // namespace
 
 Simulation::Simulation(const SimulationSettings& settings, std::vector<WallBodySpec> walls)
-    : kinds_(kinds_of(settings)),
-      settings_(checked(settings, kinds_)),
+    : types_(moving_types(settings.types, settings.contact.scaling)),
+      settings_(checked(settings, types_)),
       pool_(settings_.threads),
       box_(settings_.period),
-      grain_loop_(grain_loop_for(settings_, kinds_)),
-      wall_loop_(wall_loop_for(settings_, kinds_, walls)),
-      list_(neighbour_settings(kinds_, *grain_loop_, *wall_loop_), first_sphere_of_bodies(walls)),
-      skin_(skin_for(settings_, kinds_, grain_loop_->range())),
-      integrator_(kinds_, settings_.gravity, settings_.air_viscosity,
+      grain_loop_(grain_loop_for(settings_, types_)),
+      wall_loop_(wall_loop_for(settings_, types_, walls)),
+      list_(neighbour_settings(types_, *grain_loop_, *wall_loop_), first_sphere_of_bodies(walls)),
+      skin_(skin_for(settings_, types_, grain_loop_->range())),
+      integrator_(types_, settings_.gravity, settings_.air_viscosity,
                   grain_loop_->rolls() || wall_loop_->rolls(), settings_.time_step, settings_.instructions) {
   for (auto& wall : walls) {
-    const double reach = kinds_.largest_sphere() + wall.sphere_radius + 2 * skin_.largest_allowance();
+    const double reach = types_.largest_sphere() + wall.sphere_radius + 2 * skin_.largest_allowance() +
+                         (wall.mirror ? grain_loop_->range() : 0);
     bodies_.emplace_back(std::move(wall), reach);
     body_motion_.push_back(bodies_.back().motion_at(0));
   }
   wall_loads_.resize(bodies_.size());
   clearance_.resize(bodies_.size());
-  if (settings_.sleep) sleeping_.emplace(*settings_.sleep, kinds_, settings_.gravity, settings_.time_step);
-  spheres_.spheres_per_grain = kinds_.spheres();
+  if (settings_.sleep) sleeping_.emplace(*settings_.sleep, types_, settings_.gravity, settings_.time_step);
+  spheres_.spheres_per_grain = types_.spheres();
   spheres_.box = box_;
-  for (std::size_t k = 0; k < kinds_.size(); ++k) {
-    std::vector<Vector3>& offsets = spheres_.offsets.emplace_back();
-    for (const auto& offset : kinds_.shape(static_cast<KindNumber>(k)).sphere_offsets)
-      offsets.push_back(plain(offset));
-  }
+  number_spheres_of_types(types_, spheres_);
   reference_.skin = skin_.first();
   sort_and_search();
 }
 
 void Simulation::add_grains(const std::vector<NewGrain>& added) {
   for (const auto& grain : added)
-    if (grain.kind >= kinds_.size())
+    if (grain.kind >= types_.size())
       throw std::invalid_argument("a grain of kind " + std::to_string(grain.kind) + ", but there are " +
-                                  std::to_string(kinds_.size()) + " kinds, counted from 0");
+                                  std::to_string(types_.size()) + " kinds, counted from 0");
   // Contacts are between spheres where they are now, so that their energy must be known before grains are
   // put back into the periodic box, whose own booking is in the difference.
   const double before = energy().total(), added_before = ledger_.added_energy;
   wrap_grains();
   const std::size_t old_count = grains_.size();
-  grains_.resize(old_count + added.size(), kinds_.clumps(), !kinds_.monodisperse());
+  grains_.resize(old_count + added.size(), types_.clumps(), !types_.monodisperse());
   for (std::size_t k = 0; k < added.size(); ++k) {
     const std::size_t g = old_count + k;
     const NewGrain& grain = added[k];
     grains_.id[g] = next_id_++;
-    if (!kinds_.monodisperse()) grains_.kind[g] = grain.kind;
+    if (!types_.monodisperse()) grains_.kind[g] = grain.kind;
     grains_.position[g] = box_.wrapped(grain.position);
     grains_.velocity[g] = grain.velocity;
-    if (kinds_.clumps()) grains_.orientation[g] = grain.orientation.normalized();
-    grains_.spin[g] = rotation_matrix(grains_.orientation_of(g)).transpose() * grain.angular_velocity;
+    if (types_.clumps()) grains_.orientation[g] = grain.orientation.normalized();
+    grains_.spin[g].setZero();
+    if (types_.turns(grain.kind))
+      grains_.spin[g] = rotation_matrix(grains_.orientation_of(g)).transpose() * grain.angular_velocity;
     grains_.force[g] = shape_of(g).mass * settings_.gravity;
     grains_.torque[g].setZero();
   }
@@ -178,7 +177,7 @@ double Simulation::remaining_skin(const Block& block) const {
     return plain(grains_.position[k]) - plain(reference_.position[k]) - drifted;
   };
   double least = std::numeric_limits<double>::infinity();
-  if (!kinds_.clumps()) {
+  if (!types_.clumps()) {
     std::array<double, AdaptiveSkin::kMostDoublings + 1> farthest{};  // m^2, of those that may go as far
     for (std::size_t k = block.begin; k < block.end; ++k) {
       const Vector3 moved = way(k);
@@ -189,7 +188,7 @@ double Simulation::remaining_skin(const Block& block) const {
       least = std::min(least, reference_.allowance_of(doublings) - std::sqrt(farthest[doublings]));
     return least;
   }
-  const double way_per_turn = kinds_.way_per_turn();
+  const double way_per_turn = types_.way_per_turn();
   for (std::size_t k = block.begin; k < block.end; ++k) {
     const PlainQuaternion turn = plain(grains_.orientation[k]) - plain(reference_.orientation[k]);
     least =
@@ -202,7 +201,7 @@ double Simulation::remaining_skin(const Block& block) const {
 /// centres: adds those of other blocks' pairs, in block order. `contacts` may be the block's own.
 void Simulation::gather(std::size_t b, ContactSums& contacts) const {
   const Block& own = list_.blocks()[b];
-  const bool clumps = kinds_.clumps();
+  const bool clumps = types_.clumps();
   // Sums of a resting block are those of where its grains were when contacts were searched.
   const auto places = [&](std::size_t block) -> const std::vector<Eigen::Vector3d>& {
     return rests(block) ? reference_.position : grains_.position;
@@ -338,7 +337,7 @@ void Simulation::book_step() {
 
 ContactScene Simulation::contact_scene(const LocalSpheres& local) const {
   return {
-      local, bodies_, body_motion_, kinds_.smallest_sphere(), settings_.time_step, settings_.instructions};
+      local, bodies_, body_motion_, types_.smallest_sphere(), settings_.time_step, settings_.instructions};
 }
 
 }  // namespace diefill::engine

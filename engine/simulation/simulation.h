@@ -20,28 +20,26 @@ namespace diefill::engine {
 
 /// All that stays the same during a run. SI units.
 struct SimulationSettings {
-  GrainShape shape;  ///< of all grains; with `mix` that of the first kind
-  ContactParameters grain_contact, wall_contact;
-  LeverArm lever_arm =
-      LeverArm::contact;  ///< ignored for single spheres: none or surface, after GrainShape::rotates
-  SpringLimit spring_limit = SpringLimit::cut_back;
-  /// Any other law of the sources, in place of `grain_contact`, `wall_contact` and `spring_limit`. Where
-  /// forces are scaled, moments of inertia are those with which torques, energy and angular momentum balance.
-  std::optional<GeneralContact> general_contact;
-  /// Grains of several sizes or materials, in place of `shape` and of all contacts above. Walls then need a
-  /// material. `lever_arm` counts; moments of inertia are as with `general_contact`.
-  std::optional<GrainMix> mix;
+  std::vector<ParticleType> types = {{}};  ///< of the powder; grains refer to them by number
+  /// Between all materials of grains, and of grains with walls.
+  ContactLaws contact = one_powder({}, {});
+  /// Of clumps; single spheres have none or their surface, after GrainShape::rotates.
+  LeverArm lever_arm = LeverArm::contact;
   Eigen::Vector3d gravity = {0, 0, -9.81};  ///< m/s^2
   double air_viscosity = 0;                 ///< Pa s, Stokes drag on every sphere (Bierwisch 2009, Eq. 2.9)
   std::optional<AirFlow> air_flow;  ///< air that a tool draws through the powder; not where grains sleep
   double time_step = 0;             ///< s
-  std::array<std::optional<double>, 2> period;  ///< m along x and y, box centred on the origin
-  double skin = 0;                              ///< m; 0: follows the motion of the powder
+  PeriodLengths period;             ///< m, box centred on the origin
+  double skin = 0;                  ///< m; 0: follows the motion of the powder
   /// Tools far from all powder do not age the list of near pairs by moving.
   bool skip_far_walls = true;
   std::optional<SleepSettings> sleep;  ///< settled grains are put to sleep
   int threads = 1;
   InstructionSet instructions = best_instruction_set();  ///< all give the same bits
+
+  /// Of the first type, which is the only one of most powders.
+  GrainShape& shape() { return types.front().shape; }
+  const GrainShape& shape() const { return types.front().shape; }
 };
 
 /// A grain to be added.
@@ -50,7 +48,7 @@ struct NewGrain {
   Eigen::Vector3d velocity = Eigen::Vector3d::Zero();          ///< m/s
   Quaternion orientation = {1, 0, 0, 0};                       ///< (w, x, y, z), body to laboratory
   Eigen::Vector3d angular_velocity = Eigen::Vector3d::Zero();  ///< rad/s, laboratory frame
-  KindNumber kind = 0;                                         ///< of GrainMix::kinds
+  TypeNumber kind = 0;                                         ///< of SimulationSettings::types
 };
 
 /// Force and torque of the powder on a wall body. Torque about the origin of the body's frame.
@@ -86,6 +84,15 @@ class Simulation {
   /// Prescribes a body's motion from now on: pose and velocity at time t (s since the start of the run).
   void set_motion(std::size_t body, std::function<BodyMotion(double)> motion);
 
+  /// Gravity (m/s^2) from now on. All grains wake.
+  void set_gravity(const Eigen::Vector3d& gravity);
+  /// Contact laws from now on, for the same types and walls. Contacts keep their history where the new laws
+  /// remember the same numbers, and otherwise begin anew. All grains wake. Throws std::invalid_argument as
+  /// the constructor does; the time step is the caller's to keep below the new critical one.
+  void set_contact(const ContactLaws& contact);
+  /// Gives every grain added(id) (m/s) more velocity. All grains wake.
+  void add_velocities(const std::function<Eigen::Vector3d(std::uint64_t)>& added);
+
   /// One time step (Bierwisch 2009, section 2.2). Throws OutOfRange when grains have flown beyond all bounds,
   /// where no contacts can be searched.
   void step();
@@ -94,9 +101,13 @@ class Simulation {
   double time() const { return time_; }
   const SimulationSettings& settings() const { return settings_; }
   const Grains& grains() const { return grains_; }
-  const KindTable& kinds() const { return kinds_; }
+  const ParticleTypes& types() const { return types_; }
   /// Of grain k.
-  const GrainShape& shape_of(std::size_t k) const { return kinds_.shape(grains_.kind_of(k)); }
+  const GrainShape& shape_of(std::size_t k) const { return types_.shape(grains_.type_of(k)); }
+  /// m, of sphere k of spheres().
+  double sphere_radius(std::size_t k) const { return types_.classes()[spheres_.class_of(k)].radius; }
+  /// Spheres of all grains.
+  std::size_t sphere_count() const;
   /// kg, of grains [begin, end), added in their order.
   double mass_of(std::size_t begin, std::size_t end) const;
   const std::vector<WallBody>& bodies() const { return bodies_; }
@@ -159,7 +170,18 @@ class Simulation {
   std::size_t keep_grains(const std::vector<std::uint32_t>& staying);
   void check_places() const;
   void sort_and_search();
+  /// What touching pairs remember, by the numbers that spheres have in a new order.
+  struct ContactHistories {
+    ContactHistory grains, walls;
+  };
+  std::vector<std::uint32_t> order_in_space();
+  ContactHistories remember_contacts(std::vector<std::uint32_t>& order);
+  void search_again(const std::vector<std::uint32_t>& order, const ContactHistories& histories);
   void search_in_order(std::vector<std::uint32_t> order);
+  template <class Change>
+  void change_energy(const Change& change);
+  void wake_everybody();
+  void make_integrator();
   void search(const ContactHistory& history, const ContactHistory& wall_history);
   void remember_reference(std::size_t awake);
   void allow_motion();
@@ -194,7 +216,7 @@ class Simulation {
   void settle_motion_of_sleepers();
   bool rests(std::size_t b) const { return sleeping_ && sleeping_->rests(b); }
 
-  KindTable kinds_;
+  ParticleTypes types_;
   SimulationSettings settings_;
   ThreadPool pool_;
   PeriodicBox box_;
@@ -217,6 +239,8 @@ class Simulation {
   std::vector<double> remaining_skin_;
   std::vector<double> clearance_;  ///< m a body, how far it stood from the powder when contacts were searched
   Eigen::Vector3d carried_ = Eigen::Vector3d::Zero();  ///< m, how far sleepers are carried in this step
+
+  std::size_t awake_in_order_ = 0;  ///< grains that were awake when the present order was made
 
   std::uint64_t step_ = 0, next_id_ = 0, searches_ = 0, touching_ = 0;
   double time_ = 0;

@@ -24,7 +24,7 @@ Energy Simulation::energy() const {
 }
 
 double Simulation::mass_of(std::size_t begin, std::size_t end) const {
-  if (kinds_.monodisperse()) return static_cast<double>(end - begin) * kinds_.shape(0).mass;
+  if (types_.monodisperse()) return static_cast<double>(end - begin) * types_.shape(0).mass;
   double mass = 0;
   for (std::size_t k = begin; k < end; ++k) mass += shape_of(k).mass;
   return mass;

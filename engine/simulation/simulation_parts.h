@@ -2,6 +2,7 @@
 // for settings that cannot work.
 #pragma once
 
+#include "engine/contact/pair_laws.h"
 #include "engine/contact/pair_loop.h"
 #include "engine/powder/particle_types.h"
 #include "engine/search/adaptive_skin.h"
@@ -10,25 +11,27 @@
 
 namespace diefill::engine {
 
-/// The kinds as they move: where forces are scaled, with the moments of inertia that torques balance with.
-KindTable kinds_of(const SimulationSettings& settings);
+/// The settings as the simulation keeps them: with the lever arm that such grains have, and types as they
+/// move.
+SimulationSettings checked(SimulationSettings settings, const ParticleTypes& types);
 
-/// The settings as the simulation keeps them: with the lever arm that such grains have, and the shape of the
-/// first kind.
-SimulationSettings checked(SimulationSettings settings, const KindTable& kinds);
-
-std::unique_ptr<PairLoop> grain_loop_for(const SimulationSettings& settings, const KindTable& kinds);
-std::unique_ptr<PairLoop> wall_loop_for(const SimulationSettings& settings, const KindTable& kinds,
+std::unique_ptr<PairLoop> grain_loop_for(const SimulationSettings& settings, const ParticleTypes& types);
+std::unique_ptr<PairLoop> wall_loop_for(const SimulationSettings& settings, const ParticleTypes& types,
                                         const std::vector<WallBodySpec>& walls);
+
+/// The surfaces of bodies, as the laws of their contacts need them.
+std::vector<WallSurface> surfaces_of(const std::vector<WallBody>& bodies);
 
 /// Number of the first wall sphere, plane or triangle of each body, and of one beyond the last.
 std::vector<std::uint32_t> first_sphere_of_bodies(const std::vector<WallBodySpec>& walls);
-NeighbourSettings neighbour_settings(const KindTable& kinds, const PairLoop& grain_loop,
+/// Offsets and classes of the spheres of all types; numbers without a sphere lie in the grain's centre.
+void number_spheres_of_types(const ParticleTypes& types, SphereField& spheres);
+NeighbourSettings neighbour_settings(const ParticleTypes& types, const PairLoop& grain_loop,
                                      const PairLoop& wall_loop);
 
 /// The skin for these settings: no grain may come to meet another, or itself, from two sides of a period at
 /// once. `range`: m, gap at which grains act on each other. Small grains are the many, so that it goes by
 /// their size.
-AdaptiveSkin skin_for(const SimulationSettings& settings, const KindTable& kinds, double range);
+AdaptiveSkin skin_for(const SimulationSettings& settings, const ParticleTypes& types, double range);
 
 }  // namespace diefill::engine

@@ -60,38 +60,50 @@ void Simulation::check_places() const {
   }
 }
 
+std::vector<std::uint32_t> Simulation::order_in_space() {
+  // Where sizes differ, no two grains have room in one cell: the order does not depend on the one before.
+  const double cell = types_.monodisperse() ? 2 * types_.largest_grain() : types_.smallest_sphere();
+  return spatial_order(grains_.position, cell, pool_);
+}
+
 void Simulation::sort_and_search() {
   check_places();
   wrap_grains();
-  // Where sizes differ, no two grains have room in one cell: the order does not depend on the one before.
-  const double cell = kinds_.monodisperse() ? 2 * kinds_.largest_grain() : kinds_.smallest_sphere();
-  search_in_order(spatial_order(grains_.position, cell, pool_));
+  search_in_order(order_in_space());
 }
 
 void Simulation::search_in_order(std::vector<std::uint32_t> order) {
-  const std::size_t awake = sleeping_ ? sleeping_->reorder(order, grains_.size()) : order.size();
+  const auto histories = remember_contacts(order);
+  search_again(order, histories);
+}
+
+/// `order`: of the grains in space, which is changed so that awake grains come first.
+Simulation::ContactHistories Simulation::remember_contacts(std::vector<std::uint32_t>& order) {
+  awake_in_order_ = sleeping_ ? sleeping_->reorder(order, grains_.size()) : order.size();
   std::vector<std::uint32_t> owners;
   for (const auto& image : spheres_.images) owners.push_back(image.owner);
   const PairNaming naming{spheres_.spheres_per_grain, spheres_.grains, &owners, &list_.body_first()};
   std::vector<std::uint32_t> new_place(grains_.size(), kGone);
   for (std::uint32_t k = 0; k < order.size(); ++k) new_place[order[k]] = k;
-  const std::size_t spheres = order.size() * kinds_.spheres();
+  const std::size_t spheres = order.size() * types_.spheres();
   const auto signs = grain_loop_->history_signs();
-  const auto history = remember_grain_contacts(list_.blocks(), naming, new_place, signs, spheres, pool_);
-  const auto wall_history = remember_wall_contacts(list_.blocks(), naming, new_place,
-                                                   list_.settings().wall_history, spheres, pool_);
+  return {remember_grain_contacts(list_.blocks(), naming, new_place, signs, spheres, pool_),
+          remember_wall_contacts(list_.blocks(), naming, new_place, list_.settings().wall_history, spheres,
+                                 pool_)};
+}
 
+void Simulation::search_again(const std::vector<std::uint32_t>& order, const ContactHistories& histories) {
   grains_.reorder(order);
   spheres_.reorder_motion(order);
-  remember_reference(awake);
-  search(history, wall_history);
+  remember_reference(awake_in_order_);
+  search(histories.grains, histories.walls);
   spheres_.stand_at(grains_.position, grains_.orientation);
   if (sleeping_) compute_resting();
 }
 
 void Simulation::remember_reference(std::size_t awake) {
   reference_.position = grains_.position;
-  if (kinds_.clumps()) reference_.orientation = grains_.orientation;
+  if (types_.clumps()) reference_.orientation = grains_.orientation;
   reference_.bodies = body_motion_;
   reference_.time = time_;
   reference_.step = step_;
@@ -130,8 +142,8 @@ void Simulation::search(const ContactHistory& history, const ContactHistory& wal
   ++searches_;
   spheres_.grains = reference_.position.size();
   find_images();
-  if (!kinds_.monodisperse()) spheres_.kind = grains_.kind;
-  if (kinds_.clumps()) {
+  if (!types_.monodisperse()) spheres_.kind = grains_.kind;
+  if (types_.clumps()) {
     spheres_.velocity.resize(spheres_.grains);
     spheres_.spin.resize(spheres_.grains);
   }
@@ -153,7 +165,7 @@ void Simulation::search(const ContactHistory& history, const ContactHistory& wal
     upper = upper.cwiseMax(centre);
   }
   spheres_.drop_places();
-  const double sphere_reach = kinds_.largest_sphere() + farthest_allowance();
+  const double sphere_reach = types_.largest_sphere() + farthest_allowance();
   for (std::size_t b = 0; b < bodies_.size(); ++b) {
     const double reach = sphere_reach + bodies_[b].sphere_radius();
     clearance_[b] = spheres_.grains == 0 || !settings_.skip_far_walls
@@ -175,7 +187,7 @@ void Simulation::find_images() {
   if (!box_.any()) return;
   // A grain on the border meets others whose centre is up to two grain radii and what both may move beyond
   // it.
-  const double margin = 2 * kinds_.largest_grain() + grain_loop_->range() + 2 * farthest_allowance();
+  const double margin = 2 * types_.largest_grain() + grain_loop_->range() + 2 * farthest_allowance();
   for (std::uint32_t k = 0; k < reference_.position.size(); ++k)
     box_.add_images(k, reference_.position[k], margin, spheres_.images);
   spheres_.images.shrink_to_fit();
@@ -237,8 +249,8 @@ void Simulation::restore(const Snapshot& snapshot) {
   overlap_ever_ = snapshot.overlap;
   grains_ = snapshot.grains;
   // Older checkpoints have more than is needed.
-  if (!kinds_.clumps()) grains_.orientation.clear();
-  if (kinds_.monodisperse()) grains_.kind.clear();
+  if (!types_.clumps()) grains_.orientation.clear();
+  if (types_.monodisperse()) grains_.kind.clear();
   reference_ = snapshot.reference;
   if (sleeping_) {
     // A run in which nobody could sleep is gone on with by one in which all are awake.

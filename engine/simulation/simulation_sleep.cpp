@@ -23,7 +23,7 @@ std::vector<Eigen::AlignedBox3d> Simulation::moving_tools() const {
     const Eigen::Vector3d middle = now.point(0.5 * (lower + upper));
     const Eigen::Vector3d half =
         now.rotation.cwiseAbs() * (0.5 * (upper - lower)) +
-        Eigen::Vector3d::Constant(bodies_[b].sphere_radius() + 2 * kinds_.largest_grain());
+        Eigen::Vector3d::Constant(bodies_[b].sphere_radius() + 2 * types_.largest_grain());
     boxes.emplace_back(middle - half, middle + half);
   }
   return boxes;
@@ -65,7 +65,7 @@ void Simulation::carry(const Block& block) {
   for (std::size_t k = block.begin; k < block.end; ++k) {
     if (!sleeping_->asleep(k)) continue;
     grains_.position[k] += carried_;
-    if (kinds_.clumps()) spheres_.set_motion(k, {plain(grains_.velocity[k]), {}});
+    if (types_.clumps()) spheres_.set_motion(k, {plain(grains_.velocity[k]), {}});
   }
 }
 
@@ -138,7 +138,7 @@ Eigen::Vector3d Simulation::force_on_resting(std::size_t b) const {
 
 /// Forces and torques on sleepers, which no step has brought up to date.
 void Simulation::weigh_sleepers() {
-  const bool clumps = kinds_.clumps();
+  const bool clumps = types_.clumps();
   const auto& blocks = list_.blocks();
   pool_.for_each(blocks.size(), [&](std::size_t b) {
     const ContactSums* contacts = nullptr;
@@ -147,7 +147,7 @@ void Simulation::weigh_sleepers() {
       if (!contacts) contacts = &gathered_copy(b);
       const std::size_t sum = k - blocks[b].begin;
       grains_.force[k] = eigen(contacts->force(sum)) + shape_of(k).mass * settings_.gravity;
-      if (!kinds_.rotates()) continue;
+      if (!types_.rotates()) continue;
       grains_.torque[k] = eigen(contacts->moment(sum));
       if (clumps) grains_.torque[k] = rotation_matrix(grains_.orientation[k]).transpose() * grains_.torque[k];
     }
@@ -186,7 +186,7 @@ bool Simulation::fall_asleep() {
 
 /// Sleepers' spheres stand still from now on, or move with their carrier; single spheres move as grains do.
 void Simulation::settle_motion_of_sleepers() {
-  if (!kinds_.clumps()) return;
+  if (!types_.clumps()) return;
   const Vector3 velocity = plain(carrier().velocity);
   for (std::size_t k = 0; k < spheres_.grains; ++k)
     if (sleeping_->asleep(k)) spheres_.set_motion(k, {velocity, {}});

@@ -5,9 +5,9 @@ namespace diefill::engine {
 
 double Simulation::bytes_moved_per_step() const {
   const auto grains = static_cast<double>(grains_.size());
-  const bool clumps = kinds_.clumps();
+  const bool clumps = types_.clumps();
   constexpr double kVector = sizeof(Vector3), kMotion = sizeof(GrainMotion);
-  const double turning = kinds_.rotates() ? 2 * kVector : 0;  // spin and torque
+  const double turning = types_.rotates() ? 2 * kVector : 0;  // spin and torque
   const double orientation = clumps ? sizeof(Quaternion) : 0;
   // Reads position, velocity, force and the reference, writes positions and motion.
   const double advance = grains * (5 * kVector + turning + 3 * orientation + kMotion);
@@ -21,6 +21,13 @@ double Simulation::bytes_moved_per_step() const {
   contacts += static_cast<double>(touching_) * 2 *
               static_cast<double>(list_.settings().grain_history_sign.size()) * sizeof(double);
   return advance + finish + contacts;
+}
+
+std::size_t Simulation::sphere_count() const {
+  if (types_.equal_counts()) return grains_.size() * types_.spheres();
+  std::size_t count = 0;
+  for (std::size_t k = 0; k < grains_.size(); ++k) count += shape_of(k).spheres();
+  return count;
 }
 
 }  // namespace diefill::engine

@@ -45,21 +45,26 @@ SleepSettings riding_on(std::size_t carrier) {
   return settings;
 }
 
-Sleeping::Sleeping(const SleepSettings& settings, KindTable kinds, const Eigen::Vector3d& gravity,
+Sleeping::Sleeping(const SleepSettings& settings, ParticleTypes kinds, const Eigen::Vector3d& gravity,
                    double time_step)
-    : kinds_(std::move(kinds)) {
+    : types_(std::move(kinds)) {
   if (!(settings.energy > 0 && settings.time > 0 && settings.force > 0 && settings.speed > 0 &&
         settings.acceleration > 0 && settings.stray >= 0))
     throw std::invalid_argument("limits of sleeping grains must be positive");
-  for (std::size_t k = 0; k < kinds_.size(); ++k) {
-    const GrainShape& shape = kinds_.shape(static_cast<KindNumber>(k));
+  set_gravity(settings, gravity);
+  const double looks = std::ceil(settings.time / (time_step * static_cast<double>(kStepsPerLook)));
+  looks_needed_ = static_cast<std::uint32_t>(std::clamp(looks, 1.0, 1e9));
+}
+
+void Sleeping::set_gravity(const SleepSettings& settings, const Eigen::Vector3d& gravity) {
+  limits_.clear();
+  for (std::size_t k = 0; k < types_.size(); ++k) {
+    const GrainShape& shape = types_.shape(static_cast<TypeNumber>(k));
     const double weight = shape.mass * gravity.norm();
     const double slow_energy = settings.energy * weight * 2 * shape.bounding_radius();
     limits_.push_back({slow_energy, slow_energy * settings.speed * settings.speed, settings.force * weight,
                        settings.stray * 2 * shape.bounding_radius()});
   }
-  const double looks = std::ceil(settings.time / (time_step * static_cast<double>(kStepsPerLook)));
-  looks_needed_ = static_cast<std::uint32_t>(std::clamp(looks, 1.0, 1e9));
 }
 
 std::size_t Sleeping::sleepers() const {
@@ -102,7 +107,7 @@ void Sleeping::count_step(const NeighbourList& list) {
 }
 
 double Sleeping::kinetic_energy(const Grains& grains, std::size_t k, const Eigen::Vector3d& carried) const {
-  const GrainShape& shape = kinds_.shape(grains.kind_of(k));
+  const GrainShape& shape = types_.shape(grains.type_of(k));
   double energy = 0.5 * shape.mass * (grains.velocity[k] - carried).squaredNorm();
   if (shape.rotates) energy += 0.5 * shape.inertia.dot(grains.spin[k].cwiseAbs2());
   return energy;
@@ -110,7 +115,7 @@ double Sleeping::kinetic_energy(const Grains& grains, std::size_t k, const Eigen
 
 /// Whether awake grain k is slow, and has got nowhere since it began to be.
 void Sleeping::watch(const Grains& grains, std::size_t k, const BodyMotion& carrier) {
-  const Limits& limits = limits_[grains.kind_of(k)];
+  const Limits& limits = limits_[grains.type_of(k)];
   bool slow = kinetic_energy(grains, k, carrier.velocity) < limits.slow_energy;
   if (slow && limits.stray > 0) {
     const Eigen::Vector3d place = grains.position[k] - carrier.translation;
@@ -136,13 +141,13 @@ std::vector<std::uint32_t> Sleeping::disturbed(const Grains& grains, const Eigen
   std::vector<std::uint8_t> wakes(grains.size(), 0);
   for (std::size_t k = 0; k < grains.size(); ++k)
     wakes[k] =
-        asleep(k) && (grains.force[k] - state_.force[k]).norm() > limits_[grains.kind_of(k)].waking_force;
+        asleep(k) && (grains.force[k] - state_.force[k]).norm() > limits_[grains.type_of(k)].waking_force;
   for (std::size_t b = 0; b < list.blocks().size(); ++b) {
     if (rests(b)) continue;
     visit_touching(list.blocks()[b], spheres, [&](std::size_t i, std::size_t j) {
       if (asleep(i) == asleep(j)) return;
       const std::size_t sleeper = asleep(i) ? i : j, other = asleep(i) ? j : i;
-      if (kinetic_energy(grains, other, carried) > limits_[grains.kind_of(other)].waking_energy)
+      if (kinetic_energy(grains, other, carried) > limits_[grains.type_of(other)].waking_energy)
         wakes[sleeper] = 1;
     });
   }
@@ -196,7 +201,7 @@ std::vector<std::uint32_t> Sleeping::tired(const Grains& grains,
                                            const NeighbourList& list, const SphereField& spheres) const {
   const std::size_t asleep_now = sleepers(), awake = grains.size() - asleep_now;
   const std::size_t fewest =
-      std::max<std::size_t>(1, std::min(awake / kFewestShare, kFewestSpheres / kinds_.spheres()));
+      std::max<std::size_t>(1, std::min(awake / kFewestShare, kFewestSpheres / types_.spheres()));
   const auto slow = calm(grains, moving);
   if (static_cast<std::size_t>(std::count(slow.begin(), slow.end(), 1)) < asleep_now + fewest) return {};
   auto candidates = slow;

@@ -59,7 +59,11 @@ class Sleeping {
   static constexpr std::uint64_t kStepsPerLook = 10;
 
   /// Throws std::invalid_argument for limits that are not positive. `gravity` in m/s^2, `time_step` in s.
-  Sleeping(const SleepSettings& settings, KindTable kinds, const Eigen::Vector3d& gravity, double time_step);
+  Sleeping(const SleepSettings& settings, ParticleTypes kinds, const Eigen::Vector3d& gravity,
+           double time_step);
+
+  /// Limits follow the weight of the grains.
+  void set_gravity(const SleepSettings& settings, const Eigen::Vector3d& gravity);
 
   const SleepState& state() const { return state_; }
   void restore(const SleepState& state) { state_ = state; }
@@ -121,7 +125,7 @@ class Sleeping {
     double waking_force;                ///< N
     double stray;                       ///< m; 0: none
   };
-  KindTable kinds_;
+  ParticleTypes types_;
   std::vector<Limits> limits_;  ///< one a kind
   std::uint32_t looks_needed_;
   SleepState state_;

@@ -15,7 +15,7 @@ std::uint64_t state_hash(std::uint64_t step, const Grains& grains) {
   hash.add(&step, sizeof step);
   for (const std::size_t k : order) {
     hash.add(&grains.id[k], sizeof grains.id[k]);
-    const std::uint16_t kind = grains.kind_of(k);
+    const std::uint16_t kind = grains.type_of(k);
     if (kind != 0) hash.add(&kind, sizeof kind);
     hash.add(grains.position[k].data(), 3 * sizeof(double));
     const Quaternion orientation = grains.orientation_of(k);

@@ -7,11 +7,10 @@
 #include <cstdint>
 #include <functional>
 #include <limits>
-#include <optional>
 #include <string>
 #include <vector>
 
-#include "engine/laws/contact_parameters.h"
+#include "engine/powder/materials.h"
 #include "engine/walls/triangle_cells.h"
 
 namespace diefill::engine {
@@ -48,8 +47,9 @@ struct WallBodySpec {
   std::vector<WallTriangle> triangles;
   /// m, of the wall in the R_eff of triangles; infinite: flat, R_eff is the grain sphere's radius.
   double contact_radius = std::numeric_limits<double>::infinity();
-  std::optional<ContactParameters> contact;  ///< with powder; nothing: SimulationSettings::wall_contact
-  std::string material;                      ///< of the tool, where powders of several kinds need its laws
+  std::string material = kWallMaterial;  ///< of the surface, as ContactLaws names it
+  /// Planes of symmetry: grains meet their own mirror image there. Friction has nothing to act on.
+  bool mirror = false;
   /// Motion at time t (s); empty: the body stands still where its frame is the laboratory's.
   std::function<BodyMotion(double)> motion;
 };
@@ -70,8 +70,8 @@ class WallBody {
     if (meshed()) return spec_.contact_radius;
     return flat() ? std::numeric_limits<double>::infinity() : spec_.sphere_radius;
   }
-  const std::optional<ContactParameters>& contact() const { return spec_.contact; }
   const std::string& material() const { return spec_.material; }
+  bool mirror() const { return spec_.mirror; }
   bool flat() const { return !spec_.planes.empty(); }
   bool meshed() const { return !spec_.triangles.empty(); }
   const std::vector<WallPlane>& planes() const { return spec_.planes; }

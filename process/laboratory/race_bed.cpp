@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "engine/laws/bierwisch_law.h"
 #include "process/results/result_file.h"
 
 namespace diefill::process::laboratory {
@@ -67,10 +68,11 @@ RaceBedState empty_race_bed(RaceBed kind, double width) {
   const double radius = kind == RaceBed::spheres ? kSphereRadius : kClumpRadius;
   RaceBedState bed;
   auto& settings = bed.settings;
-  settings.shape = kind == RaceBed::spheres ? engine::model_b(radius, mass_of_sphere(radius))
-                                            : engine::model_d(radius, 7 * mass_of_sphere(radius));
-  settings.grain_contact = {.damping = 1e6 * radius, .tangential = 1e6 * radius, .friction = 0.5};
-  settings.wall_contact = settings.grain_contact;
+  settings.types = {{kind == RaceBed::spheres ? engine::model_b(radius, mass_of_sphere(radius))
+                                              : engine::model_d(radius, 7 * mass_of_sphere(radius))}};
+  const auto law =
+      engine::laws::bierwisch_law({.damping = 1e6 * radius, .tangential = 1e6 * radius, .friction = 0.5});
+  settings.contact = engine::one_powder(law, law);
   settings.time_step = 2e-6;
   settings.period = {width, width};
   engine::WallBodySpec floor;

@@ -138,7 +138,7 @@ void ground_figures(BedFigures& figures) {
 
 void fraction_figures(const BedSpec& spec, const engine::Simulation& simulation,
                       const std::vector<engine::WallBodySpec>& walls, BedFigures& figures) {
-  const auto powder = powder_state(simulation, simulation.settings().shape, spec.powder.grain_diameter);
+  const auto powder = powder_state(simulation, simulation.settings().shape(), spec.powder.grain_diameter);
   std::vector<results::ToolState> tools;
   for (const auto& wall : walls) tools.push_back(wall_state(wall));
   const auto fraction = measure_solid_fraction(powder, tools, {});
@@ -164,7 +164,7 @@ BedFigures settle_bed(const BedSpec& spec) {
   const double d = spec.powder.grain_diameter;
   const double poured = pour_height(scene, engine_settings(scene, 1.0));
   auto settings = engine_settings(scene, expected_impact_speed(scene, poured));
-  const auto& shape = settings.shape;
+  const auto& shape = settings.shape();
   settings.threads = spec.threads;
   std::vector<engine::WallBodySpec> walls = {ground(spec, 2 * d)};
   if (spec.side_walls) walls.push_back(side_walls(spec, poured + d, 2 * d));

@@ -3,12 +3,15 @@
 
 #include <Eigen/Core>
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 
 #include "geometry/mesh/mesh_repair.h"
 
 namespace diefill::process {
+
+struct PairLawSpec;
 
 /// What a tool's surface is to the powder: covered with wall spheres, or the CAD mesh itself, the yardstick
 /// for them.
@@ -34,7 +37,9 @@ struct ToolSpec {
   std::optional<WallKind> walls;                     ///< override of WallSpec::kind
   std::optional<double> sphere_radius, spacing;      ///< overrides of WallSpec
   std::optional<double> friction, work_of_adhesion;  ///< the same
-  int line = 0;                                      ///< in the scene file, for messages
+  /// Law of its contact with the powder, where it differs from that of [contact.walls].
+  std::shared_ptr<const PairLawSpec> contact;
+  int line = 0;  ///< in the scene file, for messages
 };
 
 }  // namespace diefill::process

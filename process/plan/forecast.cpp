@@ -59,8 +59,8 @@ Forecast forecast(const Scene& scene, const Tooling& tooling, const RestTimes& r
   forecast.fill_height = scene.pour.fill_height;
   forecast.time_step = settings.time_step;
   forecast.critical_step = critical_time_step(settings, impact);
-  forecast.grains = grains_to_pour(scene, settings.shape);
-  forecast.spheres = forecast.grains * settings.shape.spheres();
+  forecast.grains = grains_to_pour(scene, mean_grain(scene));
+  forecast.spheres = forecast.grains * settings.shape().spheres();
   forecast.wall_spheres = tooling.wall_spheres();
   double largest_share = 1;
   for (const Phase& phase : timeline(scene, tooling, rest)) {

@@ -66,7 +66,7 @@ Needs needs_of(const Scene& scene, const Tooling& tooling) {
   needs.time_step = settings.time_step;
   needs.critical_step = critical_time_step(settings, needs.impact_speed);
   needs.wedged_step = wedged_time_step(scene, settings);
-  needs.weight_pressure = weight_pressure(scene, tooling, settings.shape);
+  needs.weight_pressure = weight_pressure(scene, tooling, mean_grain(scene));
   needs.piston_pressure = piston_pressure(scene, tooling);
   needs.modulus = scene.powder.reduced_modulus;
   needs.least_modulus = kModulusOverPressure * (needs.weight_pressure + needs.piston_pressure);

@@ -145,7 +145,7 @@ class PilotRun {
  private:
   void run_until_stopped(FillRun& run) {
     books_.begin(run);
-    pilot_.spheres = run.simulation().grains().size() * run.simulation().settings().shape.spheres();
+    pilot_.spheres = run.simulation().grains().size() * run.simulation().types().spheres();
     try {
       run.run();
       pilot_.stopped = run.why_unfinished();

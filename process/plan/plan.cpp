@@ -73,7 +73,6 @@ Plan make_plan(const Scene& scene, const PlanOptions& options) {
 
 void add_choices(Plan& plan) {
   plan.choices.push_back(choice_of("as the scene has it", plan.scene, plan.tooling, plan.pilot));
-  if (!plan.scene.powder.sizes.empty()) return;  // settings choose one size for all grains
   for (const Setting setting : {Setting::quick, Setting::working, Setting::reference})
     plan.choices.push_back(choice_with(description(setting),
                                        numbers_of(setting, plan.scene, plan.tooling.all_cavities()),
@@ -82,7 +81,6 @@ void add_choices(Plan& plan) {
 
 std::optional<Choice> finest_within(const Plan& plan, double minutes) {
   if (!plan.pilot) return std::nullopt;
-  refuse_sizes(plan.scene, "a choice of the grain size for a given time");
   SettingNumbers numbers = numbers_of(Setting::working, plan.scene, plan.tooling.all_cavities());
   const auto with = [&](double diameter) {
     numbers.grain_diameter = diameter;

@@ -36,16 +36,21 @@ struct Bound {
   std::string reason;
 };
 
+/// Size of the largest grain over that of mean mass, which settings choose.
+double largest_over_mean(const Scene& scene) {
+  return largest_grain(scene.powder) / scene.powder.grain_diameter;
+}
+
 /// Grains must fit between periods and into the pour box (process/scene/plausibility).
 void bound_by_box(const Scene& scene, std::vector<Bound>& bounds) {
-  constexpr double kGrainsAcross = 4;
+  const double grains_across = 4 * largest_over_mean(scene);
   for (std::size_t axis = 0; axis < 2; ++axis) {
     if (const auto period = scene.numerics.period[axis])
-      bounds.push_back({*period / kGrainsAcross, line("a quarter of the period of %.4g mm", 1e3 * *period)});
+      bounds.push_back({*period / grains_across, line("a quarter of the period of %.4g mm", 1e3 * *period)});
     const auto i = static_cast<Eigen::Index>(axis);
     const double width = scene.pour.upper[i] - scene.pour.lower[i];
     bounds.push_back(
-        {width / kGrainsAcross, line("a quarter of the pour box width of %.4g mm", 1e3 * width)});
+        {width / grains_across, line("a quarter of the pour box width of %.4g mm", 1e3 * width)});
   }
 }
 
@@ -113,12 +118,10 @@ double printed_over_exact(const PowderSpec& powder) {
   return nominal_grain_diameter(powder.model) / calibrated_diameter(powder);
 }
 
-/// Lays `value` over [table] key of the document, and says what stood there.
+/// Lays `value` over `key` of a table, and says what stood there.
 template <class Value>
-void replace(toml::table& document, const std::string& table, const std::string& key, const Value& value,
-             std::vector<std::string>& said) {
-  if (!document.contains(table)) document.insert(table, toml::table{});
-  toml::table& into = *document[table].as_table();
+void replace_in(toml::table& into, const std::string& table, const std::string& key, const Value& value,
+                std::vector<std::string>& said) {
   const auto show = [&] { return shown_value(*into.get(key)); };
   const std::string before = into.contains(key) ? show() : "";
   into.insert_or_assign(key, value);
@@ -126,16 +129,18 @@ void replace(toml::table& document, const std::string& table, const std::string&
     said.push_back(table + "." + key + " = " + show() + (before.empty() ? "" : ", replacing " + before));
 }
 
+/// The same for [table] of the document, which is added where it is missing.
+template <class Value>
+void replace(toml::table& document, const std::string& table, const std::string& key, const Value& value,
+             std::vector<std::string>& said) {
+  if (!document.contains(table)) document.insert(table, toml::table{});
+  replace_in(*document[table].as_table(), table, key, value, said);
+}
+
 }  // namespace
 
 double calibrated_diameter(const PowderSpec& powder) {
   return powder.grain_diameter / coarse_graining_factor(powder);
-}
-
-void refuse_sizes(const Scene& scene, const std::string& what) {
-  if (scene.powder.sizes.empty()) return;
-  throw SceneError(scene.file.string() + ": [powder.sizes]: found " + scene.powder.sizes_text + ", but " +
-                   what + " uses one size for all grains; remove one of the two");
 }
 
 SettingNumbers numbers_of(Setting setting, const Scene& scene, const geometry::Cavity& cavity) {
@@ -162,7 +167,11 @@ Scene with_numbers(const Scene& scene, const SettingNumbers& numbers, const std:
   std::vector<std::string> said = {origin};
   document.erase("setting");
   const double millimetres = rounded_down(1e3 * numbers.grain_diameter * printed_over_exact(scene.powder));
-  replace(document, "powder", "grain_diameter", line("%.4g mm", millimetres), said);
+  toml::table* sizes = document["powder"]["sizes"].as_table();
+  if (sizes)
+    replace_in(*sizes, "powder.sizes", "mean_size", line("%.4g mm", millimetres), said);
+  else
+    replace(document, "powder", "grain_diameter", line("%.4g mm", millimetres), said);
   if (document.contains("numerics"))
     for (const char* key : {"time_step", "time_step_fraction"}) document["numerics"].as_table()->erase(key);
   if (numbers.time_step)
@@ -179,7 +188,6 @@ Scene with_numbers(const Scene& scene, const SettingNumbers& numbers, const std:
 Scene settled_scene(const Scene& scene, const std::optional<Setting>& wanted) {
   const auto setting = wanted ? wanted : setting_of(scene);
   if (!setting) return scene;
-  refuse_sizes(scene, "setting \"" + description(*setting) + "\"");
   const auto tooling = read_tooling(scene);
   return with_numbers(scene, numbers_of(*setting, scene, tooling.all_cavities()),
                       "setting " + description(*setting));

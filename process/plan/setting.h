@@ -32,10 +32,6 @@ struct SettingNumbers {
 /// m, grain size of the powder before coarse graining.
 double calibrated_diameter(const PowderSpec& powder);
 
-/// Throws SceneError where the scene has grains of several sizes, for which there is no `what` that chooses
-/// one.
-void refuse_sizes(const Scene& scene, const std::string& what);
-
 /// The setting's numbers for a scene with this cavity.
 SettingNumbers numbers_of(Setting setting, const Scene& scene, const geometry::Cavity& cavity);
 

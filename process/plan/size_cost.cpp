@@ -56,7 +56,7 @@ std::vector<engine::NewGrain> side_by_side(const engine::Simulation& bed, int co
         if (!grains.orientation.empty())
           grain.orientation = grains.orientation[k];  // single spheres have none
         grain.angular_velocity = bed.angular_velocity(k);
-        grain.kind = grains.kind_of(k);
+        grain.kind = grains.type_of(k);
       }
   return all;
 }

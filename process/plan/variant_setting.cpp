@@ -9,7 +9,6 @@ namespace diefill::process::plan {
 namespace {
 
 SettingNumbers own_numbers(const Scene& scene, Setting setting) {
-  refuse_sizes(scene, "setting \"" + description(setting) + "\"");
   return numbers_of(setting, scene, read_tooling(scene).all_cavities());
 }
 

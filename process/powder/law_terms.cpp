@@ -30,7 +30,7 @@ bool any_tool(const Scene& scene, double (*coefficient)(const Scene&, const Tool
 }  // namespace
 
 LawTerms law_terms(const Scene& scene, const engine::SimulationSettings& settings) {
-  const auto& grains = settings.grain_contact;
+  const PowderSpec& powder = scene.powder;
   LawTerms terms;
   const auto& contact = scene.contact;
   if (contact)
@@ -41,14 +41,14 @@ LawTerms law_terms(const Scene& scene, const engine::SimulationSettings& setting
   };
   if (!contact) {
     term("Hertz repulsion", true);
-    term("damping", grains.damping > 0);
-    term("Coulomb friction among grains", grains.friction > 0);
+    term("damping", powder.damping_over_radius > 0);
+    term("Coulomb friction among grains", powder.friction > 0);
     term("Coulomb friction with tools", any_tool(scene, friction_of));
-    term("cohesion among grains", grains.work_of_adhesion > 0);
+    term("cohesion among grains", powder.work_of_adhesion > 0);
     term("cohesion with tools", any_tool(scene, adhesion_of));
-    term("rolling friction", scene.powder.model == GrainModel::B && grains.rolling_friction > 0);
+    term("rolling friction", powder.model == GrainModel::B && powder.rolling_friction > 0);
   }
-  term("rotation of grains", settings.shape.rotates);
+  term("rotation of grains", settings.shape().rotates);
   term("air drag", settings.air_viscosity > 0);
   term("suction of air", scene.suction.has_value());
   return terms;

@@ -2,9 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
-
-#include "process/powder/tool_surface.h"
 
 namespace diefill::process {
 
@@ -18,67 +15,73 @@ laws::LawParameters at_radius(laws::LawParameters law, double factor) {
     damping->damping *= factor;
   if (auto* friction = std::get_if<laws::CundallFriction::Parameters>(&law.friction.choice))
     friction->tangential *= factor;
+  if (auto* rolling = std::get_if<laws::OwnSpinRolling::Parameters>(&law.rolling.choice))
+    rolling->arm *= factor;
   return law;
 }
 
-laws::LawParameters own_law(const engine::ContactParameters& contact, engine::SpringLimit limit) {
-  laws::LawParameters law;
-  law.normal = laws::BierwischNormal::Parameters{contact.reduced_modulus, contact.work_of_adhesion};
-  law.damping = laws::BierwischDamping::Parameters{contact.damping};
-  law.friction = laws::CundallFriction::Parameters{contact.tangential, contact.friction,
-                                                   limit == engine::SpringLimit::cut_back};
-  return law;
+std::string material_of_size(const Scene& scene, std::size_t k) {
+  return scene.powder.sizes.empty() ? engine::kPowderMaterial : "grains of size " + std::to_string(k + 1);
 }
 
-std::string grain_material(std::size_t kind) {
-  return "grains of kind " + std::to_string(kind);
-}
-
-/// The law of grains of mean size with each material that tools have.
-std::map<std::string, laws::LawParameters> laws_with_tools(const Scene& scene,
-                                                           const laws::LawParameters& walls) {
-  std::map<std::string, laws::LawParameters> laws = {{kWallMaterial, walls}};
-  for (const ToolSpec& tool : scene.tools)
-    if (has_own_surface(tool)) laws.emplace(material_of(tool), contact_with(scene, tool, walls));
-  return laws;
+/// Sizes of the types over that of the grain of mean mass.
+std::vector<double> size_factors(const Scene& scene) {
+  if (scene.powder.sizes.empty()) return {1.0};
+  std::vector<double> factors;
+  for (const auto& size : scene.powder.sizes) factors.push_back(size.diameter / scene.powder.grain_diameter);
+  return factors;
 }
 
 }  // namespace
 
-engine::GeneralContact own_law(const engine::SimulationSettings& settings) {
-  return {own_law(settings.grain_contact, settings.spring_limit),
-          own_law(settings.wall_contact, settings.spring_limit),
-          {}};
+engine::GrainShape mean_grain(const Scene& scene) {
+  const auto material = coarse_material(scene);
+  switch (scene.powder.model) {
+    case GrainModel::A:
+      return engine::model_a(material.sphere_radius, material.grain_mass);
+    case GrainModel::B:
+      return engine::model_b(material.sphere_radius, material.grain_mass);
+    case GrainModel::C:
+      return engine::model_c(material.sphere_radius, material.grain_mass);
+    case GrainModel::D:
+      break;
+  }
+  return engine::model_d(material.sphere_radius, material.grain_mass);
 }
 
 engine::GrainShape enlarged(const engine::GrainShape& shape, double factor) {
+  if (factor == 1) return shape;
   engine::GrainShape large = shape;
   const double volume = factor * factor * factor;
   large.sphere_radius *= factor;
   for (auto& offset : large.sphere_offsets) offset *= factor;
+  for (double& radius : large.sphere_radii) radius *= factor;
   large.mass *= volume;
   large.inertia *= volume * factor * factor;
   large.solid_volume *= volume;
   return large;
 }
 
-engine::GrainMix grain_mix(const Scene& scene, const engine::GrainShape& mean,
-                           const engine::GeneralContact& contact) {
-  engine::GrainMix mix;
-  mix.scaling = contact.scaling;
-  std::vector<double> factors;
-  for (const auto& size : scene.powder.sizes) {
-    factors.push_back(size.diameter / scene.powder.grain_diameter);
-    mix.kinds.push_back({enlarged(mean, factors.back()), grain_material(mix.kinds.size())});
-  }
+std::vector<engine::ParticleType> particle_types(const Scene& scene) {
+  const engine::GrainShape mean = mean_grain(scene);
+  std::vector<engine::ParticleType> types;
+  for (const double factor : size_factors(scene))
+    types.push_back({enlarged(mean, factor), material_of_size(scene, types.size())});
+  return types;
+}
+
+engine::ContactLaws contact_laws(const Scene& scene, const SceneLaws& of_mean_grain) {
+  const auto factors = size_factors(scene);
+  engine::ContactLaws contact{{}, of_mean_grain.scaling};
   for (std::size_t i = 0; i < factors.size(); ++i) {
+    const std::string material = material_of_size(scene, i);
     for (std::size_t j = i; j < factors.size(); ++j)
-      mix.laws.push_back({grain_material(i), grain_material(j),
-                          at_radius(contact.grains, std::min(factors[i], factors[j]))});
-    for (const auto& [material, law] : laws_with_tools(scene, contact.walls))
-      mix.laws.push_back({grain_material(i), material, at_radius(law, factors[i])});
+      contact.pairs.push_back({material, material_of_size(scene, j),
+                               at_radius(of_mean_grain.grains, std::min(factors[i], factors[j]))});
+    for (const auto& [surface, law] : of_mean_grain.surfaces)
+      contact.pairs.push_back({material, surface, at_radius(law, factors[i])});
   }
-  return mix;
+  return contact;
 }
 
 }  // namespace diefill::process

@@ -1,8 +1,8 @@
 #include "process/powder/tool_surface.h"
 
-namespace diefill::process {
+#include "engine/powder/materials.h"
 
-namespace laws = engine::laws;
+namespace diefill::process {
 
 double friction_of(const Scene& scene, const ToolSpec& tool) {
   return tool.friction.value_or(scene.walls.friction);
@@ -13,25 +13,11 @@ double adhesion_of(const Scene& scene, const ToolSpec& tool) {
 }
 
 bool has_own_surface(const ToolSpec& tool) {
-  return tool.friction || tool.work_of_adhesion;
-}
-
-engine::ContactParameters contact_with(const Scene& scene, const ToolSpec& tool,
-                                       engine::ContactParameters walls) {
-  walls.friction = friction_of(scene, tool);
-  walls.work_of_adhesion = adhesion_of(scene, tool);
-  return walls;
-}
-
-laws::LawParameters contact_with(const Scene& scene, const ToolSpec& tool, laws::LawParameters walls) {
-  std::get<laws::BierwischNormal::Parameters>(walls.normal.choice).work_of_adhesion =
-      adhesion_of(scene, tool);
-  std::get<laws::CundallFriction::Parameters>(walls.friction.choice).friction = friction_of(scene, tool);
-  return walls;
+  return tool.friction || tool.work_of_adhesion || tool.contact;
 }
 
 std::string material_of(const ToolSpec& tool) {
-  return has_own_surface(tool) ? "tool " + tool.name : kWallMaterial;
+  return has_own_surface(tool) ? "tool " + tool.name : engine::kWallMaterial;
 }
 
 }  // namespace diefill::process

@@ -137,7 +137,7 @@ void add_figures(const Scene& scene, results::FillResult& result, const Tooling&
   figures["finished"] = run.schedule().finished() ? 1 : 0;
   figures["filled_mass_kg"] = filled_mass(result.powder, result.solid_fraction);
   figures["grains"] = grains;
-  figures["spheres"] = grains * static_cast<double>(settings.shape.spheres());
+  figures["spheres"] = grains * static_cast<double>(settings.shape().spheres());
   figures["wall_spheres"] = static_cast<double>(tooling.wall_spheres());
   figures["steps"] = static_cast<double>(simulation.steps());
   figures["time_step_s"] = settings.time_step;
@@ -152,11 +152,11 @@ void add_figures(const Scene& scene, results::FillResult& result, const Tooling&
   figures["threads"] = settings.threads;
   figures["energy_balance_error"] = simulation.energy_balance_error();
   const engine::DeepestOverlap& deepest = simulation.overlaps_of_run();
-  const bool monodisperse = simulation.kinds().monodisperse();
+  const bool monodisperse = simulation.types().monodisperse();
   figures["deepest_overlap_ratio"] =
-      monodisperse ? deepest.grains / settings.shape.sphere_radius : deepest.grains_over_radius;
+      monodisperse ? deepest.grains / settings.shape().sphere_radius : deepest.grains_over_radius;
   figures["deepest_wall_overlap_ratio"] =
-      monodisperse ? deepest.walls / settings.shape.sphere_radius : deepest.walls_over_radius;
+      monodisperse ? deepest.walls / settings.shape().sphere_radius : deepest.walls_over_radius;
   const double left = copies(tooling) * static_cast<double>(run.grains_left());
   figures["grains_left"] = left;
   figures["grains_sheared"] = copies(tooling) * static_cast<double>(run.grains_sheared());

@@ -61,7 +61,7 @@ FillRun::FillRun(const Scene& scene, const Tooling& tooling, const RunOptions& o
   settings.air_flow = air_flow_of(scene, tooling, settings);
   if (auto carried = co_moving_powder(scene, tooling)) settings.sleep = std::move(carried);
   critical_step_ = process::critical_time_step(settings, impact);
-  simulation_ = std::make_unique<engine::Simulation>(settings, wall_bodies(scene, tooling, settings));
+  simulation_ = std::make_unique<engine::Simulation>(settings, wall_bodies(scene, tooling));
 
   domain_ = powder_domain(scene, tooling, schedule_);
   const double largest = largest_grain(scene.powder);
@@ -85,7 +85,7 @@ void FillRun::run() {
   ForcedToolWatch forced_tools(scene_, tooling_);
   while (!schedule_.finished() && !out_of_time()) {
     simulation_->step();
-    sphere_steps_ += simulation_->grains().size() * simulation_->settings().shape.spheres();
+    sphere_steps_ += simulation_->grains().size() * simulation_->types().spheres();
     schedule_.observe(*simulation_);
     probes_.observe(*simulation_);
     if (simulation_->steps() % kForcedEvery == 0) forced_tools.look(*simulation_);
@@ -141,9 +141,9 @@ void FillRun::remove_grains(const std::function<bool(const Eigen::Vector3d&)>& l
   const engine::Grains& grains = simulation_->grains();
   std::size_t k = 0;
   simulation_->remove_grains([&](const Eigen::Vector3d& position) {
-    const engine::KindNumber kind = grains.kind_of(k++);
+    const engine::TypeNumber kind = grains.type_of(k++);
     const bool gone = leaves(position);
-    if (gone) probes_.count_removed(position, simulation_->kinds().shape(kind).mass, 1);
+    if (gone) probes_.count_removed(position, simulation_->types().shape(kind).mass, 1);
     if (gone) left_.add(kind);
     return gone;
   });
@@ -185,7 +185,7 @@ void FillRun::shear_off_pinched_grains() {
   for (const auto& grain : engine::pinched_grains(*simulation_, kShearingOverlap)) ids.push_back(grain.id);
   if (ids.empty()) return;
   const auto poured = static_cast<double>(grains_poured());
-  for (const std::uint64_t id : ids) sheared_.add(simulation_->grains().kind_of(place_of(id)));
+  for (const std::uint64_t id : ids) sheared_.add(simulation_->grains().type_of(place_of(id)));
   simulation_->remove_grains(ids);
   const double most = scene_.numerics.most_sheared;
   if (static_cast<double>(sheared_.grains()) > std::max(kFewSheared, most * poured))
@@ -201,7 +201,7 @@ std::string FillRun::shear_warning() const {
   std::snprintf(
       text, sizeof text,
       "%llu grains (%.3g g) were wedged between tools moving past each other and were removed (sheared off)",
-      static_cast<unsigned long long>(sheared), 1e3 * copies(tooling_) * sheared_.mass(simulation_->kinds()));
+      static_cast<unsigned long long>(sheared), 1e3 * copies(tooling_) * sheared_.mass(simulation_->types()));
   return text;
 }
 
@@ -214,7 +214,7 @@ void FillRun::keep_instant() {
   results::Instant instant;
   instant.time = simulation_->time();
   instant.id = grains.id;
-  if (!simulation_->kinds().monodisperse()) instant.kind.assign(grains.kind.begin(), grains.kind.end());
+  if (!simulation_->types().monodisperse()) instant.kind.assign(grains.kind.begin(), grains.kind.end());
   instant.position = grains.position;
   instant.orientation = grains.orientations();
   instant.velocity = grains.velocity;
@@ -237,7 +237,7 @@ void FillRun::look_for_lost_grains() {
   for (const std::uint64_t id : strayed) {
     const std::size_t k = place_of(id);
     probes_.count_removed(simulation_->grains().position[k], simulation_->shape_of(k).mass, 1);
-    left_.add(simulation_->grains().kind_of(k));
+    left_.add(simulation_->grains().type_of(k));
   }
   simulation_->remove_grains(strayed);
 }

@@ -62,7 +62,7 @@ class FillRun {
   const Schedule& schedule() const { return schedule_; }
   /// Grains spilled, discharged or cleared away.
   std::uint64_t grains_left() const { return left_.grains(); }
-  double mass_left() const { return left_.mass(simulation_->kinds()); }  ///< kg
+  double mass_left() const { return left_.mass(simulation_->types()); }  ///< kg
   /// Grains wedged between tools that were taken out (NumericsSpec::pinched_grains).
   std::uint64_t grains_sheared() const { return sheared_.grains(); }
   /// Instants kept on the way (measure.snapshot_interval); tools' poses in the laboratory frame.

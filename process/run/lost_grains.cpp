@@ -69,7 +69,7 @@ std::vector<std::uint64_t> LostGrains::strayed(const engine::Simulation& simulat
       if (!tool.grid.has(voxel)) continue;
       if (!tool.blocked.empty() && !tool.blocked[tool.grid.index(voxel.x(), voxel.y(), voxel.z())]) continue;
       const double depth = -tool.solid.signed_distance(place);
-      const double diameter = grain_diameters_[grains.kind_of(k)];
+      const double diameter = grain_diameters_[grains.type_of(k)];
       if (depth <= 0.5 * diameter) continue;
       const Eigen::Vector3d velocity =
           pose.rotation.transpose() * (grains.velocity[k] - pose.velocity_at(grains.position[k]));

@@ -45,7 +45,7 @@ std::size_t PowderSource::feed(engine::Simulation& simulation, Schedule& schedul
 
 std::size_t PowderSource::owed(const PowderInflow& inflow, const StepState& state,
                                const engine::Simulation& simulation) const {
-  const engine::GrainShape& shape = simulation.settings().shape;
+  const engine::GrainShape shape = mean_grain(scene_);
   const double mass = mean_grain_mass(scene_, simulation);
   const double room = (inflow.upper - inflow.lower).cwiseMax(2 * shape.bounding_radius()).prod();
   double wanted = room / std::pow(2 * shape.bounding_radius(), 3);
@@ -58,22 +58,22 @@ std::size_t PowderSource::owed(const PowderInflow& inflow, const StepState& stat
 
 /// Of the grain of that number among those that a step lets in: multiples of the golden ratio fill the range
 /// of shares evenly.
-engine::KindNumber PowderSource::kind_of(std::size_t number) const {
+engine::TypeNumber PowderSource::type_of(std::size_t number) const {
   constexpr double kGoldenRatio = 0.6180339887498949;
   const auto& sizes = scene_.powder.sizes;
   const double place = std::fmod((static_cast<double>(number) + 0.5) * kGoldenRatio, 1.0);
   double below = 0;
   for (std::size_t k = 0; k < sizes.size(); ++k) {
     below += sizes[k].number_share;
-    if (place < below) return static_cast<engine::KindNumber>(k);
+    if (place < below) return static_cast<engine::TypeNumber>(k);
   }
-  return static_cast<engine::KindNumber>(sizes.empty() ? 0 : sizes.size() - 1);
+  return static_cast<engine::TypeNumber>(sizes.empty() ? 0 : sizes.size() - 1);
 }
 
 std::vector<engine::NewGrain> PowderSource::placed(const PowderInflow& inflow, std::size_t wanted,
                                                    std::size_t come, std::uint64_t seed,
                                                    const engine::Simulation& simulation) const {
-  const double apart = 2 * simulation.kinds().largest_grain();
+  const double apart = 2 * simulation.types().largest_grain();
   const engine::BodyMotion* body =
       inflow.with.empty() ? nullptr : &simulation.body_motion(tooling_.index_of(inflow.with));
   const Eigen::Vector3d half = 0.5 * (inflow.upper - inflow.lower), own = inflow.lower + half;
@@ -90,8 +90,8 @@ std::vector<engine::NewGrain> PowderSource::placed(const PowderInflow& inflow, s
     const Eigen::Vector3d offset(random.symmetric(), random.symmetric(), random.symmetric());
     const Eigen::Vector3d in_body = own + offset.cwiseProduct(half);
     const Eigen::Vector3d place = body != nullptr ? body->point(in_body) : in_body;
-    const engine::KindNumber kind = kind_of(come + grains.size());
-    const double radius = simulation.kinds().shape(kind).bounding_radius();
+    const engine::TypeNumber kind = type_of(come + grains.size());
+    const double radius = simulation.types().shape(kind).bounding_radius();
     const auto touches = [&](const std::pair<Eigen::Vector3d, double>& other) {
       return (other.first - place).norm() < radius + other.second;
     };

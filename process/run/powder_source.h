@@ -29,7 +29,7 @@ class PowderSource {
                    const engine::Simulation& simulation) const;
   std::vector<engine::NewGrain> placed(const PowderInflow& inflow, std::size_t wanted, std::size_t come,
                                        std::uint64_t seed, const engine::Simulation& simulation) const;
-  engine::KindNumber kind_of(std::size_t number) const;
+  engine::TypeNumber type_of(std::size_t number) const;
   bool free_of_tools(const Eigen::Vector3d& place, double radius, const engine::Simulation& simulation) const;
 
   const Scene& scene_;

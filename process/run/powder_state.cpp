@@ -9,11 +9,11 @@ namespace {
 
 /// The kinds of `simulation` and the kind of every grain, where they are not all alike.
 void add_kinds(const Scene& scene, const engine::Simulation& simulation, results::PowderState& powder) {
-  const engine::KindTable& kinds = simulation.kinds();
+  const engine::ParticleTypes& kinds = simulation.types();
   if (kinds.monodisperse()) return;
   powder.kinds.diameter = grain_diameters(scene.powder);
   for (std::size_t k = 0; k < kinds.size(); ++k) {
-    const engine::GrainShape& shape = kinds.shape(static_cast<engine::KindNumber>(k));
+    const engine::GrainShape& shape = kinds.shape(static_cast<engine::TypeNumber>(k));
     powder.kinds.sphere_radius.push_back(shape.sphere_radius);
     powder.kinds.mass.push_back(shape.mass);
     powder.kinds.solid_volume.push_back(shape.solid_volume);
@@ -46,10 +46,7 @@ results::PowderState powder_state(const engine::Simulation& simulation, const en
 }
 
 results::PowderState powder_state(const Scene& scene, const engine::Simulation& simulation) {
-  // Of the grain of mean mass where there are several kinds, which no grain need have.
-  const engine::GrainShape shape =
-      simulation.kinds().monodisperse() ? simulation.settings().shape : engine_settings(scene, 1.0).shape;
-  results::PowderState powder = powder_state(simulation, shape, scene.powder.grain_diameter);
+  results::PowderState powder = powder_state(simulation, mean_grain(scene), scene.powder.grain_diameter);
   add_kinds(scene, simulation, powder);
   return powder;
 }

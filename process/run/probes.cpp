@@ -39,9 +39,9 @@ double mass_beyond(const ProbeSpec& probe, const engine::Simulation& simulation,
   const engine::Grains& grains = simulation.grains();
   for (std::size_t k = 0; k < grains.size(); ++k)
     visit_images(tooling, grains.position[k], [&](const Eigen::Vector3d& place) {
-      if ((place - probe.origin).dot(probe.normal) > 0) beyond.add(grains.kind_of(k));
+      if ((place - probe.origin).dot(probe.normal) > 0) beyond.add(grains.type_of(k));
     });
-  return beyond.mass(simulation.kinds());
+  return beyond.mass(simulation.types());
 }
 
 /// Whole time steps between two rows.
@@ -138,7 +138,7 @@ std::vector<double> Probes::fill_level(const engine::Simulation& simulation) con
   };
   const engine::Grains& grains = simulation.grains();
   for (std::size_t k = 0; k < grains.size(); ++k) {
-    radius = 0.5 * diameters[grains.kind_of(k)];
+    radius = 0.5 * diameters[grains.type_of(k)];
     visit_images(tooling_, grains.position[k], raise);
   }
   double sum = 0, lowest = size[2], count = 0;

@@ -46,10 +46,12 @@ std::optional<engine::AirFlow> air_flow_of(const Scene& scene, const Tooling& to
   engine::AirFlow flow;
   flow.body = tooling.index_of(suction.tool);
   flow.region = {tooling.cavity.box.lower, tooling.cavity.box.upper};
-  flow.resistance = suction.viscosity / permeability(suction.particle_diameter, fraction) *
-                    settings.shape.solid_volume / fraction;
-  const double taken_along = flow.resistance * settings.time_step / settings.shape.mass;
-  if (taken_along > kMostTakenAlong) refuse_fine_particles(scene, taken_along);
+  for (const auto& type : settings.types) {
+    flow.resistance.push_back(suction.viscosity / permeability(suction.particle_diameter, fraction) *
+                              type.shape.solid_volume / fraction);
+    const double taken_along = flow.resistance.back() * settings.time_step / type.shape.mass;
+    if (taken_along > kMostTakenAlong) refuse_fine_particles(scene, taken_along);
+  }
   return flow;
 }
 

@@ -5,6 +5,7 @@
 
 #include "engine/coarse_graining/methods.h"
 #include "process/powder/law_terms.h"
+#include "process/powder/scene_laws.h"
 #include "process/powder/tool_surface.h"
 #include "process/run/assemble.h"
 #include "process/scene/contact_spec.h"
@@ -77,7 +78,8 @@ void add_named_laws(const ContactSpec& contact, results::Topic& topic) {
 }
 
 /// Bierwisch's law of the powder.
-void add_own_law(const Scene& scene, const engine::ContactParameters& contact, results::Topic& topic) {
+void add_own_law(const Scene& scene, results::Topic& topic) {
+  const auto contact = coarse_material(scene);
   state(topic, "Normal force",
         with_number("Hertz, reduced modulus %.3g MPa", 1e-6 * contact.reduced_modulus) +
             with_number(", damping %.3g Pa s (Bierwisch 2009, section 2.2)", contact.damping));
@@ -99,7 +101,7 @@ results::Topic model_topic(const Scene& scene, const engine::SimulationSettings&
   if (contact)
     add_named_laws(*contact, topic);
   else
-    add_own_law(scene, settings.grain_contact, topic);
+    add_own_law(scene, topic);
   state(topic, "Air",
         settings.air_viscosity > 0
             ? with_number("Stokes drag on every sphere, viscosity %.3g Pa s", settings.air_viscosity)

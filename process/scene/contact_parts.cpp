@@ -20,6 +20,7 @@ constexpr ContactQuantity
     kHamaker = {{Dimension::torque, "6.5e-20 J", "0 J", "1e-6 J"}, "J"},
     kGap = {{Dimension::length, "5 nm", "0 nm", "1 mm", true}, "m"},
     kPullOff = {{Dimension::force, "1e-6 N", "0 N", "1e3 N"}, "N"},
+    kArm = {{Dimension::length, "0.375 mm", "0 mm", "100 mm"}, "m"},
     kTension = {{Dimension::work_of_adhesion, "0.072 N/m", "0 N/m", "10 N/m"}, "N/m"},
     kAngle = {{Dimension::angle, "30 deg", "0 deg", "90 deg"}, "rad"};
 constexpr NumberRule kFriction = {0, 10, false, "0.5"};
@@ -198,6 +199,9 @@ const ContactParts<AnyRolling::Parameters>& rolling_parts() {
            quantity_key("tangential_stiffness", &LudingRolls::tangential_stiffness, kStiffness, Need::linked),
            number_key("stiffness_ratio", &LudingRolls::stiffness_ratio, kRatio, Need::optional),
            number_key("damping_ratio", &LudingRolls::damping_ratio, kRollingDamping, Need::optional)}),
+      rolling<OwnSpinRolling>("Bierwisch",
+                              {quantity_of_powder("rolling_friction", &OwnSpinRolling::Parameters::arm, kArm,
+                                                  &PowderSpec::rolling_friction)}),
   };
   return parts;
 }

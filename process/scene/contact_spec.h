@@ -39,4 +39,11 @@ struct ContactSpec {
 std::optional<ContactSpec> read_contact(TableReader& document, const PowderSpec& powder,
                                         const WallSpec& walls);
 
+/// The law of one tool beside [contact]: the parts that [tool.contact] names, otherwise those of
+/// [contact.walls] and [contact], with the tool's own friction and adhesion. Nothing where the tool is as
+/// [contact.walls] says. `table`: of the tool. Throws SceneError.
+std::shared_ptr<const PairLawSpec> read_tool_contact(TableReader& document, TableReader& table,
+                                                     const ToolSpec& tool, const PowderSpec& powder,
+                                                     const WallSpec& walls);
+
 }  // namespace diefill::process

@@ -28,12 +28,17 @@ struct ChosenPart {
   PartDescription description(const std::string& kind) const { return {kind, part->description(parameters)}; }
 };
 
-/// Reads `kind` from `walls` if it stands there, otherwise from `contact`, otherwise takes the first part.
+/// Tables that may name the parts of a law, the most particular one first, [contact] last.
+using ContactTables = std::vector<TableReader*>;
+
+/// Reads `kind` from the first table that names it; otherwise takes the first part.
 template <class Parameters>
-ChosenPart<Parameters> read_part(const std::string& kind, TableReader& contact, TableReader* walls,
+ChosenPart<Parameters> read_part(const std::string& kind, const ContactTables& tables,
                                  const ContactParts<Parameters>& parts, const PowderSpec& powder) {
-  TableReader& holder = walls != nullptr && walls->has(kind) ? *walls : contact;
-  const auto table = holder.table(kind);
+  TableReader& contact = *tables.back();
+  const auto holder = std::find_if(tables.begin(), tables.end() - 1,
+                                   [&](const TableReader* table) { return table->has(kind); });
+  const auto table = (*holder)->table(kind);
   if (!table) return {contact, &parts.front(), {}, false};
   Choices<const ContactPart<Parameters>*> names;
   for (const auto& part : parts) names.emplace_back(part.name, &part);
@@ -160,21 +165,22 @@ Choices<std::string> scaling_rules() {
   return rules;
 }
 
-/// `walls`: null for the law among grains.
-ChosenLaw read_law(TableReader& contact, TableReader* walls, const PowderSpec& powder) {
-  ChosenLaw law{read_part("normal", contact, walls, normal_parts(), powder),
-                read_part("damping", contact, walls, damping_parts(), powder),
-                read_part("friction", contact, walls, friction_parts(), powder),
-                read_part("rolling", contact, walls, rolling_parts(), powder),
-                read_part("attraction", contact, walls, attraction_parts(), powder),
+ChosenLaw read_law(const ContactTables& tables, const PowderSpec& powder) {
+  ChosenLaw law{read_part("normal", tables, normal_parts(), powder),
+                read_part("damping", tables, damping_parts(), powder),
+                read_part("friction", tables, friction_parts(), powder),
+                read_part("rolling", tables, rolling_parts(), powder),
+                read_part("attraction", tables, attraction_parts(), powder),
                 LoadRule::with_damping};
   if (!law.normal.parameters.damping_in_load()) law.load_rule = LoadRule::without;
-  law.load_rule = contact.choice("load_rule", load_rules()).value_or(law.load_rule);
+  law.load_rule = tables.back()->choice("load_rule", load_rules()).value_or(law.load_rule);
   link_to_spring(law);
   link_to_friction(law);
   refuse_nonsense(law);
   if (powder.model == GrainModel::A && law.rolling.part->name != "none")
     law.rolling.refuse("but grains of model A do not rotate; remove it or choose another powder.model");
+  if (law.rolling.parameters.own_spin_arm() > 0 && powder.model != GrainModel::B)
+    law.rolling.refuse("a law of single rotating spheres; choose another law or powder.model = \"B\"");
   return law;
 }
 
@@ -199,30 +205,64 @@ void refuse_idle_tables(TableReader& document, const ChosenLaw& grains, const Ch
                    grains, contact);
   if (const auto table = document.table("walls"))
     refuse_idle_keys(*table, {"friction", "work_of_adhesion"}, walls, contact);
-  for (TableReader& tool : document.tables("tool"))
-    for (const char* key : {"friction", "work_of_adhesion"})
-      if (tool.has(key))
-        tool.reject(key, "[contact] in line " + std::to_string(contact.line()) +
-                             " sets one law for all tools; remove this key or [contact]");
   auto numerics = document.table("numerics");
   if (numerics && numerics->has("tangential_spring"))
     numerics->reject("tangential_spring", "[contact] in line " + std::to_string(contact.line()) +
                                               " sets the laws; set `cut_back` in its friction instead");
 }
 
+/// The powder with the friction and adhesion of a surface, for parts that leave theirs to the powder.
+PowderSpec against(PowderSpec powder, double friction, double work_of_adhesion) {
+  powder.friction = friction;
+  powder.work_of_adhesion = work_of_adhesion;
+  return powder;
+}
+
+/// Puts a tool's own friction and adhesion into its law.
+void put_surface(TableReader& table, const ToolSpec& tool, ChosenLaw& law) {
+  if (tool.friction && !law.friction.parameters.set_friction(*tool.friction))
+    table.reject("friction", "friction law \"" + law.friction.part->name +
+                                 "\" has no coefficient; name another law in [tool.contact.friction] or "
+                                 "remove the key");
+  if (tool.work_of_adhesion && !law.normal.parameters.set_work_of_adhesion(*tool.work_of_adhesion))
+    table.reject("work_of_adhesion", "normal law \"" + law.normal.part->name +
+                                         "\" has no adhesion; name another law in [tool.contact.normal] or "
+                                         "remove the key");
+}
+
 }  // namespace
+
+std::shared_ptr<const PairLawSpec> read_tool_contact(TableReader& document, TableReader& table,
+                                                     const ToolSpec& tool, const PowderSpec& powder,
+                                                     const WallSpec& walls) {
+  auto own = table.table("contact");
+  auto contact = document.table("contact");
+  if (own && !contact)
+    table.reject("contact",
+                 "it replaces parts of [contact], which this scene does not have; add [contact], or "
+                 "set friction and work_of_adhesion of the tool");
+  if (!contact || (!own && !tool.friction && !tool.work_of_adhesion)) return nullptr;
+  auto of_walls = contact->table("walls");
+  ContactTables tables = {&*contact};
+  if (of_walls) tables.insert(tables.begin(), &*of_walls);
+  if (own) tables.insert(tables.begin(), &*own);
+  ChosenLaw law = read_law(tables, against(powder, tool.friction.value_or(walls.friction),
+                                           tool.work_of_adhesion.value_or(walls.work_of_adhesion)));
+  if (own) own->finish();
+  put_surface(table, tool, law);
+  return std::make_shared<const PairLawSpec>(law.pair());
+}
 
 std::optional<ContactSpec> read_contact(TableReader& document, const PowderSpec& powder,
                                         const WallSpec& walls) {
   auto contact = document.table("contact");
   if (!contact) return std::nullopt;
   contact->required_table("normal");
-  const ChosenLaw among_grains = read_law(*contact, nullptr, powder);
-  PowderSpec against_walls = powder;
-  against_walls.friction = walls.friction;
-  against_walls.work_of_adhesion = walls.work_of_adhesion;
+  const ChosenLaw among_grains = read_law({&*contact}, powder);
   auto table = contact->table("walls");
-  const ChosenLaw with_walls = read_law(*contact, table ? &*table : nullptr, against_walls);
+  ContactTables tables = {&*contact};
+  if (table) tables.insert(tables.begin(), &*table);
+  const ChosenLaw with_walls = read_law(tables, against(powder, walls.friction, walls.work_of_adhesion));
   if (table) table->finish();
   const auto rule = contact->choice("coarse_graining", scaling_rules());
   contact->finish();

@@ -41,8 +41,6 @@ void refuse_lopsided(TableReader& table, const Eigen::Vector3d& lower, const Eig
 
 void check_mirror(TableReader& table, Scene& scene) {
   const int axis = *scene.economy.mirror;
-  if (scene.contact)
-    table.reject("mirror", "the mirror plane does not support the laws of [contact]; remove one of the two");
   refuse_period_across(table, scene, axis);
   refuse_lopsided(table, scene.pour.lower, scene.pour.upper, axis, "the box of [pour]");
   for (const auto& step : scene.steps) {

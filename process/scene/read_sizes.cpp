@@ -137,6 +137,7 @@ void read_sizes(TableReader& powder_table, PowderSpec& powder) {
                                               " sets the grain sizes; remove one of the two");
   static const Choices<Shape> shapes = {{"classes", Shape::classes}, {"log-normal", Shape::log_normal}};
   const Shape shape = table->required_choice("distribution", shapes);
+  const auto mean_size = table->quantity("mean_size", kDiameter);
   std::vector<engine::CutClass> classes;
   try {
     classes = cut_into_classes(*table, shape);
@@ -151,26 +152,14 @@ void read_sizes(TableReader& powder_table, PowderSpec& powder) {
                       millimetres(classes.front().diameter) + "), allowed: up to " + number_text(kWidest) +
                       " times; cut the distribution off with smallest and largest");
   powder.grain_diameter = diameter_of_mean_mass(classes);
+  if (mean_size) {
+    const double factor = *mean_size / powder.grain_diameter;
+    for (auto& one : classes) one.diameter *= factor;
+    powder.grain_diameter = *mean_size;
+  }
   if (classes.size() == 1) return;  // of one size after all
   powder.sizes_text = description(*table, shape, classes);
   powder.sizes = std::move(classes);
-}
-
-void check_sizes(TableReader& document, const Scene& scene) {
-  if (scene.powder.sizes.empty()) return;
-  TableReader sizes = document.required_table("powder").required_table("sizes");
-  const auto refuse = [&](const std::string& why) {
-    sizes.reject("distribution",
-                 "but " + why + ", which does not support grains of several sizes; remove one of the two");
-  };
-  if (document.has("setting")) refuse("`setting` sets a single grain size");
-  for (const ToolSpec& tool : scene.tools)
-    if (tool.walls.value_or(scene.walls.kind) == WallKind::mesh)
-      refuse("tool \"" + tool.name + "\" is a mesh wall");
-  if (scene.economy.mirror) refuse("economy.mirror is set");
-  if (scene.suction) refuse("[suction] is set");
-  if (!scene.contact && scene.powder.rolling_friction > 0)
-    refuse("powder.rolling_friction is set (use [contact] instead: rolling = { law = \"CDT\", ... })");
 }
 
 double smallest_grain(const PowderSpec& powder) {

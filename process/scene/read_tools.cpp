@@ -4,6 +4,7 @@
 #include <system_error>
 
 #include "geometry/cad/cad_parts.h"
+#include "process/scene/contact_spec.h"
 #include "process/scene/plausibility.h"
 #include "process/scene/sections.h"
 #include "process/scene/wall_rules.h"
@@ -83,7 +84,8 @@ Eigen::Matrix3d read_rotation(TableReader& tool) {
   return Eigen::AngleAxisd(angle, axis).toRotationMatrix();
 }
 
-ToolSpec read_tool(TableReader& table, const WallSpec& walls, const PowderSpec& powder) {
+ToolSpec read_tool(TableReader& document, TableReader& table, const WallSpec& walls,
+                   const PowderSpec& powder) {
   ToolSpec tool;
   tool.line = table.line();
   tool.name = table.required_name("name", "die");
@@ -102,6 +104,7 @@ ToolSpec read_tool(TableReader& table, const WallSpec& walls, const PowderSpec& 
   tool.spacing = table.number("spacing", kWallSpacing);
   tool.friction = table.number("friction", kWallFriction);
   tool.work_of_adhesion = table.quantity("work_of_adhesion", kWallAdhesion);
+  tool.contact = read_tool_contact(document, table, tool, powder, walls);
   table.finish();
   check_wall_is_tight(table, tool.sphere_radius.value_or(walls.sphere_radius),
                       tool.spacing.value_or(walls.spacing), powder);
@@ -114,7 +117,7 @@ std::vector<ToolSpec> read_tools(TableReader& document, const WallSpec& walls, c
   std::vector<ToolSpec> tools;
   document.require("tool", "a [[tool]] table with name, role, file and length_unit");
   for (TableReader& table : document.tables("tool")) {
-    ToolSpec tool = read_tool(table, walls, powder);
+    ToolSpec tool = read_tool(document, table, walls, powder);
     const auto same = [&tool](const ToolSpec& other) { return other.name == tool.name; };
     const auto earlier = std::find_if(tools.begin(), tools.end(), same);
     if (earlier != tools.end()) {

@@ -58,7 +58,6 @@ Scene scene_of(const toml::table& parsed, const std::string& text, const std::fi
   scene.measure = read_measure(table_or_empty(document, "measure", empty));
   read_economy(table_or_empty(document, "economy", empty), scene);
   if (auto suction = document.table("suction")) scene.suction = read_suction(*suction, scene);
-  check_sizes(document, scene);
   document.tables("variant");  // no matter of this scene's own: see variants.h
   document.finish();
   return scene;

@@ -18,8 +18,6 @@ CoarseGraining read_coarse_graining(TableReader& table);
 PowderSpec read_powder(TableReader& table);
 /// [powder.sizes], where it is there, into the powder: its classes and the grain size of mean mass.
 void read_sizes(TableReader& powder_table, PowderSpec& powder);
-/// What grains of several sizes cannot have, of a scene that has everything else.
-void check_sizes(TableReader& document, const Scene& scene);
 /// [walls]; the powder must not fit through the holes between wall spheres.
 WallSpec read_walls(TableReader table, const PowderSpec& powder);
 /// All [[tool]] tables.

@@ -53,10 +53,10 @@ std::string box_text(const PowderInflow& inflow) {
 /// kg/s that grains which fall out of the box leave room for.
 double largest_rate(const Scene& scene, const PowderInflow& inflow, double share,
                     const engine::SimulationSettings& settings) {
-  const double across = 2 * settings.shape.bounding_radius();
+  const double across = 2 * mean_grain(scene).bounding_radius();
   const Eigen::Vector3d size = (inflow.upper - inflow.lower).cwiseMax(across);
   const double grain = std::numbers::pi / 6 * across * across * across;
-  const double held = std::max(1.0, kRandomPacking * share * size.prod() / grain) * settings.shape.mass;
+  const double held = std::max(1.0, kRandomPacking * share * size.prod() / grain) * mean_grain(scene).mass;
   const double height = size.z(), speed = std::abs(inflow.velocity.z()), g = scene.gravity.norm();
   const double time = (std::sqrt(speed * speed + 2 * g * height) - speed) / g;
   return held / time;
@@ -80,10 +80,10 @@ std::vector<SetupFinding> inflow_findings(const Scene& scene, const Tooling& too
     for (int n = 0; n < kTimes; ++n)
       room = std::max(room, room_at(tooling, *inflow, stages, states,
                                     state.started + (state.ended - state.started) * n / (kTimes - 1),
-                                    settings.shape.bounding_radius()));
+                                    mean_grain(scene).bounding_radius()));
     if (room == 0)
-      room =
-          room_at(tooling, *inflow, stages, states, state.started, settings.shape.bounding_radius(), kAtLast);
+      room = room_at(tooling, *inflow, stages, states, state.started, mean_grain(scene).bounding_radius(),
+                     kAtLast);
     const Eigen::Vector3d middle = 0.5 * (inflow->lower + inflow->upper);
     const std::string step = scene.steps[k]->plan.where;
     if (room == 0)

@@ -68,10 +68,11 @@ Lattice lattice_of(const Scene& scene, const engine::GrainShape& shape) {
 /// As wide as the largest grain needs, or so that grains of mean mass in cubes are a tenth solid.
 PourColumns columns_of(const Scene& scene, const engine::SimulationSettings& settings) {
   constexpr double kClosest = 1.2;
-  const double largest = 2 * settings.mix->kinds.back().shape.bounding_radius();
-  const double mean = 2 * settings.shape.bounding_radius(), given = scene.pour.lattice_constant;
+  const double largest = 2 * settings.types.back().shape.bounding_radius();
+  const engine::GrainShape mean_shape = mean_grain(scene);
+  const double mean = 2 * mean_shape.bounding_radius(), given = scene.pour.lattice_constant;
   const double constant =
-      given > 0 ? given * largest : std::max(kClosest * largest, mean * loose_lattice(settings.shape));
+      given > 0 ? given * largest : std::max(kClosest * largest, mean * loose_lattice(mean_shape));
   const Lattice lattice = lattice_of(scene, largest, constant);
   PourColumns columns;
   for (std::size_t axis = 0; axis < 2; ++axis) columns.across[axis] = lattice.across[axis];
@@ -129,7 +130,7 @@ std::vector<engine::NewGrain> stack_around_tools(const Scene& scene, const engin
 
 std::vector<engine::NewGrain> pour_kinds(const Scene& scene, const engine::SimulationSettings& settings,
                                          const Tooling& tooling, std::size_t count) {
-  const auto& kinds = settings.mix->kinds;
+  const auto& kinds = settings.types;
   const auto place = [&](const Eigen::Vector3d& site, const engine::GrainShape& shape, Random& random) {
     return grain_at(site, scene, shape, random);
   };
@@ -161,13 +162,13 @@ std::size_t grains_to_pour(const Scene& scene, const engine::GrainShape& shape) 
 
 std::vector<engine::NewGrain> pour(const Scene& scene, const engine::SimulationSettings& settings,
                                    const Tooling& tooling) {
-  const engine::GrainShape& shape = settings.shape;
+  const engine::GrainShape shape = mean_grain(scene);
   refuse_powder_over_nothing(scene, tooling.standing);
   const std::size_t count = grains_to_pour(scene, shape);
   if (count == 0)
     throw SceneError(scene.file.string() + ":" + std::to_string(scene.pour.line) +
                      ": pour.fill_height: the box does not hold a single grain at this height; raise it");
-  if (settings.mix) return pour_kinds(scene, settings, tooling, count);
+  if (settings.types.size() > 1) return pour_kinds(scene, settings, tooling, count);
   if (scene.pour.around_tools) return stack_around_tools(scene, shape, tooling, count);
   const Lattice lattice = lattice_of(scene, shape);
   Random random(scene.seed);
@@ -178,9 +179,9 @@ std::vector<engine::NewGrain> pour(const Scene& scene, const engine::SimulationS
 }
 
 double pour_height(const Scene& scene, const engine::SimulationSettings& settings) {
-  const engine::GrainShape& shape = settings.shape;
-  if (settings.mix)
-    return height_of_columns(scene, settings.mix->kinds, columns_of(scene, settings),
+  const engine::GrainShape shape = mean_grain(scene);
+  if (settings.types.size() > 1)
+    return height_of_columns(scene, settings.types, columns_of(scene, settings),
                              grains_to_pour(scene, shape));
   const Lattice lattice = lattice_of(scene, shape);
   const std::size_t layer = lattice.across[0] * lattice.across[1];

@@ -114,8 +114,8 @@ void refuse_memory(const std::string& what, double spheres, double wall_spheres,
 void refuse_endless(const Scene& scene) {
   if (setting_of(scene)) return;  // its grains are not chosen yet
   const auto settings = engine_settings(scene, 1.0);
-  const double grains = all_grains(scene, settings.shape);
-  const double spheres = grains * static_cast<double>(settings.shape.spheres());
+  const double grains = all_grains(scene, mean_grain(scene));
+  const double spheres = grains * static_cast<double>(settings.shape().spheres());
   double longest = kSettlingGuess;
   for (const auto& step : scene.steps)
     if (!step->needs_cavity()) longest = std::max(longest, step->duration().value_or(0));

@@ -102,7 +102,7 @@ void find_little_powder(const Scene& scene, const Tooling& tooling, std::vector<
   const auto settings = engine_settings(scene, 1.0);
   const double fraction = scene.pour.solid_fraction > 0 ? scene.pour.solid_fraction : 0.35;
   const double cavity = tooling.all_cavities().volume;
-  const double grains = cavity * fraction / settings.shape.solid_volume;
+  const double grains = cavity * fraction / mean_grain(scene).solid_volume;
   char text[300];
   if (grains < kFewGrains) {
     std::snprintf(text, sizeof text,
@@ -111,7 +111,8 @@ void find_little_powder(const Scene& scene, const Tooling& tooling, std::vector<
                   grains, kFewGrains, 1e3 * scene.powder.grain_diameter);
     findings.push_back({text, {}});
   }
-  const double bulk = bulk_of_powder(scene, fraction, settings.shape.mass / settings.shape.solid_volume);
+  const double bulk =
+      bulk_of_powder(scene, fraction, mean_grain(scene).mass / mean_grain(scene).solid_volume);
   if (!shoe_moves(scene) || bulk > kTooLittle * cavity) return;
   std::snprintf(
       text, sizeof text,

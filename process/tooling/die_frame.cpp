@@ -57,8 +57,8 @@ double filled_mass(const engine::Simulation& simulation, const Tooling& tooling)
   GrainTally filled;
   const engine::Grains& grains = simulation.grains();
   for (std::size_t k = 0; k < grains.size(); ++k)
-    if (lies_in_cavity(cavity, frame.point(grains.position[k]))) filled.add(grains.kind_of(k));
-  return copies(tooling) * filled.mass(simulation.kinds());
+    if (lies_in_cavity(cavity, frame.point(grains.position[k]))) filled.add(grains.type_of(k));
+  return copies(tooling) * filled.mass(simulation.types());
 }
 
 }  // namespace diefill::process

@@ -13,7 +13,7 @@ class GrainTally {
   GrainTally() = default;
   explicit GrainTally(std::vector<std::uint64_t> by_kind) : by_kind_(std::move(by_kind)) {}
 
-  void add(engine::KindNumber kind, std::uint64_t grains = 1) {
+  void add(engine::TypeNumber kind, std::uint64_t grains = 1) {
     if (by_kind_.size() <= kind) by_kind_.resize(kind + std::size_t{1});
     by_kind_[kind] += grains;
   }
@@ -23,10 +23,10 @@ class GrainTally {
     return sum;
   }
   /// kg.
-  double mass(const engine::KindTable& kinds) const {
+  double mass(const engine::ParticleTypes& kinds) const {
     double sum = 0;
     for (std::size_t k = 0; k < by_kind_.size(); ++k)
-      sum += static_cast<double>(by_kind_[k]) * kinds.shape(static_cast<engine::KindNumber>(k)).mass;
+      sum += static_cast<double>(by_kind_[k]) * kinds.shape(static_cast<engine::TypeNumber>(k)).mass;
     return sum;
   }
   const std::vector<std::uint64_t>& by_kind() const { return by_kind_; }

@@ -94,11 +94,11 @@ void keep_near_half(const Scene& scene, geometry::WallSpheres& spheres) {
                 [&](const auto& centre) { return centre[*scene.economy.mirror] < -spheres.radius; });
 }
 
-engine::WallBodySpec mirror_wall(int axis, const engine::ContactParameters& grain_contact) {
+engine::WallBodySpec mirror_wall(int axis) {
   engine::WallBodySpec wall;
   wall.name = "mirror plane";
   wall.planes = {{Eigen::Vector3d::Zero(), Eigen::Vector3d::Unit(axis)}};
-  wall.contact = engine::mirror_plane(grain_contact);
+  wall.mirror = true;
   return wall;
 }
 

@@ -17,8 +17,8 @@ void refuse_asymmetry(const Scene& scene, const Tooling& tooling);
 /// Drops the wall spheres that powder in front of the mirror plane cannot touch.
 void keep_near_half(const Scene& scene, geometry::WallSpheres& spheres);
 
-/// The mirror plane as a wall of powder with these contacts.
-engine::WallBodySpec mirror_wall(int axis, const engine::ContactParameters& grain_contact);
+/// The mirror plane as a wall at which grains meet their images.
+engine::WallBodySpec mirror_wall(int axis);
 
 /// 2 for a half model, 1 otherwise: what a grain, a mass, an energy counts.
 double copies(const Tooling& tooling);

@@ -15,7 +15,7 @@ Eigen::Vector3d centre_of_mass(const engine::Grains& grains) {
 
 /// kg.
 double mean_mass(const engine::Simulation& simulation) {
-  if (simulation.kinds().monodisperse()) return simulation.settings().shape.mass;
+  if (simulation.types().monodisperse()) return simulation.settings().shape().mass;
   const std::size_t grains = simulation.grains().size();
   return simulation.mass_of(0, grains) / static_cast<double>(grains);
 }

@@ -22,15 +22,12 @@ std::vector<engine::WallTriangle> wall_triangles(const geometry::Mesh& mesh) {
 
 }  // namespace
 
-std::vector<engine::WallBodySpec> wall_bodies(const Scene& scene, const Tooling& tooling,
-                                              const engine::SimulationSettings& settings) {
+std::vector<engine::WallBodySpec> wall_bodies(const Scene& scene, const Tooling& tooling) {
   std::vector<engine::WallBodySpec> bodies;
   for (const Tool& tool : tooling.tools) {
     engine::WallBodySpec body;
     body.name = tool.spec.name;
     body.material = material_of(tool.spec);
-    if (has_own_surface(tool.spec) && !settings.mix)
-      body.contact = contact_with(scene, tool.spec, settings.wall_contact);
     body.sphere_radius = tool.spheres.radius;
     if (tool.wall_mesh)
       body.triangles = wall_triangles(*tool.wall_mesh);
@@ -40,7 +37,7 @@ std::vector<engine::WallBodySpec> wall_bodies(const Scene& scene, const Tooling&
       body.contact_radius = tool.spec.sphere_radius.value_or(scene.walls.sphere_radius);
     bodies.push_back(std::move(body));
   }
-  if (tooling.mirror) bodies.push_back(mirror_wall(*tooling.mirror, settings.grain_contact));
+  if (tooling.mirror) bodies.push_back(mirror_wall(*tooling.mirror));
   return bodies;
 }
 

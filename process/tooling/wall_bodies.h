@@ -9,8 +9,7 @@
 namespace diefill::process {
 
 /// The scene's tools in their order, each in its own frame, and the mirror plane of a half model as a last
-/// body without friction.
-std::vector<engine::WallBodySpec> wall_bodies(const Scene& scene, const Tooling& tooling,
-                                              const engine::SimulationSettings& settings);
+/// body.
+std::vector<engine::WallBodySpec> wall_bodies(const Scene& scene, const Tooling& tooling);
 
 }  // namespace diefill::process

@@ -20,7 +20,8 @@ double work_per_second(const Scene& scene) {
   const auto settings = engine_settings(scene, expected_impact_speed(scene));
   const Eigen::Vector3d box = scene.pour.upper - scene.pour.lower;
   const double solid = box[0] * box[1] * scene.pour.fill_height * expected_solid_fraction(scene);
-  const double spheres = solid / settings.shape.solid_volume * static_cast<double>(settings.shape.spheres());
+  const double spheres =
+      solid / mean_grain(scene).solid_volume * static_cast<double>(settings.shape().spheres());
   return spheres / settings.time_step;
 }
 

@@ -6,6 +6,7 @@
 
 #include "engine/limits/validity_monitor.h"
 #include "engine/simulation/simulation.h"
+#include "tests/support/contact_access.h"
 
 namespace diefill::engine {
 namespace {
@@ -47,10 +48,10 @@ void add_far_spheres(WallBodySpec& body, int count) {
 /// ground's body, out of reach.
 Simulation fallen_bed(const GrainShape& shape, int across, int layers, int threads, int far_spheres = 0) {
   SimulationSettings settings;
-  settings.shape = shape;
+  settings.types = {{shape}};
   const double radius = shape.sphere_radius;
-  settings.grain_contact = {.damping = 1e6 * radius, .tangential = 1e6 * radius, .friction = 0.5};
-  settings.wall_contact = settings.grain_contact;
+  grain_contact(settings) = {.damping = 1e6 * radius, .tangential = 1e6 * radius, .friction = 0.5};
+  wall_contact(settings) = grain_contact(settings);
   settings.time_step = 2e-6;
   settings.threads = threads;
   const double constant = 2.1 * shape.bounding_radius(), width = across * constant;
@@ -104,11 +105,11 @@ void narrow_slot(benchmark::State& state) {
   constexpr double kWidth = 9e-3, kLength = 24e-3, kHeight = 60e-3;  // m
   const GrainShape shape = model_d(4 * 7.84e-5, 64 * 7.63e-8);
   SimulationSettings settings;
-  settings.shape = shape;
-  settings.grain_contact = {
+  settings.types = {{shape}};
+  grain_contact(settings) = {
       .damping = 1e6 * shape.sphere_radius, .tangential = 1e6 * shape.sphere_radius, .friction = 0.5};
-  settings.wall_contact = settings.grain_contact;
-  settings.wall_contact.friction = 0.15;
+  wall_contact(settings) = grain_contact(settings);
+  wall_contact(settings).friction = 0.15;
   settings.time_step = 5e-6;
   settings.period[1] = kLength;
   Simulation simulation(settings, {slot(kWidth, kLength, kHeight)});

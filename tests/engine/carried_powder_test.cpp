@@ -36,7 +36,6 @@ std::vector<WallBodySpec> tray_on_floor(double half_width, double floor_friction
   tray.motion = tray_motion;
   floor.name = "floor";
   floor.planes = {{Eigen::Vector3d::Zero(), Eigen::Vector3d::UnitZ()}};
-  floor.contact = weightless(Model::a, {}, kStep).wall_contact;
   floor.contact->friction = floor_friction;
   return {tray, floor};
 }
@@ -81,7 +80,7 @@ TEST_P(CoMovingPowder, RidesAlongAndStaysAsItIs) {
   EXPECT_NEAR(way.x(), kSpeed * kSteps * kStep, 0.01 * grain_size(GetParam()));
   EXPECT_NEAR(way.tail<2>().norm(), 0, 0.02 * grain_size(GetParam()));
   EXPECT_GT(simulation.sphere_steps_left_out() - before.sleep.sphere_steps_left_out,
-            kSteps * grains * simulation.settings().shape.spheres() / 2);
+            kSteps * grains * simulation.settings().shape().spheres() / 2);
   const auto& velocity = simulation.grains().velocity;
   for (std::size_t k = 0; k < grains; ++k) {
     if (!simulation.asleep(k)) continue;

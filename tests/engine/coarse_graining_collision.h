@@ -65,9 +65,9 @@ inline CollisionCurve collide(const coarse_graining::Material& material, Encount
                               int steps) {
   const double radius = material.sphere_radius, size = 6 * radius;
   SimulationSettings settings;
-  settings.shape = model_d(radius, material.grain_mass);
-  settings.grain_contact = {material.reduced_modulus, material.damping,          material.tangential,
-                            material.friction,        material.work_of_adhesion, material.rolling_friction};
+  settings.types = {{model_d(radius, material.grain_mass)}};
+  grain_contact(settings) = {material.reduced_modulus, material.damping,          material.tangential,
+                             material.friction,        material.work_of_adhesion, material.rolling_friction};
   settings.lever_arm = arm;
   settings.gravity.setZero();
   settings.time_step = 2.5e-7 * radius / table_c1().sphere_radius;
@@ -78,7 +78,7 @@ inline CollisionCurve collide(const coarse_graining::Material& material, Encount
     simulation.step();
     curve.time_over_size.push_back(simulation.time() / size);
     curve.energy_density.push_back((simulation.energy().contacts + tangential_energy(simulation)) /
-                                   settings.shape.solid_volume);
+                                   settings.shape().solid_volume);
     curve.overlap_over_size.push_back(simulation.deepest_overlap() / size);
   }
   return curve;

@@ -10,7 +10,7 @@ Simulation colliding_cloud(double time_step, const Powder& powder, LeverArm arm,
   auto settings = weightless(model, powder, time_step);
   settings.lever_arm = arm;
   Simulation simulation(settings, {});
-  const double size = 2 * half_size(settings.shape);
+  const double size = 2 * half_size(settings.shape());
   auto cloud = converging_cloud({3, 3, 3}, 1.05 * size, 0.3, 11);
   simulation.add_grains(cloud);
   return simulation;
@@ -29,7 +29,7 @@ TEST(Conservation, MomentumStaysToRounding) {
     run_for(simulation, kDuration);
     EXPECT_LT(simulation.ledger().viscous_work, -1e-12);
     EXPECT_LT(simulation.ledger().tangential_work, -1e-12);
-    const double scale = 27 * simulation.settings().shape.mass * 0.3;
+    const double scale = 27 * simulation.settings().shape().mass * 0.3;
     EXPECT_LT((momentum(simulation) - before).norm(), 1e-14 * scale);
   }
 }
@@ -39,7 +39,7 @@ double angular_momentum_change(double time_step, LeverArm arm) {
   auto simulation = colliding_cloud(time_step, {.friction = 0.5}, arm);
   const Eigen::Vector3d before = angular_momentum(simulation);
   run_for(simulation, kDuration);
-  const auto& shape = simulation.settings().shape;
+  const auto& shape = simulation.settings().shape();
   return (angular_momentum(simulation) - before).norm() / (27 * shape.mass * 0.3 * half_size(shape));
 }
 
@@ -117,7 +117,7 @@ TEST(Ledger, AddedAndRemovedGrainsAreBooked) {
     auto settings = weightless(Model::d, {.friction = 0.5}, time_step);
     settings.gravity = {0, 0, -9.81};
     Simulation simulation(settings, {});
-    const double size = 2 * half_size(settings.shape);
+    const double size = 2 * half_size(settings.shape());
     simulation.add_grains(converging_cloud({2, 2, 2}, size, 0.2, 3));
     run_for(simulation, 2e-4);
     simulation.add_grains(converging_cloud({2, 2, 1}, size, 0.2, 4, {0, 0, 2 * size}));
@@ -141,7 +141,7 @@ struct FreeTop {
 FreeTop spin_freely(double time_step, int steps) {
   SimulationSettings settings = weightless(Model::d, {}, time_step);
   const double r = 1e-4;
-  settings.shape =
+  settings.shape() =
       rigid_grain(r, {{0, 0, 0}, {1.8 * r, 0, 0}, {0.4 * r, 1.5 * r, 0.2 * r}, {3 * r, -0.7 * r, 1.1 * r}},
                   7e-8, 1.5e-11);
   settings.skin = 1;
@@ -177,15 +177,16 @@ TEST(FreeTop, ErrorsFallWithTheSquareOfTheStep) {
 TEST(FreeTop, SymmetricTopPrecessesAboutItsAngularMomentum) {
   SimulationSettings settings = weightless(Model::d, {}, 2e-6);
   const double r = 1e-4;
-  settings.shape = rigid_grain(r, {{0, 0, -r}, {0, 0, r}}, 7e-8, 8e-12);
-  ASSERT_NEAR(settings.shape.inertia.x(), settings.shape.inertia.y(), 1e-12 * settings.shape.inertia.x());
+  settings.types = {{rigid_grain(r, {{0, 0, -r}, {0, 0, r}}, 7e-8, 8e-12)}};
+  ASSERT_NEAR(settings.shape().inertia.x(), settings.shape().inertia.y(),
+              1e-12 * settings.shape().inertia.x());
   settings.skin = 1;
   Simulation simulation(settings, {});
   NewGrain grain;
   grain.angular_velocity = {150, 0, 400};
   simulation.add_grains({grain});
   const Eigen::Vector3d turning = angular_momentum(simulation);
-  const double rate = turning.norm() / settings.shape.inertia.x();
+  const double rate = turning.norm() / settings.shape().inertia.x();
   const Eigen::Vector3d axis = Eigen::Vector3d::UnitZ();
   run_steps(simulation, 40000);
   const Eigen::Vector3d expected = Eigen::AngleAxisd(rate * simulation.time(), turning.normalized()) * axis;

@@ -22,7 +22,7 @@ void visit_touching_grain_pairs(const Simulation& simulation, const Visit& visit
 /// Overlap (m) of sphere `i` with its partner in pair `p`.
 inline double overlap_of(const Simulation& simulation, const Block& block, std::size_t i, std::size_t p) {
   const auto& spheres = simulation.spheres();
-  return 2 * simulation.settings().shape.sphere_radius -
+  return 2 * simulation.settings().shape().sphere_radius -
          length(spheres.position(i) - spheres.position(block.sphere(block.grain_pairs.pair[p].other)));
 }
 
@@ -34,11 +34,11 @@ inline Eigen::Vector3d spring_of(const double* history) {
 /// Energy (J) in the tangential springs: 1/2 kappa_t sqrt(h / R_eff) xi^2 each.
 inline double tangential_energy(const Simulation& simulation) {
   const auto& settings = simulation.settings();
-  const double effective = 0.5 * settings.shape.sphere_radius;
+  const double effective = 0.5 * settings.shape().sphere_radius;
   double energy = 0;
   visit_touching_grain_pairs(simulation, [&](const Block& block, std::size_t i, std::size_t p,
                                              const double* history) {
-    energy += 0.5 * settings.grain_contact.tangential *
+    energy += 0.5 * grain_contact(settings).tangential *
               std::sqrt(overlap_of(simulation, block, i, p) / effective) * spring_of(history).squaredNorm();
   });
   return energy;

@@ -12,6 +12,7 @@
 
 #include "engine/powder/rigid_motion.h"
 #include "engine/simulation/simulation.h"
+#include "tests/support/contact_access.h"
 
 namespace diefill::engine {
 
@@ -48,17 +49,17 @@ struct Powder {
 /// Grains of `model` in empty space: no gravity, no air, walls with mu_w = 0.15 and no cohesion (Table C.4).
 inline SimulationSettings weightless(Model model, const Powder& powder, double time_step) {
   SimulationSettings settings;
-  settings.shape = thesis_shape(model);
-  const double radius = settings.shape.sphere_radius;
-  settings.grain_contact = {1e7,
-                            powder.damping_over_radius * radius,
-                            powder.tangential_over_radius * radius,
-                            powder.friction,
-                            powder.work_of_adhesion,
-                            powder.rolling_friction};
-  settings.wall_contact = settings.grain_contact;
-  settings.wall_contact.friction = 0.15;
-  settings.wall_contact.work_of_adhesion = 0;
+  settings.types = {{thesis_shape(model)}};
+  const double radius = settings.shape().sphere_radius;
+  grain_contact(settings) = {1e7,
+                             powder.damping_over_radius * radius,
+                             powder.tangential_over_radius * radius,
+                             powder.friction,
+                             powder.work_of_adhesion,
+                             powder.rolling_friction};
+  wall_contact(settings) = grain_contact(settings);
+  wall_contact(settings).friction = 0.15;
+  wall_contact(settings).work_of_adhesion = 0;
   settings.gravity.setZero();
   settings.time_step = time_step;
   return settings;
@@ -93,7 +94,7 @@ struct HeadOn {
 
 inline HeadOn collide_head_on(const SimulationSettings& settings, double speed) {
   Simulation simulation(settings, {});
-  const double half = half_size(settings.shape);
+  const double half = half_size(settings.shape());
   NewGrain left, right;
   left.position = {-half, 0, 0};
   left.velocity = {0.5 * speed, 0, 0};
@@ -151,14 +152,14 @@ inline std::vector<NewGrain> converging_cloud(const Eigen::Vector3i& counts, dou
 inline Eigen::Vector3d momentum(const Simulation& simulation) {
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
   for (const auto& velocity : simulation.grains().velocity)
-    sum += simulation.settings().shape.mass * velocity;
+    sum += simulation.settings().shape().mass * velocity;
   return sum;
 }
 
 /// kg m^2/s about the origin, laboratory frame.
 inline Eigen::Vector3d angular_momentum(const Simulation& simulation) {
   const auto& grains = simulation.grains();
-  const auto& shape = simulation.settings().shape;
+  const auto& shape = simulation.settings().shape();
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
   for (std::size_t k = 0; k < grains.size(); ++k) {
     sum += shape.mass * grains.position[k].cross(grains.velocity[k]);

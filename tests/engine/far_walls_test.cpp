@@ -11,7 +11,7 @@ Simulation cloud_over_plates(bool skip_far_walls) {
   auto settings = weightless(Model::a, {.friction = 0.5}, 2e-6);
   settings.gravity = {0, 0, -9.81};
   settings.skip_far_walls = skip_far_walls;
-  const double size = 2 * half_size(settings.shape);
+  const double size = 2 * half_size(settings.shape());
   WallBodySpec floor = plate(4 * size, 1.5e-4);
   for (auto& centre : floor.centres) centre.z() -= 1.6 * size;
   WallBodySpec passing = plate(4 * size, 1.5e-4, [](double time) {
@@ -33,7 +33,7 @@ TEST(FarWalls, CostSearchesAndChangeNothing) {
   EXPECT_GT(watched.searches(), 2 * skipped.searches());
   for (std::uint64_t id = 0; id < skipped.grains().size(); ++id)
     EXPECT_LT((position_of(skipped, id) - position_of(watched, id)).norm(),
-              1e-6 * half_size(skipped.settings().shape))
+              1e-6 * half_size(skipped.settings().shape()))
         << id;
 }
 

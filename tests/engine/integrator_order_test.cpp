@@ -16,7 +16,7 @@ SimulationSettings settings_of(double time_step, double damping_over_radius, dou
 /// Two D grains in the middle of an oblique collision, found with very short steps.
 Snapshot mid_collision(double damping_over_radius, double friction) {
   Simulation simulation(settings_of(1e-9, damping_over_radius, friction), {});
-  const double radius = simulation.settings().shape.sphere_radius;
+  const double radius = simulation.settings().shape().sphere_radius;
   NewGrain left, right;
   left.position = {-2.99 * radius, 0, 0};
   left.velocity = {0.1, 0.02, 0};
@@ -43,7 +43,7 @@ double observed_order(double damping_over_radius, double friction) {
     const std::size_t k = place_of(simulation, 1);
     const auto& grains = simulation.grains();
     Eigen::VectorXd state(10);
-    state << grains.position[k] / simulation.settings().shape.sphere_radius, grains.velocity[k],
+    state << grains.position[k] / simulation.settings().shape().sphere_radius, grains.velocity[k],
         grains.orientation_of(k);
     return state;
   };

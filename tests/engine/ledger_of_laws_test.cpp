@@ -17,11 +17,12 @@ Simulation falling_bed(const laws::LawParameters& law, double time_step) {
   constexpr int kAcross = 4, kLayers = 4;
   constexpr double kSpacing = 2.2 * kRadius;
   SimulationSettings settings;
-  settings.shape = model_b(kRadius, kDensity * 4.0 / 3.0 * std::numbers::pi * kRadius * kRadius * kRadius);
+  settings.types = {
+      {model_b(kRadius, kDensity * 4.0 / 3.0 * std::numbers::pi * kRadius * kRadius * kRadius)}};
   GeneralContact contact;
   contact.grains = contact.walls = law;
   contact.walls.attraction = {};
-  settings.general_contact = contact;
+  settings.contact = contact;
   settings.time_step = time_step;
   settings.period = {kAcross * kSpacing, kAcross * kSpacing};
   WallBodySpec floor;

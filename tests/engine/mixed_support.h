@@ -11,6 +11,22 @@ inline double mass_of_ball(double radius) {
   return kMixDensity * 4.0 / 3.0 * std::numbers::pi * radius * radius * radius;
 }
 
+/// Particle types and the laws between them.
+struct GrainMix {
+  std::vector<ParticleType> kinds;
+  std::vector<laws::MaterialPairLaw> laws;
+  coarse_graining::ForceScaling scaling;
+
+  operator ContactLaws() const { return {laws, scaling}; }  // NOLINT: short in tests
+};
+
+inline double critical_time_step(const GrainMix& mix, const std::vector<WallSurface>& walls, double speed) {
+  return critical_time_step(moving_types(mix.kinds, mix.scaling), mix, walls, speed);
+}
+inline double critical_time_step_at_overlap(const GrainMix& mix, double overlap, double over_radius) {
+  return critical_time_step_at_overlap(moving_types(mix.kinds, mix.scaling), mix, overlap, over_radius);
+}
+
 /// Rotating spheres of kMixRadius times each of `sizes`, by turns of material "iron" and "wax", with one law
 /// between all but two: that of unlike materials, and that with walls ("steel").
 inline GrainMix mix_of(const std::vector<double>& sizes, const laws::LawParameters& monodisperse,
@@ -30,7 +46,8 @@ inline GrainMix mix_of(const std::vector<double>& sizes, const laws::LawParamete
 
 inline SimulationSettings settings_of(const GrainMix& mix, double time_step) {
   SimulationSettings settings;
-  settings.mix = mix;
+  settings.types = mix.kinds;
+  settings.contact = mix;
   settings.gravity.setZero();
   settings.time_step = time_step;
   return settings;
@@ -46,14 +63,7 @@ inline WallBodySpec steel_floor(double height = 0) {
 
 /// Bierwisch's law with these parameters, for any pair.
 inline laws::LawParameters bierwisch_parts(const ContactParameters& contact) {
-  laws::LawParameters law;
-  law.normal = laws::BierwischNormal::Parameters{.reduced_modulus = contact.reduced_modulus,
-                                                 .work_of_adhesion = contact.work_of_adhesion};
-  law.damping = laws::BierwischDamping::Parameters{.damping = contact.damping};
-  if (contact.friction > 0)
-    law.friction =
-        laws::CundallFriction::Parameters{.tangential = contact.tangential, .friction = contact.friction};
-  return law;
+  return laws::bierwisch_law(contact);
 }
 
 /// converging_cloud() with kinds drawn at random from the first `kinds`.
@@ -61,7 +71,7 @@ inline std::vector<NewGrain> mixed_cloud(const Eigen::Vector3i& counts, double s
                                          std::size_t kinds, std::uint64_t seed) {
   auto cloud = converging_cloud(counts, spacing, speed, seed);
   std::mt19937_64 random(seed + 1);
-  for (auto& grain : cloud) grain.kind = static_cast<KindNumber>(random() % kinds);
+  for (auto& grain : cloud) grain.kind = static_cast<TypeNumber>(random() % kinds);
   return cloud;
 }
 

@@ -26,8 +26,8 @@ class NeighbourSearch : public ::testing::TestWithParam<CloudCase> {
   /// Soft grains thrown at random into a box, overlapping and flying about, `pace` times as fast as usual.
   static Simulation cloud(std::size_t count, double pace = 1) {
     auto settings = weightless(GetParam().model, {.damping_over_radius = 0, .friction = 0.5}, 1e-5);
-    settings.grain_contact.reduced_modulus = 1e3;
-    settings.grain_contact.tangential = 1e-4;
+    grain_contact(settings).reduced_modulus = 1e3;
+    grain_contact(settings).tangential = 1e-4;
     if (GetParam().periodic_x) settings.period[0] = kWidth;
     if (GetParam().periodic_y) settings.period[1] = kWidth;
     Simulation simulation(settings, {});
@@ -119,7 +119,7 @@ std::map<std::pair<SphereName, SphereName>, Eigen::Vector3d> springs(const Simul
 TEST(ContactMemory, SpringsOfThoseWhoStayOutliveRemovalAndNewSearch) {
   auto settings = weightless(Model::d, {.friction = 1, .work_of_adhesion = 0.15}, 1e-6);
   Simulation simulation(settings, {});
-  const double size = 2 * half_size(settings.shape);
+  const double size = 2 * half_size(settings.shape());
   simulation.add_grains(converging_cloud({4, 4, 4}, size, 0.3, 8));
   run_steps(simulation, 800);
   const auto before = springs(simulation);
@@ -142,7 +142,7 @@ TEST(ContactMemory, ShorterSkinMeansMoreSearchesAndTheSameMotion) {
     auto settings = weightless(Model::d, {.friction = 0.5}, 1e-6);
     settings.skin = skin;
     Simulation simulation(settings, {});
-    simulation.add_grains(converging_cloud({3, 3, 3}, 2 * half_size(settings.shape), 0.3, 8));
+    simulation.add_grains(converging_cloud({3, 3, 3}, 2 * half_size(settings.shape()), 0.3, 8));
     run_steps(simulation, 400);
     return std::pair{simulation.searches(), position_of(simulation, 13)};
   };
@@ -169,7 +169,7 @@ TEST(AdaptiveSkin, AFewSwiftGrainsDoNotWearOutTheListOfAll) {
     settings.skin = fixed_skin;
     Simulation simulation(settings, {});
     std::vector<NewGrain> grains;
-    const double size = 2 * half_size(settings.shape);
+    const double size = 2 * half_size(settings.shape());
     for (int k = 0; k < 500; ++k)
       grains.push_back({.position = 1.2 * size * Eigen::Vector3d(k % 10, (k / 10) % 10, k / 100)});
     grains[250].velocity = {0, 0, 2};

@@ -58,7 +58,7 @@ TEST(Periodic, CollisionAcrossTheBorderIsTheSameCollision) {
 TEST(Periodic, MomentumOfACloudStaysToRounding) {
   for (const Model model : {Model::b, Model::d}) {
     Simulation simulation(in_box(model, 2e-6), {});
-    const double size = 2 * half_size(simulation.settings().shape);
+    const double size = 2 * half_size(simulation.settings().shape());
     auto cloud = converging_cloud({5, 5, 3}, kPeriod / 5, 0.5, 6);
     for (auto& grain : cloud) grain.velocity += Eigen::Vector3d(0.4, 0.2, 0);
     simulation.add_grains(cloud);

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "engine/simulation/simulation.h"
+#include "tests/support/contact_access.h"
 #include "thesis_rotation.h"
 
 namespace diefill::engine {
@@ -38,11 +39,11 @@ class ReferenceDem {
  public:
   ReferenceDem(const SimulationSettings& settings, std::vector<WallBodySpec> walls)
       : ReferenceDem(settings, std::move(walls),
-                     {{settings.shape},
-                      [contact = settings.grain_contact](std::size_t, std::size_t) { return contact; },
-                      [contact = settings.wall_contact](std::size_t) { return contact; }}) {}
+                     {{settings.shape()},
+                      [contact = grain_contact(settings)](std::size_t, std::size_t) { return contact; },
+                      [contact = wall_contact(settings)](std::size_t) { return contact; }}) {}
   ReferenceDem(const SimulationSettings& settings, std::vector<WallBodySpec> walls, ReferenceKinds kinds)
-      : settings_(settings), walls_(std::move(walls)), kinds_(std::move(kinds)) {}
+      : settings_(settings), walls_(std::move(walls)), types_(std::move(kinds)) {}
 
   void add(const NewGrain& added) {
     ReferenceGrain grain;
@@ -72,9 +73,9 @@ class ReferenceDem {
  private:
   using Key = std::tuple<std::size_t, std::size_t, std::size_t, std::size_t, bool>;
 
-  const GrainShape& shape(const ReferenceGrain& grain) const { return kinds_.shapes[grain.kind]; }
-  bool single() const { return kinds_.shapes.front().sphere_offsets.size() == 1; }
-  bool rotates() const { return kinds_.shapes.front().rotates; }
+  const GrainShape& shape(const ReferenceGrain& grain) const { return types_.shapes[grain.kind]; }
+  bool single() const { return types_.shapes.front().sphere_offsets.size() == 1; }
+  bool rotates() const { return types_.shapes.front().rotates; }
   double dt() const { return settings_.time_step; }
 
   static Eigen::Vector3d spin_rate_of(const Eigen::Vector3d& moment, const Eigen::Vector3d& spin,
@@ -155,7 +156,7 @@ class ReferenceDem {
     const double pull = p.tangential * std::sqrt(overlap / effective) * spring.norm();
     Eigen::Vector3d tangential = Eigen::Vector3d::Zero();
     if (spring.norm() > 0) tangential = -std::min(pull, p.friction * load) * spring.normalized();
-    if (settings_.spring_limit == SpringLimit::cut_back && pull > p.friction * load)
+    if (spring_limit(settings_) == SpringLimit::cut_back && pull > p.friction * load)
       spring *= p.friction * load / pull;
     return (elastic + cohesive + viscous) * normal + tangential;
   }
@@ -164,7 +165,7 @@ class ReferenceDem {
     ReferenceGrain &i = grains_[a], &j = grains_[b];
     const double radius = shape(i).sphere_radius, other_radius = shape(j).sphere_radius;
     const double effective = radius * other_radius / (radius + other_radius);
-    const ContactParameters contact = kinds_.grain_contact(i.kind, j.kind);
+    const ContactParameters contact = types_.grain_contact(i.kind, j.kind);
     for (std::size_t s = 0; s < shape(i).sphere_offsets.size(); ++s)
       for (std::size_t t = 0; t < shape(j).sphere_offsets.size(); ++t) {
         const Eigen::Vector3d bi = sphere_arm(i, s), bj = sphere_arm(j, t);
@@ -192,7 +193,7 @@ class ReferenceDem {
     const auto& wall = walls_[body];
     const BodyMotion motion = wall.motion ? wall.motion(static_cast<double>(steps_) * dt()) : BodyMotion{};
     ReferenceGrain& i = grains_[a];
-    const ContactParameters parameters = kinds_.wall_contact(i.kind);
+    const ContactParameters parameters = types_.wall_contact(i.kind);
     const double radius = shape(i).sphere_radius;
     const double effective = radius * wall.sphere_radius / (radius + wall.sphere_radius);
     for (std::size_t s = 0; s < shape(i).sphere_offsets.size(); ++s)
@@ -256,7 +257,7 @@ class ReferenceDem {
 
   SimulationSettings settings_;
   std::vector<WallBodySpec> walls_;
-  ReferenceKinds kinds_;
+  ReferenceKinds types_;
   std::vector<ReferenceGrain> grains_;
   std::map<Key, Eigen::Vector3d> springs_;
   int steps_ = 0;

@@ -46,12 +46,12 @@ TEST_P(Reference, EngineMovesGrainsAlike) {
                               .work_of_adhesion = given.work_of_adhesion,
                               .rolling_friction = given.model == Model::b ? 3.75e-5 : 0},
                              1e-6);
-  settings.wall_contact.friction = given.friction == 0 ? 0 : 0.15;
+  wall_contact(settings).friction = given.friction == 0 ? 0 : 0.15;
   settings.gravity = {0, 0, -9.81};
   settings.air_viscosity = 2e-5;
   settings.lever_arm = given.arm;
-  settings.spring_limit = given.limit;
-  const double size = 2 * half_size(settings.shape);
+  set_spring_limit(settings, given.limit);
+  const double size = 2 * half_size(settings.shape());
   if (given.periodic) settings.period = {3.3 * size, 3.3 * size};
   const auto walls = moving_tools(1.45 * size);
   const auto cloud = converging_cloud({3, 3, 3}, 1.02 * size, 0.3, 42);

@@ -20,7 +20,7 @@ Simulation empty_run(Model model, bool periodic) {
   auto settings = weightless(model, {.friction = 0.5, .work_of_adhesion = 0.01}, 2e-6);
   settings.gravity = {0, 0, -9.81};
   settings.air_viscosity = 2e-5;
-  const double size = 2 * half_size(settings.shape);
+  const double size = 2 * half_size(settings.shape());
   if (periodic) settings.period = {6 * size, 6 * size};
   WallBodySpec floor = plate(4 * size, 1.5e-4, shaking);
   for (auto& centre : floor.centres) centre.z() -= 1.6 * size;
@@ -29,7 +29,7 @@ Simulation empty_run(Model model, bool periodic) {
 
 Simulation start(Model model, bool periodic) {
   auto simulation = empty_run(model, periodic);
-  const double size = 2 * half_size(simulation.settings().shape);
+  const double size = 2 * half_size(simulation.settings().shape());
   auto cloud = converging_cloud({5, 5, 3}, size, 0.3, 21);
   for (auto& grain : cloud) grain.velocity.z() -= 0.4;
   simulation.add_grains(cloud);

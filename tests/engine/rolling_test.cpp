@@ -8,7 +8,7 @@ namespace {
 
 SimulationSettings on_plane(double friction, double rolling_friction) {
   auto settings = weightless(Model::b, {.friction = friction, .rolling_friction = rolling_friction}, 2e-6);
-  settings.wall_contact.friction = friction;
+  wall_contact(settings).friction = friction;
   settings.gravity = {0, 0, -9.81};
   return settings;
 }
@@ -16,7 +16,7 @@ SimulationSettings on_plane(double friction, double rolling_friction) {
 Simulation thrown(const SimulationSettings& settings, double speed, double turning) {
   Simulation simulation(settings, {plane_wall()});
   NewGrain grain;
-  grain.position = {0, 0, settings.shape.sphere_radius - 4.4e-8};
+  grain.position = {0, 0, settings.shape().sphere_radius - 4.4e-8};
   grain.velocity = {speed, 0, 0};
   grain.angular_velocity = {0, turning, 0};
   simulation.add_grains({grain});
@@ -36,7 +36,7 @@ TEST(Rolling, SlidingSphereRollsInTheEndAtFiveSeventhsOfItsSpeed) {
   for (int k = 0; k < steps; ++k) {
     simulation.step();
     mean_speed += velocity_of(simulation, 0).x() / steps;
-    mean_rim += simulation.angular_velocity(0).y() * settings.shape.sphere_radius / steps;
+    mean_rim += simulation.angular_velocity(0).y() * settings.shape().sphere_radius / steps;
   }
   EXPECT_NEAR(mean_speed, 5.0 / 7.0 * speed, 1e-3 * speed);
   EXPECT_NEAR(mean_rim, mean_speed, 1e-3 * speed);
@@ -46,7 +46,7 @@ TEST(Rolling, BackspinnedSphereComesBack) {
   // Angular momentum about the contact line stays: v_end = (v - 2/5 R |omega|) 5/7 < 0.
   const double speed = 0.05, friction = 0.3;
   const auto settings = on_plane(friction, 0);
-  const double turning = -4 * speed / settings.shape.sphere_radius;
+  const double turning = -4 * speed / settings.shape().sphere_radius;
   auto simulation = thrown(settings, speed, turning);
   while (simulation.time() < 0.04) simulation.step();
   double mean = 0;
@@ -54,7 +54,7 @@ TEST(Rolling, BackspinnedSphereComesBack) {
     simulation.step();
     mean += velocity_of(simulation, 0).x() / 5000;
   }
-  EXPECT_NEAR(mean, 5.0 / 7.0 * (speed + 0.4 * settings.shape.sphere_radius * turning), 2e-3 * speed);
+  EXPECT_NEAR(mean, 5.0 / 7.0 * (speed + 0.4 * settings.shape().sphere_radius * turning), 2e-3 * speed);
   EXPECT_LT(mean, 0);
 }
 
@@ -62,7 +62,7 @@ TEST(Rolling, RollingFrictionBrakesEvenlyAndStops) {
   // Rolling without slip under a torque mu_r N: a = -5/7 mu_r g / R.
   const double speed = 0.05, rolling = 3.75e-5;
   const auto settings = on_plane(0.5, rolling);
-  const double radius = settings.shape.sphere_radius;
+  const double radius = settings.shape().sphere_radius;
   auto simulation = thrown(settings, speed, speed / radius);
   const double braking = 5.0 / 7.0 * rolling * 9.81 / radius;
   while (simulation.time() < 0.5 * speed / braking) simulation.step();
@@ -97,7 +97,7 @@ TEST(Rolling, TwoSpheresInGlancingContactTurnTheSameWay) {
   const auto settings = weightless(Model::b, {.friction = 1}, 1e-7);
   Simulation simulation(settings, {});
   NewGrain left, right;
-  left.position = {-settings.shape.sphere_radius, 0, 0};
+  left.position = {-settings.shape().sphere_radius, 0, 0};
   left.velocity = {0.1, 0.1, 0};
   right.position = -left.position;
   right.velocity = -left.velocity;
@@ -116,7 +116,7 @@ TEST(Rolling, ModelANeverTurns) {
   const auto settings = weightless(Model::a, {.friction = 1}, 1e-7);
   Simulation simulation(settings, {});
   NewGrain left, right;
-  left.position = {-settings.shape.sphere_radius, 0, 0};
+  left.position = {-settings.shape().sphere_radius, 0, 0};
   left.velocity = {0.1, 0.1, 0};
   right.position = -left.position;
   simulation.add_grains({left, right});

@@ -13,7 +13,7 @@ SimulationSettings bed_settings(bool sleep, int threads = 1) {
   auto settings = weightless(Model::a, {.friction = 0.5}, kStep);
   settings.gravity = {0, 0, -9.81};
   settings.threads = threads;
-  const double size = 2 * half_size(settings.shape);
+  const double size = 2 * half_size(settings.shape());
   settings.period = {13 * size, 13 * size};
   if (sleep) settings.sleep = SleepSettings{};
   return settings;
@@ -60,7 +60,7 @@ void drop_heap(Simulation& simulation, double speed) {
 
 double weight(const Simulation& simulation) {
   const auto& settings = simulation.settings();
-  return static_cast<double>(simulation.grains().size()) * settings.shape.mass * settings.gravity.norm();
+  return static_cast<double>(simulation.grains().size()) * settings.shape().mass * settings.gravity.norm();
 }
 
 double mean_height(const Simulation& simulation) {
@@ -136,7 +136,7 @@ TEST(Sleeping, FallingGrainsWakeWhatTheyHit) {
   }
   EXPECT_NEAR(heap_asleep, heap_awake, 0.5 * grain_size());
   EXPECT_NEAR(mean_height(beds.asleep), mean_height(beds.awake), 0.02 * grain_size());
-  EXPECT_LT(beds.asleep.overlaps_of_run().grains, 0.2 * beds.asleep.settings().shape.sphere_radius);
+  EXPECT_LT(beds.asleep.overlaps_of_run().grains, 0.2 * beds.asleep.settings().shape().sphere_radius);
   EXPECT_LT(std::abs(beds.asleep.energy_balance_error()), 1e-2);
   run_steps(beds.asleep, 20000);
   EXPECT_GT(beds.asleep.sleepers(), sleepers * 8 / 10) << "in the end they sleep again";
@@ -219,7 +219,7 @@ TEST(Sleeping, ComposedGrainsSleepToo) {
   auto settings = weightless(Model::d, {.friction = 1, .work_of_adhesion = 0.005}, 4e-6);
   settings.gravity = {0, 0, -9.81};
   settings.sleep = SleepSettings{};
-  const double size = 2 * half_size(settings.shape);
+  const double size = 2 * half_size(settings.shape());
   // The plate's spheres repeat with the period: a grain that crosses it must find the same wall again.
   constexpr double kWallRadius = 1.5e-4, kSpacing = 1.6 * kWallRadius;
   const double period = std::ceil(5 * size / kSpacing) * kSpacing;

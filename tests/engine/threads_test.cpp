@@ -34,7 +34,7 @@ Outcome run_bed(const Bed& bed, int threads, bool periodic, bool may_sleep) {
   settings.gravity = {0, 0, -9.81};
   settings.threads = threads;
   if (may_sleep) settings.sleep.emplace().energy = 1e-12;
-  const double size = 2 * half_size(settings.shape);
+  const double size = 2 * half_size(settings.shape());
   if (periodic) settings.period = {bed.period * size, bed.period * size};
   WallBodySpec floor = plate(bed.floor_half_width * size, bed.wall_sphere_radius);
   for (auto& centre : floor.centres) centre.z() -= bed.floor_depth * size;

@@ -54,11 +54,11 @@ inline SpherePairs all_touching_pairs(const Simulation& simulation) {
     for (std::size_t b = 0; b < a; ++b) {
       const Eigen::Vector3d centres =
           nearest(settings, simulation.grains().position[a] - simulation.grains().position[b]);
-      if (centres.norm() > 2 * settings.shape.bounding_radius()) continue;
+      if (centres.norm() > 2 * settings.shape().bounding_radius()) continue;
       for (std::size_t i = a * per_grain; i < (a + 1) * per_grain; ++i)
         for (std::size_t j = b * per_grain; j < (b + 1) * per_grain; ++j)
           if (nearest(settings, eigen(field.position(i) - field.position(j))).norm() <
-              2 * settings.shape.sphere_radius)
+              2 * settings.shape().sphere_radius)
             pairs.insert(named(simulation, i, j));
     }
   return pairs;

@@ -28,7 +28,7 @@ TEST(Walls, CarryTheWeightOfWhatRestsOnThem) {
     simulation.step();
     mean += simulation.wall_load(0).force / 2000;
   }
-  const double weight = 5 * settings.shape.mass * 9.81;
+  const double weight = 5 * settings.shape().mass * 9.81;
   EXPECT_NEAR(mean.z(), -weight, 1e-3 * weight);
 }
 
@@ -40,12 +40,12 @@ TEST(Walls, RestingSphereSinksInAsHertzSaysWithMixedRadius) {
   ball.centres = {{0, 0, -wall_radius}};
   Simulation simulation(settings, {ball});
   NewGrain grain;
-  grain.position.z() = settings.shape.sphere_radius;
+  grain.position.z() = settings.shape().sphere_radius;
   simulation.add_grains({grain});
   run_steps(simulation, 40000);
-  const double effective = effective_radius(settings.shape.sphere_radius, wall_radius);
+  const double effective = effective_radius(settings.shape().sphere_radius, wall_radius);
   const double expected =
-      std::pow(settings.shape.mass * 9.81 / (2.0 / 3.0 * 1e7 * std::sqrt(effective)), 2.0 / 3.0);
+      std::pow(settings.shape().mass * 9.81 / (2.0 / 3.0 * 1e7 * std::sqrt(effective)), 2.0 / 3.0);
   EXPECT_NEAR(simulation.deepest_overlap(), expected, 1e-6 * expected);
 }
 
@@ -53,7 +53,7 @@ TEST(Walls, DampWithThePowdersAbsoluteCoefficient) {
   // A sphere that flies through the surface of a big wall sphere: one step's force is Hertz + damping with
   // gamma_n of the powder and R_eff of both radii (OP-5).
   const auto settings = weightless(Model::a, {}, 1e-9);
-  const double wall_radius = 4.5e-4, radius = settings.shape.sphere_radius;
+  const double wall_radius = 4.5e-4, radius = settings.shape().sphere_radius;
   WallBodySpec ball;
   ball.sphere_radius = wall_radius;
   ball.centres = {Eigen::Vector3d::Zero()};
@@ -73,7 +73,7 @@ TEST(Walls, DampWithThePowdersAbsoluteCoefficient) {
 
 TEST(Walls, MovingPlateDragsByFrictionUntilTheGrainMovesAlong) {
   auto settings = heavy(Model::a, 2e-6);
-  const double speed = 0.05, friction = settings.wall_contact.friction;
+  const double speed = 0.05, friction = wall_contact(settings).friction;
   Simulation simulation(settings, {plane_wall([speed](double time) {
                           BodyMotion motion;
                           motion.velocity = {speed, 0, 0};
@@ -81,13 +81,13 @@ TEST(Walls, MovingPlateDragsByFrictionUntilTheGrainMovesAlong) {
                           return motion;
                         })});
   NewGrain grain;
-  grain.position.z() = settings.shape.sphere_radius - 4.4e-8;
+  grain.position.z() = settings.shape().sphere_radius - 4.4e-8;
   simulation.add_grains({grain});
   const double catch_up = speed / (friction * 9.81);
   while (simulation.time() < 0.5 * catch_up) simulation.step();
   EXPECT_NEAR(velocity_of(simulation, 0).x(), friction * 9.81 * simulation.time(), 5e-3 * speed);
-  EXPECT_NEAR(simulation.wall_load(0).force.x(), -friction * settings.shape.mass * 9.81,
-              1e-3 * settings.shape.mass);
+  EXPECT_NEAR(simulation.wall_load(0).force.x(), -friction * settings.shape().mass * 9.81,
+              1e-3 * settings.shape().mass);
   while (simulation.time() < 2 * catch_up) simulation.step();
   double mean = 0;
   for (int k = 0; k < 5000; ++k) {
@@ -118,7 +118,7 @@ TEST(Walls, TurntableDragsAlongItsCircumference) {
   });
   Simulation simulation(settings, {table});
   NewGrain grain;
-  grain.position = {4 * 2.4e-4, 0, settings.shape.sphere_radius - 1e-7};
+  grain.position = {4 * 2.4e-4, 0, settings.shape().sphere_radius - 1e-7};
   simulation.add_grains({grain});
   run_steps(simulation, 20);
   const auto& load = simulation.wall_load(0);
@@ -126,7 +126,7 @@ TEST(Walls, TurntableDragsAlongItsCircumference) {
   EXPECT_GT(on_grain.y(), 0);
   EXPECT_LT(std::abs(on_grain.x()), 1e-2 * on_grain.y());
   // Torque about the frame's origin, from the contact point.
-  const Eigen::Vector3d contact = grain.position - Eigen::Vector3d(0, 0, settings.shape.sphere_radius);
+  const Eigen::Vector3d contact = grain.position - Eigen::Vector3d(0, 0, settings.shape().sphere_radius);
   EXPECT_NEAR(load.torque.z(), contact.cross(load.force).z(), 1e-3 * std::abs(load.torque.z()));
 }
 
@@ -166,7 +166,7 @@ TEST(Walls, FastToolIsFoundBeforeItHits) {
   // goes.
   EXPECT_GT(velocity_of(simulation, 0).z(), 0.1);
   EXPECT_GT(deepest, 0);
-  EXPECT_LT(deepest, 0.25 * settings.shape.sphere_radius);
+  EXPECT_LT(deepest, 0.25 * settings.shape().sphere_radius);
   EXPECT_LT(simulation.searches(), 300U);
 }
 

@@ -12,7 +12,7 @@ constexpr double kNearlyNothing = 1e-200;
 /// A cloud of grains that falls onto a plate and collapses.
 Simulation collapse(SimulationSettings settings) {
   settings.gravity = {0, 0, -9.81};
-  const double size = 2 * half_size(settings.shape);
+  const double size = 2 * half_size(settings.shape());
   Simulation simulation(settings, {plate(6 * size, 1.5e-4)});
   simulation.add_grains(converging_cloud({4, 4, 4}, 1.1 * size, 0.3, 9, {0, 0, 2.5 * size}));
   run_steps(simulation, 3000);
@@ -25,9 +25,10 @@ TEST_P(ZeroTermsOf, WouldComeToNothing) {
   const auto [model, powder] = GetParam();
   auto settings = weightless(model, powder, 2e-6);
   const auto without = collapse(settings);
-  for (auto* contact : {&settings.grain_contact, &settings.wall_contact}) {
-    contact->friction = std::max(contact->friction, kNearlyNothing);
-    contact->work_of_adhesion = std::max(contact->work_of_adhesion, kNearlyNothing);
+  for (const char* other : {kPowderMaterial, kWallMaterial}) {
+    ContactAccess contact(settings, other);
+    contact.friction = std::max(contact.friction, kNearlyNothing);
+    contact.work_of_adhesion = std::max(contact.work_of_adhesion, kNearlyNothing);
   }
   const auto with = collapse(settings);
   EXPECT_LT(without.ledger().viscous_work, 0) << "they have met";
@@ -56,11 +57,11 @@ TEST(RotationOfFixedGrains, IsThatOfGrainsTooHeavyToTurn) {
   constexpr double kNothingTurnsIt = 1e30;
   auto settings = weightless(Model::a, {.friction = 0.8}, 2e-6);
   const auto fixed = collapse(settings);
-  settings.shape.rotates = true;
-  settings.shape.inertia *= kNothingTurnsIt;
+  settings.shape().rotates = true;
+  settings.shape().inertia *= kNothingTurnsIt;
   const auto turning = collapse(settings);
-  EXPECT_FALSE(fixed.kinds().rotates());
-  EXPECT_TRUE(turning.kinds().rotates());
+  EXPECT_FALSE(fixed.types().rotates());
+  EXPECT_TRUE(turning.types().rotates());
   double torque = 0;
   for (std::size_t k = 0; k < turning.grains().size(); ++k) {
     torque = std::max(torque, turning.grains().torque[k].norm());

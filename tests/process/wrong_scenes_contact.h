@@ -91,9 +91,6 @@ inline std::vector<WrongScene> wrong_contacts() {
             "grain_diameter = \"1.88 mm\"\nmodel = \"A\"\n" + hertz +
                 "rolling = { law = @\"CDT\", rolling_friction = 0.1 }",
             {"contact.rolling.law", "grains of model A do not rotate"}),
-      spoil("contact_beside_a_mirror", "max_time = \"5 s\"",
-            "max_time = \"5 s\"\n[economy]\nmirror = @\"y\"\n" + hertz,
-            {"economy.mirror", "[contact]", "remove one of the two"}),
       spoil_contact("contact_scaling_misspelt", hertz + "coarse_graining = @\"Chou\"",
                     {"contact.coarse_graining", "did you mean \"Chu\"?"}),
       spoil_contact("contact_stiffness_as_a_length",

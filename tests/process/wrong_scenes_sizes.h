@@ -1,4 +1,4 @@
-// Faults in [powder.sizes], and what powder of several sizes cannot have.
+// Faults in [powder.sizes].
 #pragma once
 
 #include <string>
@@ -9,29 +9,12 @@
 namespace diefill::process {
 
 inline std::vector<WrongScene> wrong_sizes() {
-  const std::string size = "grain_diameter = \"1.88 mm\"", walls = "[walls]",
+  const std::string size = "grain_diameter = \"1.88 mm\"",
                     two = "[{ diameter = \"1.5 mm\", share = 0.3 }, { diameter = \"2.1 mm\", share = 0.7 }]",
-                    classes = "sizes = { distribution = \"classes\", classes = " + two + " }",
-                    marked = "sizes = { distribution = @\"classes\", classes = " + two + " }";
+                    classes = "sizes = { distribution = \"classes\", classes = " + two + " }";
   const auto spoilt = [&](const std::string& name, const std::string& table,
                           std::vector<std::string> expected) {
     return spoil("sizes_" + name, size, "sizes = " + table, std::move(expected));
-  };
-  // With a setting, and without the numbers that it chooses.
-  const auto without_numbers = [&] {
-    WrongScene scene = spoil("sizes_beside_setting", size, marked,
-                             {"powder.sizes.distribution", "`setting` sets a single grain size"});
-    scene.text = support::exchanged(scene.text, "seed = 1", "setting = \"quick\"");
-    scene.text = support::exchanged(scene.text, "spacing = 1.6\n", "");
-    scene.text = support::exchanged(scene.text, "fill_height = \"24 mm\"\n", "");
-    return scene;
-  };
-  // One more table or key elsewhere in a scene of several sizes; the message stands at the distribution.
-  const auto beside = [&](const std::string& name, const std::string& old, const std::string& text,
-                          std::vector<std::string> expected) {
-    WrongScene scene = spoil("sizes_beside_" + name, size, marked, std::move(expected));
-    scene.text = support::exchanged(scene.text, old, text);
-    return scene;
   };
   return {
       spoil(
@@ -85,15 +68,9 @@ inline std::vector<WrongScene> wrong_sizes() {
           "sizes = @{ distribution = \"classes\", classes = [{ diameter = \"40 mm\", share = 1 }, { diameter "
           "= \"50 mm\", share = 1 }] }",
           {"powder.sizes", "allowed: 0.04704 mm to 9.408 mm", "coarse graining is not valid"}),
-      beside("mesh_walls", walls, walls + "\nkind = \"mesh\"",
-             {"powder.sizes.distribution", "tool \"die\" is a mesh wall", "remove one of the two"}),
-      beside("mirror", "[numerics]", "[economy]\nmirror = \"y\"\n[numerics]",
-             {"powder.sizes.distribution", "economy.mirror"}),
-      beside("suction", "[numerics]", "[suction]\ntool = \"die\"\nparticle_diameter = \"0.1 mm\"\n[numerics]",
-             {"powder.sizes.distribution", "[suction]"}),
-      beside("rolling_friction", "preset = \"Distaloy AE\"", "preset = \"ASC100.29 initial B\"",
-             {"powder.sizes.distribution", "powder.rolling_friction", "law = \"CDT\""}),
-      without_numbers(),
+      spoilt("mean_size_without_unit",
+             "{ distribution = \"classes\", mean_size = @1.5, classes = " + two + " }",
+             {"powder.sizes.mean_size", "found 1.5", "expected a length with its unit"}),
   };
 }
 

@@ -22,7 +22,7 @@ TEST(Jams, DoNotStopAFillingAgainstFineWallSpheresAtALongStep) {
   ASSERT_GT(settings.time_step, wedged_time_step(scene, settings))
       << "no longer step than a jam is thought to bear";
   const Tooling tooling =
-      build_tooling(scene, settings.shape.sphere_radius, 2 * settings.shape.bounding_radius());
+      build_tooling(scene, settings.shape().sphere_radius, 2 * settings.shape().bounding_radius());
   const support::TemporaryFolder folder;
   RunOptions options;
   options.directory = folder.path();

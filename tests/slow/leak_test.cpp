@@ -28,9 +28,9 @@ constexpr std::size_t kGrains = 3000;
 
 engine::SimulationSettings settings() {
   engine::SimulationSettings settings;
-  settings.shape = engine::model_a(kGrainRadius, kGrainMass);
-  settings.grain_contact = {1e7, 1e6 * kGrainRadius, 1e6 * kGrainRadius, 0.25, 0, 0};
-  settings.wall_contact = settings.grain_contact;
+  settings.types = {{engine::model_a(kGrainRadius, kGrainMass)}};
+  grain_contact(settings) = {1e7, 1e6 * kGrainRadius, 1e6 * kGrainRadius, 0.25, 0, 0};
+  wall_contact(settings) = grain_contact(settings);
   settings.gravity.setZero();
   settings.time_step = kStep;
   settings.threads = 2;

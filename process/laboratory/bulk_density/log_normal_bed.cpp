@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "engine/coarse_graining/scaled_up_particle.h"
-#include "engine/limits/mix_time_step.h"
 #include "engine/limits/time_step.h"
 #include "engine/powder/size_classes.h"
 #include "process/laboratory/bulk_density/sticky_spheres.h"
@@ -25,7 +24,6 @@ constexpr std::size_t kClasses = 24;
 constexpr double kFall = 0.6, kLongest = 1.5, kLook = 0.05;  // s
 constexpr double kStill = 1e-6;                              // kinetic energy over m g d
 constexpr double kImpact = 4.5;                              // m/s: falls of 1 m
-constexpr const char *kSpheres = "spheres", *kFloor = "floor";
 
 /// At scale 1.
 engine::SizeDistribution sizes_of(double variation) {
@@ -40,18 +38,16 @@ engine::SizeDistribution sizes_of(double variation) {
 engine::SimulationSettings settings_of(const LogNormalBed& bed,
                                        const std::vector<engine::CutClass>& classes) {
   engine::SimulationSettings settings;
-  engine::GrainMix mix;
-  mix.scaling = engine::coarse_graining::scaled_up_particle(bed.scale);
-  for (const auto& one : classes) mix.kinds.push_back({sticky_sphere(0.5 * one.diameter), kSpheres});
+  settings.types.clear();
+  for (const auto& one : classes) settings.types.push_back({sticky_sphere(0.5 * one.diameter)});
   const auto law = sticky_law(bed.surface_energy, engine::laws::JkrLoad::corrected, {});
-  mix.laws = {{kSpheres, kSpheres, law}, {kSpheres, kFloor, law}};
-  settings.shape = mix.kinds.front().shape;
+  settings.contact = engine::one_powder(law, law, engine::coarse_graining::scaled_up_particle(bed.scale));
   const double width = bed.share_of_width * bed.scale * kWidth;
   settings.period = {width, width};
   settings.time_step =
       engine::kDefaultTimeStepFraction *
-      engine::critical_time_step(mix, {{kFloor, std::numeric_limits<double>::infinity()}}, kImpact);
-  settings.mix = std::move(mix);
+      engine::critical_time_step(engine::moving_types(settings.types, settings.contact.scaling),
+                                 settings.contact, {{}}, kImpact);
   return settings;
 }
 
@@ -64,7 +60,7 @@ std::vector<engine::NewGrain> hung_spheres(const LogNormalBed& bed,
   const double period = *settings.period[0], half = 0.5 * bed.share_of_width * bed.scale * kHungWidth;
   std::mt19937_64 random(bed.seed);
   std::uniform_real_distribution<double> across(-half, half), up(kHungFrom, kHungTo);
-  const auto radius = [&](std::uint16_t kind) { return settings.mix->kinds[kind].shape.sphere_radius; };
+  const auto radius = [&](std::uint16_t kind) { return settings.types[kind].shape.sphere_radius; };
   std::vector<engine::NewGrain> spheres;
   while (spheres.size() < kinds.size()) {
     engine::NewGrain sphere;
@@ -90,10 +86,10 @@ LogNormalBedFigures settle_log_normal_bed(const LogNormalBed& bed) {
   const auto settings = settings_of(bed, classes);
   double mean_mass = 0;
   for (std::size_t k = 0; k < classes.size(); ++k)
-    mean_mass += classes[k].number_share * settings.mix->kinds[k].shape.mass;
+    mean_mass += classes[k].number_share * settings.types[k].shape.mass;
   const double area = *settings.period[0] * *settings.period[1];
   const auto count = static_cast<std::size_t>(std::lround(kMassOfArea * area / mean_mass));
-  engine::Simulation simulation(settings, {plane_floor(kFloor)});
+  engine::Simulation simulation(settings, {plane_floor()});
   simulation.add_grains(hung_spheres(bed, settings, engine::drawn_classes(classes, count, bed.seed)));
   LogNormalBedFigures figures;
   while (simulation.time() < kLongest &&

@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "engine/coarse_graining/scaled_up_particle.h"
-#include "engine/limits/general_time_step.h"
 #include "engine/limits/time_step.h"
 
 namespace diefill::process::laboratory {
@@ -24,21 +23,20 @@ constexpr double kImpact = 2.4;                    // m/s: falls of 0.3 m
 engine::SimulationSettings settings_of(const PouredBed& bed) {
   const double radius = 0.5 * kDiameter * bed.scale;
   engine::SimulationSettings settings;
-  settings.shape = sticky_sphere(radius);
+  settings.types = {{sticky_sphere(radius)}};
   const auto law = sticky_law(kSurfaceEnergy, bed.load, bed.rolling);
   const auto scaling = engine::coarse_graining::scaled_up_particle(bed.scale);
-  settings.general_contact = engine::GeneralContact{law, law, scaling};
+  settings.contact = engine::one_powder(law, law, scaling);
   settings.period = {kWidth, kWidth};
-  engine::GrainShape as_simulated = settings.shape;
-  as_simulated.inertia /= scaling.torque_factor();
   settings.time_step = engine::kDefaultTimeStepFraction *
-                       engine::critical_time_step(as_simulated, *settings.general_contact, kImpact);
+                       engine::critical_time_step(engine::moving_types(settings.types, scaling),
+                                                  settings.contact, {{}}, kImpact);
   return settings;
 }
 
 /// `count` spheres at random free places of the region above the bed.
 void pour_batch(engine::Simulation& simulation, std::size_t count, std::mt19937_64& random) {
-  const double diameter = 2 * simulation.settings().shape.sphere_radius;
+  const double diameter = 2 * simulation.settings().shape().sphere_radius;
   std::vector<Eigen::Vector3d> taken;
   for (const auto& place : simulation.grains().position)
     if (place[2] > kPouredFrom - diameter) taken.push_back(place);
@@ -68,7 +66,7 @@ void pour_batch(engine::Simulation& simulation, std::size_t count, std::mt19937_
 PouredBedFigures pour_bed(const PouredBed& bed) {
   const auto settings = settings_of(bed);
   engine::Simulation simulation(settings, {plane_floor()});
-  const auto wanted = static_cast<std::size_t>(std::lround(kMass / settings.shape.mass));
+  const auto wanted = static_cast<std::size_t>(std::lround(kMass / settings.shape().mass));
   const auto batches = std::max(1L, std::lround(bed.pouring_time / kBatchEvery));
   const long steps_a_batch = std::lround(kBatchEvery / settings.time_step);
   std::mt19937_64 random(bed.seed);

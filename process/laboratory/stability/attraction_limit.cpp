@@ -18,12 +18,12 @@ namespace laws = engine::laws;
 
 engine::SimulationSettings with_law(const laws::LawParameters& law) {
   engine::SimulationSettings settings;
-  const auto sphere = thesis_grain(ParticleType::sphere);
-  settings.shape = engine::model_b(sphere.sphere_radius, sphere.mass);
+  const auto sphere = thesis_grain(ThesisGrain::sphere);
+  settings.types = {{engine::model_b(sphere.sphere_radius, sphere.mass)}};
   settings.gravity.setZero();
-  settings.general_contact.emplace();
-  settings.general_contact->grains = settings.general_contact->walls = law;
-  settings.general_contact->walls.attraction = {};
+  laws::LawParameters walls = law;
+  walls.attraction = {};
+  settings.contact = engine::one_powder(law, walls);
   return settings;
 }
 
@@ -43,7 +43,7 @@ double rebound_error(engine::SimulationSettings settings, double time_step, doub
 
 void luding(const ExperimentOptions& options, results::ExperimentResult& result) {
   constexpr double kLoading = 100, kSpeed = 0.2;  // N/m, m/s
-  const double mass = 0.5 * thesis_grain(ParticleType::sphere).mass;
+  const double mass = 0.5 * thesis_grain(ThesisGrain::sphere).mass;
   results::ExperimentChart chart;
   chart.name = "luding_time_step";
   chart.title = "Time step that Luding's unloading spring needs";
@@ -60,7 +60,7 @@ void luding(const ExperimentOptions& options, results::ExperimentResult& result)
         .loading = kLoading, .unloading = ratio * kLoading, .plasticity_depth = 1e-4};
   };
   const auto predicted = [&](double ratio) {
-    const double radius = thesis_grain(ParticleType::sphere).sphere_radius;
+    const double radius = thesis_grain(ThesisGrain::sphere).sphere_radius;
     return 2 * std::sqrt(mass / laws::LudingNormal(spring_of(ratio), {radius, radius, 2 * mass, 2 * mass})
                                     .stiffness(0, nullptr));
   };
@@ -89,7 +89,7 @@ void luding(const ExperimentOptions& options, results::ExperimentResult& result)
 
 /// m/s, speed just above that at which attraction of `well` (J) would hold the pair.
 double speed_above(double well) {
-  return 1.5 * std::sqrt(2 * well / (0.5 * thesis_grain(ParticleType::sphere).mass));
+  return 1.5 * std::sqrt(2 * well / (0.5 * thesis_grain(ThesisGrain::sphere).mass));
 }
 
 /// Steps at which a pair still flies apart as fast as it came, within 0.05, against the smallest gap.
@@ -105,7 +105,7 @@ void van_der_waals(const ExperimentOptions& options, results::ExperimentResult& 
   chart.y = {.label = "Time step [us]", .logarithmic = true};
   ExperimentSeries measured{.name = "rebound right within 0.05", .x = {}, .y = {}};
   ExperimentSeries theory{.name = "smallest gap over speed", .role = Role::predicted, .x = {}, .y = {}};
-  const double radius = thesis_grain(ParticleType::sphere).sphere_radius;
+  const double radius = thesis_grain(ThesisGrain::sphere).sphere_radius;
   for (const double gap : logarithmic_range(1e-9, 2e-8, options.quick ? 7 : 13)) {
     const laws::VanDerWaals::Parameters attraction{
         .hamaker = kHamaker, .smallest_gap = gap, .largest_gap = kLargestGap};

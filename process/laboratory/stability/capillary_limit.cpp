@@ -22,7 +22,7 @@ laws::CapillaryBridge::Parameters bridge_of(double smallest_gap) {
 }
 
 laws::PairProperties pair() {
-  const auto sphere = thesis_grain(ParticleType::sphere);
+  const auto sphere = thesis_grain(ThesisGrain::sphere);
   return {sphere.sphere_radius, sphere.sphere_radius, sphere.mass, sphere.mass};
 }
 
@@ -41,15 +41,15 @@ double length_of_bridge() {
 
 engine::SimulationSettings with_bridge(double smallest_gap, double time_step) {
   engine::SimulationSettings settings;
-  settings.shape = engine::model_b(pair().radius_i, pair().mass_i);
+  settings.types = {{engine::model_b(pair().radius_i, pair().mass_i)}};
   settings.gravity.setZero();
   settings.time_step = time_step;
   laws::LawParameters law;
   law.normal = laws::HertzMindlinNormal::Parameters{.modulus = 5e6};
   law.attraction = bridge_of(smallest_gap);
-  settings.general_contact.emplace();
-  settings.general_contact->grains = settings.general_contact->walls = law;
-  settings.general_contact->walls.attraction = {};
+  laws::LawParameters walls = law;
+  walls.attraction = {};
+  settings.contact = engine::one_powder(law, walls);
   return settings;
 }
 

@@ -101,7 +101,7 @@ double filled_share(const Cavity& cavity, std::uint64_t seed, int threads) {
   if (!cavity.ring) scene.numerics.period[1] = cavity.length();
   auto settings = engine_settings(scene, 0.8);
   settings.threads = threads;
-  const auto grains = rain(cavity, settings.shape.solid_volume, seed);
+  const auto grains = rain(cavity, settings.shape().solid_volume, seed);
   double top = 0;
   for (const auto& grain : grains) top = std::max(top, grain.position.z());
   engine::Simulation simulation(settings, {walls_of(cavity, top + 2 * cavity.diameter)});
@@ -115,7 +115,7 @@ double filled_share(const Cavity& cavity, std::uint64_t seed, int threads) {
   const auto inside = std::count_if(places.begin(), places.end(), [](const Eigen::Vector3d& place) {
     return place.z() < 0 && place.z() > -kDepth;
   });
-  return static_cast<double>(inside) * settings.shape.solid_volume / (cavity.nominal_area() * kDepth);
+  return static_cast<double>(inside) * settings.shape().solid_volume / (cavity.nominal_area() * kDepth);
 }
 
 void fill(bool ring, const std::vector<double>& coarseness, const ExperimentOptions& options,

@@ -16,6 +16,7 @@ using Role = ExperimentSeries::Role;
 
 /// Two spheres that hold each other, and the well they lie in.
 struct BoundPair {
+  engine::ContactParameters contact = elastic_contact();
   engine::SimulationSettings settings;
   double rest = 0;      // m, overlap without force: k h^(3/2) = c h^(3/4)
   double depth = 0;     // J, of the well
@@ -26,17 +27,17 @@ struct BoundPair {
 BoundPair bound_pair(double work_of_adhesion) {
   BoundPair pair;
   auto& settings = pair.settings;
-  settings.shape = thesis_grain(ParticleType::sphere);
-  settings.grain_contact = elastic_contact();
-  settings.grain_contact.work_of_adhesion = work_of_adhesion;
+  settings.types = {{thesis_grain(ThesisGrain::sphere)}};
+  pair.contact.work_of_adhesion = work_of_adhesion;
+  settings.contact = bierwisch_contact(pair.contact, pair.contact);
   settings.gravity.setZero();
-  const double radius = 0.5 * settings.shape.sphere_radius;
+  const double radius = 0.5 * settings.shape().sphere_radius;
   const engine::laws::Hertz hertz(1e7, radius);
   const engine::laws::HertzianCohesion cohesion(work_of_adhesion, 1e7, radius);
   pair.rest = std::pow(cohesion.coefficient / hertz.coefficient, 4.0 / 3.0);
   pair.depth = -(hertz.energy(pair.rest) + cohesion.energy(pair.rest));
   const double slope = 0.75 * hertz.coefficient * std::sqrt(pair.rest);
-  const double frequency = std::sqrt(slope / (0.5 * settings.shape.mass));
+  const double frequency = std::sqrt(slope / (0.5 * settings.shape().mass));
   pair.period = 2 * std::numbers::pi / frequency;
   pair.critical = 2 / frequency;
   return pair;
@@ -48,7 +49,7 @@ engine::Simulation started(engine::SimulationSettings settings, double time_step
   settings.time_step = time_step;
   engine::Simulation simulation(settings, {});
   engine::NewGrain left, right;
-  right.position.x() = settings.shape.sphere_radius - 0.5 * overlap;
+  right.position.x() = settings.shape().sphere_radius - 0.5 * overlap;
   left.position = -right.position;
   left.velocity.x() = 0.5 * speed;
   right.velocity = -left.velocity;
@@ -72,7 +73,9 @@ bool keeps_its_energy(const BoundPair& pair, double time_step, double periods) {
 /// m/s, rms speed that remains between damped spheres after the time in which damping leaves nothing.
 double chatter(const BoundPair& pair, double time_step) {
   engine::SimulationSettings settings = pair.settings;
-  settings.grain_contact.damping = 1e6 * settings.shape.sphere_radius;
+  engine::ContactParameters damped = pair.contact;
+  damped.damping = 1e6 * settings.shape().sphere_radius;
+  settings.contact = bierwisch_contact(damped, damped);
   auto simulation = started(settings, time_step, 0.5 * pair.rest, 0);
   const auto steps = std::lround(200 * pair.period / time_step);
   for (long k = 0; k < steps; ++k) simulation.step();

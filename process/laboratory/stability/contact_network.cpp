@@ -3,6 +3,8 @@
 #include <Eigen/Dense>
 #include <cmath>
 
+#include "engine/contact/pair_laws.h"
+#include "engine/limits/law_probe.h"
 #include "engine/powder/periodic_box.h"
 #include "engine/powder/rigid_motion.h"
 
@@ -28,12 +30,16 @@ struct Sphere {
 
 class Network {
  public:
-  Network(const engine::Simulation& simulation, const NetworkSprings& springs)
-      : settings_(simulation.settings()), springs_(springs), box_(settings_.period) {
+  explicit Network(const engine::Simulation& simulation)
+      : settings_(simulation.settings()),
+        shape_(settings_.shape()),
+        among_grains_(engine::law_between(simulation.types(), settings_.contact, 0, 0)),
+        with_floor_(engine::law_at_wall(simulation.types(), settings_.contact, 0, {})),
+        box_(settings_.period) {
     const auto& grains = simulation.grains();
     for (std::size_t g = 0; g < grains.size(); ++g) {
       turn_.push_back(engine::rotation_matrix(grains.orientation_of(g)));
-      for (const auto& offset : settings_.shape.sphere_offsets) {
+      for (const auto& offset : shape_.sphere_offsets) {
         const Vector3d arm = turn_.back() * offset;
         spheres_.push_back({g, grains.position[g] + arm, arm});
       }
@@ -73,33 +79,32 @@ class Network {
   }
 
   void find_contacts() {
-    const double radius = settings_.shape.sphere_radius;
+    const double radius = shape_.sphere_radius;
     for (std::size_t a = 0; a < spheres_.size(); ++a) {
       const double depth = radius - spheres_[a].place.z();
-      if (depth > 0) add(spheres_[a], nullptr, Vector3d::UnitZ(), depth, radius);
+      if (depth > 0) add(spheres_[a], nullptr, Vector3d::UnitZ(), depth, with_floor_.springs(depth));
       for (std::size_t b = a + 1; b < spheres_.size(); ++b) {
         if (spheres_[a].grain == spheres_[b].grain) continue;
         const Vector3d between = box_.wrapped(spheres_[a].place - spheres_[b].place);
         const double overlap = 2 * radius - between.norm();
-        if (overlap > 0) add(spheres_[a], &spheres_[b], between.normalized(), overlap, 0.5 * radius);
+        if (overlap > 0)
+          add(spheres_[a], &spheres_[b], between.normalized(), overlap, among_grains_.springs(overlap));
       }
     }
   }
 
   void add(const Sphere& a, const Sphere* b, const Vector3d& normal, double overlap,
-           double effective_radius) {
-    add_spring(a, b, normal, normal, springs_.normal_modulus * std::sqrt(effective_radius * overlap),
-               overlap);
-    if (springs_.tangential <= 0) return;
-    const double stiffness = springs_.tangential * std::sqrt(overlap / effective_radius);
+           const engine::ContactSprings& springs) {
+    add_spring(a, b, normal, normal, springs.normal, overlap);
+    if (springs.tangential <= 0) return;
     const Vector3d across = normal.unitOrthogonal();
-    add_spring(a, b, normal, across, stiffness, overlap);
-    add_spring(a, b, normal, normal.cross(across), stiffness, overlap);
+    add_spring(a, b, normal, across, springs.tangential, overlap);
+    add_spring(a, b, normal, normal.cross(across), springs.tangential, overlap);
   }
 
   void add_spring(const Sphere& a, const Sphere* b, const Vector3d& normal, const Vector3d& direction,
                   double stiffness, double overlap) {
-    const double to_contact = settings_.shape.sphere_radius - (b != nullptr ? 0.5 : 1.0) * overlap;
+    const double to_contact = shape_.sphere_radius - (b != nullptr ? 0.5 : 1.0) * overlap;
     Spring spring;
     spring.i = a.grain;
     spring.stiffness = stiffness;
@@ -114,15 +119,16 @@ class Network {
 
   Coordinates slope(const Sphere& sphere, const Vector3d& lever, const Vector3d& direction) const {
     Coordinates change = Coordinates::Zero();
-    change.head<3>() = direction / std::sqrt(settings_.shape.mass);
-    if (settings_.shape.rotates)
+    change.head<3>() = direction / std::sqrt(shape_.mass);
+    if (shape_.rotates)
       change.tail<3>() = (turn_[sphere.grain].transpose() * lever.cross(direction))
-                             .cwiseQuotient(settings_.shape.inertia.cwiseSqrt());
+                             .cwiseQuotient(shape_.inertia.cwiseSqrt());
     return change;
   }
 
   const engine::SimulationSettings& settings_;
-  NetworkSprings springs_;
+  const engine::GrainShape& shape_;
+  engine::LawProbe among_grains_, with_floor_;
   engine::PeriodicBox box_;
   std::vector<Eigen::Matrix3d> turn_;
   std::vector<Sphere> spheres_;
@@ -131,8 +137,8 @@ class Network {
 
 }  // namespace
 
-double largest_eigenfrequency(const engine::Simulation& simulation, const NetworkSprings& springs) {
-  return std::sqrt(Network(simulation, springs).largest_eigenvalue());
+double largest_eigenfrequency(const engine::Simulation& simulation) {
+  return std::sqrt(Network(simulation).largest_eigenvalue());
 }
 
 }  // namespace diefill::process::laboratory

@@ -41,15 +41,14 @@ laws::LawParameters law_with_spring() {
 
 engine::SimulationSettings settings_of(Rolling rolling) {
   engine::SimulationSettings settings;
-  const auto sphere = thesis_grain(ParticleType::sphere);
-  settings.shape = engine::model_b(kRadius, sphere.mass * std::pow(kRadius / sphere.sphere_radius, 3));
+  const auto sphere = thesis_grain(ThesisGrain::sphere);
+  settings.types = {{engine::model_b(kRadius, sphere.mass * std::pow(kRadius / sphere.sphere_radius, 3))}};
   settings.period[1] = 2.1 * kRadius * kWidth;
   settings.time_step = 6e-6;
   const double share = rolling == Rolling::torque ? 2.5 : rolling == Rolling::weak_torque ? 0.25 : 0;
-  settings.grain_contact = settings.wall_contact = thesis_contact(share * kRadius);
-  if (rolling != Rolling::spring) return settings;
-  settings.general_contact.emplace();
-  settings.general_contact->grains = settings.general_contact->walls = law_with_spring();
+  const laws::LawParameters law =
+      rolling == Rolling::spring ? law_with_spring() : laws::bierwisch_law(thesis_contact(share * kRadius));
+  settings.contact = engine::one_powder(law, law);
   return settings;
 }
 

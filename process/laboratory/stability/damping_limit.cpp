@@ -16,21 +16,27 @@ using Role = ExperimentSeries::Role;
 
 constexpr double kSpeed = 0.5;  // m/s
 
-engine::SimulationSettings settings_with(double damping_over_radius) {
+/// Grains of model D with damping, without gravity.
+struct DampedGrains {
+  engine::ContactParameters contact = elastic_contact();
   engine::SimulationSettings settings;
-  settings.shape = thesis_grain(ParticleType::d);
-  settings.grain_contact = elastic_contact();
-  settings.grain_contact.damping = damping_over_radius * settings.shape.sphere_radius;
-  settings.gravity.setZero();
-  return settings;
-}
+
+  explicit DampedGrains(double damping_over_radius) {
+    settings.types = {{thesis_grain(ThesisGrain::d)}};
+    contact.damping = damping_over_radius * settings.shape().sphere_radius;
+    settings.contact = bierwisch_contact(contact, contact);
+    settings.gravity.setZero();
+  }
+  /// s, of an undamped collision at `speed` (m/s).
+  double collision(double speed) const { return collision_time(settings.shape(), contact, speed); }
+};
 
 /// Largest and smallest restitution over where in a step the contact begins; above 1: the contact gives more
 /// than it took.
-std::pair<double, double> restitution(engine::SimulationSettings settings, double time_step, double speed) {
+std::pair<double, double> restitution(const DampedGrains& grains, double time_step, double speed) {
+  engine::SimulationSettings settings = grains.settings;
   settings.time_step = time_step;
-  const auto steps = std::max(
-      20L, static_cast<long>(50 * collision_time(settings.shape, settings.grain_contact, speed) / time_step));
+  const auto steps = std::max(20L, static_cast<long>(50 * grains.collision(speed) / time_step));
   double most = 0, least = 1e9;
   for (int k = 0; k < 8; ++k) {
     const double rebound = meet_head_on(settings, speed, (k + 0.5) / 8, steps).rebound / speed;
@@ -40,17 +46,17 @@ std::pair<double, double> restitution(engine::SimulationSettings settings, doubl
   return {most, least};
 }
 
-double step_of_two_percent(const engine::SimulationSettings& settings, double collision) {
-  const double exact = restitution(settings, collision / 2000, kSpeed).first;
+double step_of_two_percent(const DampedGrains& grains, double collision) {
+  const double exact = restitution(grains, collision / 2000, kSpeed).first;
   return largest_that_holds(1e-4 * collision, collision, 0.03, [&](double time_step) {
-    const auto [most, least] = restitution(settings, time_step, kSpeed);
+    const auto [most, least] = restitution(grains, time_step, kSpeed);
     return most < exact + 0.02 && least > exact - 0.02;
   });
 }
 
-double step_of_energy(const engine::SimulationSettings& settings, double collision) {
+double step_of_energy(const DampedGrains& grains, double collision) {
   return largest_that_holds(1e-4 * collision, 4 * collision, 0.03, [&](double time_step) {
-    return restitution(settings, time_step, kSpeed).first <= 1;
+    return restitution(grains, time_step, kSpeed).first <= 1;
   });
 }
 
@@ -74,10 +80,9 @@ void find_damping_limit(const ExperimentOptions& options, results::ExperimentRes
   for (const double speed : {0.05, 0.5}) {
     ExperimentSeries curve{.name = speed < 0.1 ? "0.05 m/s" : "0.5 m/s", .x = {}, .y = {}};
     for (const double damping : range) {
-      const auto settings = settings_with(damping);
-      const double collision = collision_time(settings.shape, settings.grain_contact, speed);
+      const DampedGrains grains(damping);
       curve.x.push_back(damping);
-      curve.y.push_back(restitution(settings, collision / 1000, speed).first);
+      curve.y.push_back(restitution(grains, grains.collision(speed) / 1000, speed).first);
     }
     bounce.series.push_back(curve);
   }
@@ -87,19 +92,19 @@ void find_damping_limit(const ExperimentOptions& options, results::ExperimentRes
   ExperimentSeries chosen{
       .name = "default: 0.2 of the critical step", .role = Role::predicted, .x = {}, .y = {}};
   for (const double damping : range) {
-    const auto settings = settings_with(damping);
-    const auto& shape = settings.shape;
-    const auto& contact = settings.grain_contact;
-    const double collision = collision_time(shape, contact, kSpeed);
+    const DampedGrains grains(damping);
+    const auto& shape = grains.settings.shape();
+    const auto law = engine::laws::bierwisch_law(grains.contact);
+    const double collision = grains.collision(kSpeed);
     // Head-on, arms in line: nothing turns, so that the grain's whole mass counts.
     engine::GrainShape rigid = shape;
     rigid.rotates = false;
     const double limit =
-        engine::critical_time_step_at_overlap(rigid, contact, engine::impact_overlap(shape, contact, kSpeed));
-    const double own = engine::kDefaultTimeStepFraction * engine::critical_time_step(shape, contact, kSpeed);
+        engine::critical_time_step_at_overlap(rigid, law, engine::impact_overlap(shape, law, kSpeed));
+    const double own = engine::kDefaultTimeStepFraction * engine::critical_time_step(shape, law, kSpeed);
     for (auto* curve : {&exact, &gain, &theory, &chosen}) curve->x.push_back(damping);
-    exact.y.push_back(1e6 * step_of_two_percent(settings, collision));
-    gain.y.push_back(1e6 * step_of_energy(settings, collision));
+    exact.y.push_back(1e6 * step_of_two_percent(grains, collision));
+    gain.y.push_back(1e6 * step_of_energy(grains, collision));
     theory.y.push_back(1e6 * limit);
     chosen.y.push_back(1e6 * own);
   }
@@ -109,10 +114,8 @@ void find_damping_limit(const ExperimentOptions& options, results::ExperimentRes
   result.limits.push_back({"step with restitution right within 0.02 at gamma_n / R = 1e7 Pa s/m",
                            1e-6 * exact.y[last], 1e-6 * chosen.y[last], "s", "default step"});
   const double soft = largest_that_holds(1e4, 1e8, 0.02, [&](double damping) {
-    const auto settings = settings_with(damping);
-    return restitution(settings, collision_time(settings.shape, settings.grain_contact, kSpeed) / 1000,
-                       kSpeed)
-               .first > 0.05;
+    const DampedGrains grains(damping);
+    return restitution(grains, grains.collision(kSpeed) / 1000, kSpeed).first > 0.05;
   });
   result.limits.push_back({"damping over radius from which grains hardly rebound (restitution 0.05, 0.5 m/s)",
                            soft, std::nan(""), "Pa s/m", ""});

@@ -20,8 +20,8 @@ ElasticGas elastic_gas(const engine::GrainShape& shape, const engine::ContactPar
                        double spacing, double speed) {
   ElasticGas gas;
   const double width = across * spacing;
-  gas.settings.shape = shape;
-  gas.settings.grain_contact = gas.settings.wall_contact = contact;
+  gas.settings.types = {{shape}};
+  gas.settings.contact = bierwisch_contact(contact, contact);
   gas.settings.gravity.setZero();
   gas.settings.period = {width, width};
   gas.walls = {plates(-0.5 * width, 0.5 * width)};

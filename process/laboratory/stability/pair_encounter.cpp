@@ -5,7 +5,7 @@ namespace diefill::process::laboratory {
 Encounter meet_head_on(const engine::SimulationSettings& settings, double speed, double phase, long steps,
                        double range) {
   engine::Simulation simulation(settings, {});
-  const double half = settings.shape.bounding_radius();
+  const double half = settings.shape().bounding_radius();
   engine::NewGrain left, right;
   right.position.x() = half + 0.5 * range + 0.5 * phase * speed * settings.time_step;
   left.position = -right.position;

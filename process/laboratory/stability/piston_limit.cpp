@@ -32,12 +32,14 @@ struct PressedBed {
 };
 
 PressedBed bed_to_press(bool quick) {
-  const auto shape = thesis_grain(ParticleType::sphere);
+  const auto shape = thesis_grain(ThesisGrain::sphere);
   const SettledPile pile = settled_pile(shape, 0, quick ? 5 : 10, quick ? 6 : 12);
   PressedBed bed{pile.settings, pile.grains, 0};
-  bed.settings.grain_contact.damping = bed.settings.wall_contact.damping = 1e6 * shape.sphere_radius;
-  bed.settings.time_step =
-      engine::kDefaultTimeStepFraction * engine::critical_time_step(shape, bed.settings.grain_contact, 0.5);
+  engine::ContactParameters contact = pile.contact;
+  contact.damping = 1e6 * shape.sphere_radius;
+  bed.settings.contact = bierwisch_contact(contact, contact);
+  bed.settings.time_step = engine::kDefaultTimeStepFraction *
+                           engine::critical_time_step(shape, engine::laws::bierwisch_law(contact), 0.5);
   for (const auto& grain : bed.grains) bed.top = std::max(bed.top, grain.position[2] + shape.sphere_radius);
   return bed;
 }

@@ -125,11 +125,10 @@ double rolling_time(const GrooveCase& groove, double angle) {
 
 GroovePlace place_by_engine(const GrooveCase& groove, double time, double time_step) {
   engine::SimulationSettings settings;
-  settings.shape = engine::model_b(kFineRadius, fine_mass());
+  settings.types = {{engine::model_b(kFineRadius, fine_mass())}};
   settings.gravity = {0, 0, -kGravity};
   settings.time_step = time_step;
-  settings.general_contact.emplace();
-  settings.general_contact->grains = settings.general_contact->walls = groove_law();
+  settings.contact = engine::one_powder(groove_law(), groove_law());
   engine::WallBodySpec large;
   large.name = "large spheres";
   large.sphere_radius = large_radius(groove);

@@ -20,15 +20,14 @@ constexpr double kModulus = 5.5e6, kShear = 1.13e6;  // Pa, E* and G* of 10 MPa 
 /// A sphere at rest on a plane under gravity.
 engine::SimulationSettings resting_sphere(const laws::AnyRolling::Parameters& rolling) {
   engine::SimulationSettings settings;
-  const auto sphere = thesis_grain(ParticleType::sphere);
-  settings.shape = engine::model_b(sphere.sphere_radius, sphere.mass);
+  const auto sphere = thesis_grain(ThesisGrain::sphere);
+  settings.types = {{engine::model_b(sphere.sphere_radius, sphere.mass)}};
   laws::LawParameters law{.normal = laws::HertzMindlinNormal::Parameters{.modulus = kModulus}};
   law.damping = laws::RestitutionDamping::Parameters{.restitution = 0.3, .modulus = kModulus};
   law.friction =
       laws::MindlinFriction::Parameters{.shear_modulus = kShear, .friction = 0.5, .restitution = 0.3};
   law.rolling = rolling;
-  settings.general_contact.emplace();
-  settings.general_contact->grains = settings.general_contact->walls = law;
+  settings.contact = engine::one_powder(law, law);
   return settings;
 }
 
@@ -45,8 +44,8 @@ double spin_that_remains(engine::SimulationSettings settings, double time_step, 
   settings.time_step = time_step;
   engine::Simulation simulation(settings, {floor_plate()});
   engine::NewGrain grain;
-  grain.position.z() = settings.shape.sphere_radius - resting_overlap(settings.shape);
-  grain.velocity.x() = spin * settings.shape.sphere_radius;
+  grain.position.z() = settings.shape().sphere_radius - resting_overlap(settings.shape());
+  grain.velocity.x() = spin * settings.shape().sphere_radius;
   grain.angular_velocity.y() = spin;
   simulation.add_grains({grain});
   const auto steps = std::lround(duration / time_step);
@@ -64,7 +63,7 @@ double moment_of_inertia(const engine::GrainShape& sphere) {
 
 void chatter(const ExperimentOptions& options, results::ExperimentResult& result) {
   constexpr double kStep = 5e-6, kLeast = 1e-8;  // s; rad/s, what the chart goes down to
-  const auto sphere = thesis_grain(ParticleType::sphere);
+  const auto sphere = thesis_grain(ThesisGrain::sphere);
   results::ExperimentChart chart;
   chart.name = "rolling_chatter";
   chart.title = "Residual spin of a resting sphere with a constant rolling torque";
@@ -105,7 +104,7 @@ double epsd2_step(const engine::GrainShape& sphere, double rolling) {
 }
 
 void epsd2(const ExperimentOptions& options, results::ExperimentResult& result) {
-  const auto sphere = thesis_grain(ParticleType::sphere);
+  const auto sphere = thesis_grain(ThesisGrain::sphere);
   results::ExperimentChart chart;
   chart.name = "rolling_epsd2";
   chart.title = "Time step at which the rolling spring EPSD2 becomes unstable";

@@ -29,7 +29,7 @@ struct Tumble {
 Tumble tumble(const engine::GrainShape& shape, double angle, double turns) {
   constexpr double kSpin = 1000;  // rad/s
   engine::SimulationSettings settings;
-  settings.shape = shape;
+  settings.types = {{shape}};
   settings.gravity.setZero();
   settings.time_step = angle / kSpin;
   engine::Simulation simulation(settings, {});

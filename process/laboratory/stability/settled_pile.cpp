@@ -46,21 +46,24 @@ SettledPile settled_pile(const engine::GrainShape& shape, double friction, int a
   contact.friction = friction;
   contact.tangential = 1e6 * shape.sphere_radius;
   SettledPile pile;
-  pile.settings.shape = shape;
-  pile.settings.grain_contact = pile.settings.wall_contact = contact;
+  pile.contact = contact;
+  pile.settings.types = {{shape}};
+  pile.settings.contact = bierwisch_contact(contact, contact);
   pile.settings.period = {across * spacing, across * spacing};
 
   engine::SimulationSettings damped = pile.settings;
-  damped.grain_contact.damping = damped.wall_contact.damping = 1e6 * shape.sphere_radius;
-  damped.time_step = engine::kDefaultTimeStepFraction * engine::critical_time_step(shape, contact, 0.5);
+  engine::ContactParameters damped_contact = contact;
+  damped_contact.damping = 1e6 * shape.sphere_radius;
+  damped.contact = bierwisch_contact(damped_contact, damped_contact);
+  damped.time_step = engine::kDefaultTimeStepFraction *
+                     engine::critical_time_step(shape, engine::laws::bierwisch_law(contact), 0.5);
   engine::Simulation simulation(damped, {floor_plate()});
   simulation.add_grains(loose_layers(spacing, across, layers));
   constexpr double kSettling = 0.12;  // s
   const auto steps = static_cast<long>(kSettling / damped.time_step);
   for (long k = 0; k < steps; ++k) simulation.step();
   pile.grains = grains_of(simulation);
-  pile.eigenfrequency =
-      largest_eigenfrequency(simulation, {contact.reduced_modulus, friction > 0 ? contact.tangential : 0.0});
+  pile.eigenfrequency = largest_eigenfrequency(simulation);
   return pile;
 }
 

@@ -6,6 +6,7 @@
 namespace diefill::process::laboratory {
 
 struct SettledPile {
+  engine::ContactParameters contact;    ///< of grains and floor, undamped
   engine::SimulationSettings settings;  ///< undamped
   std::vector<engine::NewGrain> grains;
   double eigenfrequency = 0;  ///< rad/s, largest of the contact network

@@ -106,7 +106,7 @@ FlowFigures flow_out(const FlowCase& flow) {
   auto settings = engine_settings(scene, 0.7);
   settings.threads = flow.threads;
   engine::Simulation simulation(settings, {box_of(flow), gate_of(flow)});
-  simulation.add_grains(lattice(flow, settings.shape.solid_volume));
+  simulation.add_grains(lattice(flow, settings.shape().solid_volume));
   run_until_rest(simulation, flow.diameter, 0.4, [] {});
   const double opened = simulation.time();
   simulation.set_motion(1, [opened](double time) {
@@ -124,7 +124,7 @@ FlowFigures flow_out(const FlowCase& flow) {
     left.emplace_back(simulation.time(), gone);
   });
   FlowFigures figures;
-  figures.rate = 0.5 * gone * settings.shape.mass /
+  figures.rate = 0.5 * gone * settings.shape().mass /
                  ((time_of(left, 0.6 * gone) - time_of(left, 0.1 * gone)) * flow.length());
   results::PowderState powder;
   powder.grain_diameter = flow.diameter;

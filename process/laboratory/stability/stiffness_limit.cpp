@@ -34,7 +34,7 @@ BedSpec bed_of(double reduced_modulus) {
 
 /// Pa, under the weight of the bed.
 double pressure_at_the_bottom() {
-  const auto sphere = thesis_grain(ParticleType::sphere);
+  const auto sphere = thesis_grain(ThesisGrain::sphere);
   return sphere.mass / sphere.solid_volume * kFraction * 9.81 * kHeight;
 }
 

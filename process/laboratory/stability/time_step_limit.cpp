@@ -46,7 +46,7 @@ GasCase scaled_spheres(double scale) {
   return spheres;
 }
 
-GasCase thesis_gas(ParticleType kind, const std::string& name, double friction) {
+GasCase thesis_gas(ThesisGrain kind, const std::string& name, double friction) {
   GasCase gas;
   gas.name = name;
   gas.shape = thesis_grain(kind);
@@ -61,9 +61,9 @@ std::vector<GasCase> gas_cases() {
   return {scaled_spheres(1),
           scaled_spheres(2),
           scaled_spheres(4),
-          thesis_gas(ParticleType::c, "model C", 0),
-          thesis_gas(ParticleType::d, "model D", 0),
-          thesis_gas(ParticleType::d, "model D, friction 0.5", 0.5)};
+          thesis_gas(ThesisGrain::c, "model C", 0),
+          thesis_gas(ThesisGrain::d, "model D", 0),
+          thesis_gas(ThesisGrain::d, "model D, friction 0.5", 0.5)};
 }
 
 void find_in_gas(const ExperimentOptions& options, results::ExperimentResult& result) {
@@ -98,7 +98,8 @@ void find_in_gas(const ExperimentOptions& options, results::ExperimentResult& re
     const double limit = largest_that_holds(
         kShortest * collision, kLongest * collision, 0.03,
         [&](double time_step) { return energy_growth(gas, time_step, duration) < kAllowedGrowth; });
-    const double critical = engine::critical_time_step(each.shape, each.contact, 1.0);
+    const double critical =
+        engine::critical_time_step(each.shape, engine::laws::bierwisch_law(each.contact), 1.0);
     result.limits.push_back({"gas of " + each.name + ": step at 1 % energy gained", limit, critical, "s",
                              "engine/limits/time_step.h, critical step at 1 m/s"});
     result.limits.push_back({"gas of " + each.name + ": that step over a collision's duration",
@@ -125,7 +126,7 @@ void find_in_gas(const ExperimentOptions& options, results::ExperimentResult& re
 
 struct PileCase {
   std::string name;
-  ParticleType kind;
+  ThesisGrain kind;
   double friction;
 };
 
@@ -142,9 +143,9 @@ void find_in_pile(const ExperimentOptions& options, results::ExperimentResult& r
              .lower = kFloor,
              .upper = 1};
   const long steps = options.quick ? 2000 : 20000;
-  const std::vector<PileCase> cases = {{"spheres", ParticleType::sphere, 0},
-                                       {"model D", ParticleType::d, 0},
-                                       {"model D, friction 0.5", ParticleType::d, 0.5}};
+  const std::vector<PileCase> cases = {{"spheres", ThesisGrain::sphere, 0},
+                                       {"model D", ThesisGrain::d, 0},
+                                       {"model D, friction 0.5", ThesisGrain::d, 0.5}};
   for (const auto& each : cases) {
     const auto pile = settled_pile(thesis_grain(each.kind), each.friction, 5, options.quick ? 5 : 12);
     const double stable = 2 / pile.eigenfrequency;

@@ -34,15 +34,20 @@ std::vector<double> linear_range(double lower, double upper, int count) {
   return values;
 }
 
-engine::GrainShape thesis_grain(ParticleType kind) {
+engine::GrainShape thesis_grain(ThesisGrain kind) {
   constexpr double kMass = 7.63e-8;
-  if (kind == ParticleType::c) return engine::model_c(8.9e-5, kMass);
-  if (kind == ParticleType::d) return engine::model_d(7.84e-5, kMass);
+  if (kind == ThesisGrain::c) return engine::model_c(8.9e-5, kMass);
+  if (kind == ThesisGrain::d) return engine::model_d(7.84e-5, kMass);
   return engine::model_a(1.5e-4, kMass);
 }
 
 engine::ContactParameters elastic_contact() {
   return {.reduced_modulus = 1e7};
+}
+
+engine::ContactLaws bierwisch_contact(const engine::ContactParameters& grains,
+                                      const engine::ContactParameters& walls) {
+  return engine::one_powder(engine::laws::bierwisch_law(grains), engine::laws::bierwisch_law(walls));
 }
 
 engine::WallBodySpec plates(double lower, double upper) {

@@ -4,6 +4,7 @@
 
 #include <functional>
 
+#include "engine/laws/bierwisch_law.h"
 #include "engine/simulation/simulation.h"
 
 namespace diefill::process::laboratory {
@@ -18,13 +19,17 @@ double largest_that_holds(double lower, double upper, double precision,
 std::vector<double> logarithmic_range(double lower, double upper, int count);
 std::vector<double> linear_range(double lower, double upper, int count);
 
-enum class ParticleType { sphere, c, d };
+enum class ThesisGrain { sphere, c, d };
 
 /// Bierwisch's grains of 7.63e-8 kg (2009, Table C.4); the sphere is model A.
-engine::GrainShape thesis_grain(ParticleType kind);
+engine::GrainShape thesis_grain(ThesisGrain kind);
 
 /// E~ = 1e7 Pa, no damping, no friction (2009, Table C.4).
 engine::ContactParameters elastic_contact();
+
+/// Grains and walls under Bierwisch's law.
+engine::ContactLaws bierwisch_contact(const engine::ContactParameters& grains,
+                                      const engine::ContactParameters& walls);
 
 /// Flat walls without end at z = `lower` and `upper` (m), powder between them.
 engine::WallBodySpec plates(double lower, double upper);

@@ -23,16 +23,18 @@ struct SlidingBed {
   std::vector<engine::NewGrain> grains;
 };
 
-SlidingBed bed_of(ParticleType kind, bool quick) {
+SlidingBed bed_of(ThesisGrain kind, bool quick) {
   const auto shape = thesis_grain(kind);
   const SettledPile pile = settled_pile(shape, kGrainFriction, quick ? 6 : 8, quick ? 6 : 10);
   SlidingBed bed{pile.settings, pile.grains};
   auto& settings = bed.settings;
-  settings.grain_contact.damping = 1e6 * shape.sphere_radius;
-  settings.wall_contact = settings.grain_contact;
-  settings.wall_contact.friction = kWallFriction;
-  settings.time_step =
-      engine::kDefaultTimeStepFraction * engine::critical_time_step(shape, settings.grain_contact, 0.5);
+  engine::ContactParameters grains = pile.contact;
+  grains.damping = 1e6 * shape.sphere_radius;
+  engine::ContactParameters walls = grains;
+  walls.friction = kWallFriction;
+  settings.contact = bierwisch_contact(grains, walls);
+  settings.time_step = engine::kDefaultTimeStepFraction *
+                       engine::critical_time_step(shape, engine::laws::bierwisch_law(grains), 0.5);
   return bed;
 }
 
@@ -49,7 +51,7 @@ engine::WallBodySpec floor_of(const SlidingBed& bed, double radius, double spaci
   engine::WallBodySpec body;
   body.name = "floor";
   body.sphere_radius = radius;
-  const double period = *bed.settings.period[0], margin = 3 * bed.settings.shape.bounding_radius();
+  const double period = *bed.settings.period[0], margin = 3 * bed.settings.shape().bounding_radius();
   const double step = spacing * radius;
   const int count = static_cast<int>(std::ceil((0.5 * period + margin) / step));
   for (int y = -count; y <= count; ++y)
@@ -92,14 +94,14 @@ void find_wall_friction_limit(const ExperimentOptions& options, results::Experim
   const auto spacings = linear_range(0.4, 2.2, options.quick ? 7 : 13);
   struct Case {
     std::string name;
-    ParticleType kind;
+    ThesisGrain kind;
     double wall_radius;  // over the sphere radius
   };
-  for (const Case& one : {Case{"spheres, R_w = R", ParticleType::sphere, 1},
-                          Case{"spheres, R_w = R / 2", ParticleType::sphere, 0.5},
-                          Case{"model D, R_w = 1.91 R", ParticleType::d, 1.91}}) {
+  for (const Case& one : {Case{"spheres, R_w = R", ThesisGrain::sphere, 1},
+                          Case{"spheres, R_w = R / 2", ThesisGrain::sphere, 0.5},
+                          Case{"model D, R_w = 1.91 R", ThesisGrain::d, 1.91}}) {
     const SlidingBed bed = bed_of(one.kind, options.quick);
-    const double radius = one.wall_radius * bed.settings.shape.sphere_radius;
+    const double radius = one.wall_radius * bed.settings.shape().sphere_radius;
     ExperimentSeries measured{.name = one.name, .x = {}, .y = {}};
     for (const double wanted : spacings) {
       const double spacing = fitting_spacing(bed, radius, wanted);

@@ -64,11 +64,12 @@ struct Impact {
 Impact fly_at(const Target& target, double speed) {
   const double size = target.shape.bounding_radius();
   engine::SimulationSettings settings;
-  settings.shape = target.shape;
-  settings.grain_contact = settings.wall_contact = elastic_contact();
+  settings.types = {{target.shape}};
+  settings.contact = bierwisch_contact(elastic_contact(), elastic_contact());
   settings.gravity.setZero();
-  settings.time_step = std::min(0.01 * target.shape.sphere_radius / speed,
-                                0.1 * engine::critical_time_step(target.shape, elastic_contact(), speed));
+  settings.time_step = std::min(
+      0.01 * target.shape.sphere_radius / speed,
+      0.1 * engine::critical_time_step(target.shape, engine::laws::bierwisch_law(elastic_contact()), speed));
   auto wall = grid(target);
   if (target.wall_moves)
     wall.motion = [speed](double time) {
@@ -112,7 +113,7 @@ void push_through(const ExperimentOptions& options, results::ExperimentResult& r
       "the hole.";
   chart.x = {.label = "Spacing of the wall spheres over their radius"};
   chart.y = {.label = "Speed [m/s]", .logarithmic = true};
-  const auto sphere = thesis_grain(ParticleType::sphere), clump = thesis_grain(ParticleType::d);
+  const auto sphere = thesis_grain(ThesisGrain::sphere), clump = thesis_grain(ThesisGrain::d);
   const double fine = sphere.sphere_radius;
   const std::vector<std::pair<std::string, Target>> cases = {
       {"sphere, R_w = R", {.shape = sphere, .wall_radius = fine}},
@@ -163,7 +164,7 @@ void strike_at_angles(const ExperimentOptions& options, results::ExperimentResul
     ExperimentSeries predicted{
         .name = "v / cos, " + name, .role = Role::predicted, .x = {}, .y = {}, .in_legend = false};
     for (const double degrees : linear_range(0, 70, options.quick ? 6 : 15)) {
-      Target target{.shape = thesis_grain(ParticleType::sphere), .spacing = spacing};
+      Target target{.shape = thesis_grain(ThesisGrain::sphere), .spacing = spacing};
       const double straight = speed_of_barrier(target);
       target.angle = degrees * std::numbers::pi / 180;
       measured.x.push_back(degrees);
@@ -182,15 +183,15 @@ bool stays(const Target& target, double friction, double angle) {
   const double radius = target.shape.sphere_radius, reach = radius + target.wall_radius;
   const double step = target.spacing * target.wall_radius;
   engine::SimulationSettings settings;
-  settings.shape = target.shape;
-  settings.wall_contact = elastic_contact();
-  settings.wall_contact.damping = 1e6 * radius;
-  settings.wall_contact.tangential = 1e6 * radius;
-  settings.wall_contact.friction = friction;
-  settings.grain_contact = settings.wall_contact;
+  settings.types = {{target.shape}};
+  engine::ContactParameters contact = elastic_contact();
+  contact.damping = contact.tangential = 1e6 * radius;
+  contact.friction = friction;
+  settings.contact = bierwisch_contact(contact, contact);
   settings.gravity = 9.81 * Eigen::Vector3d(std::sin(angle), 0, -std::cos(angle));
   settings.time_step =
-      engine::kDefaultTimeStepFraction * engine::critical_time_step(target.shape, elastic_contact(), 0.5);
+      engine::kDefaultTimeStepFraction *
+      engine::critical_time_step(target.shape, engine::laws::bierwisch_law(elastic_contact()), 0.5);
   engine::Simulation simulation(settings, {grid(target)});
   engine::NewGrain grain;
   grain.position.z() = std::sqrt(reach * reach - 0.5 * step * step);
@@ -227,7 +228,7 @@ void tilt(const ExperimentOptions& options, results::ExperimentResult& result) {
     ExperimentSeries predicted{
         .name = "geometry, " + name, .role = Role::predicted, .x = {}, .y = {}, .in_legend = false};
     for (const double spacing : linear_range(0.4, 2.2, options.quick ? 7 : 13)) {
-      Target target{.shape = thesis_grain(ParticleType::sphere), .spacing = spacing};
+      Target target{.shape = thesis_grain(ThesisGrain::sphere), .spacing = spacing};
       measured.x.push_back(spacing);
       predicted.x.push_back(spacing);
       predicted.y.push_back(tilt_of_geometry(target, friction) / kDegree);
@@ -238,7 +239,7 @@ void tilt(const ExperimentOptions& options, results::ExperimentResult& result) {
     chart.series.push_back(measured);
     chart.series.push_back(predicted);
   }
-  Target standard{.shape = thesis_grain(ParticleType::sphere)};
+  Target standard{.shape = thesis_grain(ThesisGrain::sphere)};
   result.limits.push_back({"tilt that moves a sphere, spacing 1.6 R_w, R_w = R, wall friction 0.15",
                            largest_that_holds(0.2 * kDegree, 85 * kDegree, 0.01,
                                               [&](double angle) { return stays(standard, 0.15, angle); }) /

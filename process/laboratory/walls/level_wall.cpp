@@ -34,15 +34,16 @@ engine::WallBodySpec level_mesh(double half_width) {
 engine::SimulationSettings single_sphere(double damping_over_radius, double friction) {
   constexpr double kFastest = 1.0;  // m/s
   engine::SimulationSettings settings;
-  settings.shape = thesis_grain(ParticleType::sphere);
-  settings.wall_contact = elastic_contact();
-  settings.wall_contact.damping = damping_over_radius * settings.shape.sphere_radius;
-  settings.wall_contact.tangential = 1e6 * settings.shape.sphere_radius;
-  settings.wall_contact.friction = friction;
-  settings.grain_contact = settings.wall_contact;
+  settings.types = {{thesis_grain(ThesisGrain::sphere)}};
+  engine::ContactParameters contact = elastic_contact();
+  contact.damping = damping_over_radius * settings.shape().sphere_radius;
+  contact.tangential = 1e6 * settings.shape().sphere_radius;
+  contact.friction = friction;
+  settings.contact = bierwisch_contact(contact, contact);
   settings.gravity.setZero();
-  settings.time_step = engine::kDefaultTimeStepFraction *
-                       engine::critical_time_step(settings.shape, elastic_contact(), kFastest);
+  settings.time_step =
+      engine::kDefaultTimeStepFraction *
+      engine::critical_time_step(settings.shape(), engine::laws::bierwisch_law(elastic_contact()), kFastest);
   return settings;
 }
 

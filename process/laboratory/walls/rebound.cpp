@@ -19,7 +19,7 @@ constexpr double kDampingOverRadius = 1e6;  // Pa s/m (Bierwisch 2009, Table C.4
 Eigen::Vector3d bounced(const engine::SimulationSettings& settings, const engine::WallBodySpec& wall,
                         const Eigen::Vector3d& aim, const Eigen::Vector3d& velocity) {
   engine::Simulation simulation(settings, {wall});
-  const double radius = settings.shape.sphere_radius;
+  const double radius = settings.shape().sphere_radius;
   engine::NewGrain grain;
   // So that the sphere's foot is at `aim` when it touches the plane.
   grain.position = aim + Eigen::Vector3d(0, 0, radius) + 0.05 * radius / velocity.z() * velocity;
@@ -47,7 +47,7 @@ struct Rebounds {
 
 Rebounds on_spheres(const SphereGrid& grid, double angle, double damping, int places) {
   const auto settings = single_sphere(damping, 0);
-  const double radius = settings.shape.sphere_radius, step = grid.spacing * grid.radius;
+  const double radius = settings.shape().sphere_radius, step = grid.spacing * grid.radius;
   const auto wall = level_spheres(grid, 2.5 * radius + 3 * step);
   const Eigen::Vector3d along(std::cos(0.3), std::sin(0.3), 0);  // not along a row
   const Eigen::Vector3d velocity =
@@ -104,7 +104,7 @@ void compare_rebound(const ExperimentOptions& options, results::ExperimentResult
   for (const double ratio : kRadiusRatios) {
     ExperimentSeries direction{.name = description(ratio), .x = {}, .y = {}}, speed = direction;
     for (const double spacing : spacings) {
-      const SphereGrid grid{ratio * single_sphere(0, 0).shape.sphere_radius, spacing};
+      const SphereGrid grid{ratio * single_sphere(0, 0).shape().sphere_radius, spacing};
       direction.x.push_back(spacing);
       direction.y.push_back(on_spheres(grid, kSlanted, 0, places).deviation);
       speed.x.push_back(spacing);
@@ -112,7 +112,7 @@ void compare_rebound(const ExperimentOptions& options, results::ExperimentResult
     }
     turned.series.push_back(direction);
     slowed.series.push_back(speed);
-    const SphereGrid usual{ratio * single_sphere(0, 0).shape.sphere_radius, 1.6};
+    const SphereGrid usual{ratio * single_sphere(0, 0).shape().sphere_radius, 1.6};
     result.limits.push_back({"direction at 45 degrees, rms deviation, spacing 1.6, " + description(ratio),
                              on_spheres(usual, kSlanted, 0, places).deviation, 0, "degrees", "mesh"});
     result.limits.push_back({"straight rebound, speed, spacing 1.6, " + description(ratio),
@@ -121,8 +121,8 @@ void compare_rebound(const ExperimentOptions& options, results::ExperimentResult
   }
   slowed.series.push_back(
       level_line("mesh, flat", spacings, speed_on_mesh(std::numeric_limits<double>::infinity())));
-  slowed.series.push_back(
-      level_line("mesh, R_eff of R_w = R", spacings, speed_on_mesh(single_sphere(0, 0).shape.sphere_radius)));
+  slowed.series.push_back(level_line("mesh, R_eff of R_w = R", spacings,
+                                     speed_on_mesh(single_sphere(0, 0).shape().sphere_radius)));
   result.charts.push_back(turned);
   result.charts.push_back(slowed);
 }

@@ -22,7 +22,7 @@ double friction_felt(const engine::WallBodySpec& wall, double speed, double angl
   settings.gravity = {0, 0, -kGravity};
   engine::Simulation simulation(settings, {wall});
   engine::NewGrain grain;
-  grain.position.z() = settings.shape.sphere_radius;
+  grain.position.z() = settings.shape().sphere_radius;
   grain.velocity = speed * Eigen::Vector3d(std::cos(angle), std::sin(angle), 0);
   simulation.add_grains({grain});
   while (simulation.grains().velocity[0].head<2>().norm() > 0.5 * speed) simulation.step();
@@ -66,7 +66,7 @@ void compare_sliding(const ExperimentOptions& options, results::ExperimentResult
     const double on_mesh = friction_felt(level_mesh(0.1), speed, 0.2);
     for (const double ratio : kRadiusRatios) {
       ExperimentSeries felt{.name = description(ratio), .x = {}, .y = {}};
-      const double radius = ratio * single_sphere(0, 0).shape.sphere_radius;
+      const double radius = ratio * single_sphere(0, 0).shape().sphere_radius;
       for (const double spacing : spacings) {
         felt.x.push_back(spacing);
         felt.y.push_back(mean_friction({radius, spacing}, speed, directions));

@@ -10,8 +10,13 @@ std::string diameter_in(const std::string& value) {
   return value.substr(0, value.find(kBy));
 }
 
-SceneChanges changes(const Scene&, const std::string& value) {
-  SceneChanges changes{"powder.grain_diameter = " + toml_value(diameter_in(value)) + '\n', {}};
+/// Of grains of several sizes that of mean mass: all are enlarged with it.
+std::string key_of(const Scene& scene) {
+  return scene.powder.sizes.empty() ? "powder.grain_diameter" : "powder.sizes.mean_size";
+}
+
+SceneChanges changes(const Scene& scene, const std::string& value) {
+  SceneChanges changes{key_of(scene) + " = " + toml_value(diameter_in(value)) + '\n', {}};
   const std::size_t by = value.find(kBy);
   if (by != std::string::npos)
     changes.set += "powder.coarse_graining = " + toml_value(value.substr(by + kBy.size())) + '\n';
@@ -21,7 +26,7 @@ SceneChanges changes(const Scene&, const std::string& value) {
 /// As the scene writes it: presets of model D take the rounded 0.47 mm for their exact 0.4704 mm, and so its
 /// multiples.
 std::string current(const Scene& scene) {
-  return value_at(scene.text, scene.file, "powder.grain_diameter")
+  return value_at(scene.text, scene.file, key_of(scene))
       .value_or(in_millimetres(scene.powder.grain_diameter));
 }
 

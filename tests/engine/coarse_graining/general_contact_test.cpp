@@ -15,12 +15,13 @@ constexpr double kRadius = 2.5e-4, kDensity = 1000;
 SimulationSettings settings_for(const laws::LawParameters& law, const std::string& method, double scale,
                                 double time_step) {
   SimulationSettings settings;
-  settings.shape = model_b(kRadius, kDensity * 4.0 / 3.0 * std::numbers::pi * kRadius * kRadius * kRadius);
+  settings.types = {
+      {model_b(kRadius, kDensity * 4.0 / 3.0 * std::numbers::pi * kRadius * kRadius * kRadius)}};
   GeneralContact contact;
   contact.grains = contact.walls = law;
   contact.walls.attraction = {};
   contact.scaling = coarse_graining::force_scaling(method, scale);
-  settings.general_contact = contact;
+  settings.contact = contact;
   settings.time_step = time_step;
   return settings;
 }
@@ -54,7 +55,7 @@ Reference reference_for(const SimulationSettings& settings, const std::vector<Ne
   same.time_step = settings.time_step;
   same.gravity = plain(settings.gravity);
   same.arm = reference::Arm::surface;
-  const GeneralContact contact = *settings.general_contact;
+  const auto& contact = settings.contact;
   same.torque_factor = contact.scaling.torque_factor();
   const auto maker = [scaling = contact.scaling](const laws::LawParameters& law) {
     return [scaling, law](const laws::PairProperties& pair) {
@@ -62,10 +63,11 @@ Reference reference_for(const SimulationSettings& settings, const std::vector<Ne
                                                           laws::make_law(law, scaling.original(pair)));
     };
   };
-  Reference reference(same, maker(contact.grains), maker(contact.walls));
+  Reference reference(same, maker(contact.between(kPowderMaterial, kPowderMaterial)),
+                      maker(contact.between(kPowderMaterial, kWallMaterial)));
   for (const auto& grain : grains)
     reference.balls.push_back({.radius = kRadius,
-                               .mass = settings.shape.mass,
+                               .mass = settings.shape().mass,
                                .position = plain(grain.position),
                                .velocity = plain(grain.velocity),
                                .spin = plain(grain.angular_velocity)});
@@ -155,28 +157,20 @@ INSTANTIATE_TEST_SUITE_P(Sources, GeneralContactLaws,
                          });
 
 TEST(GeneralContact, BierwischPutTogetherIsTheTunedLaw) {
-  // Model D clumps with friction and cohesion: once through the loop of its own, once through the general
-  // one.
+  // Model D clumps with friction and cohesion: once through the loop of its own, once through the one for
+  // laws of any parts, which several types go through, as if they were alike.
   auto tuned = weightless(Model::d, {.friction = 0.5, .work_of_adhesion = 0.01}, 1e-6);
   auto general = tuned;
-  const auto& contact = tuned.grain_contact;
-  GeneralContact parts;
-  parts.grains.normal = laws::BierwischNormal::Parameters{.reduced_modulus = contact.reduced_modulus,
-                                                          .work_of_adhesion = contact.work_of_adhesion};
-  parts.grains.damping = laws::BierwischDamping::Parameters{.damping = contact.damping};
-  parts.grains.friction =
-      laws::CundallFriction::Parameters{.tangential = contact.tangential, .friction = contact.friction};
-  parts.walls = parts.grains;
-  general.general_contact = parts;
+  general.types.push_back(general.types.front());
   Simulation one(tuned, {}), other(general, {});
   for (auto* simulation : {&one, &other}) {
-    simulation->add_grains(converging_cloud({3, 3, 3}, 2 * half_size(tuned.shape), 0.3, 8));
+    simulation->add_grains(converging_cloud({3, 3, 3}, 2 * half_size(tuned.shape()), 0.3, 8));
     run_steps(*simulation, 400);
   }
   EXPECT_GT(one.touching_pairs(), 10U);
   EXPECT_EQ(one.touching_pairs(), other.touching_pairs());
   for (std::uint64_t id = 0; id < one.grains().size(); ++id)
-    EXPECT_LT((position_of(one, id) - position_of(other, id)).norm(), 1e-9 * half_size(tuned.shape)) << id;
+    EXPECT_LT((position_of(one, id) - position_of(other, id)).norm(), 1e-9 * half_size(tuned.shape())) << id;
 }
 
 TEST(GeneralContact, VanDerWaalsPullsBeforeTouch) {
@@ -205,7 +199,7 @@ TEST(GeneralContact, RefusesWallsThatAttractFromAfar) {
   law.attraction = laws::VanDerWaals::Parameters{.hamaker = 5e-18};
   auto settings = settings_for(law, "none", 1, 1e-7);
   EXPECT_NO_THROW(Simulation(settings, {floor()}));
-  settings.general_contact->walls.attraction =
+  law_in(settings, kPowderMaterial, kWallMaterial).attraction =
       laws::VanDerWaals::Parameters{.hamaker = 5e-18, .walls_at_distance = true};
   EXPECT_THROW(Simulation(settings, {floor()}), std::invalid_argument);
 }

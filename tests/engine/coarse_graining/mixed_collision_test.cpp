@@ -3,8 +3,6 @@
 
 #include "engine/coarse_graining/scaled_up_particle.h"
 #include "engine/contact/pair_laws.h"
-#include "engine/limits/general_time_step.h"
-#include "engine/limits/mix_time_step.h"
 #include "engine/limits/time_step.h"
 #include "mixed_support.h"
 #include "tests/engine/laws/source_laws.h"
@@ -82,10 +80,10 @@ TEST_P(UnequalSpheres, PullOffForceIsThatOfTheWorkOfAdhesionOfBothMaterials) {
   sticky.normal = laws::BierwischNormal::Parameters{.reduced_modulus = 1e7, .work_of_adhesion = kWork};
   dry.normal = laws::BierwischNormal::Parameters{.reduced_modulus = 1e7, .work_of_adhesion = 0.3};
   const auto mix = mix_of({1, GetParam()}, dry, sticky, dry);
-  const KindTable kinds(mix.kinds);
+  const ParticleTypes kinds(mix.kinds);
   const double radius = kMixRadius * GetParam() / (1 + GetParam());
-  for (const auto& [i, j] : {std::pair<KindNumber, KindNumber>{0, 1}, {1, 0}}) {
-    const auto law = law_of_kinds(kinds, mix, i, j);
+  for (const auto& [i, j] : {std::pair<ClassNumber, ClassNumber>{0, 1}, {1, 0}}) {
+    const auto law = law_between(kinds, mix, i, j);
     double lowest = 0;
     for (double overlap = 1e-9; overlap < 0.1 * radius; overlap *= 1.0005) {
       double history[laws::GeneralContactLaw::kHistory + 1] = {};
@@ -121,18 +119,6 @@ TEST_P(UnequalSpheres, ContactsTurnBothByTheirOwnArms) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Ratios, UnequalSpheres, ::testing::Values(0.1, 0.5, 1.0, 3.0));
-
-TEST(MixTimeStep, OfOneKindIsThatOfTheTunedLaw) {
-  const ContactParameters contact = {.reduced_modulus = 1e7, .damping = 150};
-  for (const auto model : {Model::b, Model::d}) {
-    const auto shape = thesis_shape(model);
-    GrainMix mix;
-    mix.kinds = {{shape, "iron"}};
-    mix.laws = {{"iron", "iron", bierwisch_parts(contact)}};
-    const double expected = critical_time_step(shape, contact, 0.7);
-    EXPECT_NEAR(critical_time_step(mix, {}, 0.7), expected, 1e-9 * expected);
-  }
-}
 
 TEST(MixTimeStep, IsSetByTheSmallestGrainsAndByTheStiffestLaw) {
   auto mix = mix_of({1, 0.2}, hertz(), hertz(), hertz());

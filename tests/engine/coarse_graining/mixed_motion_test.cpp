@@ -6,7 +6,6 @@
 #include <set>
 
 #include "engine/coarse_graining/methods.h"
-#include "engine/limits/mix_time_step.h"
 #include "engine/limits/pinched_grains.h"
 #include "engine/limits/validity_monitor.h"
 #include "engine/observe/contact_stress.h"
@@ -282,7 +281,7 @@ TEST(MixedSleep, SettledGrainsOfAllSizesSleepAndARestartChangesNoBit) {
   simulation.add_grains(grains);
   for (int round = 0; round < 60 && simulation.sleepers() < 40; ++round) run_steps(simulation, 2000);
   ASSERT_GE(simulation.sleepers(), 40U);
-  std::set<KindNumber> kinds;
+  std::set<TypeNumber> kinds;
   for (std::size_t k = 0; k < simulation.grains().size(); ++k)
     if (simulation.asleep(k)) kinds.insert(simulation.grains().kind[k]);
   EXPECT_EQ(kinds.size(), 3U);
@@ -291,26 +290,6 @@ TEST(MixedSleep, SettledGrainsOfAllSizesSleepAndARestartChangesNoBit) {
   run_steps(simulation, 500);
   run_steps(resumed, 500);
   EXPECT_EQ(resumed.hash(), simulation.hash());
-}
-
-TEST(MixOfOneKind, IsTheGeneralLawBitForBit) {
-  for (const auto model : {Model::b, Model::d}) {
-    auto general = weightless(model, {}, 1e-6);
-    GeneralContact contact;
-    contact.grains = contact.walls = rough();
-    general.general_contact = contact;
-    auto mixed = weightless(model, {}, 1e-6);
-    mixed.mix.emplace();
-    mixed.mix->kinds = {{thesis_shape(model), "iron"}};
-    mixed.mix->laws = {{"iron", "iron", rough()}, {"steel", "iron", rough()}};
-    const auto floor = steel_floor(-5 * half_size(general.shape));
-    Simulation one(general, {floor}), other(mixed, {floor});
-    for (auto* simulation : {&one, &other}) {
-      simulation->add_grains(converging_cloud({4, 4, 4}, 2 * half_size(general.shape), 0.4, 8));
-      EXPECT_GT(most_touching(*simulation, 600), 4U);
-    }
-    EXPECT_EQ(one.hash(), other.hash());
-  }
 }
 
 TEST(MixOfOneKind, GivenTwiceMovesAlike) {
@@ -333,7 +312,7 @@ TEST(MixOfOneKind, GivenTwiceMovesAlike) {
 TEST(MixedValidityMonitor, OverlapCountsOverTheSmallerSphere) {
   // An overlap of 0.07 of a large sphere is 0.7 of a small one.
   auto settings = settings_of(mix_of({1, 0.1}, rough(), rough(), rough()), 1e-9);
-  for (const KindNumber kind : {KindNumber{0}, KindNumber{1}}) {
+  for (const TypeNumber kind : {TypeNumber{0}, TypeNumber{1}}) {
     Simulation simulation(settings, {});
     std::vector<NewGrain> grains(2);
     grains[1].kind = kind;
@@ -366,31 +345,25 @@ TEST(MixRefusals, NameWhatIsWrong) {
   EXPECT_NE(refusal(good, steel_floor()).find("kind 7, but there are 2"), std::string::npos);
 
   auto bad = good;
-  bad.mix->kinds[1].shape = model_d(kMixRadius, 1e-7);
+  bad.types[1].shape = model_d(kMixRadius, 1e-7);
   EXPECT_NE(refusal(bad, steel_floor()).find("7 spheres and the first one of 1"), std::string::npos);
   bad = good;
-  bad.mix->kinds[1].shape = model_a(kMixRadius, 1e-7);
+  bad.types[1].shape = model_a(kMixRadius, 1e-7);
   EXPECT_NE(refusal(bad, steel_floor()).find("does not rotate"), std::string::npos);
   bad = good;
-  bad.mix->laws.erase(bad.mix->laws.begin() + 2);
+  bad.contact.pairs.erase(bad.contact.pairs.begin() + 2);
   EXPECT_NE(refusal(bad, steel_floor()).find("'iron' and 'wax'"), std::string::npos);
   bad = good;
-  bad.general_contact = GeneralContact{};
-  EXPECT_NE(refusal(bad, steel_floor()).find("laws of its own"), std::string::npos);
-  bad = good;
-  bad.mix->kinds.assign(300, good.mix->kinds.front());
+  bad.types.assign(300, good.types.front());
   EXPECT_NE(refusal(bad, steel_floor()).find("at most 256"), std::string::npos);
   bad = good;
-  bad.mix->kinds.clear();
-  EXPECT_NE(refusal(bad, steel_floor()).find("at least one kind"), std::string::npos);
+  bad.types.clear();
+  EXPECT_NE(refusal(bad, steel_floor()).find("at least one particle type"), std::string::npos);
   bad = good;
-  bad.mix->laws[1].law.attraction = laws::VanDerWaals::Parameters{.hamaker = 5e-18};
+  bad.contact.pairs[1].law.attraction = laws::VanDerWaals::Parameters{.hamaker = 5e-18};
   EXPECT_NE(refusal(bad, steel_floor()).find("between 'wax' and 'wax': van der Waals"), std::string::npos);
 
   auto wall = steel_floor();
-  wall.contact = ContactParameters{};
-  EXPECT_NE(refusal(good, wall).find("wall 'floor' has a contact of its own"), std::string::npos);
-  wall = steel_floor();
   wall.material = "brass";
   EXPECT_NE(refusal(good, wall).find("'iron' and 'brass'"), std::string::npos);
 }

@@ -32,7 +32,7 @@ std::vector<NewGrain> cluster(double speed) {
     const int x = k % 2, y = k / 2 % 2, z = k / 4;
     const Eigen::Vector3d corner(x - 0.5, y - 0.5, z + 0.62);
     NewGrain grain;
-    grain.kind = (x + y + z) % 2 == 1 ? KindNumber{2} : static_cast<KindNumber>(y);
+    grain.kind = (x + y + z) % 2 == 1 ? TypeNumber{2} : static_cast<TypeNumber>(y);
     grain.position = 2.62 * kMixRadius * (corner + random_vector(random, 0.004));
     grain.velocity = speed * Eigen::Vector3d(-corner.x(), -corner.y(), -0.5 * corner.z());
     grain.angular_velocity = random_vector(random, 0.5 * speed / kMixRadius);
@@ -45,7 +45,7 @@ Reference reference_for(const SimulationSettings& settings, const std::vector<Ne
   reference::Settings same;
   same.time_step = settings.time_step;
   same.arm = reference::Arm::surface;
-  const GrainMix mix = *settings.mix;
+  const GrainMix mix{settings.types, settings.contact.pairs, settings.contact.scaling};
   same.torque_factor = mix.scaling.torque_factor();
   const auto law = [mix](const std::string& a, const std::string& b, const laws::PairProperties& pair) {
     return coarse_graining::ScaledLaw<laws::GeneralLaw>(

@@ -34,7 +34,7 @@ Simulation drawn_grains(const std::optional<SleepSettings>& sleep = {}) {
 
 TEST(AirFlow, TakesGrainsInItsWayToTheSpeedOfTheTool) {
   Simulation simulation = drawn_grains();
-  const double rate = kResistance / simulation.settings().shape.mass;  // 1/s
+  const double rate = kResistance / simulation.settings().shape().mass;  // 1/s
   run_steps(simulation, static_cast<int>(1 / (rate * kTimeStep)));
   for (std::size_t k = 0; k < 2; ++k) {
     const bool inside = simulation.grains().position[k].x() < 1e-2;
@@ -67,7 +67,7 @@ TEST(AirFlow, TakesGrainsAlikeWhateverBlockTheyAreIn) {
     motion.velocity.z() = kToolSpeed;
     return motion;
   });
-  const double apart = 2.02 * settings.shape.sphere_radius;
+  const double apart = 2.02 * settings.shape().sphere_radius;
   std::vector<NewGrain> lattice;
   for (std::size_t k = 0; k < kAlong * kAlong * kAlong; ++k) {
     NewGrain grain;

@@ -70,14 +70,14 @@ TEST(Cohesion, StuckGrainsComeToRestAtBalance) {
   // Two D1 grains laid tip to tip with no speed: cohesion pulls them together, damping brings them to rest.
   const auto settings = weightless(Model::d, {.work_of_adhesion = 0.15}, 1e-6);
   Simulation simulation(settings, {});
-  const double half = half_size(settings.shape) - 1e-9;
+  const double half = half_size(settings.shape()) - 1e-9;
   NewGrain left, right;
   left.position = {-half, 0, 0};
   right.position = {half, 0, 0};
   simulation.add_grains({left, right});
   run_steps(simulation, 5000);
   const double closed =
-      std::pow(2.25 * std::numbers::pi * 0.15 / kModulus * std::sqrt(0.5 * settings.shape.sphere_radius),
+      std::pow(2.25 * std::numbers::pi * 0.15 / kModulus * std::sqrt(0.5 * settings.shape().sphere_radius),
                2.0 / 3.0) *
       std::pow(2.0, 4.0 / 3.0);
   EXPECT_NEAR(simulation.deepest_overlap(), closed, 1e-6 * closed);
@@ -86,21 +86,21 @@ TEST(Cohesion, StuckGrainsComeToRestAtBalance) {
 TEST(Cohesion, PullOffForceIsThatOfTheMinimum) {
   // A grain is drawn away from a sticky plane by its weight.
   auto settings = weightless(Model::a, {}, 1e-6);
-  settings.wall_contact.work_of_adhesion = 0.01;
-  const double effective = effective_radius(settings.shape.sphere_radius, 100);
+  wall_contact(settings).work_of_adhesion = 0.01;
+  const double effective = effective_radius(settings.shape().sphere_radius, 100);
   const double pull_off = 1.5 * std::numbers::pi * 0.01 * effective;
-  const double critical_gravity = pull_off / settings.shape.mass;
+  const double critical_gravity = pull_off / settings.shape().mass;
   for (const double share : {0.95, 1.05}) {
     settings.gravity = {0, 0, share * critical_gravity};
     Simulation simulation(settings, {plane_wall()});
     NewGrain grain;
     const double closed = std::pow(
-        2.25 * std::numbers::pi * 0.01 / settings.wall_contact.reduced_modulus * std::sqrt(effective),
+        2.25 * std::numbers::pi * 0.01 / wall_contact(settings).reduced_modulus * std::sqrt(effective),
         2.0 / 3.0);
-    grain.position = {0, 0, settings.shape.sphere_radius - 1.3 * closed};
+    grain.position = {0, 0, settings.shape().sphere_radius - 1.3 * closed};
     simulation.add_grains({grain});
     run_steps(simulation, 4000);
-    const bool stuck = position_of(simulation, 0).z() < settings.shape.sphere_radius;
+    const bool stuck = position_of(simulation, 0).z() < settings.shape().sphere_radius;
     EXPECT_EQ(stuck, share < 1) << share;
   }
 }

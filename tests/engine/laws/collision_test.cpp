@@ -16,8 +16,8 @@ double hertz_coefficient(const GrainShape& shape) {
 
 TEST(Collision, HertzContactLastsAsLongAsClosedForm) {
   const auto settings = weightless(Model::a, {.damping_over_radius = 0}, 1e-7);
-  const double speed = 0.2, reduced_mass = 0.5 * settings.shape.mass;
-  const double k = hertz_coefficient(settings.shape);
+  const double speed = 0.2, reduced_mass = 0.5 * settings.shape().mass;
+  const double k = hertz_coefficient(settings.shape());
   const double expected = 3.218 * std::pow(reduced_mass * reduced_mass / (k * k * speed), 0.2);
   const HeadOn collision = collide_head_on(settings, speed);
   EXPECT_NEAR(collision.duration, expected, 1e-3 * expected);
@@ -34,9 +34,9 @@ TEST(Collision, UndampedReboundIsAsFastAsImpact) {
 
 TEST(Collision, DeepestOverlapIsWhereKineticEnergyIsStored) {
   const auto settings = weightless(Model::d, {.damping_over_radius = 0}, kFine);
-  const double k = hertz_coefficient(settings.shape);
+  const double k = hertz_coefficient(settings.shape());
   for (const double speed : {0.01, 0.2, 1.0}) {
-    const double expected = std::pow(1.25 * 0.5 * settings.shape.mass * speed * speed / k, 0.4);
+    const double expected = std::pow(1.25 * 0.5 * settings.shape().mass * speed * speed / k, 0.4);
     EXPECT_NEAR(collide_head_on(settings, speed).deepest, expected, 1e-6 * expected);
   }
 }

@@ -75,7 +75,7 @@ Eigen::Vector3d tilted_gravity(double slope) {
 
 SimulationSettings on_incline(Model model, double slope) {
   auto settings = weightless(model, {}, 2e-6);
-  settings.wall_contact.friction = kWallFriction;
+  wall_contact(settings).friction = kWallFriction;
   settings.gravity = tilted_gravity(slope);
   return settings;
 }
@@ -83,10 +83,10 @@ SimulationSettings on_incline(Model model, double slope) {
 /// A model A grain on a plane; m/s gained along the slope between 20 ms and 40 ms.
 double speed_gained(double slope, SpringLimit limit) {
   auto settings = on_incline(Model::a, slope);
-  settings.spring_limit = limit;
+  set_spring_limit(settings, limit);
   Simulation simulation(settings, {plane_wall()});
   NewGrain grain;
-  grain.position = {0, 0, settings.shape.sphere_radius - 4.4e-8};
+  grain.position = {0, 0, settings.shape().sphere_radius - 4.4e-8};
   simulation.add_grains({grain});
   run_steps(simulation, 10000);
   const double before = velocity_of(simulation, 0).x();
@@ -106,7 +106,7 @@ TEST(Friction, SphereSticksBelowTheFrictionAngle) {
   const auto settings = on_incline(Model::a, 0.9 * kWallFriction);
   Simulation simulation(settings, {plane_wall()});
   NewGrain grain;
-  grain.position = {0, 0, settings.shape.sphere_radius - 4.4e-8};
+  grain.position = {0, 0, settings.shape().sphere_radius - 4.4e-8};
   simulation.add_grains({grain});
   // Once the first swing of the spring has been cut back at the limit, the grain swings about one place.
   run_steps(simulation, 10000);
@@ -116,10 +116,10 @@ TEST(Friction, SphereSticksBelowTheFrictionAngle) {
     low = std::min(low, position_of(simulation, 0).x());
     high = std::max(high, position_of(simulation, 0).x());
   }
-  const double load = settings.shape.mass * 9.81;
+  const double load = settings.shape().mass * 9.81;
   const double overlap = simulation.deepest_overlap();
   const double give =
-      load / (settings.wall_contact.tangential * std::sqrt(overlap / settings.shape.sphere_radius));
+      load / (wall_contact(settings).tangential * std::sqrt(overlap / settings.shape().sphere_radius));
   EXPECT_LT(high - low, give);
 }
 
@@ -145,12 +145,12 @@ TEST_P(TripodOnIncline, SlidesAboveTheFrictionAngleAndRestsBelow) {
     auto settings = on_incline(Model::d, share * kWallFriction);
     settings.lever_arm = GetParam();
     Simulation simulation(settings, {plane_wall()});
-    simulation.add_grains({tripod(settings.shape)});
+    simulation.add_grains({tripod(settings.shape())});
     run_steps(simulation, 10000);
     const double place = position_of(simulation, 0).x(), speed = velocity_of(simulation, 0).x();
     run_steps(simulation, 10000);
     if (share < 1) {
-      EXPECT_LT(std::abs(position_of(simulation, 0).x() - place), 1e-3 * settings.shape.sphere_radius);
+      EXPECT_LT(std::abs(position_of(simulation, 0).x() - place), 1e-3 * settings.shape().sphere_radius);
     } else {
       const double expected = 0.02 * (settings.gravity.x() + kWallFriction * settings.gravity.z());
       EXPECT_NEAR(velocity_of(simulation, 0).x() - speed, expected, 1e-2 * expected);

@@ -1,6 +1,5 @@
 // The critical step of laws put together while the program runs, against closed forms and against the law
 // that the engine knows beforehand.
-#include "engine/limits/general_time_step.h"
 
 #include <gtest/gtest.h>
 

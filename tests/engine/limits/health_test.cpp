@@ -24,7 +24,7 @@ Simulation pair_with_overlap(double over_radius, double time_step) {
   auto settings = weightless(Model::a, {}, time_step);
   Simulation simulation(settings, {});
   NewGrain left, right;
-  right.position.x() = (2 - over_radius) * settings.shape.sphere_radius;
+  right.position.x() = (2 - over_radius) * settings.shape().sphere_radius;
   simulation.add_grains({left, right});
   simulation.step();
   return simulation;
@@ -34,7 +34,7 @@ TEST(ValidityMonitor, QuietWhileAllIsWell) {
   auto settings = weightless(Model::d, {.friction = 0.5, .work_of_adhesion = 0.01}, 1e-6);
   settings.gravity = {0, 0, -9.81};
   Simulation simulation(settings, {});
-  simulation.add_grains(converging_cloud({3, 3, 3}, 2 * half_size(settings.shape), 0.3, 2));
+  simulation.add_grains(converging_cloud({3, 3, 3}, 2 * half_size(settings.shape()), 0.3, 2));
   ValidityMonitor monitor;
   for (int round = 0; round < 10; ++round) {
     run_steps(simulation, 50);
@@ -76,7 +76,7 @@ Simulation pressed_into_wall(double ratio) {
   auto settings = weightless(Model::a, {.damping_over_radius = 0}, 1e-9);
   Simulation simulation(settings, {plate(1e-3, 1.5e-4)});
   NewGrain grain;
-  grain.position.z() = (1 - ratio) * settings.shape.sphere_radius;
+  grain.position.z() = (1 - ratio) * settings.shape().sphere_radius;
   simulation.add_grains({grain});
   run_steps(simulation, 1);
   return simulation;
@@ -151,8 +151,9 @@ TEST(ValidityMonitor, StopsAtAGrainThatPassesHalfItsRadiusInAStep) {
 TEST(ValidityMonitor, WarnsOnceOfAGrainTooFastForTheStep) {
   // A collision at 2 m/s allows 2 sqrt(m_eff / k) = 1.2e-5 s; half of that is comfortable.
   auto settings = weightless(Model::a, {.damping_over_radius = 0}, 1);
-  const double critical = critical_time_step_at_overlap(
-      settings.shape, settings.grain_contact, impact_overlap(settings.shape, settings.grain_contact, 2));
+  const double critical =
+      critical_time_step_at_overlap(settings.shape(), grain_contact(settings),
+                                    impact_overlap(settings.shape(), grain_contact(settings), 2));
   for (const double share : {0.49, 0.51}) {
     settings.time_step = share * critical;
     Simulation simulation(settings, {});
@@ -198,7 +199,7 @@ TEST(ValidityMonitor, ExplodedRunEndsInOneLine) {
   auto settings = weightless(Model::d, {.friction = 0.5}, 5e-3);
   settings.gravity = {0, 0, -9.81};
   Simulation simulation(settings, {plate(2e-3, 1.5e-4)});
-  simulation.add_grains(converging_cloud({3, 3, 3}, 0.8 * 2 * half_size(settings.shape), 0.3, 2));
+  simulation.add_grains(converging_cloud({3, 3, 3}, 0.8 * 2 * half_size(settings.shape()), 0.3, 2));
   const std::string message = end_of(simulation, 200);
   EXPECT_NE(message.find("shorter"), std::string::npos) << message;
 }

@@ -11,17 +11,17 @@ namespace {
 
 /// Hertz' law F = k h^1.5 against a flat wall: k in N/m^1.5 (Bierwisch 2009, Eq. 2.1).
 double hertz_stiffness(const SimulationSettings& settings, double effective) {
-  return 2.0 / 3.0 * settings.wall_contact.reduced_modulus * std::sqrt(effective);
+  return 2.0 / 3.0 * wall_contact(settings).reduced_modulus * std::sqrt(effective);
 }
 
 /// m, overlap at which the spring holds all the energy of a grain of this speed (m/s).
 double deepest_of_rebound(const SimulationSettings& settings, double effective, double speed) {
-  return std::pow(1.25 * settings.shape.mass * speed * speed / hertz_stiffness(settings, effective), 0.4);
+  return std::pow(1.25 * settings.shape().mass * speed * speed / hertz_stiffness(settings, effective), 0.4);
 }
 
 SimulationSettings elastic() {
   auto settings = weightless(Model::a, {.damping_over_radius = 0}, 2e-7);
-  settings.wall_contact.friction = 0;
+  wall_contact(settings).friction = 0;
   return settings;
 }
 
@@ -53,7 +53,7 @@ class Rebound : public ::testing::TestWithParam<Eigen::Vector3d> {};
 
 TEST_P(Rebound, OnFaceEdgeAndCornerIsThatOfHertz) {
   const auto settings = elastic();
-  const double speed = 0.3, radius = settings.shape.sphere_radius;
+  const double speed = 0.3, radius = settings.shape().sphere_radius;
   const Eigen::Vector3d outward = GetParam().normalized();
   // Onto the middle of the face or edge, or onto the corner at the origin.
   const Eigen::Vector3d foot = (GetParam().array() == 0).select(Eigen::Array3d::Constant(-0.5 * kEdge), 0.0);
@@ -70,7 +70,7 @@ INSTANTIATE_TEST_SUITE_P(MeshWalls, Rebound,
 
 TEST(MeshWalls, TakeTheEffectiveRadiusAskedFor) {
   const auto settings = elastic();
-  const double radius = settings.shape.sphere_radius, speed = 0.3;
+  const double radius = settings.shape().sphere_radius, speed = 0.3;
   auto wall = target();
   wall.contact_radius = 1.5e-4;
   const auto simulation = thrown(settings, wall, {-0.5 * kEdge, -0.5 * kEdge, 1.01 * radius}, {0, 0, -speed});
@@ -98,10 +98,10 @@ Eigen::Vector2d scattered(Eigen::Vector2d place, Eigen::Vector2d velocity, doubl
 
 TEST(MeshWalls, ScatterFromAnEdgeAsASpringAboutIt) {
   const auto settings = elastic();
-  const double radius = settings.shape.sphere_radius, speed = 0.3;
+  const double radius = settings.shape().sphere_radius, speed = 0.3;
   const Eigen::Vector2d from(0.5 * radius, 1.0 * radius), velocity(0, -speed);
   const Eigen::Vector2d expected =
-      scattered(from, velocity, radius, hertz_stiffness(settings, radius), settings.shape.mass);
+      scattered(from, velocity, radius, hertz_stiffness(settings, radius), settings.shape().mass);
   const auto simulation = thrown(settings, target(), {from.x(), -0.5 * kEdge, from.y()}, {0, 0, -speed});
   const Eigen::Vector3d off = velocity_of(simulation, 0);
   EXPECT_NEAR(off.x(), expected.x(), 1e-3 * speed);
@@ -132,7 +132,7 @@ Ride ride(WallBodySpec wall) {
   wall.motion = unquiet;
   Ride ride{Simulation(settings, {wall})};
   std::vector<NewGrain> balls(3);
-  const double radius = settings.shape.sphere_radius;
+  const double radius = settings.shape().sphere_radius;
   balls[0].position = {-1e-3, -2e-3, radius};
   balls[0].velocity = {0.09, 0.01, 0};
   balls[1].position = {-1e-3, 0, radius};
@@ -187,7 +187,7 @@ TEST(MeshWalls, CutUpPlaneIsAPlaneForClumps) {
 double resting_overlap(const WallBodySpec& wall, const Eigen::Vector3d& up, double height,
                        std::size_t contacts) {
   auto settings = weightless(Model::a, {}, 2e-6);
-  settings.wall_contact.friction = 0;
+  wall_contact(settings).friction = 0;
   settings.gravity = -9.81 * up;
   Simulation simulation(settings, {wall});
   NewGrain grain;
@@ -201,7 +201,7 @@ double resting_overlap(const WallBodySpec& wall, const Eigen::Vector3d& up, doub
 
 double hertz_overlap(double force) {
   const auto settings = weightless(Model::a, {}, 2e-6);
-  return std::pow(force / hertz_stiffness(settings, settings.shape.sphere_radius), 2.0 / 3.0);
+  return std::pow(force / hertz_stiffness(settings, settings.shape().sphere_radius), 2.0 / 3.0);
 }
 
 TEST(MeshWalls, BallInACornerTouchesThreeFaces) {
@@ -238,7 +238,7 @@ TEST(MeshWalls, SeamOfACurvedSurfaceIsTouchedOnceAndKeepsTheEnergy) {
   settings.time_step = 2e-6;
   Simulation simulation(settings, {groove(0.05)});
   NewGrain grain;
-  grain.position = {-1e-4, 0, 1.05 * settings.shape.sphere_radius};
+  grain.position = {-1e-4, 0, 1.05 * settings.shape().sphere_radius};
   grain.velocity = {0.02, 0.03, 0};
   simulation.add_grains({grain});
   int crossings = 0;
@@ -255,7 +255,7 @@ TEST(MeshWalls, SeamOfACurvedSurfaceIsTouchedOnceAndKeepsTheEnergy) {
 TEST(MeshWalls, CentreBehindTheSurfaceIsPushedBackAndReported) {
   auto settings = elastic();
   Simulation simulation(settings, {target()});
-  const double radius = settings.shape.sphere_radius;
+  const double radius = settings.shape().sphere_radius;
   NewGrain grain;
   grain.position = {-0.5 * kEdge, -0.5 * kEdge, -0.2 * radius};
   simulation.add_grains({grain});
@@ -268,7 +268,7 @@ TEST(MeshWalls, CentreBehindTheSurfaceIsPushedBackAndReported) {
 
 TEST(MeshWalls, ThinWallIsTouchedOnItsNearSideOnly) {
   const auto settings = elastic();
-  const double radius = settings.shape.sphere_radius;
+  const double radius = settings.shape().sphere_radius;
   const auto sheet = triangle_box({-kEdge, -kEdge, -0.2 * radius}, {0, 0, 0}, false);
   const auto simulation = thrown(settings, sheet, {-0.4 * kEdge, -0.5 * kEdge, 1.01 * radius}, {0, 0, -0.3});
   EXPECT_NEAR(velocity_of(simulation, 0).z(), 0.3, 1e-4);
@@ -276,7 +276,7 @@ TEST(MeshWalls, ThinWallIsTouchedOnItsNearSideOnly) {
 
 TEST(MeshWalls, NameWhatTheyPinch) {
   auto settings = weightless(Model::a, {}, 1e-9);
-  const double radius = settings.shape.sphere_radius;
+  const double radius = settings.shape().sphere_radius;
   WallBodySpec die = target();
   WallBodySpec shoe = triangle_box({-kEdge, -kEdge, 1.2 * radius}, {0, 0, kEdge}, false);
   shoe.motion = [](double time) {
@@ -324,7 +324,7 @@ Simulation crowd(int threads, bool planes = false) {
   auto settings = weightless(Model::d, {.friction = 0.5}, 2e-6);
   settings.gravity = {0, 0, -9.81};
   settings.threads = threads;
-  const double size = 2 * half_size(settings.shape);
+  const double size = 2 * half_size(settings.shape());
   auto vessel = vessel_of(planes, kVesselOverSize * size);
   vessel.motion = [](double time) {
     BodyMotion motion;
@@ -341,7 +341,7 @@ Simulation crowd(int threads, bool planes = false) {
 
 TEST(MeshWalls, ClosedVesselLosesNothing) {
   auto simulation = crowd(2), flat = crowd(2, true);
-  const double size = 2 * half_size(simulation.settings().shape);
+  const double size = 2 * half_size(simulation.settings().shape());
   for (int k = 0; k < 3000; ++k) {
     simulation.step();
     flat.step();
@@ -349,7 +349,7 @@ TEST(MeshWalls, ClosedVesselLosesNothing) {
   EXPECT_EQ(simulation.grains().size(), 216U);
   for (const auto& position : simulation.grains().position)
     EXPECT_LT(position.cwiseAbs().maxCoeff(), kVesselOverSize * size + 1.1e-4);
-  EXPECT_LT(simulation.overlaps_of_run().walls, 0.5 * simulation.settings().shape.sphere_radius);
+  EXPECT_LT(simulation.overlaps_of_run().walls, 0.5 * simulation.settings().shape().sphere_radius);
   EXPECT_NEAR(simulation.energy_balance_error(), flat.energy_balance_error(), 2e-3);
 }
 

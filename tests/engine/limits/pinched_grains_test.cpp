@@ -31,7 +31,7 @@ WallBodySpec jaw(const std::string& name, double top, double side, double speed)
 Simulation column_between_jaws(int grains, double over_radius, double lower_speed, double upper_speed,
                                double time_step = 1e-9) {
   auto settings = weightless(Model::a, {}, time_step);
-  const double radius = settings.shape.sphere_radius, pitch = (2 - over_radius) * radius;
+  const double radius = settings.shape().sphere_radius, pitch = (2 - over_radius) * radius;
   const double first = (1 - over_radius) * radius;
   Simulation simulation(settings, {jaw("die", 0, 1, lower_speed),
                                    jaw("shoe", 2 * first + (grains - 1) * pitch, -1, upper_speed)});
@@ -52,7 +52,7 @@ TEST(PinchedGrains, NamesAGrainBetweenToolsThatMovePastEachOther) {
   const auto pinched = named(simulation);
   ASSERT_EQ(pinched.size(), 1U);
   EXPECT_EQ(pinched[0].id, 0U);
-  const double radius = simulation.settings().shape.sphere_radius;
+  const double radius = simulation.settings().shape().sphere_radius;
   EXPECT_NEAR(pinched[0].overlap, 0.6, 1e-6);
   EXPECT_NEAR(pinched[0].position.z(), 0.4 * radius, 1e-6 * radius);
 }
@@ -93,10 +93,10 @@ TEST(PinchedGrains, LeavesAnImpactOnOneWall) {
   auto settings = weightless(Model::a, {}, 1e-9);
   Simulation simulation(settings, {jaw("die", 0, 1, 0), jaw("shoe", 1, -1, 0.2)});
   NewGrain grain;
-  grain.position.z() = 0.4 * settings.shape.sphere_radius;
+  grain.position.z() = 0.4 * settings.shape().sphere_radius;
   simulation.add_grains({grain});
   simulation.step();
-  EXPECT_GT(simulation.deepest_overlap(), 0.55 * settings.shape.sphere_radius);
+  EXPECT_GT(simulation.deepest_overlap(), 0.55 * settings.shape().sphere_radius);
   EXPECT_TRUE(named(simulation).empty());
 }
 

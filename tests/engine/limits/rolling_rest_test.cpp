@@ -2,7 +2,6 @@
 // resistance and however many contacts a grain has.
 #include <gtest/gtest.h>
 
-#include "engine/limits/general_time_step.h"
 #include "engine/limits/time_step.h"
 #include "engine_test_support.h"
 
@@ -29,17 +28,17 @@ laws::LawParameters soft(const laws::AnyRolling::Parameters& rolling, bool linea
 
 SimulationSettings soft_spheres(const laws::LawParameters& law, int threads = 1) {
   SimulationSettings settings;
-  settings.shape = model_b(kRadius, kMass);
-  settings.general_contact = GeneralContact{law, law, {}};
-  settings.time_step =
-      kDefaultTimeStepFraction * critical_time_step(settings.shape, *settings.general_contact, kFall);
+  settings.types = {{model_b(kRadius, kMass)}};
+  const GeneralContact contact{law, law};
+  settings.contact = contact;
+  settings.time_step = kDefaultTimeStepFraction * critical_time_step(settings.shape(), contact, kFall);
   settings.threads = threads;
   return settings;
 }
 
 /// A loose lattice on a plane, periodic in x and y.
 Simulation bed_of(SimulationSettings settings, int across, int layers) {
-  const double spacing = 2.1 * settings.shape.sphere_radius;
+  const double spacing = 2.1 * settings.shape().sphere_radius;
   settings.period = {across * spacing, across * spacing};
   WallBodySpec floor;
   floor.name = "floor";
@@ -51,7 +50,7 @@ Simulation bed_of(SimulationSettings settings, int across, int layers) {
     const int n = static_cast<int>(k);
     grains[k].position =
         spacing * Eigen::Vector3d(n % across, n / across % across, n / across / across + 0.6) +
-        random_vector(random, 0.03 * settings.shape.sphere_radius);
+        random_vector(random, 0.03 * settings.shape().sphere_radius);
     grains[k].velocity = random_vector(random, 0.05);
   }
   simulation.add_grains(grains);
@@ -95,12 +94,12 @@ INSTANTIATE_TEST_SUITE_P(
 
 TEST(RollingRestOfTheTunedLaw, BierwischsTorqueGainsNoEnergy) {
   SimulationSettings settings;
-  settings.shape = model_b(kRadius, kMass);
-  settings.grain_contact = {.reduced_modulus = 1e6, .damping = 300, .tangential = 600, .friction = 1};
-  settings.grain_contact.rolling_friction = 2.5 * kRadius;  // as fitted for B1
-  settings.wall_contact = settings.grain_contact;
+  settings.types = {{model_b(kRadius, kMass)}};
+  grain_contact(settings) = {.reduced_modulus = 1e6, .damping = 300, .tangential = 600, .friction = 1};
+  grain_contact(settings).rolling_friction = 2.5 * kRadius;  // as fitted for B1
+  wall_contact(settings) = grain_contact(settings);
   settings.time_step =
-      kDefaultTimeStepFraction * critical_time_step(settings.shape, settings.grain_contact, kFall);
+      kDefaultTimeStepFraction * critical_time_step(settings.shape(), grain_contact(settings), kFall);
   auto simulation = bed_of(settings, 5, 8);
   run_until(simulation, 0.24);
   EXPECT_LT(simulation.ledger().rolling_work, 0);
@@ -119,7 +118,7 @@ TEST(ConstantTorqueAtRest, HoldsASphereStill) {
   grain.angular_velocity = {0, 20, 0};
   simulation.add_grains({grain});
   run_until(simulation, 0.5);
-  const double chatter = 0.5 * kRadius * kMass * 9.81 * settings.time_step / settings.shape.inertia.x();
+  const double chatter = 0.5 * kRadius * kMass * 9.81 * settings.time_step / settings.shape().inertia.x();
   EXPECT_LT(simulation.angular_velocity(0).norm(), 1e-3 * chatter);
   EXPECT_LT(std::abs(simulation.energy_balance_error()), 0.005);
 }

@@ -1,7 +1,6 @@
 // How exactly a step resolves friction between grains of very unequal size.
 #include <gtest/gtest.h>
 
-#include "engine/limits/mix_time_step.h"
 #include "mixed_support.h"
 
 namespace diefill::engine {

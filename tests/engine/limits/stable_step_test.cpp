@@ -15,12 +15,12 @@ constexpr double kMass = 1e-6, kStiffness = 500, kRadius = 1e-3;  // kg, N/m, m
 double swing_after(double damping, double time_step) {
   constexpr double kSwing = 1e-9, kGravity = 100;
   SimulationSettings settings;
-  settings.shape = model_a(kRadius, kMass);
+  settings.types = {{model_a(kRadius, kMass)}};
   GeneralContact contact;
   contact.grains.normal = contact.walls.normal = laws::LinearNormal::Parameters{kStiffness};
   if (damping > 0)
     contact.grains.damping = contact.walls.damping = laws::ConstantDamping::Parameters{damping};
-  settings.general_contact = contact;
+  settings.contact = contact;
   settings.gravity = {0, 0, -kGravity};
   settings.time_step = time_step;
   WallBodySpec floor;

@@ -59,7 +59,7 @@ TEST(TimeStep, DefaultFractionResolvesACollisionByADozenSteps) {
       const auto settings = weightless(model, {.damping_over_radius = 0}, 1e-7);
       const double duration = collide_head_on(settings, speed).duration;
       EXPECT_GT(duration,
-                12 * kDefaultTimeStepFraction * critical_time_step(settings.shape, undamped(), speed));
+                12 * kDefaultTimeStepFraction * critical_time_step(settings.shape(), undamped(), speed));
     }
 }
 
@@ -83,9 +83,9 @@ TEST(TimeStep, PinchMeetsOneWallSphereASideOnCoarseWallsAndManyOnFineOnes) {
 /// Energy of a bed of colliding grains after a while, over that at the start, undamped.
 double energy_ratio(double fraction) {
   auto settings = weightless(Model::d, {.damping_over_radius = 0}, 1);
-  settings.time_step = fraction * critical_time_step(settings.shape, settings.grain_contact, 1.0);
+  settings.time_step = fraction * critical_time_step(settings.shape(), grain_contact(settings), 1.0);
   Simulation simulation(settings, {});
-  auto cloud = converging_cloud({4, 4, 4}, 2 * half_size(settings.shape), 0.5, 12);
+  auto cloud = converging_cloud({4, 4, 4}, 2 * half_size(settings.shape()), 0.5, 12);
   simulation.add_grains(cloud);
   const double before = simulation.energy().total();
   run_steps(simulation, static_cast<int>(4e-3 / settings.time_step));
@@ -104,7 +104,7 @@ TEST(TimeStep, SimulationRefusesStepsThatAreNotPositive) {
   settings.threads = 0;
   EXPECT_THROW(Simulation(settings, {}), std::invalid_argument);
   settings.threads = 1;
-  settings.shape.sphere_offsets.clear();
+  settings.shape().sphere_offsets.clear();
   EXPECT_THROW(Simulation(settings, {}), std::invalid_argument);
 }
 

@@ -33,7 +33,7 @@ TEST_P(ContactForces, SumUpToTheForceOnEveryGrain) {
   auto settings = weightless(
       GetParam().model,
       {.damping_over_radius = 0, .friction = 0.8, .work_of_adhesion = 0.05, .rolling_friction = 1e-5}, 1e-6);
-  const double size = 2 * half_size(settings.shape);
+  const double size = 2 * half_size(settings.shape());
   if (GetParam().periodic) settings.period[0] = 4 * size;
   std::vector<WallBodySpec> walls;
   if (GetParam().walls) {
@@ -58,8 +58,8 @@ TEST_P(ContactForces, SumUpToTheForceOnEveryGrain) {
     if (contact.other != kNoGrain) sum[contact.other] -= contact.force;
     at_walls += contact.other == kNoGrain;
     largest = std::max(largest, contact.force.norm());
-    EXPECT_LT(contact.arm.norm(), half_size(settings.shape));
-    EXPECT_LT(contact.other_arm.norm(), half_size(settings.shape));
+    EXPECT_LT(contact.arm.norm(), half_size(settings.shape()));
+    EXPECT_LT(contact.other_arm.norm(), half_size(settings.shape()));
   });
   ASSERT_GT(largest, 0);
   EXPECT_EQ(at_walls > 0, GetParam().walls);
@@ -78,13 +78,13 @@ INSTANTIATE_TEST_SUITE_P(Clouds, ContactForces,
 Eigen::Vector3d smooth_force(const Simulation& simulation) {
   const auto& settings = simulation.settings();
   const Grains& grains = simulation.grains();
-  const double radius = settings.shape.sphere_radius, effective = 0.5 * radius;
+  const double radius = settings.shape().sphere_radius, effective = 0.5 * radius;
   const auto place = [&](std::size_t k, const Eigen::Vector3d& offset) -> Eigen::Vector3d {
     return rotation_matrix(grains.orientation_of(k)) * offset;
   };
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-  for (const auto& i : settings.shape.sphere_offsets)
-    for (const auto& j : settings.shape.sphere_offsets) {
+  for (const auto& i : settings.shape().sphere_offsets)
+    for (const auto& j : settings.shape().sphere_offsets) {
       const Eigen::Vector3d a = place(0, i), b = place(1, j);
       const Eigen::Vector3d apart = grains.position[0] + a - grains.position[1] - b;
       const double overlap = 2 * radius - apart.norm();
@@ -95,10 +95,10 @@ Eigen::Vector3d smooth_force(const Simulation& simulation) {
       const Eigen::Vector3d velocity = grains.velocity[0] + simulation.angular_velocity(0).cross(a + arm) -
                                        grains.velocity[1] - simulation.angular_velocity(1).cross(b - arm);
       const double elastic =
-          2.0 / 3 * settings.grain_contact.reduced_modulus * std::sqrt(effective) * std::pow(overlap, 1.5);
-      sum +=
-          (elastic - settings.grain_contact.damping * std::sqrt(effective * overlap) * velocity.dot(normal)) *
-          normal;
+          2.0 / 3 * grain_contact(settings).reduced_modulus * std::sqrt(effective) * std::pow(overlap, 1.5);
+      sum += (elastic -
+              grain_contact(settings).damping * std::sqrt(effective * overlap) * velocity.dot(normal)) *
+             normal;
     }
   return sum;
 }
@@ -106,7 +106,7 @@ Eigen::Vector3d smooth_force(const Simulation& simulation) {
 TEST(TwoGrains, PushEachOtherByTheVelocitiesThatTheyHaveNow) {
   for (const Model model : {Model::a, Model::d}) {
     const auto settings = weightless(model, {.damping_over_radius = 1e6, .friction = 0}, 1e-6);
-    const double size = half_size(settings.shape);
+    const double size = half_size(settings.shape());
     Simulation simulation(settings, {});
     simulation.add_grains({{.position = {0, 0, 0}, .velocity = {0.3, 0, 0}, .angular_velocity = {0, 0, 20}},
                            {.position = {2.1 * size, 0.2 * size, 0}, .velocity = {-0.3, 0, 0}}});
@@ -127,13 +127,13 @@ TEST(TwoGrains, PushEachOtherByTheVelocitiesThatTheyHaveNow) {
 
 TEST(ContactStress, OfTwoPressedSpheresIsForceTimesDistanceToTheContactPlane) {
   auto settings = weightless(Model::a, {.damping_over_radius = 0}, 1e-9);
-  const double radius = settings.shape.sphere_radius, overlap = 0.02 * radius;
+  const double radius = settings.shape().sphere_radius, overlap = 0.02 * radius;
   Simulation simulation(settings, {});
   simulation.add_grains({{.position = {0, 0, 0}}, {.position = {2 * radius - overlap, 0, 0}}});
   simulation.step();
   // Hertz, R_eff = R / 2 (Bierwisch 2009, Eq. 2.3).
   const double force =
-      2.0 / 3 * settings.grain_contact.reduced_modulus * std::sqrt(0.5 * radius) * std::pow(overlap, 1.5);
+      2.0 / 3 * grain_contact(settings).reduced_modulus * std::sqrt(0.5 * radius) * std::pow(overlap, 1.5);
   for (const auto& stress : contact_stress_times_volume(simulation)) {
     EXPECT_NEAR(stress(0, 0), -force * (radius - 0.5 * overlap), 1e-9 * force * radius);
     EXPECT_LT((stress - stress(0, 0) * Eigen::Vector3d::UnitX() * Eigen::RowVector3d::UnitX()).norm(),
@@ -145,7 +145,7 @@ TEST(ContactStress, OfAStackCarriesTheWeightAbove) {
   auto settings = weightless(Model::a, {}, 2e-6);
   settings.gravity = {0, 0, -9.81};
   settings.air_viscosity = 1e-2;  // to rest sooner
-  const double radius = settings.shape.sphere_radius, weight = settings.shape.mass * 9.81;
+  const double radius = settings.shape().sphere_radius, weight = settings.shape().mass * 9.81;
   Simulation simulation(settings, {floor_at(0)});
   simulation.add_grains(
       {{.position = {0, 0, radius}}, {.position = {0, 0, 3 * radius}}, {.position = {0, 0, 5 * radius}}});

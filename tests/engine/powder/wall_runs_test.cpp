@@ -23,7 +23,7 @@ BodyMotion shaking(double time) {
 /// Pairs of spheres of grains and wall spheres that overlap, found by trying all.
 std::size_t overlapping_pairs(const Simulation& simulation, const WallBodySpec& wall) {
   const auto& grains = simulation.grains();
-  const GrainShape& shape = simulation.settings().shape;
+  const GrainShape& shape = simulation.settings().shape();
   const BodyMotion pose = simulation.body_motion(0);
   const double reach = shape.sphere_radius + wall.sphere_radius;
   std::size_t pairs = 0;
@@ -40,10 +40,10 @@ TEST(WallRuns, MissNoContactWhileGrainsAndToolsMove) {
   auto settings = weightless(Model::d, {.friction = 0.5}, 4e-6);
   settings.gravity = {0, 0, -9.81};
   // Spheres larger than those of the wall, so that each is near many.
-  settings.shape = model_d(2 * kWallRadius, 7.63e-8 * 64);
-  settings.grain_contact.tangential *= 4;
-  settings.wall_contact = settings.grain_contact;
-  const double size = 2 * half_size(settings.shape);
+  settings.types = {{model_d(2 * kWallRadius, 7.63e-8 * 64)}};
+  grain_contact(settings).tangential *= 4;
+  wall_contact(settings) = grain_contact(settings);
+  const double size = 2 * half_size(settings.shape());
   const WallBodySpec wall = plate(5 * size, kWallRadius, shaking);
   Simulation simulation(settings, {wall});
   simulation.add_grains(converging_cloud({4, 4, 2}, 1.1 * size, 0.3, 7, {0, 0, 1.8 * size}));

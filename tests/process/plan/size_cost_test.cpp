@@ -59,7 +59,7 @@ TEST_P(SizeCostOf, ABedIsMeasuredSideBySide) {
   const auto hash = simulation.hash();
   const SizeCost cost = measure_size_cost(simulation);
   EXPECT_EQ(simulation.hash(), hash);
-  const double once = static_cast<double>(bed.settings.shape.spheres() * bed.grains.size());
+  const double once = static_cast<double>(bed.settings.shape().spheres() * bed.grains.size());
   ASSERT_EQ(cost.points.size(), 4U);  // 6 x 6 would be more than a million
   for (std::size_t k = 0; k < 4; ++k) {
     const auto copies = static_cast<double>(k + 1);

@@ -33,7 +33,8 @@ constexpr const char* kHertz = "[contact]\nnormal = { law = \"Hertz-Mindlin\", m
 TEST(SceneContact, IsNothingUnlessNamed) {
   const Scene scene = scene_of_text(faultless_scene());
   EXPECT_FALSE(scene.contact);
-  EXPECT_FALSE(engine_settings(scene, 1.0).general_contact);
+  const auto settings = engine_settings(scene, 1.0);
+  EXPECT_TRUE(as_bierwisch(settings.contact.between(engine::kPowderMaterial, engine::kPowderMaterial)));
 }
 
 TEST(SceneContact, FollowsTheVariant) {
@@ -150,8 +151,7 @@ damping = { law = "none" }
   EXPECT_NE(walls.damping.of<NoDamping>(), nullptr);
 }
 
-// The same numbers in the powder and in [contact]: the same coarse law and, where friction of walls is not
-// stiffer, the same time step.
+// The same numbers in the powder and in [contact]: the same coarse law and the same time step.
 TEST(SceneContact, BierwischsPartsAreCoarsenedAsThePowderIs) {
   const Scene named = with_contact(R"([contact]
 normal = { law = "Bierwisch" }
@@ -160,23 +160,25 @@ friction = { law = "Bierwisch" }
 )");
   const Scene plain = scene_of_text(faultless_scene());
   const auto own = engine_settings(plain, 1.0), general = engine_settings(named, 1.0);
-  ASSERT_TRUE(general.general_contact);
-  const auto& law = general.general_contact->grains;
-  EXPECT_NEAR(law.normal.of<BierwischNormal>()->work_of_adhesion, own.grain_contact.work_of_adhesion, 1e-12);
-  EXPECT_NEAR(law.damping.of<BierwischDamping>()->damping, own.grain_contact.damping, 1e-9);
-  EXPECT_NEAR(law.friction.of<CundallFriction>()->tangential, own.grain_contact.tangential, 1e-9);
-  EXPECT_EQ(own.shape.mass, general.shape.mass);
-  EXPECT_LE(general.time_step, own.time_step * (1 + 1e-9));
-  EXPECT_GT(general.time_step, 0.5 * own.time_step);
+  const auto law_of = [](const engine::SimulationSettings& settings) {
+    return as_bierwisch(settings.contact.between(engine::kPowderMaterial, engine::kPowderMaterial))
+        .value()
+        .parameters;
+  };
+  EXPECT_NEAR(law_of(general).work_of_adhesion, law_of(own).work_of_adhesion, 1e-12);
+  EXPECT_NEAR(law_of(general).damping, law_of(own).damping, 1e-9);
+  EXPECT_NEAR(law_of(general).tangential, law_of(own).tangential, 1e-9);
+  EXPECT_EQ(own.shape().mass, general.shape().mass);
+  EXPECT_NEAR(general.time_step, own.time_step, 1e-9 * own.time_step);
 }
 
 TEST(SceneContact, ScalesForcesByTheRuleOfItsName) {
   const Scene scene = with_contact(std::string(kHertz) + "coarse_graining = \"Chu\"\n");
   const auto settings = engine_settings(scene, 1.0);
-  EXPECT_NEAR(settings.general_contact->scaling.scale, 4, 1e-12);
-  EXPECT_EQ(settings.general_contact->scaling.torque_exponent, 3);
+  EXPECT_NEAR(settings.contact.scaling.scale, 4, 1e-12);
+  EXPECT_EQ(settings.contact.scaling.torque_exponent, 3);
   const Scene plain = with_contact(std::string(kHertz) + "coarse_graining = \"none\"\n");
-  EXPECT_EQ(engine_settings(plain, 1.0).general_contact->scaling.scale, 1);
+  EXPECT_EQ(engine_settings(plain, 1.0).contact.scaling.scale, 1);
 }
 
 TEST(SceneContact, TellsWhichLawsAreInUse) {

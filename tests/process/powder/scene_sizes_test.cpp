@@ -6,7 +6,6 @@
 #include <numeric>
 
 #include "engine/contact/pair_laws.h"
-#include "engine/limits/mix_time_step.h"
 #include "process/powder/material.h"
 #include "process/powder/mixed_powder.h"
 #include "process/powder/tool_surface.h"
@@ -71,7 +70,7 @@ TEST(SceneSizes, OneClassIsPowderOfOneSize) {
       "sizes = { distribution = \"classes\", classes = [{ diameter = \"1.8816 mm\", share = 0.2 }] }");
   EXPECT_TRUE(one.powder.sizes.empty());
   EXPECT_NEAR(one.powder.grain_diameter, 1.8816e-3, 1e-15);
-  EXPECT_FALSE(engine_settings(one, 1.0).mix);
+  EXPECT_EQ(engine_settings(one, 1.0).types.size(), 1U);
 }
 
 TEST(SceneSizes, LogNormalHasItsMedianByMass) {
@@ -95,30 +94,28 @@ TEST(SceneSizes, LogNormalHasItsMedianByMass) {
 TEST(SceneSizes, KindsHaveOneDensityAndScaleAsRigidBodies) {
   const Scene scene = scene_with(kTwo);
   const auto settings = engine_settings(scene, 1.0);
-  ASSERT_TRUE(settings.mix);
-  ASSERT_EQ(settings.mix->kinds.size(), 2U);
+  ASSERT_EQ(settings.types.size(), 2U);
+  const auto mean_shape = mean_grain(scene);
   double mean = 0;
   for (std::size_t k = 0; k < 2; ++k) {
-    const auto& shape = settings.mix->kinds[k].shape;
+    const auto& shape = settings.types[k].shape;
     const double factor = scene.powder.sizes[k].diameter / scene.powder.grain_diameter;
     EXPECT_NEAR(2 * shape.bounding_radius(), scene.powder.sizes[k].diameter, 1e-15);
-    EXPECT_NEAR(shape.mass / shape.solid_volume, settings.shape.mass / settings.shape.solid_volume, 1e-6);
-    EXPECT_NEAR(shape.inertia.x(), settings.shape.inertia.x() * std::pow(factor, 5),
-                1e-9 * shape.inertia.x());
+    EXPECT_NEAR(shape.mass / shape.solid_volume, mean_shape.mass / mean_shape.solid_volume, 1e-6);
+    EXPECT_NEAR(shape.inertia.x(), mean_shape.inertia.x() * std::pow(factor, 5), 1e-9 * shape.inertia.x());
     mean += scene.powder.sizes[k].number_share * shape.mass;
   }
-  EXPECT_NEAR(mean, settings.shape.mass, 1e-9 * mean);
+  EXPECT_NEAR(mean, mean_shape.mass, 1e-9 * mean);
 }
 
 /// Force of the law between two kinds, or of kind i with a tool where j is none, at `overlap` (m) and
 /// approach speed `speed` (m/s).
 double force_of(const engine::SimulationSettings& settings, std::size_t i, std::optional<std::size_t> j,
                 double overlap, double speed) {
-  const engine::KindTable kinds(settings.mix->kinds);
-  const auto one = static_cast<engine::KindNumber>(i);
-  const auto law = j ? engine::law_of_kinds(kinds, *settings.mix, one, static_cast<engine::KindNumber>(*j))
-                     : engine::law_with_wall(kinds, *settings.mix, one, kWallMaterial,
-                                             std::numeric_limits<double>::infinity());
+  const engine::ParticleTypes types(settings.types);
+  const auto one = static_cast<engine::ClassNumber>(i);
+  const auto law = j ? engine::law_between(types, settings.contact, one, static_cast<engine::ClassNumber>(*j))
+                     : engine::law_at_wall(types, settings.contact, one, {});
   return speed > 0 ? law.damping(overlap) * speed : law.stiffness(overlap);
 }
 
@@ -141,7 +138,7 @@ TEST(SceneSizes, LawsOfPairsAreTheClosedForms) {
     EXPECT_NEAR(force_of(settings, i, std::nullopt, overlap, 1), damping, 1e-9 * damping);
   }
   const auto& law =
-      laws::law_between(settings.mix->laws, settings.mix->kinds[0].material, settings.mix->kinds[1].material);
+      laws::law_between(settings.contact.pairs, settings.types[0].material, settings.types[1].material);
   const double scale = coarse_graining_factor(powder);
   EXPECT_NEAR(law.normal.of<laws::BierwischNormal>()->work_of_adhesion, scale * powder.work_of_adhesion,
               1e-15);
@@ -171,9 +168,8 @@ damping = { law = "restitution", restitution = 0.5 }
 rolling = { law = "EPSD2", rolling_friction = 0.2, shear_modulus = "2 MPa" }
 )");
   const auto settings = engine_settings(scene, 1.0);
-  ASSERT_TRUE(settings.mix);
-  EXPECT_FALSE(settings.general_contact);
-  EXPECT_EQ(settings.mix->laws.size(), 5U);
+  ASSERT_EQ(settings.types.size(), 2U);
+  EXPECT_EQ(settings.contact.pairs.size(), 5U);
   EXPECT_NO_THROW(engine::Simulation(settings, {}));
 }
 
@@ -188,7 +184,7 @@ TEST(PourSizes, GivesTheMassAndTheSharesAndNoOverlap) {
   const Scene scene = scene_with(kTwo);
   const auto settings = engine_settings(scene, 1.0);
   const auto grains = pour(scene, settings, floor_below());
-  const auto& kinds = settings.mix->kinds;
+  const auto& kinds = settings.types;
   double solid = 0, small = 0;
   for (const auto& grain : grains) {
     solid += kinds[grain.kind].shape.solid_volume;

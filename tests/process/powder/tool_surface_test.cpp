@@ -32,48 +32,91 @@ Tooling tooling_of(const Scene& scene) {
   return tooling;
 }
 
+using engine::laws::BierwischNormal;
+using engine::laws::CundallFriction;
+
+/// The law of grains of `type` at a tool.
+const engine::laws::LawParameters& law_at(const engine::SimulationSettings& settings, std::size_t type,
+                                          const engine::WallBodySpec& body) {
+  return engine::laws::law_between(settings.contact.pairs, settings.types[type].material, body.material);
+}
+
 TEST(ToolSurface, IsThatOfTheWallsUnlessTheToolSaysOtherwise) {
-  const Scene scene = scene_with_sticky_shoe();
-  const auto settings = engine_settings(scene, 1.0);
-  const auto bodies = wall_bodies(scene, tooling_of(scene), settings);
-  ASSERT_EQ(bodies.size(), 2U);
-  EXPECT_FALSE(bodies[0].contact.has_value());
-  EXPECT_EQ(settings.wall_contact.friction, 0.2);
-  ASSERT_TRUE(bodies[1].contact.has_value());
-  EXPECT_EQ(bodies[1].contact->friction, 0.4);
-  EXPECT_EQ(bodies[1].contact->work_of_adhesion, 0.01);
-  EXPECT_EQ(bodies[1].contact->reduced_modulus, settings.wall_contact.reduced_modulus);
-}
-
-TEST(ToolSurface, IsAMaterialOfItsOwnForGrainsOfSeveralSizes) {
-  const Scene scene = scene_with_sticky_shoe(kTwoSizes);
-  const auto settings = engine_settings(scene, 1.0);
-  ASSERT_TRUE(settings.mix);
-  const auto bodies = wall_bodies(scene, tooling_of(scene), settings);
-  EXPECT_FALSE(bodies[1].contact.has_value());
-  EXPECT_EQ(bodies[0].material, kWallMaterial);
-  for (const auto& kind : settings.mix->kinds) {
-    const auto& usual = engine::laws::law_between(settings.mix->laws, kind.material, bodies[0].material);
-    const auto& sticky = engine::laws::law_between(settings.mix->laws, kind.material, bodies[1].material);
-    EXPECT_EQ(std::get<engine::laws::CundallFriction::Parameters>(usual.friction.choice).friction, 0.2);
-    EXPECT_EQ(std::get<engine::laws::CundallFriction::Parameters>(sticky.friction.choice).friction, 0.4);
-    EXPECT_EQ(std::get<engine::laws::BierwischNormal::Parameters>(sticky.normal.choice).work_of_adhesion,
-              0.01);
+  for (const char* sizes : {"", kTwoSizes}) {
+    const Scene scene = scene_with_sticky_shoe(sizes);
+    const auto settings = engine_settings(scene, 1.0);
+    const auto bodies = wall_bodies(scene, tooling_of(scene));
+    ASSERT_EQ(bodies.size(), 2U);
+    EXPECT_EQ(settings.types.size(), *sizes == 0 ? 1U : 2U);
+    for (std::size_t type = 0; type < settings.types.size(); ++type) {
+      const auto &usual = law_at(settings, type, bodies[0]), &sticky = law_at(settings, type, bodies[1]);
+      EXPECT_EQ(usual.friction.of<CundallFriction>()->friction, 0.2);
+      EXPECT_EQ(sticky.friction.of<CundallFriction>()->friction, 0.4);
+      EXPECT_EQ(usual.normal.of<BierwischNormal>()->work_of_adhesion, 0);
+      EXPECT_EQ(sticky.normal.of<BierwischNormal>()->work_of_adhesion, 0.01);
+      EXPECT_EQ(sticky.normal.of<BierwischNormal>()->reduced_modulus,
+                usual.normal.of<BierwischNormal>()->reduced_modulus);
+    }
   }
 }
 
-TEST(ToolSurface, IsRefusedBesideNamedLaws) {
-  const SceneFolder folder;
+/// The scene with Hertz-Mindlin contacts of friction 0.5, and what the shoe adds to them.
+Scene scene_with_named_laws(const std::string& of_shoe) {
+  static const SceneFolder folder;
   support::SceneTables tables;
-  tables.shoe += "friction = 0.4\n";
-  tables.walls += "\n[contact]\nnormal = { law = \"Hertz-Mindlin\", modulus = \"5 MPa\" }\n";
-  try {
-    parse_scene(support::scene_text(tables), folder.path() / "scene.toml");
-    FAIL() << "taken";
-  } catch (const SceneError& error) {
-    const std::string words = error.what();
-    EXPECT_NE(words.find("tool.friction: found 0.4, [contact] in line"), std::string::npos) << words;
-  }
+  tables.shoe += of_shoe;
+  tables.walls += R"(
+[contact]
+normal = { law = "JKR", modulus = "5 MPa", surface_energy = "0 J/m^2" }
+friction = { law = "Mindlin", friction = 0.5, shear_modulus = "1 MPa" }
+)";
+  return parse_scene(support::scene_text(tables), folder.path() / "scene.toml");
+}
+
+TEST(ToolSurface, HasItsOwnFrictionAndAdhesionBesideNamedLaws) {
+  const Scene scene = scene_with_named_laws("friction = 0.1\nwork_of_adhesion = \"0.02 J/m^2\"\n");
+  const auto settings = engine_settings(scene, 1.0);
+  const auto bodies = wall_bodies(scene, tooling_of(scene));
+  const auto &usual = law_at(settings, 0, bodies[0]), &own = law_at(settings, 0, bodies[1]);
+  EXPECT_EQ(usual.friction.largest_friction(), 0.5);
+  EXPECT_EQ(own.friction.largest_friction(), 0.1);
+  EXPECT_EQ(usual.normal.of<engine::laws::JkrNormal>()->surface_energy, 0);
+  EXPECT_NEAR(own.normal.of<engine::laws::JkrNormal>()->surface_energy,
+              0.01 * coarse_graining_factor(scene.powder), 1e-12);
+}
+
+TEST(ToolSurface, HasLawsOfItsOwn) {
+  const Scene scene = scene_with_named_laws(
+      "contact = { friction = { law = \"none\" }, normal = { law = \"Hertz-Mindlin\", modulus = \"9 MPa\" } "
+      "}\n");
+  const auto settings = engine_settings(scene, 1.0);
+  const auto bodies = wall_bodies(scene, tooling_of(scene));
+  const auto& own = law_at(settings, 0, bodies[1]);
+  EXPECT_EQ(own.friction.largest_friction(), 0);
+  ASSERT_NE(own.normal.of<engine::laws::HertzMindlinNormal>(), nullptr);
+  EXPECT_EQ(own.normal.of<engine::laws::HertzMindlinNormal>()->modulus, 9e6);
+  EXPECT_EQ(law_at(settings, 0, bodies[0]).friction.largest_friction(), 0.5);
+}
+
+TEST(ToolSurface, RefusesWhatItsLawHasNot) {
+  const auto refusal = [](const std::string& of_shoe) {
+    try {
+      scene_with_named_laws(of_shoe);
+    } catch (const SceneError& error) {
+      return std::string(error.what());
+    }
+    return std::string("taken");
+  };
+  EXPECT_NE(refusal("friction = 0.1\ncontact = { friction = { law = \"none\" } }\n")
+                .find("tool.friction: found 0.1, friction law \"none\" has no coefficient"),
+            std::string::npos);
+  EXPECT_NE(
+      refusal("work_of_adhesion = \"0.1 J/m^2\"\ncontact = { normal = { law = \"Hertz-Mindlin\", modulus = "
+              "\"9 MPa\" } }\n")
+          .find("normal law \"Hertz-Mindlin\" has no adhesion"),
+      std::string::npos);
+  EXPECT_NE(refusal("contact = { fricton = { law = \"none\" } }\n").find("did you mean \"friction\"?"),
+            std::string::npos);
 }
 
 TEST(ToolSurface, StandsInTheWayOfNoSimulation) {
@@ -85,7 +128,7 @@ TEST(ToolSurface, StandsInTheWayOfNoSimulation) {
       tool.spheres.radius = 1.5e-4;
       tool.spheres.centres = {{0, 0, 0}};
     }
-    engine::Simulation simulation(settings, wall_bodies(scene, tooling, settings));
+    engine::Simulation simulation(settings, wall_bodies(scene, tooling));
     simulation.add_grains({engine::NewGrain{.position = {0, 0, 5e-3}}});
     EXPECT_NO_THROW(simulation.step());
   }

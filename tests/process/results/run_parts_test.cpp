@@ -37,7 +37,7 @@ TEST(Suction, PullsByTheFallOfPressureAndRefusesPowderTooFineForTheStep) {
   const auto settings = engine_settings(scene, 1.0);
   const auto flow = air_flow_of(scene, tooling, settings);
   // 1.8e-5 Pa s over 7.5e-11 m^2, times the volume that a grain stands for.
-  EXPECT_NEAR(flow->resistance, 2.4e5 * settings.shape.solid_volume / 0.4, 1e-9 * flow->resistance);
+  EXPECT_NEAR(flow->resistance, 2.4e5 * settings.shape().solid_volume / 0.4, 1e-9 * flow->resistance);
   scene.suction->particle_diameter = 1e-6;
   EXPECT_THROW(air_flow_of(scene, tooling, settings), SceneError);
   scene.suction->particle_diameter = 1e-4;
@@ -123,7 +123,7 @@ TEST(Pour, GivesTheMassThatTheFillHeightNeedsAndNoOverlap) {
   for (const auto* preset : {"ASC100.29 initial A", "ASC100.29 D2"}) {
     const Scene scene = open_box(preset);
     const auto settings = engine_settings(scene, 1.0);
-    const auto& shape = settings.shape;
+    const auto& shape = settings.shape();
     const auto grains = pour(scene, settings, floor_below());
     const double solid = static_cast<double>(grains.size()) * shape.solid_volume;
     EXPECT_NEAR(solid, 8e-3 * 8e-3 * 5e-3 * expected_solid_fraction(scene), shape.solid_volume) << preset;
@@ -135,7 +135,7 @@ TEST(Pour, GivesTheMassThatTheFillHeightNeedsAndNoOverlap) {
 TEST(Pour, GoesAroundToolsOnlyWhereAsked) {
   Scene scene = open_box("ASC100.29 D2");
   const auto settings = engine_settings(scene, 1.0);
-  const auto& shape = settings.shape;
+  const auto& shape = settings.shape();
   Tooling tooling = floor_below();
   Tool stirrer;
   stirrer.mesh = box({-1e-3, -5e-3, 1e-3}, {1e-3, 5e-3, 3e-3});
@@ -162,7 +162,7 @@ std::string complaint(const Scene& scene, const Tooling& tooling) {
 TEST(Pour, RefusesALidOverTheBoxAndSaysHowMuchFitsBeneath) {
   Scene scene = open_box("ASC100.29 D2");
   const auto settings = engine_settings(scene, 1.0);
-  const double above = scene.pour.lower[2] + scene.pour.fill_height + 4 * settings.shape.bounding_radius();
+  const double above = scene.pour.lower[2] + scene.pour.fill_height + 4 * settings.shape().bounding_radius();
   ASSERT_GT(pour_height(scene, settings), above + 2e-3);
   Tooling tooling = floor_below();
   Tool lid;

@@ -45,10 +45,9 @@ TEST(BulkDensity, ACoarseBedOfManySizesHoldsItsMassAndSettles) {
 
 TEST(BulkDensity, FiguresOfABedAreThoseOfItsSpheres) {
   engine::SimulationSettings settings;
-  settings.shape = sticky_sphere(0.01);
-  settings.general_contact = engine::GeneralContact{sticky_law(0, engine::laws::JkrLoad::corrected, {}),
-                                                    sticky_law(0, engine::laws::JkrLoad::corrected, {}),
-                                                    {}};
+  settings.types = {{sticky_sphere(0.01)}};
+  const auto law = sticky_law(0, engine::laws::JkrLoad::corrected, {});
+  settings.contact = engine::one_powder(law, law);
   settings.period = {0.1, 0.1};
   settings.time_step = 1e-6;
   engine::Simulation simulation(settings, {plane_floor()});
