@@ -4,8 +4,8 @@
 #include "engine/coarse_graining/scaled_up_particle.h"
 #include "engine/contact/pair_laws.h"
 #include "engine/limits/time_step.h"
-#include "mixed_support.h"
 #include "tests/engine/laws/source_laws.h"
+#include "tests/engine/mixed_support.h"
 
 namespace diefill::engine {
 namespace {

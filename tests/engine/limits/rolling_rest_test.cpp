@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "engine/limits/time_step.h"
-#include "engine_test_support.h"
+#include "tests/engine/engine_test_support.h"
 
 namespace diefill::engine {
 namespace {

@@ -1,7 +1,7 @@
 // How exactly a step resolves friction between grains of very unequal size.
 #include <gtest/gtest.h>
 
-#include "mixed_support.h"
+#include "tests/engine/mixed_support.h"
 
 namespace diefill::engine {
 namespace {
