@@ -72,9 +72,9 @@ class HalfStepSphere {
     for (int side = 0; side < 2; ++side) {
       const Eigen::Vector3d apart = place_ - Eigen::Vector3d(side == 0 ? large_ : -large_, 0, 0);
       const double overlap = kFineRadius + large_ - apart.norm();
-      double* memory = memory_[side];
+      double* history = history_[side];
       if (!(overlap > 0)) {
-        std::fill_n(memory, laws::LudingFriction::kMemory, 0.0);
+        std::fill_n(history, laws::LudingFriction::kHistory, 0.0);
         continue;
       }
       const Eigen::Vector3d normal = apart.normalized();
@@ -95,7 +95,7 @@ class HalfStepSphere {
   laws::PairProperties pair_;
   laws::LinearRestitutionDamping damping_;
   laws::LudingFriction friction_;
-  double memory_[2][laws::LudingFriction::kMemory] = {};
+  double history_[2][laws::LudingFriction::kHistory] = {};
 };
 
 }  // namespace
