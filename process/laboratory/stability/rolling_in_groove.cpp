@@ -82,7 +82,7 @@ class HalfStepSphere {
       const Eigen::Vector3d sliding = velocity_ - speed * normal - kFineRadius * spin_.cross(normal);
       const double push = kStiffness * overlap + damping_.force(overlap, std::sqrt(overlap), speed);
       const Eigen::Vector3d drag =
-          engine::eigen(friction_.force(memory, engine::plain(normal), engine::plain(sliding),
+          engine::eigen(friction_.force(history, engine::plain(normal), engine::plain(sliding),
                                         std::sqrt(overlap), std::abs(push), time_step));
       force_ += push * normal + drag;
       torque_ += (-kFineRadius * normal).cross(drag);
