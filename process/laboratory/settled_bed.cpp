@@ -160,7 +160,7 @@ void fraction_figures(const BedSpec& spec, const engine::Simulation& simulation,
 BedFigures settle_bed(const BedSpec& spec) {
   Scene probe;
   probe.powder = spec.powder;
-  const Scene scene = scene_of(spec, engine_settings(probe, 1.0).shape);
+  const Scene scene = scene_of(spec, mean_grain(probe));
   const double d = spec.powder.grain_diameter;
   const double poured = pour_height(scene, engine_settings(scene, 1.0));
   auto settings = engine_settings(scene, expected_impact_speed(scene, poured));
