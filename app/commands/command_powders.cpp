@@ -19,6 +19,7 @@ const char* model_of(process::GrainModel model) {
     case process::GrainModel::C:
       return "C";
     case process::GrainModel::D:
+    case process::GrainModel::clump:  // no preset has one
       break;
   }
   return "D";

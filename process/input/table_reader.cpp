@@ -236,6 +236,11 @@ std::vector<double> TableReader::quantities(const std::string& key, const Quanti
   return values;
 }
 
+bool TableReader::has_list(const std::string& key) {
+  const toml::node* node = find(key);
+  return node != nullptr && node->is_array();
+}
+
 std::optional<Eigen::Vector3d> TableReader::point(const std::string& key, const QuantityRule& rule) {
   const toml::node* node = find(key);
   if (node == nullptr) return std::nullopt;

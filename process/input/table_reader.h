@@ -50,6 +50,8 @@ class TableReader {
   int line() const;
 
   bool has(const std::string& key);
+  /// Whether it is there and a list.
+  bool has_list(const std::string& key);
 
   std::optional<double> quantity(const std::string& key, const QuantityRule& rule);
   double required_quantity(const std::string& key, const QuantityRule& rule);

@@ -43,6 +43,7 @@ struct StepPlan {
 struct ForceControl;   // force_control.h
 struct PowderInflow;   // powder_inflow.h
 struct PowderRemoval;  // clear.h
+struct PowderChange;   // powder_change.h
 
 /// One step of the schedule.
 class Step {
@@ -84,6 +85,8 @@ class Step {
   virtual const PowderInflow* inflow() const { return nullptr; }
   /// Powder that is taken away when the step begins. Otherwise null.
   virtual const PowderRemoval* removal() const { return nullptr; }
+  /// What acts otherwise from the step's begin on. Otherwise null.
+  virtual const PowderChange* change() const { return nullptr; }
   /// For titles and progress, such as "2 passages at 0.2 m/s".
   virtual std::string description() const = 0;
 

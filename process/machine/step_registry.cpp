@@ -4,6 +4,7 @@
 #include "process/machine/force_control.h"
 #include "process/machine/move.h"
 #include "process/machine/passage.h"
+#include "process/machine/powder_change.h"
 #include "process/machine/powder_inflow.h"
 #include "process/machine/rotation.h"
 #include "process/machine/rotational_oscillation.h"
@@ -22,6 +23,7 @@ const Choices<StepFactory>& step_kinds() {
       {"rotation", read_rotation},   {"table", read_table_motion},
       {"piston", read_piston},       {"rotor", read_rotor},
       {"inflow", read_inflow},       {"clear", read_clear},
+      {"change", read_change},
   };
   return kinds;
 }

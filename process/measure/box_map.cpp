@@ -182,7 +182,7 @@ results::Field2D fill_level_map(const results::FillResult& result) {
   for (std::size_t n = 0; n < centres.size(); ++n) {
     const std::size_t grain = n / spheres;
     if (!lies_in_cavity(cavity, powder.position[grain])) continue;
-    const double top = centres[n].z() + powder.sphere_radius_of(grain) - cavity.lower_corner.z();
+    const double top = centres[n].z() + powder.radius_of_sphere(n) - cavity.lower_corner.z();
     raise(map, centres[n] / kMillimetre, powder.diameter_of(grain) / kMillimetre, top / kMillimetre);
   }
   const auto solids = solids_of(result.tools);

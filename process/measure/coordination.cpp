@@ -9,22 +9,20 @@ namespace diefill::process {
 std::vector<int> coordination_numbers(const results::PowderState& powder, double tolerance) {
   const auto centres = powder.sphere_centres();
   const std::size_t spheres = powder.sphere_offsets.size();
-  double largest = powder.sphere_radius;
-  for (const double radius : powder.kinds.sphere_radius) largest = std::max(largest, radius);
-  const double reach = 2 * largest * (1 + tolerance);
+  const double reach = 2 * powder.largest_sphere_radius() * (1 + tolerance);
   const geometry::NeighbourGrid grid(centres, reach);
   std::vector<int> numbers;
   std::vector<std::size_t> touched;
-  const auto touches = [&](std::size_t grain, std::size_t other, double squared) {
-    const double apart = (powder.sphere_radius_of(grain) + powder.sphere_radius_of(other)) * (1 + tolerance);
-    return powder.monodisperse() || squared <= apart * apart;
+  const bool equal = powder.monodisperse() && powder.sphere_radii.empty();
+  const auto touches = [&](std::size_t sphere, std::size_t other, double squared) {
+    const double apart = (powder.radius_of_sphere(sphere) + powder.radius_of_sphere(other)) * (1 + tolerance);
+    return equal || squared <= apart * apart;
   };
   for (std::size_t grain = 0; grain < powder.position.size(); ++grain) {
     touched.clear();
     for (std::size_t s = grain * spheres; s < (grain + 1) * spheres; ++s)
       grid.for_each_within(centres[s], reach, [&](std::uint32_t other, const auto&, double squared) {
-        if (other / spheres != grain && touches(grain, other / spheres, squared))
-          touched.push_back(other / spheres);
+        if (other / spheres != grain && touches(s, other, squared)) touched.push_back(other / spheres);
       });
     std::sort(touched.begin(), touched.end());
     const auto last = std::unique(touched.begin(), touched.end());

@@ -26,14 +26,11 @@ results::CellField empty_field(const std::array<std::vector<double>, 3>& edges) 
 
 /// What a basic sphere counts for its own volume: 1, or less where the grain's spheres overlap.
 double sphere_weight(const results::PowderState& powder) {
-  const double sphere = 4 * std::numbers::pi / 3 * std::pow(powder.sphere_radius, 3);
-  const auto spheres = static_cast<double>(powder.sphere_offsets.size());
-  return powder.grain_solid_volume > 0 ? powder.grain_solid_volume / (spheres * sphere) : 1;
-}
-
-/// m, of sphere n of all.
-double radius_of_sphere(const results::PowderState& powder, std::size_t n) {
-  return powder.sphere_radius_of(n / powder.sphere_offsets.size());
+  double cubes = 0;
+  for (std::size_t s = 0; s < powder.sphere_offsets.size(); ++s)
+    cubes += std::pow(powder.sphere_radii.empty() ? powder.sphere_radius : powder.sphere_radii[s], 3);
+  const double spheres = 4 * std::numbers::pi / 3 * cubes;
+  return powder.grain_solid_volume > 0 ? powder.grain_solid_volume / spheres : 1;
 }
 
 double cell_volume(const results::CellField& field, std::size_t i, std::size_t j, std::size_t k) {
@@ -59,8 +56,7 @@ results::CellField cartesian_volumes(const results::PowderState& powder,
   const double weight = sphere_weight(powder);
   const auto centres = powder.sphere_centres();
   for (std::size_t n = 0; n < centres.size(); ++n)
-    share_sphere(field, {centres[n].x(), centres[n].y(), centres[n].z()}, radius_of_sphere(powder, n),
-                 weight);
+    share_sphere(field, {centres[n].x(), centres[n].y(), centres[n].z()}, powder.radius_of_sphere(n), weight);
   return field;
 }
 
@@ -76,7 +72,7 @@ results::CellField cylindrical_volumes(const results::PowderState& powder, const
   for (std::size_t n = 0; n < centres.size(); ++n) {
     const RingPosition place = ring_position(cavity, centres[n]);
     share_sphere_round(field, place.radius, place.azimuth * kRadians, place.height,
-                       radius_of_sphere(powder, n), weight);
+                       powder.radius_of_sphere(n), weight);
   }
   field.edges = edges;
   return field;

@@ -16,10 +16,9 @@ geometry::VoronoiRequest voronoi_request(const results::PowderState& powder,
   request.sphere_centres = powder.sphere_centres();
   request.spheres_per_grain = powder.sphere_offsets.size();
   request.sphere_radius = powder.sphere_radius;
-  if (!powder.monodisperse())
-    for (std::size_t k = 0; k < powder.position.size(); ++k)
-      request.sphere_radii.insert(request.sphere_radii.end(), powder.sphere_offsets.size(),
-                                  powder.sphere_radius_of(k));
+  if (!powder.monodisperse() || !powder.sphere_radii.empty())
+    for (std::size_t n = 0; n < request.sphere_centres.size(); ++n)
+      request.sphere_radii.push_back(powder.radius_of_sphere(n));
   request.period = period_of(powder);
   request.largest_reach = kReachOverDiameter * powder.largest_diameter();
   for (const auto& tool : tools) {

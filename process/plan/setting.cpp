@@ -113,6 +113,7 @@ void choose_fill_height(SettingNumbers& numbers, Setting setting, const Scene& s
 
 /// Scenes write 0.47 mm for the 0.4704 mm of model D (process/scene/README.md).
 double printed_over_exact(const PowderSpec& powder) {
+  if (powder.clump) return 1;
   const double tabulated = reference_sphere_radius(powder.model);
   if (powder.name == "custom" || powder.sphere_radius != tabulated) return 1;
   return nominal_grain_diameter(powder.model) / calibrated_diameter(powder);

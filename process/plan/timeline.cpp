@@ -26,7 +26,7 @@ double grains_in_cavity(const Scene& scene, const Tooling& tooling, const engine
 /// Grains over those poured at `time`: steps let some in and take some away.
 double share_at(double time, const Scene& scene, const Tooling& tooling, const Stages& stages,
                 const std::vector<StepState>& states) {
-  const auto shape = engine_settings(scene, 1.0).shape;
+  const auto shape = mean_grain(scene);
   const auto poured = static_cast<double>(grains_to_pour(scene, shape));
   double grains = poured;
   for (std::size_t k = 0; k < stages.size(); ++k) {

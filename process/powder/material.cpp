@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "process/powder/changed_scene.h"
 #include "process/scene/contact_spec.h"
 
 namespace diefill::process {
@@ -53,6 +54,12 @@ engine::SimulationSettings engine_settings(const Scene& scene, double impact_spe
   constexpr double kAnyStep = 1e-30;  // s: laws that refuse steps too long are asked for their limit first
   settings.contact = contact_laws(scene, scene_laws(scene, kAnyStep));
   settings.time_step = chosen_time_step(scene, settings, critical_time_step(settings, impact_speed));
+  for (const Scene& later : changed_scenes(scene)) {
+    engine::SimulationSettings changed = settings;
+    changed.contact = contact_laws(later, scene_laws(later, kAnyStep));
+    settings.time_step = std::min(
+        settings.time_step, chosen_time_step(later, changed, critical_time_step(changed, impact_speed)));
+  }
   settings.contact = contact_laws(scene, scene_laws(scene, settings.time_step));
   return settings;
 }
@@ -79,6 +86,7 @@ double expected_solid_fraction(const Scene& scene) {
     case GrainModel::C:
       return sticky ? 0.40 : rough ? 0.45 : 0.50;
     case GrainModel::D:
+    case GrainModel::clump:
       break;
   }
   return sticky || rough ? 0.32 : 0.38;

@@ -37,6 +37,8 @@ std::vector<double> size_factors(const Scene& scene) {
 engine::GrainShape mean_grain(const Scene& scene) {
   const auto material = coarse_material(scene);
   switch (scene.powder.model) {
+    case GrainModel::clump:
+      return enlarged(*scene.powder.clump, coarse_graining_factor(scene.powder));
     case GrainModel::A:
       return engine::model_a(material.sphere_radius, material.grain_mass);
     case GrainModel::B:

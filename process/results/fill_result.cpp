@@ -21,6 +21,14 @@ std::string PowderState::sizes_text() const {
   return text;
 }
 
+double PowderState::largest_sphere_radius() const {
+  double size = 1;
+  for (const double radius : kinds.sphere_radius) size = std::max(size, radius / sphere_radius);
+  const double largest =
+      sphere_radii.empty() ? sphere_radius : *std::max_element(sphere_radii.begin(), sphere_radii.end());
+  return size * largest;
+}
+
 std::vector<Eigen::Vector3d> PowderState::sphere_centres() const {
   std::vector<Eigen::Vector3d> centres;
   centres.reserve(position.size() * sphere_offsets.size());

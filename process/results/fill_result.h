@@ -32,6 +32,7 @@ struct PowderState {
   double grain_mass = 0;          ///< kg
   double grain_solid_volume = 0;  ///< m^3, true solid volume (union of the spheres)
   std::vector<Eigen::Vector3d> sphere_offsets;  ///< m, sphere centres in the grain's body frame
+  std::vector<double> sphere_radii;  ///< m, of the grain's spheres; empty where all are sphere_radius
   /// m, lengths along x and y of a box centred on the origin beyond which the same grains follow again; 0
   /// where the powder ends.
   std::array<double, 2> period = {};
@@ -50,6 +51,14 @@ struct PowderState {
   double sphere_radius_of(std::size_t k) const {
     return monodisperse() ? sphere_radius : kinds.sphere_radius[kind[k]];
   }
+  /// m, of sphere n of sphere_centres().
+  double radius_of_sphere(std::size_t n) const {
+    const std::size_t spheres = sphere_offsets.size();
+    const double basic = sphere_radius_of(n / spheres);
+    return sphere_radii.empty() ? basic : basic / sphere_radius * sphere_radii[n % spheres];
+  }
+  /// m, the largest of all.
+  double largest_sphere_radius() const;
   double mass_of(std::size_t k) const { return monodisperse() ? grain_mass : kinds.mass[kind[k]]; }
   double solid_volume_of(std::size_t k) const {
     return monodisperse() ? grain_solid_volume : kinds.solid_volume[kind[k]];

@@ -23,6 +23,12 @@ void check_kinds(const ParticleTypes& kinds, const std::vector<std::uint8_t>& ki
                         std::to_string(count) + " kinds, counted from 0");
 }
 
+void check_spheres(const PowderState& powder) {
+  if (!powder.sphere_radii.empty() && powder.sphere_radii.size() != powder.sphere_offsets.size())
+    throw ResultError("the powder has " + std::to_string(powder.sphere_radii.size()) + " sphere radii for " +
+                      std::to_string(powder.sphere_offsets.size()) + " spheres of a grain");
+}
+
 void check_field(const Field2D& field, const std::string& where) {
   if (field.value.size() != field.first.size() * field.second.size())
     throw ResultError(where + " \"" + field.quantity + "\" has " + std::to_string(field.value.size()) +
@@ -47,6 +53,7 @@ void check_lengths(const FillResult& result) {
   same_or_none("powder velocity", powder.velocity.size(), grains);
   same_or_none("powder angular velocity", powder.angular_velocity.size(), grains);
   check_kinds(powder.kinds, powder.kind, grains);
+  check_spheres(powder);
   same_or_none("cell volume", result.solid_fraction.cell_volume.size(), grains);
   same_or_none("solid fraction", result.solid_fraction.solid_fraction.size(), grains);
   same_or_none("open cells", result.solid_fraction.open.size(), grains);

@@ -39,6 +39,9 @@ void describe_powder(Archive& archive, Powder& powder) {
     archive.field("grain_mass", powder.grain_mass, "kg", "mass of one grain");
     archive.field("grain_solid_volume", powder.grain_solid_volume, "m^3", "solid volume of one grain");
     archive.field("sphere_offsets", powder.sphere_offsets, "m", "sphere centres in the grain's body frame");
+    archive.optional_group(
+        "unequal_spheres", "where a grain's spheres differ in size", !powder.sphere_radii.empty(),
+        [&] { archive.field("radius", powder.sphere_radii, "m", "of each sphere of a grain"); });
     archive.optional_group("period", "lengths after which the same grains follow again, 0: never",
                            powder.period[0] > 0 || powder.period[1] > 0, [&] {
                              archive.field("x", powder.period[0], "m", "period along x");

@@ -17,7 +17,8 @@ SphereView view_spheres(const FillResult& result) {
     const double value = closed ? fraction.solid_fraction[k] : std::numeric_limits<double>::quiet_NaN();
     const std::uint64_t grain = k < powder.id.size() ? powder.id[k] : k;
     view.solid_fraction.insert(view.solid_fraction.end(), powder.sphere_offsets.size(), value);
-    view.radius.insert(view.radius.end(), powder.sphere_offsets.size(), powder.sphere_radius_of(k));
+    for (std::size_t s = 0; s < powder.sphere_offsets.size(); ++s)
+      view.radius.push_back(powder.radius_of_sphere(k * powder.sphere_offsets.size() + s));
     view.grain.insert(view.grain.end(), powder.sphere_offsets.size(), grain);
   }
   return view;

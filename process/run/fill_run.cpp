@@ -9,8 +9,10 @@
 #include "process/input/units.h"
 #include "process/machine/clear.h"
 #include "process/measure/cavity_position.h"
+#include "process/powder/changed_scene.h"
 #include "process/powder/material.h"
 #include "process/powder/mixed_powder.h"
+#include "process/powder/random.h"
 #include "process/run/economies.h"
 #include "process/run/powder_domain.h"
 #include "process/run/suction.h"
@@ -77,6 +79,7 @@ FillRun::FillRun(const Scene& scene, const Tooling& tooling, const RunOptions& o
   started_ = last_checkpoint_ = Clock::now();
   schedule_.begin(*simulation_);
   simulation_->add_grains(grains);
+  change_powder();
   probes_.begin(*simulation_);
 }
 
@@ -111,6 +114,7 @@ void FillRun::duties() {
   if (step % kScheduleEvery == 0) take_snapshots();
   if (step % kScheduleEvery == 0) stage_over = schedule_.update(*simulation_);
   if (stage_over) clear_powder();
+  if (stage_over) change_powder();
   if (step % kFeedEvery == 0 && source_.any()) let_powder_in();
   if (stage_over) {
     progress_.say("t = " + std::to_string(simulation_->time()) + " s: " + schedule_.description());
@@ -172,6 +176,38 @@ void FillRun::clear_powder() {
       });
     });
   }
+}
+
+void FillRun::change_powder() {
+  for (std::size_t k = 0; k < scene_.steps.size(); ++k) {
+    const PowderChange* change = scene_.steps[k]->change();
+    if (change == nullptr || schedule_.of_step(k).started != simulation_->time()) continue;
+    put_changed_laws();
+    if (change->random_velocity > 0) add_random_velocities(change->random_velocity, k);
+  }
+}
+
+/// Gravity and contact laws as the steps that have begun leave them.
+void FillRun::put_changed_laws() {
+  Scene now = scene_;
+  bool changed = false, laws = false;
+  for (std::size_t k = 0; k < scene_.steps.size(); ++k) {
+    const PowderChange* change = scene_.steps[k]->change();
+    if (change == nullptr || schedule_.of_step(k).waits()) continue;
+    now = changed_scene(std::move(now), *change);
+    changed = true;
+    laws = laws || change->changes_laws();
+  }
+  if (!changed) return;
+  simulation_->set_gravity(now.gravity);
+  if (laws) simulation_->set_contact(contact_laws(now, scene_laws(now, simulation_->settings().time_step)));
+}
+
+void FillRun::add_random_velocities(double deviation, std::size_t step) {
+  // Each grain has its own numbers, whatever the order in memory.
+  const std::uint64_t seed = scene_.seed + (static_cast<std::uint64_t>(step) << 32U);
+  simulation_->add_velocities(
+      [&](std::uint64_t id) -> Eigen::Vector3d { return deviation * Random(seed, id).normal_vector(); });
 }
 
 void FillRun::take_snapshots() {

@@ -84,6 +84,9 @@ class FillRun {
   std::string shear_warning() const;
   void let_powder_in();
   void clear_powder();
+  void change_powder();
+  void put_changed_laws();
+  void add_random_velocities(double deviation, std::size_t step);
   std::uint64_t grains_poured() const;
   void remove_grains(const std::function<bool(const Eigen::Vector3d&)>& leaves);
   void take_snapshots();

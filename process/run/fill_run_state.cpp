@@ -48,6 +48,7 @@ void FillRun::go_on_from(const Checkpoint& checkpoint) {
   schedule_.begin(*simulation_, checkpoint.schedule);
   probes_.restore(checkpoint.probes);
   snapshots_.restore(checkpoint.snapshots);
+  put_changed_laws();
   simulation_->restore(checkpoint.simulation);
   left_ = GrainTally(checkpoint.grains_left);
   sheared_ = GrainTally(checkpoint.grains_sheared);

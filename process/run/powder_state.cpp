@@ -34,6 +34,7 @@ results::PowderState powder_state(const engine::Simulation& simulation, const en
   powder.grain_mass = shape.mass;
   powder.grain_solid_volume = shape.solid_volume;
   powder.sphere_offsets = shape.sphere_offsets;
+  powder.sphere_radii = shape.sphere_radii;
   for (std::size_t axis = 0; axis < 2; ++axis)
     powder.period[axis] = simulation.settings().period[axis].value_or(0);
   powder.id = grains.id;

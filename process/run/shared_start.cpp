@@ -21,7 +21,8 @@ namespace fs = std::filesystem;
 /// begins; powder comes in or is cleared away at once.
 bool has_acted(const Step& step, const StepState& state, double now) {
   if (state.waits()) return false;
-  return state.started < now || step.inflow() != nullptr || step.removal() != nullptr;
+  return state.started < now || step.inflow() != nullptr || step.removal() != nullptr ||
+         step.change() != nullptr;
 }
 
 /// What the scene file says about a step that has yet to act: by when it may begin, and what others call it.

@@ -31,8 +31,10 @@ void state(results::Topic& topic, const std::string& name, const std::string& te
   topic.text.push_back(text);
 }
 
-std::string model_text(GrainModel model) {
-  switch (model) {
+std::string model_text(const PowderSpec& powder) {
+  switch (powder.model) {
+    case GrainModel::clump:
+      return "clump of " + std::to_string(powder.clump->spheres()) + " spheres";
     case GrainModel::A:
       return "A: a sphere that does not rotate";
     case GrainModel::B:
@@ -53,7 +55,7 @@ results::Topic powder_topic(const Scene& scene) {
   if (powder.apparent_density > 0)
     state(topic, "Apparent density of the real powder",
           with_number("%.4g kg/m\u00b3", powder.apparent_density));
-  state(topic, "Grain model", model_text(powder.model));
+  state(topic, "Grain model", model_text(powder));
   state(topic, "Calibrated grain size", with_number("%.4g mm", 1e3 * fine));
   state(
       topic, "Grain size as simulated",

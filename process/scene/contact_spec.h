@@ -46,4 +46,10 @@ std::shared_ptr<const PairLawSpec> read_tool_contact(TableReader& document, Tabl
                                                      const ToolSpec& tool, const PowderSpec& powder,
                                                      const WallSpec& walls);
 
+/// The step with the laws of its [step.contact], where it is of kind "change": the parts that the table names
+/// in place of those of [contact]; otherwise the step itself. Throws SceneError, also for coefficients that
+/// the laws in use have not.
+std::shared_ptr<const Step> with_contact_of(TableReader& document, TableReader& step_table,
+                                            std::shared_ptr<const Step> step, const Scene& scene);
+
 }  // namespace diefill::process

@@ -19,8 +19,10 @@ std::string bytes_of(const std::filesystem::path& file) {
   return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
 }
 
-/// Of the tables that steps follow, in the order of the steps.
-void add_step_files(engine::Fnv1a& hash, const toml::table& document, const std::filesystem::path& file) {
+/// Of the file of a clump's spheres, and of the tables that steps follow, in the order of the steps.
+void add_referred_files(engine::Fnv1a& hash, const toml::table& document, const std::filesystem::path& file) {
+  if (const auto spheres = document["powder"]["spheres_file"].value<std::string>())
+    hash.add(bytes_of(file.parent_path() / *spheres));
   const toml::array* steps = document["step"].as_array();
   if (steps == nullptr) return;
   for (const toml::node& step : *steps) {
@@ -54,7 +56,7 @@ std::uint64_t scene_identity(const std::string& text, const std::filesystem::pat
   engine::Fnv1a hash;
   hash.add(scene_text_of(document));
   for (const std::string& tool : tool_hashes) hash.add(tool);
-  add_step_files(hash, document, file);
+  add_referred_files(hash, document, file);
   return hash.value();
 }
 

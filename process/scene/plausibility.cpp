@@ -39,6 +39,8 @@ double solid_volume(const PowderSpec& powder) {
       return engine::model_c(radius, mass).solid_volume;
     case GrainModel::D:
       return engine::model_d(radius, mass).solid_volume;
+    case GrainModel::clump:
+      return powder.clump->solid_volume;
   }
   throw std::logic_error("a grain model without a solid volume");
 }
@@ -78,8 +80,12 @@ void check_box_within_period(const TableReader& table, const PourSpec& pour, con
 
 }  // namespace
 
+double grain_density(const PowderSpec& powder) {
+  return powder.grain_mass / solid_volume(powder);
+}
+
 void check_density(const TableReader& table, const PowderSpec& powder) {
-  const double density = powder.grain_mass / solid_volume(powder);
+  const double density = grain_density(powder);
   if (density >= kLightestGrain && density <= kHeaviestGrain) return;
   table.reject("grain_mass", "with sphere_radius " + millimetres(powder.sphere_radius) +
                                  " the grain density is " + number_text(density / 1000) +
@@ -105,7 +111,7 @@ void check_wall_is_tight(const TableReader& table, double sphere_radius, double 
                          const PowderSpec& powder) {
   const auto hole_at = [&](double distance) { return (distance / std::numbers::sqrt2 - 1) * sphere_radius; };
   const double hole = hole_at(spacing);
-  const double sphere = smallest_grain(powder) / diameter_over_radius(powder.model);
+  const double sphere = smallest_grain(powder) / diameter_over_radius(powder);
   const auto fits = [&](double distance) { return hole_at(distance) < sphere; };
   if (fits(spacing)) return;
   table.reject("spacing", "wall spheres of radius " + millimetres(sphere_radius) +

@@ -9,6 +9,9 @@ namespace diefill::process {
 /// A grain's density must be that of some solid, 0.1 to 25 g/cm^3: catches slips of units in radius and mass.
 void check_density(const TableReader& table, const PowderSpec& powder);
 
+/// kg/m^3, of a grain's solid volume.
+double grain_density(const PowderSpec& powder);
+
 /// The wanted grain size must be within 0.1 to 20 times the powder's own: further away the parameters mean
 /// nothing.
 void check_coarsening(const TableReader& table, const PowderSpec& powder);

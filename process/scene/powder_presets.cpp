@@ -126,7 +126,7 @@ PowderSpec powder_preset(const std::string& name) {
     powder.work_of_adhesion = preset.work_of_adhesion;
     powder.rolling_friction = preset.rolling_friction;
     powder.apparent_density = apparent_density(name);
-    powder.grain_diameter = diameter_over_radius(preset.model) * powder.sphere_radius;
+    powder.grain_diameter = diameter_over_radius(powder) * powder.sphere_radius;
     return powder;
   }
   throw std::invalid_argument("unknown powder preset \"" + name + '"');
@@ -140,12 +140,13 @@ double reference_sphere_radius(GrainModel model) {
   return size_of(model).sphere_radius;
 }
 
-double diameter_over_radius(GrainModel model) {
-  return size_of(model).over_radius;
+double diameter_over_radius(const PowderSpec& powder) {
+  if (powder.clump) return 2 * powder.clump->bounding_radius() / powder.clump->sphere_radius;
+  return size_of(powder.model).over_radius;
 }
 
 double coarse_graining_factor(const PowderSpec& powder) {
-  return powder.grain_diameter / (diameter_over_radius(powder.model) * powder.sphere_radius);
+  return powder.grain_diameter / (diameter_over_radius(powder) * powder.sphere_radius);
 }
 
 }  // namespace diefill::process

@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "engine/coarse_graining/methods.h"
+#include "process/machine/powder_change.h"
 #include "process/scene/contact_parts.h"
 #include "process/scene/contact_spec.h"
 
@@ -231,6 +232,73 @@ void put_surface(TableReader& table, const ToolSpec& tool, ChosenLaw& law) {
 }
 
 }  // namespace
+
+namespace {
+
+/// The laws that [contact] makes with the parts that `own` names in place of its own; null: none.
+ContactSpec read_laws(TableReader& contact, TableReader* own, const PowderSpec& powder,
+                      const WallSpec& walls) {
+  ContactTables among = {&contact};
+  auto of_walls = contact.table("walls");
+  ContactTables at_walls = {&contact};
+  if (of_walls) at_walls.insert(at_walls.begin(), &*of_walls);
+  std::optional<TableReader> own_walls;
+  if (own != nullptr) {
+    among.insert(among.begin(), own);
+    at_walls.insert(at_walls.begin(), own);
+    own_walls = own->table("walls");
+    if (own_walls) at_walls.insert(at_walls.begin(), &*own_walls);
+  }
+  const ChosenLaw among_grains = read_law(among, powder);
+  const ChosenLaw with_walls = read_law(at_walls, against(powder, walls.friction, walls.work_of_adhesion));
+  if (own_walls) own_walls->finish();
+  return {among_grains.pair(), with_walls.pair(), kBierwischScaling};
+}
+
+void refuse_without_coefficient(TableReader& step, const std::string& key, bool given, bool taken) {
+  if (given && !taken)
+    step.reject(key,
+                "the law in use has no such coefficient; name another law in [step.contact] or remove "
+                "the key");
+}
+
+/// Coefficients that a step gives and the laws in use have not.
+void refuse_coefficients(TableReader& step, const PowderChange& change, ContactSpec contact) {
+  auto &grains = contact.grains.law, &walls = contact.walls.law;
+  refuse_without_coefficient(step, "friction", change.friction.has_value(),
+                             grains.friction.set_friction(change.friction.value_or(0)));
+  refuse_without_coefficient(step, "wall_friction", change.wall_friction.has_value(),
+                             walls.friction.set_friction(change.wall_friction.value_or(0)));
+  refuse_without_coefficient(step, "work_of_adhesion", change.work_of_adhesion.has_value(),
+                             grains.normal.set_work_of_adhesion(change.work_of_adhesion.value_or(0)));
+  refuse_without_coefficient(step, "wall_work_of_adhesion", change.wall_work_of_adhesion.has_value(),
+                             walls.normal.set_work_of_adhesion(change.wall_work_of_adhesion.value_or(0)));
+}
+
+}  // namespace
+
+std::shared_ptr<const Step> with_contact_of(TableReader& document, TableReader& step_table,
+                                            std::shared_ptr<const Step> step, const Scene& scene) {
+  const PowderChange* change = step->change();
+  if (change == nullptr) return step;
+  auto own = step_table.table("contact");
+  auto contact = document.table("contact");
+  if (own && !contact)
+    step_table.reject("contact",
+                      "it replaces parts of [contact], which this scene does not have; add "
+                      "[contact], or set friction and work_of_adhesion of the step");
+  if (!contact) return step;
+  PowderChange changed = *change;
+  ContactSpec spec = read_laws(*contact, own ? &*own : nullptr, scene.powder, scene.walls);
+  spec.coarse_graining = scene.contact->coarse_graining;
+  if (own) own->finish();
+  refuse_coefficients(step_table, changed, spec);
+  if (!own) return step;
+  changed.contact = std::make_shared<const ContactSpec>(std::move(spec));
+  const auto with_laws = std::make_shared<Change>(std::move(changed));
+  with_laws->plan = step->plan;
+  return with_laws;
+}
 
 std::shared_ptr<const PairLawSpec> read_tool_contact(TableReader& document, TableReader& table,
                                                      const ToolSpec& tool, const PowderSpec& powder,

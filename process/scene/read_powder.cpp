@@ -2,6 +2,7 @@
 
 #include "process/scene/plausibility.h"
 #include "process/scene/powder_presets.h"
+#include "process/scene/read_clump.h"
 #include "process/scene/sections.h"
 
 namespace diefill::process {
@@ -54,7 +55,7 @@ void read_rolling_friction(TableReader& table, PowderSpec& powder) {
 }
 
 void read_overrides(TableReader& table, PowderSpec& powder) {
-  powder.grain_mass = table.quantity("grain_mass", kGrainMass).value_or(powder.grain_mass);
+  if (!powder.clump) powder.grain_mass = table.quantity("grain_mass", kGrainMass).value_or(powder.grain_mass);
   powder.friction = table.number("friction", kFriction).value_or(powder.friction);
   powder.work_of_adhesion = table.quantity("work_of_adhesion", kAdhesion).value_or(powder.work_of_adhesion);
   powder.reduced_modulus =
@@ -72,7 +73,7 @@ void read_overrides(TableReader& table, PowderSpec& powder) {
 /// The grain size in exact terms: (d / R) times R. A user who writes the printed 0.47 mm of model D means the
 /// tabulated R = 0.0784 mm, whose 6R is 0.4704 mm, and likewise its multiples.
 void read_grain_diameter(TableReader& table, PowderSpec& powder, bool tabulated_radius) {
-  const double exact = diameter_over_radius(powder.model) * powder.sphere_radius;
+  const double exact = diameter_over_radius(powder) * powder.sphere_radius;
   const double nominal = tabulated_radius ? nominal_grain_diameter(powder.model) : exact;
   const auto wanted = table.quantity("grain_diameter", kGrainDiameter);
   powder.grain_diameter = wanted ? *wanted / nominal * exact : exact;
@@ -83,22 +84,31 @@ void read_grain_diameter(TableReader& table, PowderSpec& powder, bool tabulated_
 PowderSpec read_powder(TableReader& table) {
   PowderSpec powder;
   const auto preset = table.choice("preset", presets());
+  const bool own_clump = table.has("spheres") || table.has("spheres_file");
   if (preset) {
     powder = powder_preset(*preset);
-    change_model(powder, table.choice("model", models()).value_or(powder.model));
+    if (!own_clump) change_model(powder, table.choice("model", models()).value_or(powder.model));
+    const bool weighed = table.has("grain_mass");
+    if (weighed) powder.grain_mass = *table.quantity("grain_mass", kGrainMass);
+    read_clump(table, powder, weighed ? 0 : grain_density(powder));
   } else {
-    if (!table.has("model"))
+    if (!table.has("model") && !own_clump)
       table.require("preset",
                     "\"Distaloy AE\", or give model, sphere_radius and grain_mass of your own powder");
     powder.name = "custom";
-    powder.model = table.required_choice("model", models());
-    powder.sphere_radius = table.required_quantity("sphere_radius", kSphereRadius);
-    powder.grain_mass = table.required_quantity("grain_mass", kGrainMass);
+    if (own_clump) {
+      powder.grain_mass = table.required_quantity("grain_mass", kGrainMass);
+      read_clump(table, powder, 0);
+    } else {
+      powder.model = table.required_choice("model", models());
+      powder.sphere_radius = table.required_quantity("sphere_radius", kSphereRadius);
+      powder.grain_mass = table.required_quantity("grain_mass", kGrainMass);
+    }
   }
-  const auto radius = table.quantity("sphere_radius", kSphereRadius);
+  const auto radius = own_clump ? std::nullopt : table.quantity("sphere_radius", kSphereRadius);
   powder.sphere_radius = radius.value_or(powder.sphere_radius);
   read_overrides(table, powder);
-  read_grain_diameter(table, powder, !radius);
+  read_grain_diameter(table, powder, !radius && !own_clump);
   read_sizes(table, powder);
   table.finish();
   check_density(table, powder);

@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/powder/grain_shape.h"
 #include "engine/powder/size_classes.h"
 #include "process/input/scene_error.h"
 #include "process/machine/step.h"
@@ -23,18 +24,22 @@ namespace diefill::process {
 struct ContactSpec;
 
 /// Grain models of Bierwisch 2009, section 2.2: A sphere without rotation, B rotating sphere, C six
-/// overlapping spheres on an octahedron, D seven touching spheres.
-enum class GrainModel { A, B, C, D };
+/// overlapping spheres on an octahedron, D seven touching spheres; or a clump of the user's own.
+enum class GrainModel { A, B, C, D, clump };
 
-/// d / R of a grain model: 2 for A and B, 4 for C, 6 for D (Bierwisch 2009, Table 4.1).
-double diameter_over_radius(GrainModel model);
+struct PowderSpec;
+
+/// d / R of a powder's grains: 2 for models A and B, 4 for C, 6 for D (Bierwisch 2009, Table 4.1); of a clump
+/// the diameter of the sphere about its centre of mass that holds it over its smallest radius.
+double diameter_over_radius(const PowderSpec& powder);
 
 /// Powder as simulated at the reference grain size, before coarse graining. SI units. Defaults: Bierwisch
 /// 2009, Table C.4.
 struct PowderSpec {
   std::string name;  ///< preset or "custom"
   GrainModel model = GrainModel::D;
-  double sphere_radius = 7.84e-5;       ///< m, R at the reference size
+  std::shared_ptr<const engine::GrainShape> clump;  ///< of model "clump", at the reference size
+  double sphere_radius = 7.84e-5;       ///< m, R at the reference size; of unequal spheres the smallest
   double grain_mass = 7.63e-8;          ///< kg at the reference size
   double reduced_modulus = 1e7;         ///< Pa, E~ = E / (1 - nu^2)
   double damping_over_radius = 1e6;     ///< Pa s/m, gamma_n / R

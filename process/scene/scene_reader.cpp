@@ -9,7 +9,9 @@
 namespace diefill::process {
 namespace {
 
-constexpr QuantityRule kGravity = {Dimension::acceleration, "9.81 m/s^2", "0 m/s^2", "1000 m/s^2", true};
+constexpr QuantityRule kGravity = {Dimension::acceleration, "9.81 m/s^2", "0 m/s^2", "1000 m/s^2"};
+constexpr QuantityRule kGravityAlongAxis = {Dimension::acceleration, "-9.81 m/s^2", "-1000 m/s^2",
+                                            "1000 m/s^2"};
 
 /// A table that may be left out, for the sake of its defaults.
 TableReader table_or_empty(TableReader& document, const std::string& key, const toml::table& empty) {
@@ -27,6 +29,19 @@ void check_opening(const TableReader& numerics, const Scene& scene) {
                           tool.name + "\" has none (walls = \"mesh\"); remove one of the two");
 }
 
+/// Laws that steps of kind "change" name.
+void read_step_contacts(TableReader& document, Scene& scene) {
+  auto tables = document.tables("step");
+  for (std::size_t k = 0; k < scene.steps.size(); ++k)
+    scene.steps[k] = with_contact_of(document, tables[k], scene.steps[k], scene);
+}
+
+/// One number points downwards; three are a vector.
+Eigen::Vector3d read_gravity(TableReader& document) {
+  if (document.has_list("gravity")) return *document.point("gravity", kGravityAlongAxis);
+  return {0, 0, -document.quantity("gravity", kGravity).value_or(9.81)};
+}
+
 }  // namespace
 
 Scene scene_of(const toml::table& parsed, const std::string& text, const std::filesystem::path& file) {
@@ -37,7 +52,7 @@ Scene scene_of(const toml::table& parsed, const std::string& text, const std::fi
   scene.text = text;
   scene.title = document.text("title").value_or(file.stem().string());
   scene.seed = static_cast<std::uint64_t>(document.integer("seed", 0, INT64_MAX).value_or(1));
-  scene.gravity = {0, 0, -document.quantity("gravity", kGravity).value_or(9.81)};
+  scene.gravity = read_gravity(document);
   const auto setting = read_setting(document);
   TableReader powder = document.required_table("powder");
   scene.coarse_graining = read_coarse_graining(powder);
@@ -53,6 +68,7 @@ Scene scene_of(const toml::table& parsed, const std::string& text, const std::fi
   scene.pour = setting ? read_pour_without_height(pour, scene.powder, scene.numerics)
                        : read_pour(pour, scene.powder, scene.numerics);
   scene.steps = read_steps(document, scene.tools);
+  read_step_contacts(document, scene);
   scene.probes = read_probes(document, scene.tools);
   scene.snapshots = read_snapshots(document, scene);
   scene.measure = read_measure(table_or_empty(document, "measure", empty));

@@ -237,6 +237,9 @@ std::string scene_text_with(const Scene& scene, std::uint64_t seed,
         if (toml::table* table = entry.as_table())
           if (const auto file = (*table)["file"].value_exact<std::string>())
             table->insert_or_assign("file", elsewhere(scene.file.parent_path() / *file));
+  if (toml::table* powder = document["powder"].as_table())
+    if (const auto file = (*powder)["spheres_file"].value_exact<std::string>())
+      powder->insert_or_assign("spheres_file", elsewhere(scene.file.parent_path() / *file));
   return as_comment(chosen_in(scene.text)) + scene_text_of(document);
 }
 

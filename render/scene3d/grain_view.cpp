@@ -49,7 +49,7 @@ vtkSmartPointer<vtkPolyData> spheres_behind_cut(const results::PowderState& powd
       const Eigen::Vector3d centre = kMillimetres * centres[grain * spheres + s];
       points->InsertNextPoint(centre.data());
       colours->InsertNextTypedTuple(&colour.red);
-      radii->InsertNextValue(static_cast<float>(kMillimetres * powder.sphere_radius_of(grain)));
+      radii->InsertNextValue(static_cast<float>(kMillimetres * powder.radius_of_sphere(grain * spheres + s)));
     }
   }
   auto data = vtkSmartPointer<vtkPolyData>::New();
@@ -70,7 +70,7 @@ void add_powder(vtkRenderer* renderer, const results::PowderState& powder,
   if (data->GetNumberOfPoints() == 0) return;
   const auto mapper = vtkSmartPointer<vtkOpenGLSphereMapper>::New();
   mapper->SetInputData(data);
-  if (powder.monodisperse())
+  if (powder.monodisperse() && powder.sphere_radii.empty())
     mapper->SetRadius(static_cast<float>(kMillimetres * powder.sphere_radius));
   else
     mapper->SetScaleArray(kRadius);

@@ -11,7 +11,7 @@ std::string current(const Scene& scene) {
 
 /// Fractions of the radius of the smallest basic spheres.
 std::vector<std::string> usual(const Scene& scene) {
-  const double radius = scene.powder.grain_diameter / diameter_over_radius(scene.powder.model);
+  const double radius = scene.powder.grain_diameter / diameter_over_radius(scene.powder);
   return {in_millimetres(0.1 * radius), in_millimetres(radius)};
 }
 
