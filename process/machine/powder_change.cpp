@@ -1,5 +1,7 @@
 #include "process/machine/powder_change.h"
 
+#include "process/input/scene_error.h"
+
 namespace diefill::process {
 namespace {
 

@@ -58,7 +58,8 @@ const char* description(PhaseKind kind) {
 double fall_time(const Scene& scene, const Tooling&) {
   const double height =
       std::max(0.0, pour_height(scene, engine_settings(scene, 1.0)) - scene.pour.fill_height);
-  return std::sqrt(2 * height / scene.gravity.norm());
+  constexpr double kWeakest = 1;  // m/s^2: without gravity nothing falls
+  return std::sqrt(2 * height / std::max(kWeakest, scene.gravity.norm()));
 }
 
 PhaseKind kind_of(const Stages& stages, const std::vector<StepState>& states) {

@@ -38,7 +38,7 @@ ChosenPart<Parameters> read_part(const std::string& kind, const ContactTables& t
                                  const ContactParts<Parameters>& parts, const PowderSpec& powder) {
   TableReader& contact = *tables.back();
   const auto holder = std::find_if(tables.begin(), tables.end() - 1,
-                                   [&](const TableReader* table) { return table->has(kind); });
+                                   [&](TableReader* table) { return table->has(kind); });
   const auto table = (*holder)->table(kind);
   if (!table) return {contact, &parts.front(), {}, false};
   Choices<const ContactPart<Parameters>*> names;

@@ -51,14 +51,13 @@ std::string box_text(const PowderInflow& inflow) {
 }
 
 /// kg/s that grains which fall out of the box leave room for.
-double largest_rate(const Scene& scene, const PowderInflow& inflow, double share,
-                    const engine::SimulationSettings& settings) {
+double largest_rate(const Scene& scene, const PowderInflow& inflow, double share) {
   const double across = 2 * mean_grain(scene).bounding_radius();
   const Eigen::Vector3d size = (inflow.upper - inflow.lower).cwiseMax(across);
   const double grain = std::numbers::pi / 6 * across * across * across;
   const double held = std::max(1.0, kRandomPacking * share * size.prod() / grain) * mean_grain(scene).mass;
   const double height = size.z(), speed = std::abs(inflow.velocity.z()), g = scene.gravity.norm();
-  const double time = (std::sqrt(speed * speed + 2 * g * height) - speed) / g;
+  const double time = 2 * height / (std::sqrt(speed * speed + 2 * g * height) + speed);
   return held / time;
 }
 
@@ -69,7 +68,6 @@ std::vector<SetupFinding> inflow_findings(const Scene& scene, const Tooling& too
   const bool any = std::any_of(scene.steps.begin(), scene.steps.end(),
                                [](const auto& step) { return step->inflow() != nullptr; });
   if (!any) return findings;
-  const auto settings = engine_settings(scene, 1.0);
   const Stages stages(scene);
   const auto states = predicted(stages, kSettlingGuess);
   for (std::size_t k = 0; k < scene.steps.size(); ++k) {
@@ -91,7 +89,7 @@ std::vector<SetupFinding> inflow_findings(const Scene& scene, const Tooling& too
                        " lies inside a tool or leaves no space for a grain between tools, so no powder can "
                        "enter; move it");
     if (!inflow->rate) continue;
-    const double most = largest_rate(scene, *inflow, room, settings);
+    const double most = largest_rate(scene, *inflow, room);
     if (*inflow->rate <= most) continue;
     char text[300];
     std::snprintf(

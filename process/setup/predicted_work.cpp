@@ -134,8 +134,8 @@ void refuse_endless_schedule(const Scene& scene, const Tooling& tooling) {
   refuse_endless_motion(scene, end);
   const auto still = engine_settings(scene, 1.0);
   // Where a setting has still to choose them, grains are not what they will be.
-  const double grains = setting_of(scene) ? 0 : all_grains(scene, still.shape);
-  const double spheres = grains * static_cast<double>(still.shape.spheres());
+  const double grains = setting_of(scene) ? 0 : all_grains(scene, mean_grain(scene));
+  const double spheres = grains * static_cast<double>(still.shape().spheres());
   refuse_steps(scene, end, still.time_step, spheres);  // before motions are asked for such times
   refuse_steps(scene, end, engine_settings(scene, predicted_impact_speed(scene, tooling)).time_step, spheres);
   refuse_snapshots(scene, end);

@@ -64,7 +64,8 @@ double throw_height(const Scene& scene, const Tooling& tooling) {
       speed = std::max(speed, top_speed(step, states[s].ended - states[s].started, tool.mesh.bounding_box()));
     }
   }
-  return 2 * speed * speed / scene.gravity.norm();
+  constexpr double kWeakest = 1;  // m/s^2: without gravity nothing brings back what is thrown
+  return 2 * speed * speed / std::max(kWeakest, scene.gravity.norm());
 }
 
 double largest_distance(const Tooling& tooling, const Poses& one, const Poses& other) {

@@ -91,15 +91,16 @@ TEST(Sizes, EndAsTheUnbrokenRunAfterAKill) {
     EXPECT_EQ(die.report().at(key), other.report().at(key)) << key;
 }
 
-TEST(Sizes, AreRefusedWhereOneSizeIsChosen) {
+TEST(Sizes, AreEnlargedTogetherByASetting) {
   const SmallDie die;
   give_sizes(die);
-  const Outcome outcome = run_program({"check", die.scene().string(), "--setting", "quick"});
-  EXPECT_EQ(outcome.exit_code, 2);
-  EXPECT_NE(outcome.err.find("[powder.sizes]: found 3 classes from 0.8 mm to 1.25 mm, shares by mass, but "
-                             "setting \"quick\" uses one size for all grains"),
-            std::string::npos)
-      << outcome.err;
+  const Outcome outcome = run_program({"run", die.scene().string(), "--setting", "quick", "--out",
+                                       die.out().string(), "--quiet", "--no-pictures"});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  const auto kinds = results::read_results(die.out()).powder.kinds;
+  ASSERT_EQ(kinds.size(), 3U);
+  EXPECT_NEAR(kinds.diameter[1] / kinds.diameter[0], 1.25, 1e-9);
+  EXPECT_NE(kinds.diameter[0], 0.8e-3) << "the setting has chosen";
   EXPECT_EQ(run_program({"plan", die.scene().string(), "--no-benchmark"}).exit_code, 0);
 }
 
