@@ -109,7 +109,7 @@ void narrow_slot(benchmark::State& state) {
   grain_contact(settings) = {
       .damping = 1e6 * shape.sphere_radius, .tangential = 1e6 * shape.sphere_radius, .friction = 0.5};
   wall_contact(settings) = grain_contact(settings);
-  wall_contact(settings).friction = 0.15;
+  wall_contact(settings)->friction = 0.15;
   settings.time_step = 5e-6;
   settings.period[1] = kLength;
   Simulation simulation(settings, {slot(kWidth, kLength, kHeight)});

@@ -27,7 +27,7 @@ BodyMotion tray_motion(double time) {
 }
 
 /// A frame without bottom, drawn over a floor.
-std::vector<WallBodySpec> tray_on_floor(double half_width, double floor_friction) {
+std::vector<WallBodySpec> tray_on_floor(double half_width) {
   WallBodySpec tray, floor;
   tray.name = "tray";
   for (const Eigen::Vector3d& inwards : {Eigen::Vector3d(1, 0, 0), Eigen::Vector3d(-1, 0, 0),
@@ -36,7 +36,7 @@ std::vector<WallBodySpec> tray_on_floor(double half_width, double floor_friction
   tray.motion = tray_motion;
   floor.name = "floor";
   floor.planes = {{Eigen::Vector3d::Zero(), Eigen::Vector3d::UnitZ()}};
-  floor.contact->friction = floor_friction;
+  floor.material = "floor";
   return {tray, floor};
 }
 
@@ -46,9 +46,12 @@ Simulation filled_tray(Model model, bool carries, int threads = 1, double floor_
   auto settings = weightless(model, {.friction = 0.5}, kStep);
   settings.gravity = {0, 0, -9.81};
   settings.threads = threads;
+  ContactParameters floor = wall_contact(settings);
+  floor.friction = floor_friction;
+  settings.contact.pairs.push_back({kPowderMaterial, "floor", laws::bierwisch_law(floor)});
   if (carries) settings.sleep = riding_on(kTray);
   const double size = grain_size(model);
-  Simulation simulation(settings, tray_on_floor(3.5 * size, floor_friction));
+  Simulation simulation(settings, tray_on_floor(3.5 * size));
   simulation.add_grains(converging_cloud({6, 6, 5}, 1.1 * size, 0.02, seed, {0, 0, 2.8 * size}));
   return simulation;
 }

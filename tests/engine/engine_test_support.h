@@ -58,8 +58,8 @@ inline SimulationSettings weightless(Model model, const Powder& powder, double t
                              powder.work_of_adhesion,
                              powder.rolling_friction};
   wall_contact(settings) = grain_contact(settings);
-  wall_contact(settings).friction = 0.15;
-  wall_contact(settings).work_of_adhesion = 0;
+  wall_contact(settings)->friction = 0.15;
+  wall_contact(settings)->work_of_adhesion = 0;
   settings.gravity.setZero();
   settings.time_step = time_step;
   return settings;

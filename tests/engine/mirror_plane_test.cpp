@@ -51,7 +51,7 @@ INSTANTIATE_TEST_SUITE_P(Grains, MirrorPlane,
 double speed_on_plane(std::optional<double> friction_of_plane) {
   auto settings = weightless(Model::a, {.friction = 0.5}, 2e-6);
   settings.gravity = {0, 0, -9.81};
-  wall_contact(settings).friction = 0.15;
+  wall_contact(settings)->friction = 0.15;
   WallBodySpec floor, far_away;
   floor.planes = {{Eigen::Vector3d::Zero(), Eigen::Vector3d::UnitZ()}};
   far_away.planes = {{Eigen::Vector3d(1, 0, 0), -Eigen::Vector3d::UnitX()}};

@@ -26,8 +26,8 @@ class NeighbourSearch : public ::testing::TestWithParam<CloudCase> {
   /// Soft grains thrown at random into a box, overlapping and flying about, `pace` times as fast as usual.
   static Simulation cloud(std::size_t count, double pace = 1) {
     auto settings = weightless(GetParam().model, {.damping_over_radius = 0, .friction = 0.5}, 1e-5);
-    grain_contact(settings).reduced_modulus = 1e3;
-    grain_contact(settings).tangential = 1e-4;
+    grain_contact(settings)->reduced_modulus = 1e3;
+    grain_contact(settings)->tangential = 1e-4;
     if (GetParam().periodic_x) settings.period[0] = kWidth;
     if (GetParam().periodic_y) settings.period[1] = kWidth;
     Simulation simulation(settings, {});

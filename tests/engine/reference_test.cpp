@@ -46,7 +46,7 @@ TEST_P(Reference, EngineMovesGrainsAlike) {
                               .work_of_adhesion = given.work_of_adhesion,
                               .rolling_friction = given.model == Model::b ? 3.75e-5 : 0},
                              1e-6);
-  wall_contact(settings).friction = given.friction == 0 ? 0 : 0.15;
+  wall_contact(settings)->friction = given.friction == 0 ? 0 : 0.15;
   settings.gravity = {0, 0, -9.81};
   settings.air_viscosity = 2e-5;
   settings.lever_arm = given.arm;

@@ -8,7 +8,7 @@ namespace {
 
 SimulationSettings on_plane(double friction, double rolling_friction) {
   auto settings = weightless(Model::b, {.friction = friction, .rolling_friction = rolling_friction}, 2e-6);
-  wall_contact(settings).friction = friction;
+  wall_contact(settings)->friction = friction;
   settings.gravity = {0, 0, -9.81};
   return settings;
 }

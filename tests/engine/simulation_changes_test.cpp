@@ -41,8 +41,8 @@ TEST(SimulationChanges, BalanceEnergy) {
     run_steps(simulation, 400);
     simulation.set_gravity({0, 0, -9.81});
     run_steps(simulation, 400);
-    grain_contact(settings).friction = 0;
-    wall_contact(settings).work_of_adhesion = 0.01;
+    grain_contact(settings)->friction = 0;
+    wall_contact(settings)->work_of_adhesion = 0.01;
     simulation.set_contact(settings.contact);
     run_steps(simulation, 400);
     simulation.add_velocities(
@@ -70,7 +70,7 @@ TEST(SimulationChanges, ARestartGoesOnBitForBit) {
   Simulation simulation = cloud(settings);
   run_steps(simulation, 300);
   auto changed = settings;
-  grain_contact(changed).friction = 0.1;
+  grain_contact(changed)->friction = 0.1;
   simulation.set_contact(changed.contact);
   simulation.set_gravity({0, 0, -5});
   run_steps(simulation, 300);

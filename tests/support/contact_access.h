@@ -24,6 +24,7 @@ class ContactAccess : public ContactParameters {
   }
   ContactAccess(const ContactAccess&) = delete;
   ~ContactAccess() { law_ = laws::bierwisch_law(*this, limit_); }
+  ContactParameters* operator->() { return this; }
   ContactAccess& operator=(const ContactParameters& given) {
     static_cast<ContactParameters&>(*this) = given;
     return *this;

@@ -86,7 +86,7 @@ TEST(Cohesion, StuckGrainsComeToRestAtBalance) {
 TEST(Cohesion, PullOffForceIsThatOfTheMinimum) {
   // A grain is drawn away from a sticky plane by its weight.
   auto settings = weightless(Model::a, {}, 1e-6);
-  wall_contact(settings).work_of_adhesion = 0.01;
+  wall_contact(settings)->work_of_adhesion = 0.01;
   const double effective = effective_radius(settings.shape().sphere_radius, 100);
   const double pull_off = 1.5 * std::numbers::pi * 0.01 * effective;
   const double critical_gravity = pull_off / settings.shape().mass;

@@ -75,7 +75,7 @@ Eigen::Vector3d tilted_gravity(double slope) {
 
 SimulationSettings on_incline(Model model, double slope) {
   auto settings = weightless(model, {}, 2e-6);
-  wall_contact(settings).friction = kWallFriction;
+  wall_contact(settings)->friction = kWallFriction;
   settings.gravity = tilted_gravity(slope);
   return settings;
 }

@@ -21,7 +21,7 @@ double deepest_of_rebound(const SimulationSettings& settings, double effective, 
 
 SimulationSettings elastic() {
   auto settings = weightless(Model::a, {.damping_over_radius = 0}, 2e-7);
-  wall_contact(settings).friction = 0;
+  wall_contact(settings)->friction = 0;
   return settings;
 }
 
@@ -187,7 +187,7 @@ TEST(MeshWalls, CutUpPlaneIsAPlaneForClumps) {
 double resting_overlap(const WallBodySpec& wall, const Eigen::Vector3d& up, double height,
                        std::size_t contacts) {
   auto settings = weightless(Model::a, {}, 2e-6);
-  wall_contact(settings).friction = 0;
+  wall_contact(settings)->friction = 0;
   settings.gravity = -9.81 * up;
   Simulation simulation(settings, {wall});
   NewGrain grain;

@@ -96,7 +96,7 @@ TEST(RollingRestOfTheTunedLaw, BierwischsTorqueGainsNoEnergy) {
   SimulationSettings settings;
   settings.types = {{model_b(kRadius, kMass)}};
   grain_contact(settings) = {.reduced_modulus = 1e6, .damping = 300, .tangential = 600, .friction = 1};
-  grain_contact(settings).rolling_friction = 2.5 * kRadius;  // as fitted for B1
+  grain_contact(settings)->rolling_friction = 2.5 * kRadius;  // as fitted for B1
   wall_contact(settings) = grain_contact(settings);
   settings.time_step =
       kDefaultTimeStepFraction * critical_time_step(settings.shape(), grain_contact(settings), kFall);

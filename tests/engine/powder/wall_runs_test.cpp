@@ -41,7 +41,7 @@ TEST(WallRuns, MissNoContactWhileGrainsAndToolsMove) {
   settings.gravity = {0, 0, -9.81};
   // Spheres larger than those of the wall, so that each is near many.
   settings.types = {{model_d(2 * kWallRadius, 7.63e-8 * 64)}};
-  grain_contact(settings).tangential *= 4;
+  grain_contact(settings)->tangential *= 4;
   wall_contact(settings) = grain_contact(settings);
   const double size = 2 * half_size(settings.shape());
   const WallBodySpec wall = plate(5 * size, kWallRadius, shaking);
