@@ -201,7 +201,7 @@ TEST(CoMovingPowder, WakesWhereItIsToBeAwake) {
   auto settings = filled_tray(Model::a, true).settings();
   const double from = mean_place(tray_under_way(Model::a, true)).x() + size;
   settings.sleep->awake = {{Eigen::Vector3d(from, -1, -1), Eigen::Vector3d(1, 1, 1)}};
-  Simulation simulation(settings, tray_on_floor(3.5 * size, 0.1));
+  Simulation simulation(settings, tray_on_floor(3.5 * size));
   simulation.restore(tray_under_way(Model::a, true).snapshot());
   for (int look = 0; look < 100; ++look) {
     run_steps(simulation, static_cast<int>(Sleeping::kStepsPerLook));

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "engine/simulation/simulation.h"
+#include "tests/support/contact_access.h"
 
 namespace diefill::engine {
 

@@ -1,7 +1,8 @@
 // A mirror plane acts on a grain as the grain's own image behind it would.
 #include <gtest/gtest.h>
 
-#include "engine_test_support.h"
+#include "tests/engine/engine_test_support.h"
+#include "tests/engine/laws/source_laws.h"
 
 namespace diefill::engine {
 namespace {

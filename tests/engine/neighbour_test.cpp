@@ -177,7 +177,7 @@ TEST(AdaptiveSkin, AFewSwiftGrainsDoNotWearOutTheListOfAll) {
     run_steps(simulation, 2000);
     return simulation.searches();
   };
-  const double radius = weightless(Model::d, {}, 1e-6).shape.sphere_radius;
+  const double radius = weightless(Model::d, {}, 1e-6).shape().sphere_radius;
   EXPECT_LT(4 * searches(0), searches(0.1 * radius));
 }
 

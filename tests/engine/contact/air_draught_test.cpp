@@ -17,7 +17,7 @@ constexpr double kToolSpeed = -0.2;   // m/s
 Simulation drawn_grains(const std::optional<SleepSettings>& sleep = {}) {
   auto settings = weightless(Model::d, {}, kTimeStep);
   settings.sleep = sleep;
-  settings.air_flow = AirFlow{0, {Eigen::Vector3d(-1, -1, -1), Eigen::Vector3d(1e-2, 1, 1)}, kResistance};
+  settings.air_flow = AirFlow{0, {Eigen::Vector3d(-1, -1, -1), Eigen::Vector3d(1e-2, 1, 1)}, {kResistance}};
   WallBodySpec plate;
   plate.centres = {{0, 0, -10}};
   plate.sphere_radius = 1e-3;
@@ -57,7 +57,7 @@ TEST(AirFlow, IsBookedAsWorkOfTheAir) {
 TEST(AirFlow, TakesGrainsAlikeWhateverBlockTheyAreIn) {
   constexpr std::size_t kAlong = 12;
   auto settings = weightless(Model::b, {}, kTimeStep);
-  settings.air_flow = AirFlow{0, {Eigen::Vector3d(-1, -1, -1), Eigen::Vector3d(1, 1, 1)}, kResistance};
+  settings.air_flow = AirFlow{0, {Eigen::Vector3d(-1, -1, -1), Eigen::Vector3d(1, 1, 1)}, {kResistance}};
   WallBodySpec plate;
   plate.centres = {{0, 0, -10}};
   plate.sphere_radius = 1e-3;

@@ -3,11 +3,14 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "engine/coarse_graining/chu.h"
 #include "engine/coarse_graining/sakai_koshizuka.h"
-#include "engine/limits/time_step.h"
+#include "engine/limits/pinching_contacts.h"
+#include "engine/limits/stable_step.h"
+#include "tests/support/contact_access.h"
 
 namespace diefill::engine {
 namespace {
@@ -20,25 +23,27 @@ GeneralContact both(const LawParameters& law) {
   return {law, law, {}};
 }
 
-LawParameters bierwisch(const ContactParameters& contact) {
-  LawParameters law;
-  law.normal = BierwischNormal::Parameters{contact.reduced_modulus, contact.work_of_adhesion};
-  law.damping = BierwischDamping::Parameters{contact.damping};
-  return law;
-}
-
-TEST(GeneralTimeStep, AgreesWithTheLawKnownBeforehand) {
+// Hertz' closed forms: h = (5 m_eff v^2 / (4 k))^(2/5) with k = 2/3 E~ sqrt(R_eff), k_n = E~ sqrt(R_eff h)
+// and c = gamma_n sqrt(R_eff h).
+TEST(GeneralTimeStep, IsTheClosedFormForHertz) {
+  constexpr double kModulus = 1e7, kSpeed = 0.7;
   for (const auto& shape : {model_a(kRadius, kMass), model_d(kRadius, kMass)})
     for (const double damping : {0.0, 100.0, 3000.0}) {
-      const ContactParameters contact{.reduced_modulus = 1e7, .damping = damping};
-      const GeneralContact general = both(bierwisch(contact));
-      const double overlap = impact_overlap(shape, contact, 0.7);
-      EXPECT_NEAR(impact_overlap(shape, general, 0.7), overlap, 1e-4 * overlap);
-      // Tangential springs are none here, so that only normal ones count.
-      const double step = critical_time_step(shape, contact, 0.7);
-      EXPECT_NEAR(critical_time_step(shape, general, 0.7), step, 1e-3 * step) << damping;
-      const double pinched = pinch_time_step(shape, contact, 3e-4, 5e-4, 0.5 * kRadius);
-      EXPECT_NEAR(pinch_time_step(shape, general, 3e-4, 5e-4, 0.5 * kRadius), pinched, 1e-9 * pinched);
+      const auto law = bierwisch_law({.reduced_modulus = kModulus, .damping = damping});
+      const double hertz = 2.0 / 3.0 * kModulus * std::sqrt(0.5 * kRadius);
+      const double overlap = std::pow(1.25 * 0.5 * kMass * kSpeed * kSpeed / hertz, 0.4);
+      EXPECT_NEAR(impact_overlap(shape, law, kSpeed), overlap, 1e-4 * overlap);
+      const double mass = kMass / mobility(shape), root = std::sqrt(0.5 * kRadius * overlap);
+      const double spring = 2 * std::sqrt(0.5 * mass / (kModulus * root));
+      const double damper = damping > 0 ? mass / (damping * root) : 1;
+      const double packed = 2 * std::sqrt(mass / (2 * kContactsPerGrain * kModulus * std::sqrt(0.1) * root));
+      const double step = std::min({spring, damper, packed});
+      EXPECT_NEAR(critical_time_step(shape, law, kSpeed), step, 1e-3 * step) << damping;
+      const double deep = 0.5 * kRadius, wall = 3e-4, spacing = 5e-4;
+      const double contacts = pinching_contacts(kRadius, wall, spacing, deep);
+      const double at_wall = std::sqrt(effective_radius(kRadius, wall) * deep);
+      const double pinched = stable_step(mass, contacts * kModulus * at_wall, contacts * damping * at_wall);
+      EXPECT_NEAR(pinch_time_step(shape, both(law), wall, spacing, deep), pinched, 1e-9 * pinched);
     }
 }
 

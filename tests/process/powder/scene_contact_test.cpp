@@ -1,6 +1,7 @@
 // [contact] as the reader understands it.
 #include <gtest/gtest.h>
 
+#include "engine/laws/bierwisch_law.h"
 #include "process/powder/law_terms.h"
 #include "process/powder/material.h"
 #include "process/scene/contact_parts.h"
@@ -34,7 +35,8 @@ TEST(SceneContact, IsNothingUnlessNamed) {
   const Scene scene = scene_of_text(faultless_scene());
   EXPECT_FALSE(scene.contact);
   const auto settings = engine_settings(scene, 1.0);
-  EXPECT_TRUE(as_bierwisch(settings.contact.between(engine::kPowderMaterial, engine::kPowderMaterial)));
+  EXPECT_TRUE(
+      engine::laws::as_bierwisch(settings.contact.between(engine::kPowderMaterial, engine::kPowderMaterial)));
 }
 
 TEST(SceneContact, FollowsTheVariant) {
@@ -161,7 +163,8 @@ friction = { law = "Bierwisch" }
   const Scene plain = scene_of_text(faultless_scene());
   const auto own = engine_settings(plain, 1.0), general = engine_settings(named, 1.0);
   const auto law_of = [](const engine::SimulationSettings& settings) {
-    return as_bierwisch(settings.contact.between(engine::kPowderMaterial, engine::kPowderMaterial))
+    return engine::laws::as_bierwisch(
+               settings.contact.between(engine::kPowderMaterial, engine::kPowderMaterial))
         .value()
         .parameters;
   };
