@@ -76,7 +76,7 @@ void Simulation::add_grains(const std::vector<NewGrain>& added) {
     grains_.velocity[g] = grain.velocity;
     if (types_.clumps()) grains_.orientation[g] = grain.orientation.normalized();
     grains_.spin[g].setZero();
-    if (types_.turns(grain.kind))
+    if (types_.turns(grain.kind) || !types_.rotates())
       grains_.spin[g] = rotation_matrix(grains_.orientation_of(g)).transpose() * grain.angular_velocity;
     grains_.force[g] = shape_of(g).mass * settings_.gravity;
     grains_.torque[g].setZero();

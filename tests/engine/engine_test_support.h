@@ -56,7 +56,7 @@ inline SimulationSettings weightless(Model model, const Powder& powder, double t
                              powder.tangential_over_radius * radius,
                              powder.friction,
                              powder.work_of_adhesion,
-                             powder.rolling_friction};
+                             model == Model::b ? powder.rolling_friction : 0};
   wall_contact(settings) = grain_contact(settings);
   wall_contact(settings)->friction = 0.15;
   wall_contact(settings)->work_of_adhesion = 0;

@@ -14,7 +14,9 @@ Simulation collapse(SimulationSettings settings) {
   settings.gravity = {0, 0, -9.81};
   const double size = 2 * half_size(settings.shape());
   Simulation simulation(settings, {plate(6 * size, 1.5e-4)});
-  simulation.add_grains(converging_cloud({4, 4, 4}, 1.1 * size, 0.3, 9, {0, 0, 2.5 * size}));
+  auto grains = converging_cloud({4, 4, 4}, 1.1 * size, 0.3, 9, {0, 0, 2.5 * size});
+  for (auto& grain : grains) grain.angular_velocity.setZero();
+  simulation.add_grains(grains);
   run_steps(simulation, 3000);
   return simulation;
 }

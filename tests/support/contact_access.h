@@ -2,6 +2,8 @@
 // laws for tests.
 #pragma once
 
+#include <limits>
+
 #include "engine/laws/bierwisch_law.h"
 #include "engine/limits/time_step.h"
 #include "engine/simulation/simulation.h"
@@ -55,9 +57,7 @@ inline ContactParameters wall_contact(const SimulationSettings& settings) {
       .parameters;
 }
 inline SpringLimit spring_limit(const SimulationSettings& settings) {
-  return laws::as_bierwisch(laws::law_between(settings.contact.pairs, kPowderMaterial, kPowderMaterial))
-      .value()
-      .spring_limit;
+  return laws::as_bierwisch(settings.contact.pairs.front().law).value().spring_limit;
 }
 inline void set_spring_limit(SimulationSettings& settings, SpringLimit limit) {
   for (auto& pair : settings.contact.pairs)
@@ -92,7 +92,8 @@ inline double critical_time_step(const GrainShape& shape, const GeneralContact& 
 }
 inline double critical_time_step_at_overlap(const GrainShape& shape, const GeneralContact& contact,
                                             double overlap) {
-  return critical_time_step_at_overlap(ParticleTypes({{shape}}), contact, overlap, overlap);
+  return critical_time_step_at_overlap(ParticleTypes({{shape}}), contact, overlap,
+                                       std::numeric_limits<double>::infinity());
 }
 inline double pinch_time_step(const GrainShape& shape, const GeneralContact& contact, double wall_radius,
                               double wall_spacing, double overlap) {

@@ -9,6 +9,13 @@
 namespace diefill::engine {
 namespace {
 
+/// A plane of the material that walls have.
+WallBodySpec bare_floor(double height = 0) {
+  WallBodySpec floor = steel_floor(height);
+  floor.material = kWallMaterial;
+  return floor;
+}
+
 constexpr double kStep = 1e-7;  // s, so short that nothing moves in the step that finds the contacts
 
 WallBodySpec floor_at(double height) {

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "process/setup/predicted_work.h"
+#include "process/setup/wall_sphere_limit.h"
 #include "process/tooling/machine_memory.h"
 #include "tests/process/scene_files.h"
 #include "tests/process/wrong_scene.h"
