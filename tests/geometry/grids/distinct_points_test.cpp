@@ -1,8 +1,8 @@
+#include "geometry/grids/distinct_points.h"
+
 #include <gtest/gtest.h>
 
 #include <random>
-
-#include "geometry/grids/distinct_points.h"
 
 namespace diefill::geometry {
 namespace {
