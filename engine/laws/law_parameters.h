@@ -1,5 +1,5 @@
-// Which parts a contact law is made of and their parameters, for one pair of materials: what a scene fills
-// in.
+// Which parts a contact law has and their parameters,
+// for one pair of materials: what a scene states.
 #pragma once
 
 #include <span>
@@ -9,8 +9,8 @@
 
 namespace diefill::engine::laws {
 
-/// The law between two materials. Each member takes the Parameters of any part of its kind, as in
-/// `.normal = LudingNormal::Parameters{.loading = 150}`; as it stands: undamped, frictionless Hertz spheres.
+/// The law between two materials. Each member takes the Parameters of any part of its kind, for example
+/// `.normal = LudingNormal::Parameters{.loading = 150}`; by default: undamped, frictionless Hertz spheres.
 struct LawParameters {
   AnyNormal::Parameters normal = {};
   AnyDamping::Parameters damping = {};

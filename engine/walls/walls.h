@@ -1,6 +1,6 @@
-// Tools as the engine sees them: rigid bodies made of wall spheres (or of planes or triangles), carried by a
-// prescribed motion. Their mass is infinite; forces on them are summed for measurement (Bierwisch 2009,
-// section 2.3).
+// Tools as the engine sees them: rigid bodies of wall spheres (or planes or triangles) with a prescribed
+// motion. Their mass is infinite; forces on them are summed for measurement
+// (Bierwisch 2009, section 2.3).
 #pragma once
 
 #include <Eigen/Geometry>
@@ -26,13 +26,13 @@ struct BodyMotion {
   Eigen::Vector3d point(const Eigen::Vector3d& body_point) const {
     return rotation * body_point + translation;
   }
-  /// Velocity (m/s) of the material point that is at `lab_point` (m).
+  /// Velocity (m/s) of the material point now at `lab_point` (m).
   Eigen::Vector3d velocity_at(const Eigen::Vector3d& lab_point) const {
     return velocity + angular_velocity.cross(lab_point - translation);
   }
 };
 
-/// A flat wall without end; powder is on the side its normal points to.
+/// An infinite flat wall; powder is on the side its normal points to.
 struct WallPlane {
   Eigen::Vector3d point;   ///< m, body frame
   Eigen::Vector3d normal;  ///< unit vector, body frame
@@ -54,8 +54,8 @@ struct WallBodySpec {
   std::function<BodyMotion(double)> motion;
 };
 
-/// Wall spheres (or triangles) of one body in cells of its own frame, so that a search costs nothing where
-/// the body is far.
+/// Wall spheres (or triangles) of one body in cells of its own frame, so that a search costs nothing far from
+/// the body.
 class WallBody {
  public:
   /// `reach`: largest distance (m) from a wall sphere's centre at which a grain sphere's centre may ask for
