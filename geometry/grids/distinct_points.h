@@ -1,4 +1,4 @@
-// Whether points lie apart: asked of meshes of millions of vertices before vertices are joined one by one.
+// Whether all points are distinct: asked of meshes of millions of vertices before they are merged one by one.
 #pragma once
 
 #include <Eigen/Core>

@@ -1,4 +1,4 @@
-// Repairs what can be repaired in a mesh without guessing, says what it did, and leaves the rest as it is.
+// Repairs what can be repaired in a mesh without guessing, and lists what it did.
 #pragma once
 
 #include <string>
