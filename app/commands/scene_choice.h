@@ -20,8 +20,8 @@ void say_what_was_chosen(const process::Scene& scene);
 /// and what it chose is said. Throws process::SceneError.
 process::Scene wanted_scene(const std::string& file, const std::string& setting);
 
-/// Reads the scene's variants. A setting of this name (empty: none) gives all of them alike numbers, and what
-/// it chose is said, once where it is the same. Throws process::SceneError.
+/// Reads the scene's variants. A setting of this name (empty: none) gives all of them the same numbers, and
+/// what it chose is said, once where it is the same. Throws process::SceneError.
 std::vector<process::Variant> wanted_variants(const std::string& file, const std::string& setting);
 
 /// The scene's tools, ready to be filled; how far that is is shown where wanted. Throws process::SceneError

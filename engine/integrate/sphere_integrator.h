@@ -58,7 +58,7 @@ class SphereIntegrator {
   double slow_rolling(Grains& grains, std::size_t begin, std::size_t end, const double* loads) const;
 
   std::vector<Body> bodies_;  ///< one a kind
-  Factors monodisperse_;      ///< where there is one kind
+  Factors monodisperse_;      ///< where there is one particle type
   bool rotates_, rolls_;
   double time_step_;
   InstructionSet instructions_;

@@ -25,7 +25,7 @@ struct NormalForce {
 /// Hertz, cohesion, damping and friction between spheres of one effective radius.
 template <class Cohesion, class Friction>
 struct ContactLaw {
-  static constexpr int kHistory = Friction::kHistory;  ///< numbers that a touching pair remembers
+  static constexpr int kHistory = Friction::kHistory;  ///< numbers stored per touching pair
   static constexpr bool kRolls = false;                ///< whether relative spins matter
   /// Whether the parts are selected at run time. Not here: loops over many pairs call turn(), stretch() and
   /// react_stretched() one after the other, so that while one pair waits for a root the processor works on

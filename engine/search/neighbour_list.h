@@ -15,11 +15,11 @@ namespace diefill::engine {
 
 /// What the search needs to know.
 struct NeighbourSettings {
-  std::vector<double> sphere_radii;        ///< m, by kind of grain
+  std::vector<double> sphere_radii;        ///< m, by particle type
   double farthest_sphere = 0;              ///< m, of a sphere's centre from its grain's centre, at most
   double law_range = 0;                    ///< m, gap up to which the law acts between grains
   std::vector<double> grain_history_sign;  ///< PairLoop::history_signs() of pairs of grains
-  std::size_t wall_history = 0;            ///< numbers that touching pairs with walls remember
+  std::size_t wall_history = 0;            ///< numbers stored per touching pair with a wall
   std::size_t sum_numbers = ContactSum::kRolling;  ///< of a ContactSum that count
 };
 

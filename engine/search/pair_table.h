@@ -100,7 +100,7 @@ struct GrainPairTable {
   /// Numbers behind the last one that may be read, so that loads of four need no special case at the end.
   static constexpr std::size_t kSpare = 3;
 
-  std::size_t width = 0;  ///< numbers that a touching pair remembers
+  std::size_t width = 0;  ///< numbers stored per touching pair
   std::vector<GrainPair> pair;
   std::vector<std::uint8_t> touching;  ///< 1 while the pair is within the law's reach
   std::vector<double> history;         ///< SI units, as the law lays them out, and kSpare numbers
@@ -176,7 +176,7 @@ struct Block {
                                         ///< 0 where it is not known (planes)
   std::vector<std::uint32_t> partners;  ///< spheres outside the block (of grains or images), rising
   std::vector<std::uint16_t> slot;      ///< sum that forces on a local sphere of a clumped grain are added to
-  std::vector<std::uint16_t> kind;      ///< of a local sphere's grain; empty where all are alike
+  std::vector<std::uint16_t> kind;      ///< of a local sphere's grain; empty for one particle type
   std::vector<std::uint32_t> foreign;   ///< grains outside the block that its pairs push
   std::vector<std::uint32_t> seen;      ///< where they are clumped: each itself, or its image that pairs meet
   /// Of the block's pairs in the last step; at its end those of own grains have become all that acts on them

@@ -49,7 +49,7 @@ struct WallBodySpec {
   /// m, of the wall in the R_eff of triangles; infinite: flat, R_eff is the grain sphere's radius.
   double contact_radius = std::numeric_limits<double>::infinity();
   std::optional<ContactParameters> contact;  ///< with powder; nothing: SimulationSettings::wall_contact
-  std::string material;                      ///< of the tool, where powders of several kinds need its laws
+  std::string material;                      ///< of the tool, for laws between several materials
   /// Motion at time t (s); empty: the body stands still where its frame is the laboratory's.
   std::function<BodyMotion(double)> motion;
 };

@@ -23,7 +23,7 @@ struct CadPart {
 struct CadParts {
   std::vector<CadPart> parts;
   std::optional<double> metres_per_unit;  ///< nothing where the file does not say
-  std::vector<std::string> remarks;       ///< what is odd about the file, in words
+  std::vector<std::string> remarks;       ///< oddities of the file
 };
 
 /// How the surface of a kind of CAD file is described.

@@ -24,7 +24,7 @@ struct ImportedPart {
   bool unit_from_file = false;     ///< whether the file itself states its unit
   bool curved = false;             ///< whether the triangles are an approximation within the chord tolerance
   std::vector<std::string> parts;  ///< names of all parts of the file, in its order
-  std::vector<std::string> remarks;  ///< what is odd about the file and was passed over, in words
+  std::vector<std::string> remarks;  ///< oddities of the file that were ignored
 };
 
 /// The wanted part is not in the file.

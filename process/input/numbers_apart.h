@@ -7,7 +7,7 @@
 
 namespace diefill::process {
 
-/// Two different numbers with so many digits, six or more, that they differ in words, too.
+/// Two different numbers with so many digits, six or more, that they differ as text, too.
 std::pair<std::string, std::string> numbers_apart(double one, double other);
 
 }  // namespace diefill::process

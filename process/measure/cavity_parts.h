@@ -1,4 +1,4 @@
-// Parts of a cavity in words: where the shoe arrives, in the middle, at the bottom.
+// Parts of a cavity as text: where the shoe arrives, in the middle, at the bottom.
 #pragma once
 
 #include <functional>

@@ -40,10 +40,10 @@ struct CheckpointFolder {
   CheckpointFolder& operator=(const CheckpointFolder&) = delete;
 };
 
-/// Books what a run has cost since the last look to the kind of phase it was in.
-class Books {
+/// Adds what a run has cost since the last look to the kind of phase it was in.
+class CostTally {
  public:
-  void book(const FillRun& run, PhaseKind kind, bool whole, Pilot& pilot) {
+  void add(const FillRun& run, PhaseKind kind, bool whole, Pilot& pilot) {
     PhaseCost& cost = pilot.cost[static_cast<std::size_t>(kind)];
     cost.wall_seconds += run.wall_seconds() - wall_;
     cost.search_seconds += searched(run) - searched_;
@@ -86,13 +86,13 @@ SizeCost size_cost_if_sound(const engine::Simulation& bed) {
   }
 }
 
-/// How long powder took to come to rest, as far as the pilot has seen it. `alike`: whether it has about as
-/// many grains as the run will have. In fewer, one that rolls moves the centre of mass of all too far to be
-/// called rest, and what took longer than usual says nothing of more grains.
-void note_rest_times(bool rests_once, bool monodisperse, Pilot& pilot) {
+/// How long powder took to come to rest, as far as the pilot has seen it. `full_size`: whether it has about
+/// as many grains as the run will have. In fewer, one that rolls moves the centre of mass of all too far to
+/// be called rest, and what took longer than usual says nothing of more grains.
+void note_rest_times(bool rests_once, bool full_size, Pilot& pilot) {
   const RestTimes usual;
   const auto credible = [&](double seen, double otherwise) {
-    return monodisperse ? seen : std::min(seen, otherwise);
+    return full_size ? seen : std::min(seen, otherwise);
   };
   const PhaseCost &fall = pilot.of(PhaseKind::fall), &rest = pilot.of(PhaseKind::rest);
   if (fall.whole)
@@ -154,15 +154,15 @@ class PilotRun {
     } catch (const engine::OutOfRange& error) {
       pilot_.stopped = error.what();
     }
-    books_.book(run, kind_, run.schedule().finished(), pilot_);
+    costs_.add(run, kind_, run.schedule().finished(), pilot_);
     pilot_.wall_seconds = pilot_.cost_of_all().wall_seconds;
     note_rest_times(occurs(PhaseKind::rest, phases_) == 1, has_about_as_many_grains(), pilot_);
   }
 
-  /// Books what the run has cost, and gives it longer where the scene will take long.
+  /// Adds what the run has cost, and gives it longer where the scene will take long.
   bool has_seen_enough(const FillRun& run, Alarm& alarm) {
     const PhaseKind now = kind_of(run.schedule().stages(), run.schedule().state().steps);
-    books_.book(run, kind_, now != kind_, pilot_);
+    costs_.add(run, kind_, now != kind_, pilot_);
     kind_ = now;
     const bool moves = occurs(PhaseKind::motion, phases_) > 0;
     const PhaseCost& motion = pilot_.of(PhaseKind::motion);
@@ -185,7 +185,7 @@ class PilotRun {
   Scene scene_;
   std::vector<Phase> phases_;
   PhaseKind kind_ = PhaseKind::fall;
-  Books books_;
+  CostTally costs_;
   Pilot pilot_;
 };
 

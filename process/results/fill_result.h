@@ -12,7 +12,7 @@
 
 namespace diefill::results {
 
-/// Kinds of grains of a powder whose grains are not all alike; arrays over kinds. Grains of all kinds are of
+/// Particle types of a powder of several sizes; arrays over types. Grains of all types are of
 /// one shape.
 struct ParticleTypes {
   std::vector<double> diameter;       ///< m, d
@@ -40,8 +40,8 @@ struct PowderState {
   std::vector<Eigen::Vector4d> orientation;  ///< unit quaternion (w, x, y, z), body to laboratory
   std::vector<Eigen::Vector3d> velocity;     ///< m/s
   std::vector<Eigen::Vector3d> angular_velocity;  ///< rad/s, laboratory frame
-  ParticleTypes kinds;                            ///< empty where all grains are alike
-  std::vector<std::uint8_t> kind;  ///< of every grain, its number in `kinds`; empty where all are alike
+  ParticleTypes kinds;                            ///< empty for powder of one size
+  std::vector<std::uint8_t> kind;  ///< of every grain, its number in `kinds`; empty for powder of one size
 
   bool monodisperse() const { return kind.empty(); }
   double diameter_of(std::size_t k) const {
@@ -108,7 +108,7 @@ struct Stage {
   double start = 0, end = 0;  ///< s since the start of the scene
 };
 
-/// What a run says about itself in words, by topic, such as "powder" or "assumptions"; units are in the
+/// Statements about the run, by topic, such as "powder" or "assumptions"; units are in the
 /// texts. `name` and `text` have the same length.
 struct Topic {
   std::string topic;

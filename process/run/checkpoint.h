@@ -22,7 +22,7 @@ struct Checkpoint {
   ScheduleState schedule;
   ProbesState probes;
   std::vector<SnapshotState> snapshots;
-  /// Grains of each kind out of the computation: spilled or discharged, and wedged between tools.
+  /// Grains of each type out of the computation: spilled or discharged, and wedged between tools.
   std::vector<std::uint64_t> grains_left, grains_sheared;
   std::uint64_t grains_leaked = 0;         ///< of those that left, beneath the cavity
   double wall_seconds = 0;                 ///< s of computing so far, over all sittings

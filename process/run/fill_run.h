@@ -55,7 +55,7 @@ class FillRun {
   void run();
   /// Whether numerics.max_time was over before the scene.
   bool ran_out_of_time() const { return !schedule_.finished() && out_of_time(); }
-  /// Why the scene is not over, in words; empty once it is.
+  /// Why the scene is not over, for messages; empty once it is.
   std::string why_unfinished() const;
 
   const engine::Simulation& simulation() const { return *simulation_; }

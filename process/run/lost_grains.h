@@ -16,7 +16,7 @@ namespace diefill::process {
 /// Looks for grains whose centre is more than half a grain deep in a tool.
 class LostGrains {
  public:
-  /// `grain_diameters`: m, of each kind of grains, ascending. Builds what makes looking cheap; `tooling` must
+  /// `grain_diameters`: m, of each particle type, ascending. Builds what makes looking cheap; `tooling` must
   /// outlive it.
   LostGrains(const Tooling& tooling, std::vector<double> grain_diameters);
 

@@ -57,7 +57,7 @@ class Schedule {
   /// Counts grains that the scene's step k let in.
   void count_inflow(std::size_t k, std::size_t grains) { state_.steps[k + 1].grains_come += grains; }
 
-  /// Steps that are on, in words; "done" after the last.
+  /// The active steps as text; "done" after the last.
   std::string description() const;
   /// s that remain at least, counting `settling_time` s for whatever is not known beforehand.
   double time_left(double now, double settling_time) const;

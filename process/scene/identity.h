@@ -16,7 +16,7 @@ namespace diefill::process {
 /// Throws SceneError for text that is not TOML.
 toml::table acting_document(const std::string& text, const std::filesystem::path& file);
 
-/// The same as text: equal for scenes that ask for the same computation in words of their own.
+/// The same as text: equal for scenes that ask for the same computation in different notation.
 std::string acting_text(const std::string& text, const std::filesystem::path& file);
 
 /// Number that two scenes have in common if they ask for the same computation with the same files: hash of

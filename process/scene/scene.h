@@ -47,9 +47,9 @@ struct PowderSpec {
   /// m, model grain size d wanted, exactly (d / R) times the wanted R: coarse graining scales the rest to it.
   /// Where grains are of several sizes, that of the grain of mean mass.
   double grain_diameter = 6 * 7.84e-5;
-  /// Sizes of the model grains (m), ascending, with their shares by number; empty: all grains are alike.
+  /// Sizes of the model grains (m), ascending, with their shares by number; empty: one size.
   std::vector<engine::CutClass> sizes;
-  std::string sizes_text;  ///< for people; empty where all grains are alike
+  std::string sizes_text;  ///< for people; empty for one size
 };
 
 /// m, the smallest and the largest grain size wanted.
@@ -57,7 +57,7 @@ double smallest_grain(const PowderSpec& powder);
 double largest_grain(const PowderSpec& powder);
 /// Makes all grains larger by `factor`.
 void enlarge(PowderSpec& powder, double factor);
-/// m, of each kind of grains, ascending; one where all grains are alike.
+/// m, of each particle type, ascending.
 std::vector<double> grain_diameters(const PowderSpec& powder);
 
 /// Wanted over reference grain size: the factor s by which coarse graining enlarges the grains; 1 for none.

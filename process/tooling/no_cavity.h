@@ -1,4 +1,4 @@
-// Why tools have no cavity: what an engineer most likely got wrong, found by trying what would mend it.
+// Why tools have no cavity: the most likely mistake, found by trying what would correct it.
 #pragma once
 
 #include <string>

@@ -24,8 +24,8 @@ struct Tool {
   geometry::Mesh mesh;
   geometry::MeshFindings found;           ///< as the file has it
   geometry::MeshFindings findings;        ///< after repair
-  std::vector<std::string> file_remarks;  ///< what is odd about the file and was passed over, in words
-  std::vector<std::string> repairs;       ///< in words, one a line; empty when nothing was done
+  std::vector<std::string> file_remarks;  ///< oddities of the file that were ignored
+  std::vector<std::string> repairs;       ///< one per line; empty when nothing was done
   std::vector<std::string> not_repaired;  ///< what would have been a guess
   std::vector<std::string> file_parts;    ///< names of the parts in the file
   double metres_per_unit = 0;             ///< of the file

@@ -39,7 +39,7 @@ inline engine::WallBodySpec half_floor(const std::string& name, double radius, d
 }
 
 /// Spheres on a loose lattice above a floor in two halves, periodic in x and y. Both halves shake up and
-/// down and to and fro at 40 Hz, up to 1.6 times as hard as gravity pulls; then one of them drops.
+/// down and sideways at 40 Hz, up to 1.6 times as hard as gravity pulls; then one of them drops.
 inline EnergyGained gained_by(engine::SimulationSettings settings, const BedWork& work) {
   const double radius = settings.shape.sphere_radius, spacing = 2.1 * radius, width = work.across * spacing;
   settings.period = {width, width};
