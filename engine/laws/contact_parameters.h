@@ -16,8 +16,8 @@ struct ContactParameters {
   double rolling_friction = 0;   ///< m, mu_r, model B only; 0: none
 };
 
-/// A plane of this material acts on spheres of `grain` as their mirror images behind it would: an image
-/// overlaps twice as far, approaches twice as fast, and moves along. No friction.
+/// A plane of this material acts on spheres of `grain` as their mirror images behind the plane would: an
+/// image overlaps twice as far as the plane, comes twice as fast, and slides along. No friction.
 inline ContactParameters mirror_plane(const ContactParameters& grain) {
   ContactParameters plane = grain;
   plane.reduced_modulus *= 2;

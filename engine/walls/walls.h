@@ -1,6 +1,6 @@
-// Tools as the engine sees them: rigid bodies of wall spheres (or planes or triangles) with a prescribed
-// motion. Their mass is infinite; forces on them are summed for measurement
-// (Bierwisch 2009, section 2.3).
+// Tools as the engine sees them: rigid bodies made of wall spheres (or of planes or triangles), carried by a
+// prescribed motion. Their mass is infinite; forces on them are summed for measurement (Bierwisch 2009,
+// section 2.3).
 #pragma once
 
 #include <Eigen/Geometry>
@@ -26,13 +26,13 @@ struct BodyMotion {
   Eigen::Vector3d point(const Eigen::Vector3d& body_point) const {
     return rotation * body_point + translation;
   }
-  /// Velocity (m/s) of the material point now at `lab_point` (m).
+  /// Velocity (m/s) of the material point that is at `lab_point` (m).
   Eigen::Vector3d velocity_at(const Eigen::Vector3d& lab_point) const {
     return velocity + angular_velocity.cross(lab_point - translation);
   }
 };
 
-/// An infinite flat wall; powder is on the side its normal points to.
+/// A flat wall without end; powder is on the side its normal points to.
 struct WallPlane {
   Eigen::Vector3d point;   ///< m, body frame
   Eigen::Vector3d normal;  ///< unit vector, body frame
@@ -49,13 +49,13 @@ struct WallBodySpec {
   /// m, of the wall in the R_eff of triangles; infinite: flat, R_eff is the grain sphere's radius.
   double contact_radius = std::numeric_limits<double>::infinity();
   std::optional<ContactParameters> contact;  ///< with powder; nothing: SimulationSettings::wall_contact
-  std::string material;                      ///< of the tool, for laws between several materials
+  std::string material;                      ///< of the tool, where powders of several kinds need its laws
   /// Motion at time t (s); empty: the body stands still where its frame is the laboratory's.
   std::function<BodyMotion(double)> motion;
 };
 
-/// Wall spheres (or triangles) of one body in cells of its own frame, so that a search costs nothing far from
-/// the body.
+/// Wall spheres (or triangles) of one body in cells of its own frame, so that a search costs nothing where
+/// the body is far.
 class WallBody {
  public:
   /// `reach`: largest distance (m) from a wall sphere's centre at which a grain sphere's centre may ask for

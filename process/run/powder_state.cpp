@@ -7,7 +7,7 @@ namespace diefill::process {
 
 namespace {
 
-/// The particle types of `simulation` and the type of every grain, for powder of several sizes.
+/// The kinds of `simulation` and the kind of every grain, where they are not all alike.
 void add_kinds(const Scene& scene, const engine::Simulation& simulation, results::PowderState& powder) {
   const engine::KindTable& kinds = simulation.kinds();
   if (kinds.monodisperse()) return;
@@ -46,7 +46,7 @@ results::PowderState powder_state(const engine::Simulation& simulation, const en
 }
 
 results::PowderState powder_state(const Scene& scene, const engine::Simulation& simulation) {
-  // Of the grain of mean mass of powder of several sizes, which no grain need have.
+  // Of the grain of mean mass where there are several kinds, which no grain need have.
   const engine::GrainShape shape =
       simulation.kinds().monodisperse() ? simulation.settings().shape : engine_settings(scene, 1.0).shape;
   results::PowderState powder = powder_state(simulation, shape, scene.powder.grain_diameter);
