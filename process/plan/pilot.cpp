@@ -40,10 +40,10 @@ struct CheckpointFolder {
   CheckpointFolder& operator=(const CheckpointFolder&) = delete;
 };
 
-/// Adds what a run has cost since the last look to the kind of phase it was in.
-class CostTally {
+/// Books what a run has cost since the last look to the kind of phase it was in.
+class Books {
  public:
-  void add(const FillRun& run, PhaseKind kind, bool whole, Pilot& pilot) {
+  void book(const FillRun& run, PhaseKind kind, bool whole, Pilot& pilot) {
     PhaseCost& cost = pilot.cost[static_cast<std::size_t>(kind)];
     cost.wall_seconds += run.wall_seconds() - wall_;
     cost.search_seconds += searched(run) - searched_;
@@ -154,15 +154,15 @@ class PilotRun {
     } catch (const engine::OutOfRange& error) {
       pilot_.stopped = error.what();
     }
-    costs_.add(run, kind_, run.schedule().finished(), pilot_);
+    books_.book(run, kind_, run.schedule().finished(), pilot_);
     pilot_.wall_seconds = pilot_.cost_of_all().wall_seconds;
     note_rest_times(occurs(PhaseKind::rest, phases_) == 1, has_about_as_many_grains(), pilot_);
   }
 
-  /// Adds what the run has cost, and gives it longer where the scene will take long.
+  /// Books what the run has cost, and gives it longer where the scene will take long.
   bool has_seen_enough(const FillRun& run, Alarm& alarm) {
     const PhaseKind now = kind_of(run.schedule().stages(), run.schedule().state().steps);
-    costs_.add(run, kind_, now != kind_, pilot_);
+    books_.book(run, kind_, now != kind_, pilot_);
     kind_ = now;
     const bool moves = occurs(PhaseKind::motion, phases_) > 0;
     const PhaseCost& motion = pilot_.of(PhaseKind::motion);
@@ -185,7 +185,7 @@ class PilotRun {
   Scene scene_;
   std::vector<Phase> phases_;
   PhaseKind kind_ = PhaseKind::fall;
-  CostTally costs_;
+  Books books_;
   Pilot pilot_;
 };
 
