@@ -47,7 +47,7 @@ void number_vertices(Mesh& mesh, PlaceOf place_of) {
 /// Vertices within tolerance of an earlier one become that one; vertices without triangles go.
 void join_vertices(Mesh& mesh) {
   const double tolerance = kJoinTolerance * mesh.bounding_box().size().norm();
-  if (surely_lie_apart(mesh.vertices, tolerance)) {
+  if (surely_distinct(mesh.vertices, tolerance)) {
     std::vector<Eigen::Vector3d> kept;
     kept.reserve(mesh.vertices.size());
     number_vertices(mesh, [&](const Eigen::Vector3d& vertex) {

@@ -47,7 +47,7 @@ std::vector<Height> in_order(const std::vector<double>& heights) {
 
 // Close points are about as high in any direction: each is compared with those above it that are not clearly
 // higher.
-bool surely_lie_apart(const std::vector<Eigen::Vector3d>& points, double distance) {
+bool surely_distinct(const std::vector<Eigen::Vector3d>& points, double distance) {
   if (points.size() < 2) return true;
   // Few faces of tools lie across this direction, so few points are equally high.
   const Eigen::Vector3d up = Eigen::Vector3d(0.5432109876, 0.3219876543, 0.7754321098).normalized();
