@@ -131,6 +131,26 @@ TEST(Documents, NameOptionsThatProgramsHave) {
   EXPECT_TRUE(unknown.empty()) << in_lines(unknown);
 }
 
+TEST(Documents, NameTypesMembersAndConstantsThatSourcesHave) {
+  const std::string code = all_code({"engine/", "geometry/", "process/", "render/", "app/", "tests/"});
+  static const std::regex word("[A-Za-z_][A-Za-z_0-9]*"),
+      identifier("([A-Z][A-Za-z0-9]*)::(\\w+)(\\(.*\\))?|k[A-Z]\\w*");
+  std::set<std::string> known;
+  for (std::sregex_iterator match(code.begin(), code.end(), word), end; match != end; ++match)
+    known.insert(match->str());
+  std::vector<std::string> unknown;
+  for (const auto& document : documents())
+    for (const auto& line : lines_of(text_of(document)))
+      for (const auto& name : quoted_code(line)) {
+        std::smatch part;
+        if (!std::regex_match(name, part, identifier)) continue;
+        const bool exists =
+            part[1].matched ? known.contains(part[1]) && known.contains(part[2]) : known.contains(name);
+        if (!exists) unknown.push_back(document + ": " + name);
+      }
+  EXPECT_TRUE(unknown.empty()) << in_lines(unknown);
+}
+
 /// Keys of scenes that a document names: `table.key` in its text, and all of its blocks of TOML.
 std::set<std::string> scene_keys(const std::string& text) {
   static const std::regex table_key(

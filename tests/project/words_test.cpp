@@ -24,7 +24,7 @@ const std::vector<Banned>& banned_words() {
       {"cube_of_space", "cell index"},
       {"dice", "random"},
       {"foreseen|foresees?", "predicted, expected"},
-      {"in[_ ]words", "as text, description"},
+      {"in[_ ]words", "as text, description", {"CHANGELOG.md"}},
       {"leeway", "remaining skin", {"engine/simulation/"}},
       {"lie_apart", "distinct"},
       {"look_?ahead", "prefetch", {"engine/numerics/prefetch.h"}},  // the distance that it prefetches
