@@ -17,7 +17,7 @@ struct JobOptions {
   int cores = 1;                  ///< shared evenly by them, at least one thread each
   int threads = 0;                ///< of each job; 0: cores / at_once
   bool pictures = true;           ///< whether jobs draw their results
-  /// Whether jobs take over beginnings from each other (run/beginning.h). Results are the same, what a job
+  /// Whether jobs take over beginnings from each other (run/shared_start.h). Results are the same, what a job
   /// costs is not.
   bool share_starts = false;
   /// s of processor time that all jobs together may have cost, earlier runs of them included. What is at work

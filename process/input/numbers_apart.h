@@ -1,5 +1,5 @@
-// Numbers in messages with as many digits as it takes: what was found and what is allowed must not look
-// alike.
+// Numbers in messages with as many digits as needed: what was found and what is allowed must not look the
+// same.
 #pragma once
 
 #include <string>

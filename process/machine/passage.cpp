@@ -10,7 +10,7 @@
 namespace diefill::process {
 namespace {
 
-// Upper limits: far above any press, where a slip of the unit is the likelier reason.
+// Upper limits: far above any press, where a wrong unit is the likelier reason.
 constexpr QuantityRule kVelocity = {Dimension::velocity, "0.2 m/s", "0 m/s", "10 m/s", true};
 constexpr QuantityRule kAcceleration = {Dimension::acceleration, "10 m/s^2", "0 m/s^2", "10000 m/s^2", true};
 constexpr QuantityRule kClearance = {Dimension::length, "2 mm", "0 mm", "1 m"};

@@ -1,5 +1,5 @@
-// What vibrations, oscillations and rotations have in common: tools that move about one place, and a motion
-// that ramps up when it begins and ramps down when it ends or is stopped.
+// Common part of vibrations, oscillations and rotations: tools that move about one place, with a ramp at the
+// beginning and at the end or when stopped.
 #pragma once
 
 #include <optional>

@@ -1,5 +1,5 @@
-// One filling from scene to rest: pours, steps the simulation through the schedule, lets spilled grains go,
-// watches the method's limits, records probes, keeps checkpoints.
+// One filling from scene to rest: pours, steps the simulation through the schedule, removes spilled grains,
+// monitors the method's limits, records probes, writes checkpoints.
 #pragma once
 
 #include <atomic>
@@ -28,7 +28,7 @@ struct RunOptions {
   std::filesystem::path directory;  ///< for checkpoints
   int threads = 2;
   bool resume = false;  ///< go on from the directory's checkpoint
-  /// Where runs leave their beginnings for each other (beginning.h); empty: nowhere.
+  /// Where runs store their shared starts (shared_start.h); empty: nowhere.
   std::filesystem::path shared_starts;
   bool show_progress = true;
   const std::atomic<bool>* stop =

@@ -1,4 +1,4 @@
-// A scene as typed, checked values in SI units: what the reader makes of a TOML file, and all that the run
+// A scene as typed, checked values in SI units: made from a TOML file by the reader, and all that a run
 // needs.
 #pragma once
 
@@ -66,8 +66,8 @@ double coarse_graining_factor(const PowderSpec& powder);
 /// Which rule of coarse graining takes the reference powder to the wanted grain size.
 enum class CoarseGraining { bierwisch };
 
-/// R_eff of grains on a mesh: that of a flat wall, or that on wall spheres, so that nothing but the shape
-/// differs.
+/// R_eff of grains on a mesh: that of a flat wall,
+/// or that on wall spheres, so that only the shape differs.
 enum class MeshContactRadius { flat, wall_spheres };
 
 /// Walls: spheres of one radius for all tools unless a tool says otherwise.
@@ -162,8 +162,8 @@ struct MeasureSpec {
   std::vector<HeapSpec> heaps;
 };
 
-/// A value: a copy may be changed without the original noticing. Copies share `contact` and the steps, which
-/// nobody changes; steps that depend on the tools are prepared for a run in a copy (with_prepared_steps()).
+/// A value: copies are independent. They share `contact` and the steps, which nobody changes; steps that
+/// depend on the tools are prepared for a run in a copy (with_prepared_steps()).
 struct Scene {
   std::filesystem::path file;
   std::string text;  ///< as read

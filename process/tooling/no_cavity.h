@@ -13,7 +13,7 @@ namespace diefill::process {
 /// beside the hole or too narrow for it. `poses`: as the steps that make the cavity leave the tools.
 std::string why_no_cavity(const Scene& scene, const Tooling& tooling, const std::vector<ToolPose>& poses);
 
-/// The tool that would fit with the others in another unit of length, and what to write; empty for none.
+/// The tool that would fit the others in another unit of length, and what to write; empty for none.
 /// Tools as they stand at the start; `tooling` knows its die.
 std::string wrong_unit(const Scene& scene, const Tooling& tooling);
 

@@ -36,13 +36,13 @@ struct Tool {
   /// The wall itself, where that is the mesh; `spheres` then only cut the cells of grains that measures take.
   std::optional<geometry::Mesh> wall_mesh;
 
-  /// Answers about `mesh`, built when first asked for: millions of triangles take seconds and a gigabyte.
+  /// Queries of `mesh`, built at first use: millions of triangles take seconds and a gigabyte.
   const geometry::SolidQuery& solid() const;
   /// Keeps the adjacency that a check of `mesh` found for solid(), which would find it again.
   void keep(geometry::Topology topology) { topology_ = std::move(topology); }
 
  private:
-  // Two threads may not ask one tool first at once.
+  // Only one thread may be the first to ask.
   mutable std::optional<geometry::SolidQuery> solid_;
   mutable std::optional<geometry::Topology> topology_;  ///< until solid() takes it
 };
@@ -63,8 +63,8 @@ struct Tooling {
   /// All cavities as one, for motions and planning: the largest with the box and the volume of all and the
   /// narrowest place of any.
   geometry::Cavity all_cavities() const;
-  /// What is odd about the tools' files, what was done to their CAD, and which files were taken as a whole: a
-  /// line each.
+  /// Oddities of the tools' files, repairs of their CAD, and files that were used as a whole:
+  /// a line each.
   std::vector<std::string> remarks() const;
   /// Index of the tool of that name. Throws std::out_of_range.
   std::size_t index_of(const std::string& name) const;
