@@ -1,5 +1,5 @@
-// Where large and small grains went: mean grain diameters, weighted by mass, over the cavity. A strategy that
-// segregates shows in them; powder of one size has none of it.
+// Distribution of large and small grains: mean grain diameters, weighted by mass, over the cavity. They show
+// strategies that segregate; powder of one size has none.
 #pragma once
 
 #include <memory>

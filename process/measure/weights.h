@@ -1,4 +1,4 @@
-// What grains weigh and hold together, each with its own mass and volume.
+// Mass and solid volume of grains, each with its own.
 #pragma once
 
 #include "process/results/fill_result.h"

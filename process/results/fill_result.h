@@ -1,6 +1,6 @@
-// What a finished (or interrupted) filling leaves behind: powder, tools, fields and figures, in SI units.
-// These are plain values. `process/measure` fills them, `result_file.h` stores and reads them, `render` draws
-// them; none of the three needs the others.
+// The result of a finished (or interrupted) filling: powder, tools, fields and figures, in SI units. Plain
+// values. `process/measure` fills them, `result_file.h` stores and reads them, `render` draws them; none of
+// the three needs the others.
 #pragma once
 
 #include <Eigen/Core>

@@ -1,6 +1,6 @@
-// The HDF5 schema, said once: writer and reader walk through the same description, so that what is written is
-// what can be read. README.md lists the same for people. Raise kSchemaVersion with every change here; what
-// is added as a list or an optional group keeps older files readable.
+// The HDF5 schema, defined once: writer and reader walk through the same description, so what is written can
+// be read. README.md lists the same for people. Raise kSchemaVersion with every change here; what is added as
+// a list or an optional group keeps older files readable.
 #pragma once
 
 #include <string>

@@ -151,6 +151,27 @@ TEST(Documents, NameTypesMembersAndConstantsThatSourcesHave) {
   EXPECT_TRUE(unknown.empty()) << in_lines(unknown);
 }
 
+// Files move; comments that name them are forgotten.
+TEST(Documents, CommentsNameSourcesThatExist) {
+  const std::regex comment("//.*"), source("[\\w./-]*\\w\\.(h|cpp)\\b"), system("GL/.*");
+  const auto files = source_files();
+  const auto exists = [&](const std::string& name) {
+    return std::regex_match(name, system) || std::any_of(files.begin(), files.end(), [&](const auto& file) {
+             return ('/' + file).ends_with('/' + name);
+           });
+  };
+  std::vector<std::string> missing;
+  for (const auto& file : files)
+    for (const auto& line : lines_of(text_of(file))) {
+      std::smatch part;
+      if (file.starts_with("tests/project/") || !std::regex_search(line, part, comment)) continue;
+      const std::string text = part.str();
+      for (std::sregex_iterator match(text.begin(), text.end(), source), end; match != end; ++match)
+        if (!exists(match->str())) missing.push_back(file + ": " + match->str());
+    }
+  EXPECT_TRUE(missing.empty()) << in_lines(missing);
+}
+
 /// Keys of scenes that a document names: `table.key` in its text, and all of its blocks of TOML.
 std::set<std::string> scene_keys(const std::string& text) {
   static const std::regex table_key(
