@@ -32,7 +32,7 @@ Extent along(const Eigen::Vector3d& direction, const Eigen::Vector3d& lower, con
 /// The first crossing's direction: a shoe that left the plate or cut into it would be a mistake.
 Eigen::Vector3d level_direction(TableReader& table) {
   table.require("direction", "\"-x\"");
-  const Eigen::Vector3d direction = *table.direction("direction");
+  Eigen::Vector3d direction = *table.direction("direction");
   constexpr double kLevel = 1e-6;
   if (std::abs(direction.z()) > kLevel)
     table.reject("direction",

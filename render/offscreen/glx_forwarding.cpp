@@ -4,8 +4,11 @@
 // diefill_glx_forwarding). Such a program must not also open a GLX window.
 #include <GL/osmesa.h>
 
-extern "C"
-    __attribute__((visibility("default"), used)) void (*glXGetProcAddressARB(const unsigned char* name))();
+// The name is that of the function it replaces.
+extern "C" {
+// NOLINTNEXTLINE(readability-identifier-naming)
+__attribute__((visibility("default"), used)) void (*glXGetProcAddressARB(const unsigned char* name))();
+}
 
 void (*glXGetProcAddressARB(const unsigned char* name))() {
   return reinterpret_cast<void (*)()>(OSMesaGetProcAddress(reinterpret_cast<const char*>(name)));
