@@ -44,7 +44,7 @@ std::shared_ptr<Step> shaking_shoe() {
   Oscillation oscillation;
   oscillation.amplitude = 1e-3;
   oscillation.frequency = 20;
-  oscillation.swelling.ramp = 0.05;
+  oscillation.ramps.ramp = 0.05;
   return std::make_shared<Vibration>(std::vector<std::string>{"shoe"}, Eigen::Vector3d::UnitX(), oscillation);
 }
 
