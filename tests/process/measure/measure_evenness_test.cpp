@@ -6,7 +6,7 @@
 #include "process/measure/counted_grains.h"
 #include "process/measure/figures.h"
 #include "process/measure/measure.h"
-#include "tests/process/measure/measure_sample.h"
+#include "tests/process/measure_sample.h"
 
 namespace diefill::process {
 namespace {

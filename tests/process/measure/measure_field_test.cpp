@@ -3,7 +3,7 @@
 
 #include "process/measure/gaussian_field.h"
 #include "process/measure/measure.h"
-#include "tests/process/measure/measure_sample.h"
+#include "tests/process/measure_sample.h"
 
 namespace diefill::process {
 namespace {

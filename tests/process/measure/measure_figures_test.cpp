@@ -5,7 +5,7 @@
 
 #include "process/measure/cavity_position.h"
 #include "process/measure/measure.h"
-#include "tests/process/measure/measure_sample.h"
+#include "tests/process/measure_sample.h"
 
 namespace diefill::process {
 namespace {

@@ -8,7 +8,7 @@
 #include "process/measure/powder_places.h"
 #include "process/results/places_without_value.h"
 #include "process/run/assemble.h"
-#include "tests/process/measure/measure_sample.h"
+#include "tests/process/measure_sample.h"
 
 namespace diefill::process {
 namespace {

@@ -9,7 +9,7 @@
 #include "process/measure/measure.h"
 #include "process/measure/partial_volumes.h"
 #include "process/measure/segregation.h"
-#include "tests/process/measure/measure_sample.h"
+#include "tests/process/measure_sample.h"
 
 namespace diefill::process {
 namespace {

@@ -10,7 +10,7 @@
 #include "process/measure/verdict.h"
 #include "process/results/cavity_rows.h"
 #include "process/results/no_value.h"
-#include "tests/process/measure/measure_sample.h"
+#include "tests/process/measure_sample.h"
 
 namespace diefill::process {
 namespace {

@@ -14,8 +14,8 @@
 #include "process/measure/heap_slope.h"
 #include "process/tradeoff/quantities.h"
 #include "project_paths.h"
-#include "tests/process/measure/measure_sample.h"
-#include "tests/process/results/results_sample.h"
+#include "tests/process/measure_sample.h"
+#include "tests/process/results_sample.h"
 
 namespace diefill::results {
 namespace {
