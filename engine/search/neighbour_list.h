@@ -1,5 +1,5 @@
-// Which spheres may touch: near pairs with a skin, rebuilt when motion has used the skin up. Motion is
-// relative to the mean motion of the powder, so powder in a moving shoe does not wear out its list.
+// Which spheres may come to touch: near pairs with a skin, renewed when motion has used the skin up. Motion
+// is measured against that of the powder as a whole, so that powder riding in a shoe does not age its list.
 #pragma once
 
 #include <optional>
@@ -15,11 +15,11 @@ namespace diefill::engine {
 
 /// What the search needs to know.
 struct NeighbourSettings {
-  std::vector<double> sphere_radii;        ///< m, by particle type
+  std::vector<double> sphere_radii;        ///< m, by kind of grain
   double farthest_sphere = 0;              ///< m, of a sphere's centre from its grain's centre, at most
   double law_range = 0;                    ///< m, gap up to which the law acts between grains
   std::vector<double> grain_history_sign;  ///< PairLoop::history_signs() of pairs of grains
-  std::size_t wall_history = 0;            ///< numbers stored per touching pair with a wall
+  std::size_t wall_history = 0;            ///< numbers that touching pairs with walls remember
   std::size_t sum_numbers = ContactSum::kRolling;  ///< of a ContactSum that count
 };
 
@@ -28,8 +28,8 @@ inline double radius_of(const NeighbourSettings& settings, const SphereField& sp
   return settings.sphere_radii[spheres.kind.empty() ? 0 : spheres.kind[grain]];
 }
 
-/// The powder and the bodies when the list was made: all that is needed to tell when it is too old, and to
-/// make it again.
+/// The powder and the bodies as they stood when the list was made: all that is needed to tell when it is too
+/// old, and to make it again.
 struct ListReference {
   std::vector<Eigen::Vector3d> position;  ///< m, of grains
   std::vector<Quaternion> orientation;    ///< of grains of several spheres
@@ -42,7 +42,7 @@ struct ListReference {
   std::uint64_t step = 0;
   std::uint64_t awake_grains = 0;  ///< those from here on slept: they get blocks of their own
 
-  /// m, how far grain k may move relative to the drift before the list must be rebuilt.
+  /// m, how far grain k may move against the drift before the list must be renewed.
   double allowance(std::size_t k) const { return allowance_of(doublings[k]); }
   /// m, the same of grains for which half the skin is doubled so often.
   double allowance_of(std::size_t often) const { return 0.5 * skin * static_cast<double>(1U << often); }
@@ -54,7 +54,7 @@ class NeighbourList {
   /// `body_first`: number of the first wall sphere of each body when all are counted through.
   NeighbourList(const NeighbourSettings& settings, std::vector<std::uint32_t> body_first);
 
-  /// Finds all near pairs, with the histories of `history` (sphere pairs) and `wall_history`.
+  /// Finds all near pairs, with the memory of `history` (sphere pairs) and `wall_history`.
   void build(const SphereField& spheres, const std::vector<WallBody>& bodies, const ListReference& reference,
              const ContactHistory& history, const ContactHistory& wall_history, ThreadPool& pool);
 
@@ -85,8 +85,8 @@ class NeighbourList {
   std::uint32_t awaited_by(std::size_t b) const { return awaited_[b]; }
 
  private:
-  /// Spheres of similar size in cells that suit them: cells for the largest would hold many small ones to be
-  /// skipped. With spheres of one size there is one.
+  /// Spheres of similar size in cells that suit them: in cells for the largest, many small ones would have to
+  /// be passed by. Where all grains are alike there is one.
   struct SizeLevel {
     double largest = 0;  ///< m, sphere radius
     SphereCells cells;

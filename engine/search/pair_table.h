@@ -1,5 +1,5 @@
-// Near pairs of one block of grains and the contact history of those that touch, in the order in which the
-// pair loop reads them.
+// Near pairs of one block of grains with what they remember, in the order in which the pair loop streams
+// them.
 #pragma once
 
 #include <Eigen/Core>
@@ -12,8 +12,8 @@
 
 namespace diefill::engine {
 
-/// Number of a sphere in its block: first the block's own spheres, then their partners from elsewhere. 16
-/// bits, because a step reads pair lists most.
+/// Number of a sphere in its block: first the block's own spheres, then their partners from elsewhere. Short,
+/// because lists of pairs are what a step reads most of.
 using LocalSphere = std::uint16_t;
 
 /// A near pair between grains.
@@ -28,8 +28,8 @@ struct WallPair {
 };
 
 /// The near pairs of one sphere with one body, wall spheres nearest first. A pair cannot touch before the
-/// sphere has moved, in the body's frame, by their gap when the list was made: usually all but a few runs are
-/// skipped.
+/// sphere has moved, in the body's frame, by what parted the two when the list was made: as a rule all but a
+/// few of a run need no look.
 struct WallRun {
   Vector3 place;        ///< m, of the sphere's centre in the body's frame when the list was made
   std::uint32_t first;  ///< pair
@@ -44,8 +44,8 @@ struct WallRun {
   }
 };
 
-/// Room for `count` values in `values`, which becomes empty. Idle memory is freed: a step is as fast as the
-/// memory that it passes through.
+/// Room for `count` values in `values`, which becomes empty. Memory that would stand idle is given back: a
+/// step's speed is that of the memory it has to pass through.
 template <class Value>
 void make_room(std::vector<Value>& values, std::size_t count) {
   if (values.capacity() > count + count / 4) std::vector<Value>().swap(values);
@@ -53,7 +53,7 @@ void make_room(std::vector<Value>& values, std::size_t count) {
   values.reserve(count);
 }
 
-/// Pairs with a history of `width` numbers each; that of a pair that does not touch has no meaning.
+/// Pairs with a memory of `width` numbers each; what a pair that does not touch remembers has no meaning.
 template <class Pair>
 struct PairTable {
   std::size_t width = 0;
@@ -62,15 +62,15 @@ struct PairTable {
   std::vector<double> history;         ///< SI units, as the law lays them out
 
   std::size_t size() const { return pair.size(); }
-  /// Empties the table and makes room for `count` pairs with histories of `numbers` each.
+  /// Empties the table and makes room for `count` pairs that remember `numbers` each.
   void start(std::size_t count, std::size_t numbers) {
     width = numbers;
     make_room(pair, count);
     make_room(touching, count);
     make_room(history, count * width);
   }
-  /// `remembered`: the history of a touching pair, `width` numbers, or nullptr; `sign`: factor of each
-  /// number, or nullptr.
+  /// `remembered`: `width` numbers of a touching pair, or nullptr; `sign`: what each is multiplied by, or
+  /// nullptr.
   void add(const Pair& added, const double* remembered, const double* sign) {
     pair.push_back(added);
     touching.push_back(remembered != nullptr);
@@ -79,34 +79,34 @@ struct PairTable {
   }
   double* history_of(std::size_t p) { return history.data() + p * width; }
   const double* history_of(std::size_t p) const { return history.data() + p * width; }
-  /// Calls visit(p, history) for every touching pair p in order.
+  /// Calls visit(p, memory) for every touching pair p in their order.
   template <class Visit>
   void visit_touching(const Visit& visit) const {
     for (std::size_t p = 0; p < size(); ++p)
       if (touching[p]) visit(p, history_of(p));
   }
-  /// Makes p, which did not touch, a touching pair with the history `remembered`.
+  /// Makes p, which did not touch, a touching pair that remembers `remembered`.
   void recall(std::size_t p, const double* remembered) {
     touching[p] = 1;
     std::copy_n(remembered, width, history_of(p));
   }
 };
 
-/// Near pairs between grains. Half of them do not touch even in a dense bed, so only touching ones have a
-/// history: one after the other in the order of the table, behind a first one of zeros.
+/// Near pairs between grains. Half of them do not touch even in a dense bed, so only those that do have a
+/// memory: one after the other in the order of the table, behind a first one that is 0.
 struct GrainPairTable {
-  /// Place of the history of a new contact: zeros.
+  /// Place of what a contact remembers that has just begun.
   static constexpr std::uint32_t kNothing = 0;
-  /// Numbers behind the last one that may be read, so that loads of four need no special case at the end.
+  /// Numbers behind the last one that may be read, so that loads of four need not mind the end.
   static constexpr std::size_t kSpare = 3;
 
-  std::size_t width = 0;  ///< numbers stored per touching pair
+  std::size_t width = 0;  ///< numbers that a touching pair remembers
   std::vector<GrainPair> pair;
   std::vector<std::uint8_t> touching;  ///< 1 while the pair is within the law's reach
   std::vector<double> history;         ///< SI units, as the law lays them out, and kSpare numbers
 
   std::size_t size() const { return pair.size(); }
-  /// Empties the table and makes room for `count` pairs with histories of `numbers` each.
+  /// Empties the table and makes room for `count` pairs that remember `numbers` each.
   void start(std::size_t count, std::size_t numbers) {
     width = numbers;
     make_room(pair, count);
@@ -125,29 +125,29 @@ struct GrainPairTable {
     history.insert(history.end(), kSpare, 0.0);
     history.shrink_to_fit();
   }
-  /// Room for the histories of `count` touching pairs after a step, one after the other behind that of
-  /// kNothing, whose numbers are set.
+  /// Room for what `count` touching pairs remember after a step, one after the other behind kNothing's, whose
+  /// numbers are set.
   void make_room_to_remember(std::vector<double>& remembered, std::size_t count) const {
     const std::size_t needed = (count + 1) * width + kSpare;
-    // Contacts come and go, and buffers pass from block to block: new memory costs more than idle memory.
+    // Contacts come and go, and rooms go from block to block: fresh memory costs more than some that is idle.
     if (remembered.capacity() < needed || remembered.capacity() > 2 * needed)
       make_room(remembered, needed + needed / 8);
     remembered.resize(needed);
     std::fill_n(remembered.begin(), width, 0.0);
   }
-  /// Takes over the new histories, for which room was made; `remembered` gets the old ones, which have just
-  /// been read, so that another block next writes to memory that is in the cache.
+  /// Takes over what touching pairs remember, for which room was made; `remembered` becomes what they did
+  /// before: it has just been read, so that what another block writes to it next is written to the cache.
   void keep(std::vector<double>& remembered) { history.swap(remembered); }
-  /// History number `place`: counted from 1 among those of touching pairs, or kNothing.
+  /// Memory number `place`: counted from 1 among those of touching pairs, or kNothing.
   const double* history_at(std::uint32_t place) const { return history.data() + place * width; }
-  /// Requests `count` histories from `place` on before they are read, as far as they exist. Always inlined:
-  /// prefetch.h gives the reason.
+  /// Asks for `count` memories from `place` on, which are going to be read soon, as far as there are so many.
+  /// Always in place: prefetch.h says why.
   [[gnu::always_inline]] void fetch_history(std::size_t place, std::size_t count) const {
     constexpr std::size_t kCacheLine = 64 / sizeof(double);
     const std::size_t end = std::min((place + count) * width, history.size());
     for (std::size_t at = place * width; at < end; at += kCacheLine) __builtin_prefetch(&history[at]);
   }
-  /// Calls visit(p, history) for every touching pair p in order.
+  /// Calls visit(p, memory) for every touching pair p in their order.
   template <class Visit>
   void visit_touching(const Visit& visit) const {
     std::uint32_t place = kNothing;
@@ -176,7 +176,7 @@ struct Block {
                                         ///< 0 where it is not known (planes)
   std::vector<std::uint32_t> partners;  ///< spheres outside the block (of grains or images), rising
   std::vector<std::uint16_t> slot;      ///< sum that forces on a local sphere of a clumped grain are added to
-  std::vector<std::uint16_t> kind;      ///< of a local sphere's grain; empty for one particle type
+  std::vector<std::uint16_t> kind;      ///< of a local sphere's grain; empty where all are alike
   std::vector<std::uint32_t> foreign;   ///< grains outside the block that its pairs push
   std::vector<std::uint32_t> seen;      ///< where they are clumped: each itself, or its image that pairs meet
   /// Of the block's pairs in the last step; at its end those of own grains have become all that acts on them

@@ -1,4 +1,4 @@
-// Checks of several keys together: values that are each allowed but cannot work together.
+// Checks that need more than one key: values that are each allowed but cannot work together.
 #pragma once
 
 #include "process/input/table_reader.h"
@@ -6,11 +6,11 @@
 
 namespace diefill::process {
 
-/// A grain's density must be that of some solid, 0.1 to 25 g/cm^3: detects wrong units of radius and mass.
+/// A grain's density must be that of some solid, 0.1 to 25 g/cm^3: catches slips of units in radius and mass.
 void check_density(const TableReader& table, const PowderSpec& powder);
 
-/// The grain size must be within 0.1 to 20 times the powder's own: beyond that the parameters have no
-/// meaning.
+/// The wanted grain size must be within 0.1 to 20 times the powder's own: further away the parameters mean
+/// nothing.
 void check_coarsening(const TableReader& table, const PowderSpec& powder);
 
 /// A basic sphere must not fit through the hole in the square grid of wall spheres of radius `sphere_radius`
