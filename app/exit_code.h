@@ -1,4 +1,4 @@
-// What went wrong, as an exit code and one line on standard error.
+// Errors as an exit code and one line on standard error.
 #pragma once
 
 #include <functional>

@@ -1,5 +1,6 @@
 #!/bin/sh
-# Installs the Debian packages that diefill is built with, if any is missing. Needs root or sudo only then.
+# Installs the Debian packages that diefill is built with, and those given as arguments, if any is missing. Needs root or
+# sudo only then.
 set -eu
 
 packages="g++ cmake ninja-build pkg-config libeigen3-dev libtbb-dev libboost-dev libassimp-dev libcgal-dev libhdf5-dev
@@ -7,7 +8,7 @@ libvtk9-dev libosmesa6-dev libglew-dev libgl1-mesa-dri qt6-base-dev libgtest-dev
 libtomlplusplus-dev nlohmann-json3-dev libocct-data-exchange-dev lib3mf-dev libudunits2-dev voro++-dev zlib1g-dev fonts-dejavu-core"
 
 missing=""
-for package in $packages; do
+for package in $packages "$@"; do
   dpkg-query -W -f='${Status}' "$package" 2>/dev/null | grep -q 'install ok installed' || missing="$missing $package"
 done
 [ -z "$missing" ] && exit 0

@@ -1,11 +1,18 @@
 #!/bin/sh
-# From a fresh Debian 12 machine to passed tests: installs what is missing, builds, and runs all tests that are not slow.
-# `sh tests/run.sh slow` runs the slow physics checks instead.
+# From a fresh Debian 12 machine to passed tests: installs what is missing, checks the format, builds, and runs all
+# tests that are not slow.
+#   sh tests/run.sh slow          runs the slow physics checks instead
+#   sh tests/run.sh PRESET        the same for another preset: debug, asan (address and undefined behaviour), tsan
 set -eu
 cd "$(dirname "$0")/.."
-sh app/build.sh
-if [ "${1:-}" = slow ]; then
-  ctest --preset slow
-else
-  ctest --preset release
-fi
+preset=${1:-release}
+sh app/install_packages.sh clang-format-14 || sh app/install_packages.sh
+sh tests/format.sh
+case $preset in
+  release | slow) sh app/build.sh ;;
+  *)
+    cmake --preset "$preset"
+    cmake --build --preset "$preset"
+    ;;
+esac
+ctest --preset "$preset"

@@ -1,4 +1,4 @@
-// How a bed moves, for those who hold it against another code.
+// The motion of a bed over time, for comparison with another code.
 #pragma once
 
 #include <filesystem>

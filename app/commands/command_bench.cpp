@@ -34,7 +34,7 @@ struct BenchOptions {
   bool json = false;
 };
 
-/// Steps before timing: the first searches and page faults are not what a run spends its time on.
+/// Steps before timing: the first searches and page faults are not typical of a run.
 constexpr int kWarmUp = 100;
 
 /// Bytes of memory that the program holds now.
@@ -108,8 +108,8 @@ void print(const nlohmann::ordered_json& figures) {
   }
 }
 
-/// Refuses a bed that does not fit into memory or steps that nobody waits for. `grains` of --state; 0: a bed
-/// is made.
+/// Refuses a bed that does not fit into memory or that would never end. `grains` of --state; 0: a bed is
+/// generated.
 void refuse_endless(const BenchOptions& options, RaceBed kind, std::size_t grains) {
   constexpr double kSpheresOfClump = 7;
   const double copies = options.copies * static_cast<double>(options.copies);

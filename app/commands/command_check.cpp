@@ -36,7 +36,7 @@ void draw_picture(const std::string& file, const process::Scene& scene, const pr
   write_output([&] { render::draw_findings(file, parts_of(tooling), marks, scene.title); });
 }
 
-/// What is found about the set-up, and for information where powder is poured and where shoes go.
+/// Findings about the set-up, and for information where powder is poured and where shoes go.
 std::vector<render::FindingMark> setup_marks(const process::Scene& scene, const process::Tooling& tooling,
                                              const std::vector<process::SetupFinding>& setup) {
   auto marks = marks_of(scene, setup);
@@ -69,7 +69,7 @@ void print_json(const nlohmann::ordered_json& json) {
   std::printf("%s\n", json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace).c_str());
 }
 
-/// Meshes that enclose no solid: the picture and the JSON say where before the one line of refusal does.
+/// Meshes that enclose no solid: the picture and the JSON show where, before the one line of refusal.
 void refuse_unusable(const CheckArguments& arguments, const process::Scene& scene) {
   const process::Tooling tooling = read_alone(scene);
   const bool usable = std::all_of(tooling.tools.begin(), tooling.tools.end(),

@@ -30,7 +30,7 @@ std::filesystem::path default_directory(const std::filesystem::path& scene) {
   return std::filesystem::path("out") / (folder + '_' + scene.stem().string());
 }
 
-/// What a script should think of it: 0 where every run is finished.
+/// The exit code: 0 where every run is finished.
 ExitCode exit_code_of(const results::Comparison& comparison) {
   ExitCode worst = kDone;
   for (const auto& run : comparison.runs) {

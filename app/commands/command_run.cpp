@@ -82,7 +82,7 @@ int run(const RunArguments& arguments) {
   process::Scene scene = wanted_scene(arguments.scene, arguments.setting);
   process::RunOptions options = options_of(arguments, scene);
   std::optional<OutputDirectory> output;
-  // Before work that a second run would do in vain.
+  // Before work that would be lost if a second run were refused.
   if (std::filesystem::exists(options.directory)) output.emplace(options.directory);
   const auto tooling = prepared_tooling(scene, !arguments.quiet);
   scene = process::with_prepared_steps(std::move(scene), tooling);

@@ -1,4 +1,4 @@
-// The scene that a command is to work on: as its file has it, or with the numbers of a setting.
+// The scene of a command: as its file has it, or with the numbers of a setting.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -20,12 +20,12 @@ void say_what_was_chosen(const process::Scene& scene);
 /// and what it chose is said. Throws process::SceneError.
 process::Scene wanted_scene(const std::string& file, const std::string& setting);
 
-/// Reads the scene's variants. A setting of this name (empty: none) gives all of them alike numbers, and what
-/// it chose is said, once where it is the same. Throws process::SceneError.
+/// Reads the scene's variants. A setting of this name (empty: none) gives all of them the same numbers, and
+/// what it chose is said, once where it is the same. Throws process::SceneError.
 std::vector<process::Variant> wanted_variants(const std::string& file, const std::string& setting);
 
-/// The scene's tools, ready to be filled; how far that is is shown where wanted. Throws process::SceneError
-/// or geometry::MeshError.
+/// The scene's tools, ready to be filled, with progress where requested. Throws process::SceneError or
+/// geometry::MeshError.
 process::Tooling prepared_tooling(const process::Scene& scene, bool show_progress);
 
 }  // namespace diefill::app

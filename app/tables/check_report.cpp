@@ -26,14 +26,14 @@ Json findings_as_json(const geometry::MeshFindings& findings) {
           {"self_intersections", findings.self_intersections},
           {"degenerate_triangles", findings.degenerate_triangles},
           {"duplicate_triangles", findings.duplicate_triangles},
-          {"in_words", findings.description()}};
+          {"text", findings.description()}};
 }
 
 Json symmetry_as_json(const geometry::Symmetry& symmetry) {
   Json json = {{"centre_m", point(symmetry.centre)},
                {"planes", Json::array()},
                {"axes", Json::array()},
-               {"in_words", symmetry.description()}};
+               {"text", symmetry.description()}};
   for (const auto& normal : symmetry.planes) json["planes"].push_back(point(normal));
   for (const auto& axis : symmetry.axes)
     json["axes"].push_back({{"direction", point(axis.direction)}, {"order", axis.order}});
@@ -72,7 +72,7 @@ Json pair_as_json(const process::PairDiagnosis& pair) {
                {"overlap_m", pair.overlap},
                {"powder_enters", pair.powder_enters},
                {"real_powder_enters", pair.real_powder_enters},
-               {"in_words", pair.description}};
+               {"text", pair.description}};
   if (pair.gap.found)
     json["gap"] = {{"narrowest_m", pair.gap.narrowest},
                    {"widest_m", pair.gap.widest},

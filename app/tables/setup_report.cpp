@@ -1,4 +1,4 @@
-// What `check` and `run` say about a set-up that was hardly meant.
+// What `check` and `run` report about a set-up that is probably a mistake.
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
@@ -61,7 +61,7 @@ nlohmann::ordered_json setup_as_json(const std::vector<process::SetupFinding>& s
   for (const auto& finding : setup) {
     auto places = nlohmann::ordered_json::array();
     for (const auto& place : thinned(finding.places)) places.push_back({place[0], place[1], place[2]});
-    json.push_back({{"in_words", finding.words}, {"places_m", places}});
+    json.push_back({{"text", finding.words}, {"places_m", places}});
   }
   return json;
 }

@@ -1,5 +1,5 @@
 // Coarse graining after Bierwisch 2009, chapter 3: grains enlarged so that every form of energy keeps its
-// density and its rate of loss. It changes the material before a run; the force laws never know.
+// density and its rate of loss. It changes the material before a run; the laws stay as they are.
 #pragma once
 
 namespace diefill::engine::coarse_graining {
@@ -17,9 +17,9 @@ struct Material {
   double friction = 0;          ///< mu, unchanged
 };
 
-/// The coarse material that stands for `fine` when lengths of grains grow by `scale` (Bierwisch 2009,
-/// Eqs. 3.1, 3.7; mu_r and mu_a as in OP-29, OP-8): w, gamma_n, kappa_t, mu_r, mu_a grow with `scale`, mass
-/// with its cube. Collision time, overlap and the admissible time step then grow with `scale` too.
+/// The coarse material that represents `fine` when lengths of grains grow by `scale` (Bierwisch 2009, Eqs.
+/// 3.1, 3.7; mu_r and mu_a as in OP-29, OP-8): w, gamma_n, kappa_t, mu_r, mu_a grow with `scale`, mass with
+/// its cube. Collision time, overlap and the admissible time step then grow with `scale` too.
 inline Material bierwisch(const Material& fine, double scale) {
   Material coarse = fine;
   coarse.sphere_radius *= scale;

@@ -1,6 +1,6 @@
-// Coarse graining by scaling forces: a large grain's contact is looked at as that of the original small
-// grains and its forces multiplied up (Hu 2024, chapter 3). One set of exponents tells the published rules
-// apart.
+// Coarse graining by force scaling: the contact of large grains is evaluated as that of the original small
+// ones, and its forces are multiplied (Hu 2024, chapter 3). The published rules differ in one set of
+// exponents.
 #pragma once
 
 #include <cmath>
@@ -19,18 +19,18 @@ struct ForceScaling {
   double overlap_exponent = 1;     ///< 1: geometrically similar, 0: overlap taken as it is
   double gap_exponent = 1;         ///< the same for gaps
   double spring_exponent = 1;      ///< the same for the stretch of the tangential spring
-  /// The spring stretches as it is, xi_O = xi_S, however overlaps are scaled: the literal reading of Hu 2024,
+  /// The spring stretches unscaled, xi_O = xi_S, however overlaps are scaled: the literal reading of Hu 2024,
   /// which makes the spring l times stiffer.
   bool literal_spring = false;
   /// Rolling springs turn by omega_O dt_S instead of the similar omega_S dt_S: literal, l times stiffer.
   bool literal_rolling = false;
 
-  /// What the sum of all torques on a grain, force times its lever arm plus couples of ScaledLaw, must be
-  /// multiplied by: l^(torque - force - 1). Its inverse is the factor of the moment of inertia with which
-  /// energy and angular momentum balance.
+  /// Factor of the sum of all torques on a grain, force times its lever arm plus the torques of ScaledLaw:
+  /// l^(torque - force - 1). Its inverse is the factor of the moment of inertia with which energy and angular
+  /// momentum balance.
   double torque_factor() const { return std::pow(scale, torque_exponent - force_exponent - 1); }
 
-  /// The original pair that `scaled` stands for: lengths over l, masses over l^3. The inertia factor makes
+  /// The original pair that `scaled` represents: lengths over l, masses over l^3. The inertia factor makes
   /// caps and stability limits of rolling parts those of the scaled grains.
   laws::PairProperties original(const laws::PairProperties& scaled) const {
     const double volume = scale * scale * scale;
@@ -38,8 +38,8 @@ struct ForceScaling {
             scaled.inertia_factor * std::pow(scale, 3 - torque_exponent)};
   }
 
-  /// What a Hertz or Mindlin spring is stiffer by than the same law at the scaled size: l^(force - 1/2 - 3
-  /// overlap / 2). Time steps must shrink by its root (Hu 2024, section 4.3).
+  /// Factor by which a Hertz or Mindlin spring is stiffer than the same law at the scaled size: l^(force -
+  /// 1/2 - 3 overlap / 2). Time steps must shrink by its root (Hu 2024, section 4.3).
   double spring_factor() const { return std::pow(scale, force_exponent - 0.5 - 1.5 * overlap_exponent); }
   /// The same for damping that goes with sqrt(m) h^(1/4): l^(force - 7/4 - overlap / 4).
   double damping_factor() const { return std::pow(scale, force_exponent - 1.75 - 0.25 * overlap_exponent); }

@@ -1,4 +1,4 @@
-// Any law of the sources, scaled by any rule of coarse graining, as the pair loop wants it.
+// Any law of the sources, scaled by any rule of coarse graining, as the pair loop takes it.
 #pragma once
 
 #include <cstdint>
@@ -9,13 +9,13 @@
 
 namespace diefill::engine::laws {
 
-/// A law put together while the program runs. Slower than ContactLaw, which knows its parts beforehand,
-/// unless the parts act on many contacts at a time (react_by_parts()).
+/// A law composed at run time. Slower than ContactLaw, whose parts are fixed, unless the parts act on many
+/// contacts at a time (react_by_parts()).
 class GeneralContactLaw {
  public:
   static constexpr int kHistory = GeneralLaw::kHistory;
   static constexpr bool kRolls = true;
-  /// Whether the law is made of parts chosen while the program runs, so that react_by_parts() serves it.
+  /// Whether the parts are selected at run time, so that react_by_parts() serves it.
   static constexpr bool kByParts = true;
   /// m, arm of rolling friction against each grain's own spin; other rolling resistance is a part of the law.
   double rolling_friction = 0;
@@ -59,7 +59,7 @@ class GeneralContactLaw {
     return law_.attraction_energy(overlap, history);
   }
 
-  /// What remembered numbers are multiplied by for the other sphere.
+  /// Factors of the history's numbers when the pair is stored the other way round.
   static std::vector<double> history_signs() {
     return {GeneralLaw::kMemorySigns.begin(), GeneralLaw::kMemorySigns.end()};
   }

@@ -1,12 +1,12 @@
-// The alternatives that Hu 2024 holds against the scaled-up particle model (Tables 4.1, 5.1).
+// The alternatives that Hu 2024 compares with the scaled-up particle model (Tables 4.1, 5.1).
 #pragma once
 
 #include "engine/coarse_graining/force_scaling.h"
 
 namespace diefill::engine::coarse_graining {
 
-/// Chapter 4, Method 2: scaled forces, but overlaps and gaps taken as they are. Springs become l^(3/2) times
-/// stiffer and attraction too short.
+/// Chapter 4, Method 2: scaled forces, but unscaled overlaps and gaps. Springs become l^(3/2) times stiffer
+/// and the range of attraction too short.
 inline ForceScaling hu_chapter_4_method_2(double scale) {
   return {.scale = scale,
           .force_exponent = 2,

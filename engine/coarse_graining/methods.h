@@ -1,5 +1,5 @@
-// The rules of coarse graining by name, as a scene gives them: those that scale forces while the simulation
-// runs, and those that scale the parameters of the laws before.
+// The rules of coarse graining by name, as a scene gives them: those that scale forces during the simulation,
+// and those that scale the parameters of the laws before.
 #pragma once
 
 #include <array>
@@ -21,7 +21,7 @@ struct Method {
   ForceScaling (*scaling)(double scale);
 };
 
-/// All rules that work by scaling forces. A new rule is registered by its line here.
+/// All rules that scale forces. A new rule is registered by its line here.
 inline constexpr std::array kMethods = {
     Method{"none", [](double) { return unscaled(); }},
     Method{"scaled-up particle", [](double scale) { return scaled_up_particle(scale); }},
@@ -42,14 +42,14 @@ struct ParameterRule {
   laws::LawParameters (*scaled)(const laws::LawParameters& fine, double scale);
 };
 
-/// All rules that work by parameters, the usual one first. A new rule is registered by its line here.
+/// All rules that scale parameters, the usual one first. A new rule is registered by its line here.
 inline constexpr std::array kParameterRules = {
     ParameterRule{"bierwisch",
                   [](const laws::LawParameters& fine, double scale) { return fine.similar(scale); }},
     ParameterRule{"Thakur", thakur},
 };
 
-/// Null where no rule of that name works by parameters.
+/// Null if no rule of that name scales parameters.
 inline const ParameterRule* parameter_rule(std::string_view name) {
   for (const auto& rule : kParameterRules)
     if (rule.name == name) return &rule;

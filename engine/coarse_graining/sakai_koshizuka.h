@@ -5,7 +5,7 @@
 
 namespace diefill::engine::coarse_graining {
 
-/// A large grain stands for l^3 small ones that move together: contact forces grow with l^3 at unscaled
+/// A large grain represents l^3 small ones that move together: contact forces grow with l^3 at unscaled
 /// overlap, van der Waals attraction with l^2, torques are force times the large radius.
 inline ForceScaling sakai_koshizuka(double scale) {
   return {.scale = scale,

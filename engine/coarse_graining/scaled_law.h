@@ -1,4 +1,4 @@
-// A contact law of original grains between scaled ones: the direct way of coarse graining by force scaling.
+// A contact law of original grains between scaled ones: coarse graining by force scaling.
 #pragma once
 
 #include <cmath>
@@ -8,8 +8,8 @@
 
 namespace diefill::engine::coarse_graining {
 
-/// Looks at the contact in original variables, lets `Law` react, and multiplies forces by powers of l (Hu
-/// 2024, Eqs. 3.32 to 3.45). Memory holds original variables.
+/// Evaluates the contact in original variables by `Law` and multiplies forces by powers of l (Hu 2024, Eqs.
+/// 3.32 to 3.45). The history holds original variables.
 template <class Law>
 class ScaledLaw {
  public:
@@ -27,7 +27,7 @@ class ScaledLaw {
         torque_(power(scaling, scaling.force_exponent + 1)),
         attraction_(power(scaling, scaling.attraction_exponent)) {}
 
-  /// m, the largest gap of scaled grains at which the pair must still be looked at.
+  /// m, the largest gap of scaled grains at which the pair must still be considered.
   double range() const { return law_.range() * gap_; }
 
   /// As ComposedLaw::react, for scaled grains. The torque is such that it and force times the scaled lever
@@ -37,7 +37,7 @@ class ScaledLaw {
   }
   /// The law between the small grains.
   const Law& parts() const { return law_; }
-  /// The contact of small grains that stands for the one at `state`.
+  /// The contact of small grains that represents the one at `state`.
   laws::ContactState original(const laws::ContactState& state) const {
     laws::ContactState original = state;
     original.overlap = original_overlap(state.overlap);
@@ -46,7 +46,7 @@ class ScaledLaw {
     original.rolling_step = state.rolling_step / turn_;
     return original;
   }
-  /// What the `reaction` of small grains means for those that stand for them; `normal` from j to i.
+  /// The `reaction` of small grains as that of the scaled ones; `normal` from j to i.
   laws::Reaction scaled(laws::Reaction reaction, Vector3 normal) const {
     reaction.force = force_ * reaction.force + ((attraction_ - force_) * reaction.attraction) * normal;
     reaction.torque = torque_ * reaction.torque;

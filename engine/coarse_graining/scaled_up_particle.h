@@ -5,8 +5,8 @@
 
 namespace diefill::engine::coarse_graining {
 
-/// Contact force, attraction and torque all grow with l^2, overlaps and gaps with l, so that stresses stay as
-/// they are (Hu 2024, Eqs. 3.21 to 3.45).
+/// Contact force, attraction and torque all grow with l^2, overlaps and gaps with l, so that stresses stay
+/// the same (Hu 2024, Eqs. 3.21 to 3.45).
 inline ForceScaling scaled_up_particle(double scale) {
   return {.scale = scale, .force_exponent = 2, .attraction_exponent = 2, .torque_exponent = 2};
 }

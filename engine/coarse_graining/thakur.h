@@ -1,4 +1,4 @@
-// Coarse graining by parameters: after Thakur et al. for linear springs, and after Bierwisch for Hertz'.
+// Coarse graining by parameters: after Thakur et al. for linear springs, after Bierwisch for Hertz.
 #pragma once
 
 #include "engine/laws/law_parameters.h"

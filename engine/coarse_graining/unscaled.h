@@ -1,11 +1,11 @@
-// No coarse graining: large grains under the law of small ones as it stands.
+// No coarse graining: large grains under the unchanged law of small ones.
 #pragma once
 
 #include "engine/coarse_graining/force_scaling.h"
 
 namespace diefill::engine::coarse_graining {
 
-/// Whatever the size of the grains, forces are those of the law at that size.
+/// Forces are those of the law at the size of the grains.
 inline ForceScaling unscaled() {
   return {};
 }

@@ -41,7 +41,7 @@ struct GrainLanes {
       orientation.set(lane, plain(grains.orientation[k]));
     }
   }
-  /// Positions are needed on the way to the end of the step only.
+  /// Needed only until positions are at the end of the step.
   void load_positions(const Grains& grains) {
     prefetch<kGrains>(begin, grains.position);
     for (std::size_t lane = 0; lane < groups(); ++lane)
@@ -55,8 +55,8 @@ struct Advanced {
   Scalars way;             ///< m, as GrainIntegrator::advance() returns
 };
 
-/// Positions and predicted velocities at the end of the step of powder that goes `drifted` (m). Here and
-/// below, `bodies` says what each lane's grain is like.
+/// Positions and predicted velocities at the end of the step of powder that drifted by `drifted` (m). Here
+/// and below, `bodies` gives the constants of each lane's grain.
 template <class Bodies>
 void drift(GrainLanes& lanes, Advanced& out, const Bodies& bodies, double time_step, Vector3 drifted) {
   const std::size_t groups = lanes.groups();
@@ -127,7 +127,7 @@ void kick_spin(GrainLanes& lanes, Vectors& moment, const Bodies& bodies, double 
     const Vector3 inertia = body.inertia(lane), drag = body.turning_drag(lane);
     const Rotation rotation = rotation_of(lanes.orientation[lane]);
     const Vector3 spin = lanes.spin[lane];
-    // The same prediction as before the step's end: torque is still the one that it began with.
+    // The same prediction as before the end of the step: the torque is still that at its start.
     const Vector3 predicted = spin + time_step * spin_rate(inertia, spin, lanes.torque[lane]);
     const Vector3 air{-drag.x * predicted.x, -drag.y * predicted.y, -drag.z * predicted.z};
     power[lane] += dot(air, predicted);
@@ -139,7 +139,7 @@ void kick_spin(GrainLanes& lanes, Vectors& moment, const Bodies& bodies, double 
 
 }  // namespace
 
-/// Grains of one kind: the same in all lanes.
+/// Grains of one type: the same in all lanes.
 struct GrainIntegrator::AlikeBodies {
   double mass_, drag_;
   Vector3 inertia_, weight_, turning_drag_;
@@ -160,7 +160,7 @@ struct GrainIntegrator::AlikeBodies {
   Vector3 turning_drag(std::size_t) const { return turning_drag_; }
 };
 
-/// Grains of several kinds: one body a lane.
+/// Grains of several types: one set of constants per lane.
 struct GrainIntegrator::BodyLanes {
   Scalars mass_, drag_;
   Vectors inertia_, weight_, turning_drag_;

@@ -1,5 +1,5 @@
-// Carries grains through a time step, many at a time: positions and orientations to its end, velocities from
-// the forces found there (Bierwisch 2009, section 2.2). Composed grains here, single spheres in
+// Moves grains through a time step, many at a time: positions and orientations to its end, velocities from
+// the forces there (Bierwisch 2009, section 2.2). Clumps are moved here, single spheres in
 // sphere_integrator.h.
 #pragma once
 
@@ -14,7 +14,7 @@
 
 namespace diefill::engine {
 
-/// Works on runs of grains, so that threads can share them. SI units.
+/// Works on ranges of grains, so that threads can share them. SI units.
 class GrainIntegrator {
  public:
   /// `air_viscosity` in Pa s, Stokes drag on every sphere (Bierwisch 2009, Eq. 2.9). `rolls`: whether
@@ -22,10 +22,10 @@ class GrainIntegrator {
   GrainIntegrator(const ParticleTypes& kinds, const Eigen::Vector3d& gravity, double air_viscosity,
                   bool rolls, double time_step, InstructionSet instructions);
 
-  /// Takes grains [begin, end) to the end of the step and places their spheres, with the velocities that the
-  /// present forces would lead to: forces depend on velocities (OP-3). Returns how far (m) any of their
-  /// spheres can have moved in the step against powder that has gone `drifted` (m); rounding may make it
-  /// less.
+  /// Moves grains [begin, end) to the end of the step and places their spheres, with the velocities that the
+  /// present forces predict: forces depend on velocities (OP-3).
+  /// Returns how far (m) any of their spheres can have moved in the step relative to powder that drifted by
+  /// `drifted` (m); rounding may make it less.
   double advance(Grains& grains, std::size_t begin, std::size_t end, const Vector3& drifted,
                  SphereField& spheres) const;
 
@@ -35,7 +35,7 @@ class GrainIntegrator {
                   std::size_t first_sum) const;
 
  private:
-  /// What the motion of one kind depends on.
+  /// Motion constants of one particle type.
   struct Body {
     double mass;           ///< kg
     double drag;           ///< kg/s, Stokes drag on all spheres over the speed

@@ -1,6 +1,6 @@
-// Carries single spheres through a time step. Their vectors lie one behind the other in plain arrays, and a
-// sphere's three numbers are treated alike, so arrays are worked through as they lie: no number has to find
-// a lane.
+// Moves single spheres through a time step. Their vectors lie one behind the other in plain arrays, and all
+// three components are treated the same, so arrays are processed as they lie: no number has to be moved to a
+// lane.
 #pragma once
 
 #include <vector>
@@ -17,11 +17,11 @@ struct StepWork {
   double drag = 0, rolling = 0;
 };
 
-/// Velocity Verlet for centres and spins (Bierwisch 2009, section 2.2); a sphere has no orientation worth
-/// following. SI units.
+/// Velocity Verlet for centres and spins (Bierwisch 2009, section 2.2); the orientation of a sphere is not
+/// stored. SI units.
 class SphereIntegrator {
  public:
-  /// What the motion of one kind depends on.
+  /// Motion constants of one particle type.
   struct Body {
     double mass;     ///< kg
     double drag;     ///< kg/s, Stokes drag over the speed
@@ -33,7 +33,7 @@ class SphereIntegrator {
                    InstructionSet instructions);
 
   /// As GrainIntegrator::advance() and finish(). In between, velocities and spins of `grains` are those
-  /// predicted for the end of the step: a step passes through no memory besides.
+  /// predicted for the end of the step, so a step needs no further memory.
   double advance(Grains& grains, std::size_t begin, std::size_t end, const Vector3& drifted) const;
   StepWork finish(Grains& grains, std::size_t begin, std::size_t end, const ContactSums& contacts,
                   std::size_t first_sum) const;
@@ -42,7 +42,7 @@ class SphereIntegrator {
   static constexpr std::size_t kSpheres = 8;             ///< worked on at a time
   static constexpr std::size_t kNumbers = 3 * kSpheres;  ///< of their vectors: whole vector registers
 
-  /// What a few spheres' numbers are multiplied by, one entry a number.
+  /// Factors for the numbers of a few spheres, one entry per number.
   struct Factors {
     alignas(64) double velocity_per_force[kNumbers];  ///< s/kg, gained in a step
     alignas(64) double spin_per_torque[kNumbers];     ///< s/(kg m^2), gained in a step
@@ -58,7 +58,7 @@ class SphereIntegrator {
   double slow_rolling(Grains& grains, std::size_t begin, std::size_t end, const double* loads) const;
 
   std::vector<Body> bodies_;  ///< one a kind
-  Factors monodisperse_;      ///< where there is one kind
+  Factors monodisperse_;      ///< where there is one particle type
   bool rotates_, rolls_;
   double time_step_;
   InstructionSet instructions_;

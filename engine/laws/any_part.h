@@ -1,7 +1,7 @@
-// Parts chosen while the program runs: each Any... holds one of the parts in its list and is a part of that
-// kind itself, so that one instantiation of ComposedLaw serves every combination. One contact at a time is
-// slower than with a law clumped of fixed parts by the choice at each call; loops over many contacts choose
-// once.
+// Parts selected at run time: each Any... holds one of the parts in its list and is a part of that kind
+// itself, so one instantiation of ComposedLaw serves every combination. For a single contact this is slower
+// than a law composed of fixed parts, because every call selects; loops over many contacts select only once
+// per part.
 #pragma once
 
 #include <algorithm>
@@ -16,7 +16,7 @@
 
 namespace diefill::engine::laws {
 
-/// Room for one of some plain structs.
+/// Room for one of several plain structs.
 template <class First, class... Others>
 union OneOf {
   static_assert(std::is_trivially_copyable_v<First>);
@@ -48,7 +48,7 @@ union OneOf<Last> {
   }
 };
 
-/// One of `Parts`, chosen by which of their Parameters is given.
+/// One of `Parts`, selected by which of their Parameters is given.
 template <class... Parts>
 class AnyPart {
  public:
@@ -67,12 +67,12 @@ class AnyPart {
     Parameters similar(double scale) const {
       return std::visit([scale](const auto& given) { return Parameters(given.similar(scale)); }, choice);
     }
-    /// ask(given) of the parameters that are chosen.
+    /// ask(given) of the selected parameters.
     template <class Ask>
     auto ask(const Ask& ask) const {
       return std::visit(ask, choice);
     }
-    // What the parts of this kind say of themselves (parts.h); the others do not compile.
+    // Facts that the parts of this kind state (parts.h); others do not compile.
     bool attracts() const {
       return ask([](const auto& given) { return given.attracts(); });
     }
@@ -109,7 +109,7 @@ class AnyPart {
     double largest_friction() const {
       return ask([](const auto& given) { return given.largest_friction(); });
     }
-    /// The parameters of one part, or null if another is chosen.
+    /// The parameters of one part, or null if another is selected.
     template <class SomePart>
     const typename SomePart::Parameters* of() const {
       return std::get_if<typename SomePart::Parameters>(&choice);
@@ -122,18 +122,18 @@ class AnyPart {
     });
   }
 
-  /// Calls use(part) with the part that was chosen.
+  /// Calls use(part) with the selected part.
   template <class Use>
   auto with(const Use& use) const {
     return choose([&]<class Part>(std::type_identity<Part>) { return use(as<Part>()); });
   }
-  /// The part that was chosen, which must be a Part: nothing is checked, as loops with a check do not
-  /// vectorise.
+  /// The selected part, which must be a Part: unchecked, because loops with a check do not vectorise. Callers
+  /// know which part it is.
   template <class Part>
   const Part& as() const {
     return held_.template as<Part>();
   }
-  /// Place of the chosen part in the list.
+  /// Place of the selected part in the list.
   std::size_t which() const { return which_; }
 
  protected:
@@ -162,7 +162,7 @@ class AnyPart {
   }
 
  private:
-  /// Calls use(type_identity) of the chosen part.
+  /// Calls use(type_identity) of the selected part.
   template <class Use>
   auto choose(const Use& use) const {
     return choose_from<0, Parts...>(use);

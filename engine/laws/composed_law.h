@@ -1,5 +1,5 @@
-// A contact law put together from one part of each kind: motion of the pair in, force and torque out. Grains,
-// walls, the engine and the slow reference all go through the parts in the order that `for_each_part` has.
+// A contact law composed of one part of each kind: relative motion in, force and torque out. Grains, walls,
+// the engine and the slow reference evaluate the parts in the order that `for_each_part` defines.
 #pragma once
 
 #include <algorithm>
@@ -11,14 +11,14 @@
 
 namespace diefill::engine::laws {
 
-/// How the load of friction and rolling limits is made of the normal part's limit and damping.
+/// How the load in the limits of friction and rolling follows from the normal part's limit and damping.
 enum class LoadRule {
   with_damping,   ///< |limit + viscous| (Bierwisch 2009, Eqs. 2.7, 2.11; Hu 2024 for Hertz; Kottlan 2018)
   without,        ///< |limit| (Hu 2024 for JKR)
   repulsive_only  ///< max(0, limit + viscous)
 };
 
-/// The rule in numbers, as loops with a choice in them do not vectorise.
+/// The rule as numbers: loops with a branch do not vectorise.
 class Load {
  public:
   Load(LoadRule rule = LoadRule::with_damping)  // NOLINT: a rule is all that a load needs
@@ -29,14 +29,14 @@ class Load {
     const double sum = limit + viscous_share_ * viscous;
     return sum >= 0 ? sum : pull_share_ * sum;
   }
-  /// Tells rules apart.
+  /// A number that distinguishes the rules.
   std::uint32_t form() const { return static_cast<std::uint32_t>(2 * viscous_share_ - pull_share_); }
 
  private:
   double viscous_share_, pull_share_;
 };
 
-/// A contact on its way through the parts of a law.
+/// A contact while the parts of a law act on it.
 struct ContactInParts {
   double overlap = 0;                      ///< m, positive in contact, minus the gap otherwise
   double root_overlap = 0;                 ///< m^(1/2), 0 apart
@@ -66,7 +66,7 @@ struct ContactInParts {
 template <NormalPart Normal, DampingPart Damping, FrictionPart Friction, RollingPart Rolling,
           AttractionPart Attraction>
 struct ComposedLaw {
-  // Memory of a pair: one part after the other, the attraction's last because it outlives the contact.
+  // History of a pair: part after part, the attraction's last because it outlives the contact.
   static constexpr int kFrictionHistory = Normal::kHistory;
   static constexpr int kRollingHistory = kFrictionHistory + Friction::kHistory;
   static constexpr int kAttractionHistory = kRollingHistory + Rolling::kHistory;
@@ -90,11 +90,11 @@ struct ComposedLaw {
   Attraction attraction;
   Load load = {};
 
-  /// m, the largest gap at which the pair must still be looked at.
+  /// m, the largest gap at which the pair must still be considered.
   double range() const { return attraction.range(); }
 
-  /// Number of the parts it is made of and of how its load is made: laws of one form differ in numbers only.
-  /// For laws whose parts are chosen while the program runs.
+  /// Number that identifies the parts and the rule for the load: laws of one form differ only in numbers. For
+  /// laws whose parts are selected at run time.
   std::uint32_t form() const {
     std::uint32_t form = load.form();
     for (const std::size_t place :
@@ -103,18 +103,18 @@ struct ComposedLaw {
     return form;
   }
 
-  /// Force and torque at `state`; advances the pair's `history` (kHistory doubles) by one time step, so it
-  /// must be called once per pair and step. Apart, only the attraction acts and the contact's history is
-  /// wiped.
+  /// Force and torque at `state`; advances the pair's `history` (kHistory doubles) by one time step, so call
+  /// it once per pair and step. Without contact only the attraction acts, and the history of the contact is
+  /// cleared.
   Reaction react(const ContactState& state, double* history) const {
     ContactInParts contact(state);
     for_each_part([&](auto part, const auto& act) { act(load, this->*part, contact, history); });
     return sum(contact, history);
   }
 
-  /// Calls run(part, act) for one part after the other: `part` points to the member, and act(load, part,
-  /// contact, history) lets it act on a ContactInParts, `load` being the law's and `history` all that the
-  /// pair remembers. After the last one comes sum().
+  /// Calls run(part, act) for each part in order: `part` points to the member; act(load, part, contact,
+  /// history) lets it act on a ContactInParts, with `load` of the law and `history` of the pair. Call sum()
+  /// after the last part.
   template <class Run>
   static void for_each_part(const Run& run) {
     run(&ComposedLaw::attraction, [](const Load&, const auto& part, auto& contact, double* history) {
@@ -137,7 +137,7 @@ struct ComposedLaw {
     });
   }
 
-  /// What the parts make up together. Apart, what the parts of the contact have done comes to nothing.
+  /// The reaction of all parts. Without contact, parts that need contact contribute nothing.
   static Reaction sum(const ContactInParts& contact, double* history) {
     const bool touches = contact.overlap > 0;
     const auto in_contact = [touches](double value) { return touches ? value : 0.0; };
@@ -159,7 +159,7 @@ struct ComposedLaw {
     return reaction;
   }
 
-  /// J that the normal part holds and can give back.
+  /// J stored in the normal part, recoverable.
   double contact_energy(double overlap, const double* history) const {
     return overlap > 0 ? normal.energy(overlap, history) : 0;
   }

@@ -1,13 +1,13 @@
 // Rolling resistance by a constant directional torque: opposes the relative spin with a strength that does
 // not depend on speed (Hu 2024, Eq. 2.51; Kottlan 2018, Eq. 23).
 //
-// As printed the torque does not fade with the spin: in a grain at rest it turns round from step to step, and
-// what it then seems to take out the grain keeps. Here it turns round by degrees: in every step it changes,
+// As printed the torque does not vanish with the spin: in a grain at rest it reverses every step, and the
+// energy that it seems to remove stays in the grain. Here it reverses gradually: every step it changes,
 // against the relative spin, by a sixteenth of what would stop the spin of the pair within that step, up to
-// the printed size. It is the printed torque but for the few steps after a start or a reversal, in which the
-// pair rolls by 16 |torque| dt^2 / I; at rest it holds what has to be held and stores no more than an
-// elastic spring does. Springs add up over a grain's contacts: the step is too long for them where the shares
-// of a grain's contacts come to 2, which takes 32 of them (STABILITY.md, rolling resistance).
+// the printed size. It equals the printed torque except in the few steps after a start or a reversal, in
+// which the pair rolls by 16 |torque| dt^2 / I; at rest it is static and stores no more than an elastic
+// spring does. Springs of a grain's contacts add up: the step is too long when the shares of its contacts
+// reach 2, which takes 32 contacts (STABILITY.md, rolling resistance).
 #pragma once
 
 #include <cmath>

@@ -1,5 +1,5 @@
-// A contact law put together from its parts. Plain numbers in, forces out: the pair loop for grains, the one
-// for walls and the tests all call these few lines.
+// Bierwisch's contact law composed of fixed parts. Plain numbers in, forces out: the pair loops for grains
+// and walls and the tests all call these few lines.
 #pragma once
 
 #include <cmath>
@@ -18,18 +18,18 @@ namespace diefill::engine::laws {
 struct NormalForce {
   double elastic, cohesive, viscous;
   double total() const { return elastic + cohesive + viscous; }
-  /// |f_e + f_v|: what Coulomb's limit and rolling friction are taken of (Bierwisch 2009, Eqs. 2.7, 2.11).
+  /// |f_e + f_v|: the load in Coulomb's limit and rolling friction (Bierwisch 2009, Eqs. 2.7, 2.11).
   double load() const { return std::abs(elastic + viscous); }
 };
 
 /// Hertz, cohesion, damping and friction between spheres of one effective radius.
 template <class Cohesion, class Friction>
 struct ContactLaw {
-  static constexpr int kHistory = Friction::kHistory;  ///< numbers that a touching pair remembers
+  static constexpr int kHistory = Friction::kHistory;  ///< numbers stored per touching pair
   static constexpr bool kRolls = false;                ///< whether relative spins matter
-  /// Whether the law is made of parts chosen while the program runs. This one is not: loops over many pairs
-  /// call turn(), stretch() and react_stretched() one after the other, so that what waits for a root in one
-  /// pair leaves the processor room for others.
+  /// Whether the parts are selected at run time. Not here: loops over many pairs call turn(), stretch() and
+  /// react_stretched() one after the other, so that while one pair waits for a root the processor works on
+  /// others.
   static constexpr bool kByParts = false;
   Hertz elastic;
   Cohesion cohesion;
@@ -49,9 +49,9 @@ struct ContactLaw {
     turn(history, contact.normal);
     return react_stretched(stretch(contact, history), contact.normal, history);
   }
-  /// Turns the pair's history along with its `normal`.
+  /// Turns the pair's history with its `normal`.
   void turn(double* history, Vector3 normal) const { friction.turn(history, normal); }
-  /// Stretches the pair's history, once it has been turned, and says what the rest needs to know.
+  /// Stretches the pair's history after turn() and returns what react_stretched() needs.
   StretchedContact stretch(const ContactState& contact, double* history) const {
     StretchedContact stretched;
     stretched.overlap = contact.overlap;
@@ -62,7 +62,7 @@ struct ContactLaw {
     friction.stretch(history, stretched.sliding, contact.time_step);
     return stretched;
   }
-  /// The same as react(), once the history has been turned and stretched.
+  /// The same as react(), after turn() and stretch().
   Reaction react_stretched(const StretchedContact& contact, Vector3 unit_normal, double* history) const {
     const NormalForce parts = normal(contact.overlap, contact.root_overlap, contact.separation_speed);
     Reaction reaction;
@@ -83,9 +83,9 @@ struct ContactLaw {
   double energy(double overlap, const double* = nullptr) const {
     return elastic.energy(overlap) + cohesion.energy(overlap);
   }
-  /// m, gap at which the pair still acts on each other: it must touch.
+  /// m, gap at which the pair still interacts: 0, it must touch.
   double range() const { return 0; }
-  /// What remembered numbers are multiplied by for the other sphere.
+  /// Factors of the history's numbers when the pair is stored the other way round.
   static std::vector<double> history_signs() { return std::vector<double>(kHistory, -1.0); }
 };
 

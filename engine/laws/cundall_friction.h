@@ -1,5 +1,5 @@
-// Coulomb friction with a tangential spring (Bierwisch 2009, Eq. 2.7), which way it slips chosen while the
-// program runs.
+// Coulomb friction with a tangential spring (Bierwisch 2009, Eq. 2.7); whether sliding cuts the spring back
+// is selected at run time.
 #pragma once
 
 #include "engine/laws/parameter_check.h"

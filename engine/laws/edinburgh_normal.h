@@ -1,6 +1,6 @@
-// The Edinburgh elasto-plastic adhesion law, "EEPA": plastic loading, stiffer un- and reloading, an adhesive
-// limb that is the deeper the more the contact was flattened (Morrissey 2013; Thakur et al., Granular Matter
-// 16, 2014, 383).
+// The Edinburgh elasto-plastic adhesion law, "EEPA": plastic loading, stiffer unloading and reloading, and an
+// adhesive limb that is deeper the more the contact was flattened (Morrissey 2013; Thakur et al., Granular
+// Matter 16, 2014, 383).
 #pragma once
 
 #include <algorithm>

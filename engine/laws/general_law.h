@@ -1,4 +1,4 @@
-// Every contact law of the sources in one type: the lists of parts, and the law a pair gets from its
+// Every contact law of the sources in one type: the lists of parts, and the law that a pair gets from its
 // parameters. A new part is registered by its line here.
 #pragma once
 

@@ -1,5 +1,5 @@
-// Which parts a contact law is made of and their parameters, for one pair of materials: what a scene fills
-// in.
+// Which parts a contact law has and their parameters,
+// for one pair of materials: what a scene states.
 #pragma once
 
 #include <span>
@@ -9,8 +9,8 @@
 
 namespace diefill::engine::laws {
 
-/// The law between two materials. Each member takes the Parameters of any part of its kind, as in
-/// `.normal = LudingNormal::Parameters{.loading = 150}`; as it stands: undamped, frictionless Hertz spheres.
+/// The law between two materials. Each member takes the Parameters of any part of its kind, for example
+/// `.normal = LudingNormal::Parameters{.loading = 150}`; by default: undamped, frictionless Hertz spheres.
 struct LawParameters {
   AnyNormal::Parameters normal = {};
   AnyDamping::Parameters damping = {};
@@ -27,7 +27,7 @@ struct LawParameters {
 
 /// Throws std::invalid_argument with one line of reason when a parameter or a combination makes no sense:
 /// - van der Waals attraction beside a normal force with the same surface forces, such as JKR's;
-/// - damping from a restitution that belongs to another spring: Hertzian damping wants a Hertzian spring of
+/// - damping from a restitution that belongs to another spring: Hertzian damping needs a Hertzian spring of
 ///   the same modulus, linear damping a linear first loading of the same k_1;
 /// - rolling resistance of the elastic product k_1 h without a spring of that k_1.
 /// Luding's friction goes with every spring: its limit comes from the normal part.

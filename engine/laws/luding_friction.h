@@ -1,5 +1,5 @@
 // Static and dynamic friction with a linear spring and dashpot (Luding 2008; Kottlan 2018, Eqs. 16 to 22,
-// with the signs of Eq. 19 put right).
+// with the signs of Eq. 19 corrected).
 #pragma once
 
 #include <cmath>
@@ -11,9 +11,9 @@
 namespace diefill::engine::laws {
 
 /// Sticks with -k_t xi - gamma_t v until the spring exceeds mu_s times the load; then slides at mu_d times
-/// the load with no dashpot. The limit comes from the normal part, so any spring will do: Luding's own gives
-/// force + k_c h. As published a contact has no slip history and saws between mu_d and mu_s when they differ;
-/// `slip_memory` keeps mu_d until the sliding stops or reverses.
+/// the load without dashpot. The limit comes from the normal part, so any spring works: Luding's own gives
+/// force + k_c h. As published the slip state is not stored and the force alternates between mu_d and mu_s
+/// when they differ; `slip_memory` keeps mu_d until the sliding stops or reverses.
 struct LudingFriction {
   struct Parameters {
     double stiffness = 60;        ///< N/m, k_t

@@ -1,5 +1,5 @@
 // Luding's hysteretic spring: plastic loading, stiffer unloading, a cohesion limb (Luding 2008; Kottlan 2018,
-// Eqs. 3 to 6, with the inverted fraction of Eq. 5 and the branch condition of Eq. 6 put right).
+// Eqs. 3 to 6, with the inverted fraction of Eq. 5 and the branch condition of Eq. 6 corrected).
 #pragma once
 
 #include <cmath>
@@ -9,9 +9,9 @@
 
 namespace diefill::engine::laws {
 
-/// Three branches: virgin loading k_1 h up to the plastic limit; un- and reloading along a line of slope k_2*
-/// between k_1 and k_2; the limb -k_c h, which shortens the history of the deepest overlap. Nothing is
-/// remembered after the spheres part. Limit: force + k_c h, zero on the limb (Kottlan 2018, Eq. 18).
+/// Three branches: virgin loading k_1 h up to the plastic limit; unloading and reloading along a line of
+/// slope k_2* between k_1 and k_2; the limb -k_c h, which reduces the stored deepest overlap. Nothing is
+/// stored after the spheres separate. Limit: force + k_c h, zero on the limb (Kottlan 2018, Eq. 18).
 struct LudingNormal {
   struct Parameters {
     double loading = 100;            ///< N/m, k_1

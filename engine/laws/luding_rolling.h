@@ -13,7 +13,7 @@ namespace diefill::engine::laws {
 
 /// Spring k_r = f_r k_t R^2 per radian, dashpot 2 eta_r sqrt(I_r k_r) below the limit mu_roll load R. Refuses
 /// inputs for which an explicit scheme is unstable, k_r dt^2 >= 4 I_r or c_r dt >= 2 I_r, with the reduced
-/// moment of inertia I_r: the model's bad name comes from there.
+/// moment of inertia I_r: the model owes its reputation of instability to them.
 struct LudingRolling {
   struct Parameters {
     double rolling_friction = 0;       ///< mu_roll

@@ -10,7 +10,7 @@
 
 namespace diefill::engine::laws {
 
-/// What is held against Coulomb's limit: spring and dashpot together (Hu 2024), or the spring alone, with no
+/// What is compared with Coulomb's limit: spring and dashpot together (Hu 2024), or the spring alone, without
 /// dashpot while sliding (LIGGGHTS).
 enum class SlipTest { spring_and_dashpot, spring_alone };
 
@@ -57,7 +57,7 @@ struct MindlinFriction {
     const double size = length(tested), limit = friction * load;
     const bool slides = size > limit;
     const Vector3 slipping = shortening(size, limit) * tested;
-    // While sliding, spring and dashpot must go on adding up to the force at the limit.
+    // While sliding, spring and dashpot together must give the force at the limit.
     const double compliance = stiffness > 0 ? 1 / stiffness : 0;
     const Vector3 slipped = -compliance * (slipping + (tested_share * damping) * sliding);
     store_vector(history, slides ? slipped : spring);

@@ -11,8 +11,8 @@ namespace diefill::engine::laws {
 struct PairProperties {
   double radius_i = 0, radius_j = 0;  ///< m
   double mass_i = 0, mass_j = 0;      ///< kg
-  /// What moments of inertia are multiplied by before they meet a torque of the law: above 1 where a
-  /// coarse-graining rule weakens torques (Hu 2024, section 3.4).
+  /// Factor of moments of inertia in a torque of the law: above 1 where a coarse-graining rule weakens
+  /// torques (Hu 2024, section 3.4).
   double inertia_factor = 1;
 
   /// a b / (a + b), also where one or both are infinite.

@@ -1,6 +1,6 @@
-// What the parts of a contact law look like. A law is one normal part, one damping, one friction, one rolling
-// resistance and one distant attraction; each is built from a small `Parameters` struct of its own and the
-// PairProperties, and is made of plain doubles and Vector3, so that loops over many contacts vectorise.
+// The interface of the parts of a contact law. A law is one normal part, one damping, one friction, one
+// rolling resistance and one distant attraction. Each is built from its own small `Parameters` and the
+// PairProperties, and consists of plain doubles and Vector3, so that loops over many contacts vectorise.
 //
 // Signs: the normal n points from j to i, a positive normal force repels, the overlap h is positive in
 // contact and the separation speed (v_i - v_j) . n positive when separating. `history` points to the part's
@@ -31,7 +31,7 @@ struct StaticForce {
   double limit = 0;  ///< N, what friction and rolling limits are taken of, damping left out
 };
 
-/// kMemorySigns of a part that remembers `kCount` numbers.
+/// kMemorySigns of a part that stores `kCount` numbers.
 template <std::size_t kCount>
 using MemorySigns = std::array<double, kCount>;
 

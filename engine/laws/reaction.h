@@ -1,4 +1,4 @@
-// What a contact law is told about a contact and what it answers.
+// Input and output of a contact law: relative motion of a pair; force, torque and powers.
 #pragma once
 
 #include "engine/numerics/vector3.h"
@@ -15,7 +15,7 @@ struct ContactState {
   double rolling_step = time_step;  ///< s, springs of rolling advance by it; differs where forces are scaled
 };
 
-/// A contact half-way through a law in stages (ContactLaw).
+/// A contact between the stages of a law (ContactLaw).
 struct StretchedContact {
   double overlap;           ///< m
   double root_overlap;      ///< m^(1/2)
@@ -23,8 +23,8 @@ struct StretchedContact {
   Vector3 sliding;          ///< m/s, across it
 };
 
-/// What the law does to the pair, and the power of each kind of force for an energy ledger. A negative power
-/// takes energy out of the motion.
+/// What the law does to the pair, and the power of each kind of force for the energy balance. A negative
+/// power removes energy from the motion.
 struct Reaction {
   Vector3 force = {};           ///< N, on i; the opposite on j
   Vector3 torque = {};          ///< N m, on i besides force times lever arm; the opposite on j

@@ -1,4 +1,4 @@
-// Damping ratios that give a wanted coefficient of restitution.
+// Damping ratios that give a stated coefficient of restitution.
 #pragma once
 
 #include <cmath>

@@ -11,7 +11,7 @@
 namespace diefill::engine::laws {
 
 /// f = -2 sqrt(5/3) (-beta) sqrt(m* E*) (R* h)^(1/4) v. The total normal force may attract shortly before the
-/// spheres part; clipping it there would spoil the restitution.
+/// spheres separate; clipping it there would change the restitution.
 struct RestitutionDamping {
   struct Parameters {
     double restitution = 0.5;  ///< e, 0 to 1

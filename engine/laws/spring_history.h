@@ -1,4 +1,4 @@
-// Vectors kept in a contact's history, and their turning with the contact plane.
+// Vectors in a contact's history, and how they turn with the contact plane.
 #pragma once
 
 #include "engine/laws/parts.h"
@@ -21,7 +21,7 @@ inline void store_vector(double* history, Vector3 v) {
 inline Vector3 in_plane(Vector3 v, Vector3 n) {
   return v - dot(v, n) * n;
 }
-/// What shortens a vector of `length` to `limit`; 1 if it is no longer than that.
+/// Factor that shortens a vector of `length` to `limit`; 1 if it is not longer.
 inline double shortening(double length, double limit) {
   return length > limit ? limit / length : 1.0;
 }

@@ -21,8 +21,8 @@ struct NoFriction {
 /// f_t = -min[kappa_t sqrt(h / R_eff) |xi|, mu |f_e + f_v|] xi / |xi| (Bierwisch 2009, Eq. 2.7). The Coulomb
 /// limit is taken without cohesion. The spring xi is turned into the tangent plane keeping its length (OP-4),
 /// then stretched by the tangential velocity. `kCutBack`: while sliding, the spring is shortened so that it
-/// never holds more than the Coulomb limit (OP-1, Cundall); without, it goes on stretching, which the thesis'
-/// wording also allows.
+/// never exceeds the Coulomb limit (OP-1, Cundall); without, it continues to stretch, which the wording of
+/// the dissertation also allows.
 template <bool kCutBack>
 struct TangentialSpring {
   static constexpr int kHistory = 3;
@@ -63,7 +63,7 @@ struct TangentialSpring {
   Vector3 limited(double* history, double root_overlap, double normal_load) const {
     Vector3 spring{history[0], history[1], history[2]};
     const double stiffness = coefficient * root_overlap;
-    // Infinite for a spring of length 0, or no number where there is no load either: neither is a limit.
+    // Infinite for a spring of length 0, NaN without load: neither limits.
     const double limit_over_elastic = friction * normal_load / (stiffness * std::sqrt(dot(spring, spring)));
     const double share = limit_over_elastic < 1 ? limit_over_elastic : 1.0;
     const Vector3 force = (-stiffness * share) * spring;

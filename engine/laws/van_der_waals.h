@@ -6,8 +6,8 @@
 
 namespace diefill::engine::laws {
 
-/// -A r_eff / (6 D^2) at gap D between D_min and D_max; constant below D_min and in contact, none beyond
-/// D_max. Walls attract on touch only, with the force of D_min, unless `walls_at_distance`.
+/// -A r_eff / (6 D^2) at gap D between D_min and D_max; constant below D_min and in contact, zero beyond
+/// D_max. Walls attract in contact only, with the force of D_min, unless `walls_at_distance`.
 struct VanDerWaals {
   struct Parameters {
     double hamaker = 0;              ///< J, A_H
@@ -42,8 +42,8 @@ struct VanDerWaals {
     const double distance = gap > smallest ? gap : smallest;
     return acts(gap) ? -coefficient / (distance * distance) : 0;
   }
-  /// J, from the largest gap inwards; the step of force at the cut-off holds no energy. Where it acts on
-  /// touch only, zero at touch.
+  /// J, from the largest gap inwards; the step of the force at the cut-off holds no energy. Where it acts in
+  /// contact only, zero at touch.
   double energy(double gap, const double*) const {
     const double distance = gap > smallest ? gap : smallest;
     const double outside = largest > 0 ? coefficient * (1 / distance - 1 / largest) : 0;

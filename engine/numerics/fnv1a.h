@@ -1,5 +1,5 @@
-// A number that tells whether two sequences of bytes are the same: the FNV-1a hash of Fowler, Noll and Vo, 64
-// bits.
+// The FNV-1a hash of Fowler, Noll and Vo, 64 bits: a number that shows whether two sequences of bytes are the
+// same.
 #pragma once
 
 #include <cstddef>
@@ -9,7 +9,7 @@
 
 namespace diefill::engine {
 
-/// Hash of all that has been added, in its order.
+/// Hash of all that has been added, in this order.
 class Fnv1a {
  public:
   void add(const void* data, std::size_t bytes) {

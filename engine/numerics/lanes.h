@@ -1,4 +1,4 @@
-// Short arrays that vector instructions work on: one entry (lane) a contact or a grain.
+// Short arrays for vector instructions: one entry (lane) per contact or grain.
 #pragma once
 
 #include <cstddef>
@@ -7,7 +7,7 @@
 
 namespace diefill::engine {
 
-/// Lanes that the widest vectors hold; loops run over whole multiples of it.
+/// Lanes of the widest vectors; loops run over whole multiples of it.
 inline constexpr std::size_t kLaneGroup = 8;
 
 /// `count` rounded up to whole groups.
@@ -18,8 +18,8 @@ constexpr std::size_t whole_groups(std::size_t count) {
 /// One number a lane.
 template <std::size_t kCount>
 struct alignas(64) Lanes {
-  // One group more than used: arrays whose distance is a power of two would get in each other's way in
-  // caches.
+  // One group more than used: arrays at a distance of a power of two
+  // would evict each other from the cache.
   double value[kCount + kLaneGroup];
   double& operator[](std::size_t lane) { return value[lane]; }
   double operator[](std::size_t lane) const { return value[lane]; }
@@ -37,7 +37,7 @@ struct VectorLanes {
   }
 };
 
-/// A sum over many lanes, the same whatever instructions compute it.
+/// A sum over many lanes, the same for all instruction sets.
 class LaneSum {
  public:
   /// Adds the first `count` lanes.
@@ -58,7 +58,7 @@ class LaneSum {
   double part_[kLaneGroup] = {};
 };
 
-/// The largest of many lanes, and not below 0.
+/// The largest of many lanes, at least 0.
 class LaneMost {
  public:
   /// Looks at the first `count` lanes.

@@ -12,7 +12,7 @@ enum class Phase : std::size_t { advance, search, contacts, gather, count };
 /// Names of the phases for reports, in the order of Phase.
 inline constexpr std::array<const char*, 4> kPhaseNames = {"advance", "search", "contacts", "gather"};
 
-/// Adds up seconds per phase: `lap(p)` books the time since the last lap to p.
+/// Adds up seconds per phase: `lap(p)` adds the time since the last lap to p.
 class PhaseTimers {
  public:
   void begin() { last_ = Clock::now(); }
@@ -21,7 +21,7 @@ class PhaseTimers {
     seconds_[static_cast<std::size_t>(phase)] += std::chrono::duration<double>(now - last_).count();
     last_ = now;
   }
-  /// The same of time in which two phases took turns: `share` of it, 0 to 1, goes to the second.
+  /// The same where two phases alternate: `share` of the time, 0 to 1, goes to the second.
   void lap(Phase first, Phase second, double share) {
     const double before = seconds_[static_cast<std::size_t>(first)];
     lap(first);

@@ -1,7 +1,7 @@
-// Asks for memory that is going to be read soon. Processors look ahead by themselves, but within a page of
-// memory only, and a page holds what 170 grains have in one array.
-// Functions that do nothing else are always put in place: GCC takes them for functions without any effect,
-// and leaves calls of them out.
+// Requests memory before it is read. Processors prefetch by themselves, but only within a page of memory, and
+// a page holds what 170 grains have in one array.
+// Functions that only prefetch are always inlined: GCC takes them for functions without effect and removes
+// calls of them.
 #pragma once
 
 #include <cstddef>
@@ -9,14 +9,14 @@
 
 namespace diefill::engine {
 
-/// Bytes of an array between what is worked on and what is asked for, where arrays are worked through from
-/// one end to the other: most of a page.
+/// Bytes of an array between what is processed and what is requested, for arrays processed from one end to
+/// the other: most of a page.
 inline constexpr std::size_t kLookAhead = 3072;
 /// The same in entries of the array.
 template <class Value>
 inline constexpr std::size_t kEntriesAhead = kLookAhead / sizeof(Value);
 
-/// Asks for the entries [first, first + kCount) of `values`, as far as there are so many.
+/// Requests the entries [first, first + kCount) of `values`, as far as they exist.
 template <std::size_t kCount, class Value>
 [[gnu::always_inline]] inline void look_at(const std::vector<Value>& values, std::size_t first) {
   constexpr std::size_t kCacheLine = 64;  // bytes
@@ -25,7 +25,7 @@ template <std::size_t kCount, class Value>
   for (std::size_t at = 0; at < kCount * sizeof(Value); at += kCacheLine) __builtin_prefetch(from + at);
 }
 
-/// Where the entries [first, first + kCount) of each of `arrays` are worked on: asks for those kLookAhead
+/// While the entries [first, first + kCount) of each of `arrays` are processed: requests those kLookAhead
 /// behind them.
 template <std::size_t kCount, class... Values>
 [[gnu::always_inline]] inline void prefetch(std::size_t first, const std::vector<Values>&... arrays) {

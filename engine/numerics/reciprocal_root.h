@@ -1,5 +1,5 @@
-// One over a square root with additions and multiplications only. Processors take ten times as long for
-// roots and quotients as for products, and a contact needs four roots and three quotients.
+// 1 / sqrt(x) by additions and multiplications only. Roots and quotients take processors ten times as long as
+// products, and a contact needs four roots and three quotients.
 #pragma once
 
 #include <bit>

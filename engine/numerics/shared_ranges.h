@@ -1,5 +1,5 @@
-// Long ranges cut up for threads: into runs one behind the other, or into shares of values that members are
-// asked for. Which thread does what changes no result.
+// Long ranges divided among threads: into consecutive runs, or into shares of values. The result does not
+// depend on which thread does what.
 #pragma once
 
 #include <algorithm>
@@ -29,8 +29,8 @@ struct Share {
   bool has(std::uint32_t value) const { return value - begin < width; }
 };
 
-/// Calls use(share) for [0, count) cut into `shares`: whoever goes through all members and takes those of the
-/// share keeps their order without asking other threads.
+/// Calls use(share) for [0, count) divided into `shares`: a thread that visits all members and takes those of
+/// its share keeps their order without asking other threads.
 template <class Use>
 void in_shares(std::size_t count, std::size_t shares, ThreadPool& pool, const Use& use) {
   pool.for_each(shares, [&](std::size_t share) {

@@ -9,9 +9,9 @@ namespace diefill::engine {
 
 namespace {
 
-/// What oneTBB guarantees, said so that the thread sanitizer sees it: Debian's library is not instrumented.
-/// All that happened before a parallel loop is seen inside it, and all that happened inside is seen after it.
-/// Costs nothing in other builds.
+/// Tells the thread sanitizer the order that oneTBB guarantees, because Debian's library is not instrumented:
+/// all before a parallel loop happens before its body, and all in its body before what follows. Costs nothing
+/// in other builds.
 class LoopOrder {
 #ifdef __SANITIZE_THREAD__
  public:
@@ -41,7 +41,7 @@ class LoopOrder {
 
 }  // namespace
 
-/// oneTBB's, which headers that everybody reads need not bring along.
+/// oneTBB's types, kept out of the header.
 class ThreadPool::Arena : public oneapi::tbb::task_arena {
  public:
   using task_arena::task_arena;

@@ -1,5 +1,5 @@
-// Threads for the engine. Work is cut into the same blocks whatever the number of threads, and what blocks
-// have in common is summed in block order, so that results do not depend on who computed what.
+// Threads of the engine. Work is divided into the same blocks for any number of threads, and sums over blocks
+// run in block order, so results do not depend on which thread computed what.
 #pragma once
 
 #include <cstddef>
@@ -7,7 +7,7 @@
 
 namespace diefill::engine {
 
-/// Runs independent pieces of work on a fixed number of threads.
+/// Runs independent tasks on a fixed number of threads.
 class ThreadPool {
  public:
   explicit ThreadPool(int threads);

@@ -1,5 +1,5 @@
-// Between records and lanes: four records of four numbers each turn into four lanes of each number. Records
-// are what memory is read and written in, lanes are what vector instructions compute with.
+// Four records of four numbers each into four lanes of each number, and back. Memory is read and written in
+// records; vector instructions compute with lanes.
 #pragma once
 
 #include <cstddef>
@@ -12,19 +12,19 @@ struct alignas(64) Record {
   double value[2 * kHalf];
 };
 
-/// GCC's and Clang's vector type: plain instructions where the processor has nothing better.
+/// GCC's and Clang's vector type: plain instructions where the processor has nothing wider.
 using Four = double __attribute__((vector_size(32)));
 
-/// The same where it lies in memory, on any border of a number. A memcpy would do, but is cut into pieces as
-/// wide as the registers of the oldest processors before it is known which instructions it is compiled for;
-/// and what has been written in pieces has to reach the cache before it can be read as a whole.
+/// The same in memory, at any alignment of a number. A memcpy would do, but compilers split it for the oldest
+/// processors before they know the instruction set; and what was written in pieces must reach the cache
+/// before it can be read as a whole.
 using FourInMemory = double __attribute__((vector_size(32), aligned(8), may_alias));
 
 /// numbers = from[0], ..., from[3].
 inline void load(Four& numbers, const double* from) {
   numbers = *reinterpret_cast<const FourInMemory*>(from);
 }
-/// The way back.
+/// Writes the numbers back.
 inline void store(const Four& numbers, double* to) {
   *reinterpret_cast<FourInMemory*>(to) = numbers;
 }

@@ -1,6 +1,6 @@
-// Three plain numbers with the algebra of vectors. The pair loop runs over many contacts at a time, and
-// compilers turn loops over plain structs into vector instructions where they cannot see through Eigen's
-// expressions; state and interfaces stay with Eigen.
+// Three doubles with the algebra of vectors. The pair loop handles many contacts at a time:
+// compilers vectorise loops over plain structs, but not over Eigen's expressions.
+// State and interfaces use Eigen.
 #pragma once
 
 #include <Eigen/Core>
@@ -8,7 +8,7 @@
 
 namespace diefill::engine {
 
-/// A vector in space; the unit is its user's.
+/// A vector in space; the unit is the caller's.
 struct Vector3 {
   double x = 0, y = 0, z = 0;
 

@@ -1,6 +1,6 @@
-// Loops over many contacts or grains are compiled for several instruction sets; the best that the processor
-// has is chosen at run time. All give the same bits: every lane does the same IEEE operations as plain code,
-// and no multiply-adds are fused.
+// Compiles loops over many contacts or grains for several instruction sets and selects the processor's best
+// at run time. All give the same bits: every lane does the same IEEE operations as scalar code, without fused
+// multiply-adds.
 #pragma once
 
 namespace diefill::engine {
@@ -40,8 +40,8 @@ template <class Work>
 
 }  // namespace instructions
 
-/// Calls work() compiled for `set`. Everything that work() calls is inlined, so it should be loops over
-/// arrays of plain numbers and nothing else.
+/// Calls work() compiled for `set`. Everything that work() calls is inlined, so it should contain only loops
+/// over arrays of plain numbers.
 template <class Work>
 void with_instructions(InstructionSet set, const Work& work) {
 #if defined(__x86_64__)

@@ -1,5 +1,5 @@
-// Loops that are written in two ways: with vectors of four numbers where a register holds them, and number by
-// number elsewhere, where shuffling such vectors takes longer than doing without.
+// Loops in two forms: with vectors of four numbers where a register holds them, and number by number where
+// shuffling such vectors would take longer.
 #pragma once
 
 #include <type_traits>
@@ -9,7 +9,7 @@
 namespace diefill::engine {
 
 /// As with_instructions(), calling work(true_type) where a register holds four numbers, and work(false_type)
-/// elsewhere. Both ways must give the same bits.
+/// elsewhere. Both forms must give the same bits.
 template <class Work>
 void with_width(InstructionSet set, const Work& work) {
 #if defined(__x86_64__)

@@ -1,5 +1,5 @@
-// What touches what in one block of the pair tables, as of the last step, sphere by sphere: for figures,
-// messages and whatever else asks now and then. The pair loop itself streams the tables in its own way.
+// Touching spheres of one block of the pair tables, as of the last step: for figures, messages and other
+// occasional questions. The pair loop itself reads the tables in its own way.
 #pragma once
 
 #include "engine/contact/mesh_contacts.h"

@@ -1,7 +1,7 @@
-// How much wider than touching the list of near pairs is: a wide list lasts longer, a narrow one holds fewer
-// pairs to be tested in every step. The skin follows the powder: narrow while it rests, wide while it moves;
-// and within it, a grain that is faster than most may go farther than they before the list is renewed, so
-// that a few falling grains do not use up the list of all.
+// The skin: how much wider than touching the list of near pairs is. A wide list lasts longer, a narrow one
+// holds fewer pairs to test in every step. The skin follows the powder: narrow at rest, wide in motion. A
+// grain that is faster than most may move farther than they before the list is rebuilt, so a few falling
+// grains do not use up the list of all.
 #pragma once
 
 #include <algorithm>
@@ -10,25 +10,25 @@
 
 namespace diefill::engine {
 
-/// Chooses the skin of the next list from how long the last one lasted, in steps and not in seconds, so that
-/// a run can be repeated bit for bit.
+/// Chooses the skin of the next list from how long the last one lasted, in steps, not in seconds, so that a
+/// run can be repeated bit for bit.
 class AdaptiveSkin {
  public:
-  /// Half the smallest skin fits that often into what a swift grain may go.
+  /// How often half the smallest skin fits into what a fast grain may move.
   static constexpr std::uint8_t kMostDoublings = 7;
 
-  /// `fixed`: m, or 0 to adapt; `sphere_radius` in m. `room`: m, how far a swift grain may go at most.
+  /// `fixed`: m, or 0 to adapt; `sphere_radius` in m. `room`: m, how far a fast grain may move at most.
   AdaptiveSkin(double fixed, double sphere_radius, double room = 1e300)
       : fixed_(fixed), radius_(sphere_radius), room_(room) {}
 
   double first() const { return fixed_ > 0 ? fixed_ : kFirst * radius_; }
   double largest() const { return fixed_ > 0 ? fixed_ : kLargest * radius_; }
-  /// m, farthest that any grain or tool may move before the list must be renewed.
+  /// m, farthest that any grain or tool may move before the list must be rebuilt.
   double largest_allowance() const {
     return std::max(0.5 * largest(), fixed_ > 0 ? 0 : std::min(kFarthest * radius_, room_));
   }
 
-  /// Whether a list of `skin` (m) has lasted for so many `steps` that a narrower one would be cheaper by now.
+  /// Whether a list of `skin` (m) has lasted so many `steps` that a narrower one would be cheaper now.
   bool is_too_wide(double skin, std::uint64_t steps) const {
     return fixed_ <= 0 && skin > kSmallest * radius_ &&
            skin * static_cast<double>(steps) > 4 * kBalance * radius_;

@@ -10,7 +10,7 @@ namespace diefill::engine {
 void ContactHistory::make_places() {
   std::partial_sum(first_.begin(), first_.end(), first_.begin());
   partner_.resize(first_.back());
-  // One number more, so that find() can point to what pairs without memory remember.
+  // One number more, so that find() can point to the history of pairs of width 0.
   history_.resize(partner_.size() * width_ + 1);
 }
 
@@ -36,7 +36,7 @@ struct Remembered {
   const double* sign;
 };
 
-/// The history of `spheres` spheres of what visit(block, note) notes of each block, in the order of the
+/// The history of `spheres` spheres from what visit(block, note) reports of each block, in the order of the
 /// blocks.
 template <class Visit>
 ContactHistory history_of(const std::vector<Block>& blocks, std::size_t width, std::size_t spheres,

@@ -1,5 +1,5 @@
-// What touching pairs remember, taken out of the pair tables before a new search and put back into the new
-// ones.
+// The history of touching pairs, taken out of the pair tables before a new search and put back into the new
+// tables.
 #pragma once
 
 #include <Eigen/Core>
@@ -17,17 +17,17 @@ namespace diefill::engine {
 class ContactHistory {
  public:
   ContactHistory() = default;
-  /// `width`: numbers that a pair remembers; `spheres`: number of spheres that `a` counts over.
+  /// `width`: numbers stored per pair; `spheres`: number of spheres that `a` counts over.
   ContactHistory(std::size_t width, std::size_t spheres) : width_(width), first_(spheres + 2, 0) {}
 
   /// One more pair of `a` will be added.
   void announce(std::uint32_t a) { ++first_[a + 2]; }
   /// Ends announcing.
   void make_places();
-  /// Adds what pair (a, b) remembers; `sign`: what each number is multiplied by, or nullptr.
+  /// Adds the history of pair (a, b); `sign`: factor of each number, or nullptr.
   void add(std::uint32_t a, std::uint32_t b, const double* history, const double* sign);
 
-  /// What the contact of a with b remembers, or nullptr. A pair without memory is found, too.
+  /// The history of the contact of a with b, or nullptr. Pairs of width 0 are found, too.
   const double* find(std::uint32_t a, std::uint32_t b) const {
     if (first_.empty()) return nullptr;
     for (std::uint32_t k = first_[a]; k < first_[a + 1]; ++k)
@@ -63,8 +63,8 @@ struct PairNaming {
   }
 };
 
-/// Touching grain pairs of all blocks, renamed by `new_place`, sorted for `spheres` spheres. `sign`: what
-/// each number that a pair remembers is multiplied by when the pair is seen from its other side.
+/// Touching grain pairs of all blocks, renamed by `new_place`, sorted for `spheres` spheres. `sign`: factor
+/// of each number of the history when the pair is stored the other way round.
 ContactHistory remember_grain_contacts(const std::vector<Block>& blocks, const PairNaming& naming,
                                        const std::vector<std::uint32_t>& new_place,
                                        const std::vector<double>& sign, std::size_t spheres,

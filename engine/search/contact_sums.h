@@ -1,5 +1,5 @@
-// Sums of contact forces as they are kept from a block's pairs to the end of the step: closely packed, only
-// the numbers that count, forces apart from moments, so that the integrator works on them as they lie.
+// Sums of contact forces from a block's pairs to the end of the step: closely packed, only the numbers that
+// count, forces separate from moments, so that the integrator can use them directly.
 #pragma once
 
 #include <algorithm>
@@ -68,8 +68,8 @@ class ContactSums {
   void add_rolling_load(std::size_t k, double load) {
     if (numbers_ > ContactSum::kMoment) loads()[k] += load;
   }
-  /// Asks for sum k, which is going to be read soon.
-  /// Always in place: prefetch.h says why.
+  /// Requests sum k before it is read.
+  /// Always inlined: prefetch.h gives the reason.
   [[gnu::always_inline]] void fetch(std::size_t k) const {
     __builtin_prefetch(forces() + kVector * k);
     if (numbers_ > ContactSum::kForce) __builtin_prefetch(moments() + kVector * k);

@@ -10,14 +10,14 @@ namespace diefill::engine {
 
 namespace {
 
-/// Spheres of a block, and how many blocks there are where these allow it: few, so that few pairs cross a
-/// border, but enough for threads to share the work evenly, and each so small that its spheres and sums stay
-/// in the second-level cache.
+/// Spheres of a block, and number of blocks where these allow it: few, so that few pairs cross a border, but
+/// enough for threads to share the work evenly, and each small enough for its spheres and sums to stay in the
+/// second-level cache.
 constexpr std::size_t kSmallestBlock = 1024, kLargestBlock = 2048, kBlocks = 32;
-/// The same of powder that no cache has room for: what crosses a border comes from memory then, and costs
-/// more.
+/// The same for powder too large for any cache:
+/// what crosses a border comes from memory then, and costs more.
 constexpr std::size_t kLargestFromMemory = 4096, kBlocksFromMemory = 256;
-/// The same for sleeping grains: one that wakes spoils the rest of its whole block.
+/// The same for sleeping grains: one that wakes makes its whole block active.
 constexpr std::size_t kSpheresPerSleepingBlock = 128;
 /// Spheres down to this share of a level's largest radius are in its cells: eight fit where the largest
 /// would.
@@ -68,7 +68,7 @@ void NeighbourList::build(const SphereField& spheres, const std::vector<WallBody
     block.sums.start(block.grains() + block.foreign.size(), settings_.sum_numbers);
   });
   index_foreign_sums();
-  // Between searches they would be the largest thing in memory that nobody looks at.
+  // Between searches they would be the largest unused arrays in memory.
   for (auto& level : levels_) level.cells = {};
 }
 
@@ -158,8 +158,8 @@ void NeighbourList::find_grain_pairs(Block& block, const SphereField& spheres, c
       const double touching = radius + level.largest + settings_.law_range;
       const double farthest = touching + 2 * reference.allowance(grain);
       level.cells.visit_nearer(here, farthest, [&](const SphereCells::Near& near) {
-        // Every pair once: by the swifter grain, which looks farther, else by the first; an image stands for
-        // its owner.
+        // Every pair once: by the faster grain, which searches farther, else by the first; an image counts
+        // for its owner.
         const auto [j, other] = near.member;
         const std::uint8_t other_swift = reference.doublings[other];
         if (other_swift > swift || (other_swift == swift && other <= grain) || other == grain) return;

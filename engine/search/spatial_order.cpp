@@ -21,8 +21,8 @@ std::uint64_t spread(std::uint64_t value) {
 
 using Keyed = std::pair<std::uint64_t, std::uint32_t>;
 
-/// Sorts parts side by side, then merges them two by two. No two are alike, so that the order is the same
-/// whatever the parts.
+/// Sorts parts in parallel, then merges them two by two. No two keys are equal, so the order does not depend
+/// on the parts.
 void sort_in_parts(std::vector<Keyed>& keyed, ThreadPool& pool) {
   const std::size_t parts = std::bit_ceil(static_cast<std::size_t>(pool.threads()));
   const auto border = [&](std::size_t part) {

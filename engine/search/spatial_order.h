@@ -1,4 +1,4 @@
-// Orders points along a Morton curve, so that what is near in space is near in memory.
+// Orders points along a Morton curve: near in space, near in memory.
 #pragma once
 
 #include <Eigen/Core>

@@ -9,7 +9,7 @@ namespace diefill::engine {
 
 namespace {
 
-/// A few far-flung grains must not cost a huge empty grid: at most this many cells a point (and some to start
+/// A few far grains must not cost a huge empty grid: at most this many cells per point (and some to start
 /// with).
 constexpr double kCellsPerPoint = 8, kFewCells = 4096;
 /// Points that a thread takes at a time, and shares of the cells for each thread; they change no result.

@@ -1,4 +1,4 @@
-// Spheres sorted into cubic cells, for finding pairs that are near.
+// Spheres sorted into cubic cells, for finding near pairs.
 #pragma once
 
 #include <Eigen/Core>
@@ -20,7 +20,7 @@ struct CellMember {
 /// follow each other, so that a neighbourhood of 27 cells is nine runs.
 class SphereCells {
  public:
-  /// A member nearer than asked for, and the square of its distance, m^2.
+  /// A member nearer than the limit, and the square of its distance, m^2.
   struct Near {
     CellMember member;
     double square;
@@ -39,7 +39,7 @@ class SphereCells {
     thread_local std::vector<Candidate> candidates;
     for_runs(point, distance, [&](std::uint32_t begin, std::uint32_t end) {
       if (candidates.size() < count + (end - begin)) candidates.resize(2 * (count + (end - begin)));
-      // Whether one is near cannot be guessed: all are written down, and those too far are written over.
+      // Whether one is near cannot be predicted: all are written, and those too far are overwritten.
       Candidate* next = candidates.data() + count;
       for (std::uint32_t k = begin; k < end; ++k) {
         const Vector3 between = position_[k] - point;

@@ -82,7 +82,7 @@ void NeighbourList::find_wall_pairs(Block& block, const SphereField& spheres,
   fill_wall_table(block, found, history);
 }
 
-/// The table of the block's wall pairs with what they remember; `parts`: of their bodies.
+/// The table of the block's wall pairs with their histories; `parts`: of their bodies.
 void NeighbourList::fill_wall_table(Block& block, const std::vector<std::uint32_t>& parts,
                                     const ContactHistory& history) const {
   block.wall_pairs.start(parts.size(), settings_.wall_history);

@@ -1,4 +1,4 @@
-// A tool's triangles in cells of its own frame, so that those near a grain are found without asking all.
+// A tool's triangles in cells of its own frame: those near a grain are found without visiting all.
 #pragma once
 
 #include <cstdint>
@@ -13,7 +13,7 @@ namespace diefill::engine {
 class TriangleCells {
  public:
   TriangleCells() = default;
-  /// `reach`: distance (m) at which triangles will be asked for, the size of a cell unless they would be too
+  /// `reach`: distance (m) at which triangles will be requested; the size of a cell unless that gives too
   /// many.
   TriangleCells(const std::vector<WallTriangle>& triangles, double reach);
 

@@ -155,7 +155,7 @@ void set_limits(const ChildLimits& limits) {
   limit(RLIMIT_CORE, 0);
 }
 
-/// Libraries that talk to the user would tear up the one line that this program says.
+/// Libraries print messages of their own, which would break the one-line error of this program.
 void silence() {
   const int nowhere = ::open("/dev/null", O_WRONLY | O_CLOEXEC);
   if (nowhere < 0) return;

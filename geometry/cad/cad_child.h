@@ -13,10 +13,10 @@ struct ChildLimits {
   unsigned seconds = 60;       ///< of processor time for a small file
 };
 
-/// Calls `read` in a child process and hands on what it returns. The child may take 2 GiB of memory and the
-/// given processor time, and more for large files: 24 bytes and 10 microseconds for each byte of the file;
-/// three times that by the clock, for readers that wait. Throws std::runtime_error with the reason, also when
-/// the child crashed or had to be ended. Call from a thread while no other one is in the middle of a file.
+/// Calls `read` in a child process and returns its result. The child may take 2 GiB of memory and the given
+/// processor time, and more for large files: 24 bytes and 10 microseconds per byte of the file; three times
+/// that in wall time, for readers that wait. Throws std::runtime_error with the reason, also when the child
+/// crashed or was killed. Call from a thread while no other one is reading a file.
 CadParts read_in_child(const std::function<CadParts()>& read, const ChildLimits& limits);
 
 }  // namespace diefill::geometry

@@ -30,7 +30,7 @@ std::string lower_case(std::string text) {
   return text;
 }
 
-/// Bytes that are letters and line ends alone, as no binary file's are.
+/// Bytes that are only letters and line ends, unlike those of any binary file.
 bool is_plain_text(const std::string& bytes) {
   const std::size_t looked_at = std::min(bytes.size(), kLookForText);
   return std::all_of(bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(looked_at),
@@ -90,14 +90,14 @@ std::size_t bytes_of(const std::string& type) {
   return known == sizes.end() ? 1 : known->second;
 }
 
-/// An element of a PLY header: how many there are, and how many bytes each takes at least.
+/// An element of a PLY header: how many there are, and the least number of bytes of each.
 struct PlyElement {
   std::string name;
   std::uint64_t count = 0;
   std::size_t least_bytes = 0;
 };
 
-/// Throws where there is no end of the header, behind which importers would look for ever.
+/// Throws where the header has no end: importers would search for it forever.
 std::vector<PlyElement> ply_elements(const std::string& name, const std::string& bytes) {
   std::vector<PlyElement> elements;
   std::istringstream lines(bytes);
@@ -173,7 +173,7 @@ void check_stl(const std::string& name, const std::string& bytes) {
 
 namespace {
 
-/// What stands in the folder in place of a file.
+/// What is in the folder instead of a file.
 std::string kind_text(std::filesystem::file_type type) {
   switch (type) {
     case std::filesystem::file_type::directory:

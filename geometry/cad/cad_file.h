@@ -1,4 +1,4 @@
-// The bytes of a CAD file, and the checks of them that come before any importer sees them.
+// The bytes of a CAD file, checked before any importer sees them.
 #pragma once
 
 #include <filesystem>
@@ -10,10 +10,10 @@ namespace diefill::geometry {
 /// larger than 1 GiB, not readable or empty.
 std::string read_cad_file(const std::filesystem::path& file);
 
-/// Throws MeshError when `bytes` of a file that ends in `ending` (lower case) are those of another kind of
-/// file or text in UTF-16, hold no triangles (binary STL) or fewer than a header promises (binary STL, PLY,
-/// OFF), or end before `endsolid` (text STL): importers take some such files without a word and ask for
-/// memory without end on others.
+/// Throws MeshError when `bytes` of a file with this `ending` (lower case) are those of another format or
+/// text in UTF-16, hold no triangles (binary STL) or fewer than a header promises (binary STL, PLY, OFF), or
+/// end before `endsolid` (text STL): importers accept some such files silently and ask for unlimited memory
+/// on others.
 void check_is_what_it_says(const std::filesystem::path& file, const std::string& ending,
                            const std::string& bytes);
 

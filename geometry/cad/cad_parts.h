@@ -23,7 +23,7 @@ struct CadPart {
 struct CadParts {
   std::vector<CadPart> parts;
   std::optional<double> metres_per_unit;  ///< nothing where the file does not say
-  std::vector<std::string> remarks;       ///< what is odd about the file, in words
+  std::vector<std::string> remarks;       ///< oddities of the file
 };
 
 /// How the surface of a kind of CAD file is described.
@@ -42,13 +42,13 @@ const std::vector<CadFormat>& cad_formats();
 /// The kind that the file's ending names, whatever its case; nothing when it is none of cad_formats().
 const CadFormat* cad_format(const std::filesystem::path& file);
 
-/// The endings of all kinds as a list in words, such as "STL, OBJ or STEP".
+/// The endings of all formats as a list, such as "STL, OBJ or STEP".
 std::string cad_formats_text();
 
-/// Reads `file`, in this process: the libraries behind it may end it on bytes that nobody foresaw, which is
-/// why import_part() asks a child process (see cad_child.h). Curved surfaces become triangles whose edges and
-/// faces are within `chord_tolerance` (m) of them. Throws std::runtime_error with the reason, which does not
-/// name the file.
+/// Reads `file` in this process: the libraries behind it may crash on unexpected bytes, which is why
+/// import_part() uses a child process (cad_child.h). Curved surfaces become triangles whose edges and faces
+/// are within `chord_tolerance` (m) of them. Throws std::runtime_error with the reason, which does not name
+/// the file.
 CadParts read_cad_parts(const std::filesystem::path& file, const CadFormat& format, double chord_tolerance);
 
 }  // namespace diefill::geometry

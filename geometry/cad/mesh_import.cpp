@@ -47,7 +47,7 @@ void number_vertices(Mesh& mesh, PlaceOf place_of) {
 /// Vertices within tolerance of an earlier one become that one; vertices without triangles go.
 void join_vertices(Mesh& mesh) {
   const double tolerance = kJoinTolerance * mesh.bounding_box().size().norm();
-  if (surely_lie_apart(mesh.vertices, tolerance)) {
+  if (surely_distinct(mesh.vertices, tolerance)) {
     std::vector<Eigen::Vector3d> kept;
     kept.reserve(mesh.vertices.size());
     number_vertices(mesh, [&](const Eigen::Vector3d& vertex) {
@@ -87,7 +87,7 @@ std::string unit_text(double metres) {
   return text;
 }
 
-/// The file's own unit and the one given have to agree where there are both.
+/// The file's own unit and the one given must agree where there are both.
 double unit_of(const std::filesystem::path& file, const CadParts& contents, const ImportOptions& options) {
   const auto& given = options.metres_per_unit;
   const auto& stated = contents.metres_per_unit;
@@ -99,7 +99,7 @@ double unit_of(const std::filesystem::path& file, const CadParts& contents, cons
   return stated ? *stated : *given;
 }
 
-/// The parts that the name stands for as one mesh.
+/// The parts that the name selects as one mesh.
 Mesh wanted(const std::string& file, CadParts contents, const std::string& name, double metres_per_unit) {
   Mesh mesh;
   for (const std::size_t k : wanted_parts(contents.parts, name, file, metres_per_unit)) {
@@ -119,7 +119,7 @@ CadParts read(const std::filesystem::path& file, const CadFormat& format, double
               const std::string& bytes) {
   if (format.ending == "stl" && !is_text_stl(bytes) && is_binary_stl(bytes)) return read_binary_stl(bytes);
   try {
-    // Triangles are only copied; a few curved faces can take long to follow closely.
+    // Triangles are only copied; a few curved faces can take long to mesh finely.
     const unsigned seconds = format.surface == SurfaceKind::kCurved ? 60 : 10;
     return read_in_child([&] { return read_cad_parts(file, format, chord_tolerance); },
                          {bytes.size(), seconds});

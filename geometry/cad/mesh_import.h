@@ -1,4 +1,4 @@
-// Reads one part of a CAD file as a Mesh in metres. Which kinds of file: cad_parts.h.
+// Reads one part of a CAD file as a Mesh in metres. Formats: cad_parts.h.
 #pragma once
 
 #include <filesystem>
@@ -17,14 +17,14 @@ struct ImportOptions {
   double chord_tolerance = 1.5e-6;        ///< m, between curved surfaces and the triangles made of them
 };
 
-/// What came of it.
+/// The result.
 struct ImportedPart {
   Mesh mesh;                       ///< m
   double metres_per_unit = 0;      ///< of the file
   bool unit_from_file = false;     ///< whether the file itself states its unit
   bool curved = false;             ///< whether the triangles are an approximation within the chord tolerance
   std::vector<std::string> parts;  ///< names of all parts of the file, in its order
-  std::vector<std::string> remarks;  ///< what is odd about the file and was passed over, in words
+  std::vector<std::string> remarks;  ///< oddities of the file that were ignored
 };
 
 /// The wanted part is not in the file.
@@ -34,11 +34,11 @@ struct UnknownPart : MeshError {
   std::vector<std::string> known;  ///< names of the parts that are
 };
 
-/// Reads `file`; wanted_parts() says what a name stands for. Vertices closer than 1e-7 of the bounding box's
-/// diagonal are joined; parts are placed by the file's transformations. Throws MeshError when the file is
-/// missing, a directory, empty, cut short, of unknown format, has no unit and none is given, states another
-/// unit than the one given, or holds no triangles or coordinates that are not finite; UnknownPart when there
-/// is no part of that name.
+/// Reads `file`; wanted_parts() defines which parts a name selects. Vertices closer than 1e-7 of the bounding
+/// box's diagonal are merged; parts are placed by the file's transformations. Throws MeshError when the file
+/// is missing, a directory, empty, truncated, of unknown format, has no unit and none is given, states
+/// another unit than the one given, or holds no triangles or coordinates that are not finite; UnknownPart
+/// when there is no part of that name.
 ImportedPart import_part(const std::filesystem::path& file, const ImportOptions& options);
 
 /// Everything in `file`, whose coordinates are in units of `metres_per_unit` (0.001 for mm), as one mesh.

@@ -1,4 +1,4 @@
-// What an importer may open: the CAD file and, where its kind is made of several files, those in its folder.
+// Files that an importer may open: the CAD file and, for formats of several files, those in its folder.
 #pragma once
 
 #include <assimp/DefaultIOSystem.h>
@@ -8,8 +8,8 @@
 
 namespace diefill::geometry {
 
-/// Files as assimp asks for them. Others than the CAD file itself are given for glTF alone, and only regular
-/// ones in the folder of the CAD file or below, wherever links lead.
+/// Files as assimp requests them. Other files than the CAD file itself are opened for glTF alone, and only
+/// regular ones in the folder of the CAD file or below, wherever links lead.
 class OwnFolder : public Assimp::DefaultIOSystem {
  public:
   /// `ending` as CadFormat has it.

@@ -5,7 +5,7 @@
 
 namespace diefill::geometry {
 
-/// `text` with %20 and the like as the characters that they stand for; what is no such code stays as it is.
+/// `text` with %20 and the like replaced by the characters they encode; anything else stays as it is.
 std::string percent_decoded(const std::string& text);
 
 }  // namespace diefill::geometry

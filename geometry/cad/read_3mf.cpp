@@ -19,7 +19,7 @@ struct Release {
 };
 using Handle = std::unique_ptr<void, Release>;
 
-/// Throws with the library's words when a call failed.
+/// Throws with the library's message when a call failed.
 void check(HRESULT outcome, void* object) {
   if (outcome == LIB3MF_OK) return;
   DWORD code = 0;

@@ -1,7 +1,7 @@
-// Binary STL without a library. assimp reads it too, but makes several objects in memory of each triangle,
-// for which the importer needs a process of its own: the import of ten million triangles took 10 s, a sixth
-// of the time that `diefill check` of them may take, and takes 4 s without. Here no number of the file but
-// its length is trusted, so that no such process is needed.
+// Binary STL without a library. assimp reads it too, but allocates several objects per triangle and needs a
+// child process: the import of ten million triangles took 10 s, a sixth of what `diefill check` of them may
+// take, and takes 4 s here. This reader trusts no number of the file but its length, so it needs no child
+// process.
 #pragma once
 
 #include <string>
@@ -11,8 +11,7 @@
 namespace diefill::geometry {
 
 /// Whether `bytes` hold the triangles that their header promises, at least one. More bytes may follow; a
-/// header with 0 or the largest number is taken for one that was never filled in. Text is to be told apart
-/// beforehand.
+/// header with 0 or the largest number counts as never filled in. Text must be recognised beforehand.
 bool is_binary_stl(const std::string& bytes);
 
 /// All triangles of a binary STL file as one part, in the order of the file, equal corners once. Files one

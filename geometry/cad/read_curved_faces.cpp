@@ -167,7 +167,7 @@ Mesh triangulated(const TopoDS_Shape& shape, double chord_tolerance) {
   return mesh;
 }
 
-/// As STEP files spell them; nothing for a name of somebody's own, whose factor OpenCASCADE has applied.
+/// As STEP files spell them; nothing for a custom unit, whose factor OpenCASCADE has applied.
 double metres_of(const std::string& unit) {
   static const std::map<std::string, double> units = {
       {"metre", 1},         {"meter", 1},         {"millimetre", 1e-3}, {"millimeter", 1e-3}, {"mm", 1e-3},

@@ -85,7 +85,7 @@ class Words {
   throw std::runtime_error("line " + std::to_string(line) + ": " + what);
 }
 
-/// Puts facets together, solid by solid.
+/// Builds facets, solid by solid.
 class Reader {
  public:
   explicit Reader(std::string_view text) : words_(text) {}

@@ -1,6 +1,6 @@
-// Text STL without a library: CAD programs write it in capitals, with names that hold blanks, and with
-// normals that are no numbers, of which libraries take some and not others. Only names and corners are read;
-// which side is outside is told by the order of the corners.
+// Text STL without a library: CAD programs write it in capitals, with names that contain blanks, and with
+// normals that are not numbers, of which libraries accept only some. Only names and corners are read; the
+// order of the corners says which side is outside.
 #pragma once
 
 #include <string>

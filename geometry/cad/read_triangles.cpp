@@ -53,7 +53,7 @@ class PartCollector {
       vertex[i] = offset + static_cast<int>(places.add({placed.x, placed.y, placed.z}));
     }
     mesh.vertices.insert(mesh.vertices.end(), places.places().begin(), places.places().end());
-    // A mirroring pose turns the triangles' sense round; swapping two corners turns it back.
+    // A mirroring pose reverses the triangles' orientation; swapping two corners restores it.
     const bool mirrored = pose.Determinant() < 0;
     for (unsigned i = 0; i < piece.mNumFaces; ++i) {
       const aiFace& face = piece.mFaces[i];

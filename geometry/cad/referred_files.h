@@ -1,5 +1,5 @@
-// Files that a CAD file refers to. Without them a copy of it is worthless, and with others it is another
-// part.
+// Files that a CAD file refers to. A copy of it is worthless without them, and is another part with other
+// files.
 #pragma once
 
 #include <filesystem>
@@ -8,9 +8,8 @@
 namespace diefill::geometry {
 
 /// What the CAD file `file` refers to, relative to its folder, each once: buffers and images of glTF and GLB,
-/// material libraries of OBJ; other kinds of file stand alone. Only regular files in its folder or below are
-/// listed: what is missing or lies elsewhere, import has to complain about. Throws MeshError when `file`
-/// cannot be read.
+/// material libraries of OBJ; other formats refer to nothing. Only regular files in its folder or below are
+/// listed: import reports what is missing or lies elsewhere. Throws MeshError when `file` cannot be read.
 std::vector<std::filesystem::path> referred_files(const std::filesystem::path& file);
 
 }  // namespace diefill::geometry

@@ -1,4 +1,4 @@
-// Text out of files, made fit for one line of a message.
+// Text from files, made safe for one line of a message.
 #pragma once
 
 #include <filesystem>

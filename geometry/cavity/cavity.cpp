@@ -33,8 +33,8 @@ VoxelGrid grid_from(const Eigen::Vector3d& origin, double edge, const Box& box) 
   return grid;
 }
 
-// The lines of centres are shifted by an odd part of a voxel, for they would run along faces of symmetric
-// tools.
+// The lines of centres are shifted by an uneven part of a voxel: they would otherwise run along faces of
+// symmetric tools.
 VoxelGrid coarse_grid(const Box& space) {
   const double edge = voxel_edge(space);
   return grid_from({space.lower.x() - 0.37 * edge, space.lower.y() - 0.29 * edge, space.upper.z()}, edge,
@@ -53,7 +53,7 @@ VoxelGrid fine_grid(const CavityRegion& found, const Box& space) {
   return grid_from({found.box.lower.x(), found.box.lower.y(), space.upper.z()}, edge, box);
 }
 
-// What the tools' outlines say of a region; not found where they say nothing.
+// The shape of a region from the tools' outlines; not found where there are none.
 Cavity read_off(const CavityRegion& region, const std::vector<const Mesh*>& solids, double fill_plane) {
   Cavity cavity;
   const auto slices = cavity_slices(region, solids);

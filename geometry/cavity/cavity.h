@@ -1,11 +1,11 @@
 // The cavity that powder is to fill: the free space below the fill plane that the standing tools enclose.
 //
-// Free space is looked for on a voxel grid, coarsely over all tools and then finely round what was found
-// (about four million voxels each time); shape and widths are then read off the tools' exact outlines in
-// every layer of voxels. Radii and widths are as exact as the CAD's facets, the box to a hundredth of a
-// voxel, the volume well below 1 %. Gaps between tools up to 0.2 mm wide are fits and count as closed, from
-// 0.5 mm on they count as open. A cavity must be about three coarse voxels wide, 1/50 of the cube root of the
-// volume of the tools' box.
+// Free space is searched on a voxel grid, coarsely over all tools and then finely around the result (about
+// four million voxels each time); shape and widths are then measured on the tools' exact outlines in every
+// layer of voxels. Radii and widths are as exact as the CAD's facets, the box to a hundredth of a voxel, the
+// volume to well below 1 %. Gaps between tools up to 0.2 mm wide are fits and count as closed, from 0.5 mm on
+// they count as open. A cavity must be about three coarse voxels wide, 1/50 of the cube root of the volume of
+// the tools' box.
 #pragma once
 
 #include <vector>

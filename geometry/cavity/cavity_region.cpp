@@ -10,7 +10,7 @@ namespace {
 // tools.
 constexpr double kLargestFit = 2e-4 * 1.4142;
 
-// A smaller share of the largest cavity is a pocket in a tool, and none that anybody fills.
+// Spaces below this share of the largest cavity are pockets in tools that nobody fills.
 constexpr double kSmallestShare = 0.01;
 
 class Components {

@@ -1,4 +1,4 @@
-// Finds the voxels of cavities: free space below the fill plane from which there is no way out but upwards.
+// Finds the voxels of cavities: free space below the fill plane whose only way out is upwards.
 #pragma once
 
 #include <vector>

@@ -1,5 +1,5 @@
-// Reads a cavity's shape off the exact outlines of the tools round it: whether it is a ring, and how wide it
-// is.
+// Measures a cavity's shape on the exact outlines of the surrounding tools: whether it is a ring, and how
+// wide it is.
 #pragma once
 
 #include <optional>

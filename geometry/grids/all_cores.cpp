@@ -8,8 +8,8 @@
 
 namespace diefill::geometry {
 
-// oneTBB hands over what was written before and after by itself. Debian's library is not built for the thread
-// sanitizer, which sees it from the two counters; beside the work they cost nothing.
+// oneTBB itself orders what is written before and after. Debian's library is not built for the thread
+// sanitizer, which learns the order from the two counters; their cost is negligible.
 void on_all_cores(std::size_t count, const std::function<void(std::size_t)>& work) {
   std::atomic<std::size_t> begun = 0, ended = 0;
   begun.store(1, std::memory_order_release);

@@ -1,4 +1,4 @@
-// Work on all cores at once, for surfaces of millions of triangles.
+// Parallel loops over surfaces of millions of triangles.
 #pragma once
 
 #include <cstddef>
@@ -6,12 +6,12 @@
 
 namespace diefill::geometry {
 
-/// Calls `work(i)` for all i below `count`, on all cores; returns when all are done. What was written before
-/// is seen by the work, and what the work writes is seen afterwards.
+/// Calls `work(i)` for all i below `count`, on all cores; returns when all are done. Memory written before is
+/// visible to the work, and what the work writes is visible afterwards.
 void on_all_cores(std::size_t count, const std::function<void(std::size_t)>& work);
 
-/// Calls `work(begin, end)` for parts of the numbers below `count`, on all cores, each number in one part.
-/// Where parts begin follows from the count alone.
+/// Calls `work(begin, end)` for ranges of the numbers below `count`, on all cores, each number in one range.
+/// The ranges depend on the count alone.
 void in_parts_on_all_cores(std::size_t count, const std::function<void(std::size_t, std::size_t)>& work);
 
 /// Calls both, if there is a core for each at the same time; otherwise like on_all_cores().

@@ -45,11 +45,11 @@ std::vector<Height> in_order(const std::vector<double>& heights) {
 
 }  // namespace
 
-// Points close together are about as high, whatever way is up: each is held against those above it that are
-// not clearly higher.
-bool surely_lie_apart(const std::vector<Eigen::Vector3d>& points, double distance) {
+// Close points are about as high in any direction: each is compared with those above it that are not clearly
+// higher.
+bool surely_distinct(const std::vector<Eigen::Vector3d>& points, double distance) {
   if (points.size() < 2) return true;
-  // Hardly any face of a tool lies across this direction, so that few points are equally high.
+  // Few faces of tools lie across this direction, so few points are equally high.
   const Eigen::Vector3d up = Eigen::Vector3d(0.5432109876, 0.3219876543, 0.7754321098).normalized();
   std::vector<double> heights(points.size());
   in_parts_on_all_cores(points.size(), [&](std::size_t begin, std::size_t end) {

@@ -1,4 +1,4 @@
-// Whether points lie apart: asked of meshes of millions of vertices before vertices are joined one by one.
+// Whether all points are distinct: asked of meshes of millions of vertices before they are merged one by one.
 #pragma once
 
 #include <Eigen/Core>
@@ -8,6 +8,6 @@ namespace diefill::geometry {
 
 /// True only where no two of the points (m, finite) are within `distance` (m) of each other; may be false
 /// where that would take too long to find out. On all cores.
-bool surely_lie_apart(const std::vector<Eigen::Vector3d>& points, double distance);
+bool surely_distinct(const std::vector<Eigen::Vector3d>& points, double distance);
 
 }  // namespace diefill::geometry

@@ -8,7 +8,7 @@ namespace diefill::geometry {
 
 namespace {
 
-/// More than what rounding can be off, over the length.
+/// More than rounding can amount to, relative to the length.
 constexpr double kRounding = 1e-9;
 
 }  // namespace
@@ -33,7 +33,7 @@ bool NearPoints::any_within(const Eigen::Vector3d& place, double radius) {
   const auto near = [&](std::size_t k) {
     return (cube.points[k].point - place).squaredNorm() <= radius * radius;
   };
-  // What is near one place mostly is near the next.
+  // What is near one place is usually near the next.
   if (cube.last_found < cube.points.size() && near(cube.last_found)) return true;
   for (std::size_t k = 0; k < cube.points.size(); ++k) {
     if (!near(k)) continue;

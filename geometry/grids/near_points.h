@@ -1,5 +1,5 @@
-// What lies near places that follow one another, as samples of a surface do: the points of a grid round the
-// last places are kept in rows, so that few questions need a look into the grid.
+// Points near successive places, such as samples of a surface: the points around the last places are cached,
+// so that few questions reach the grid.
 #pragma once
 
 #include <cstdint>
@@ -10,12 +10,12 @@
 
 namespace diefill::geometry {
 
-/// The questions to a PointGrid, with the same answers, for one thread. The grid has to outlive it, and may
+/// The questions of a PointGrid, with the same answers, for one thread. The grid must outlive it and may
 /// grow. Lengths in m.
 class NearPoints {
  public:
-  /// Answers are quick up to `radius`; beyond, the grid is asked. Points are kept for places in a cube of
-  /// `edge`: a large one is filled rarely and holds much.
+  /// Answers are fast up to `radius`; beyond, the grid is asked. Points are cached for places in a cube of
+  /// `edge`: a large one is filled rarely and holds many.
   NearPoints(const PointGrid& grid, double radius, double edge);
 
   /// See PointGrid::nearest_within().
@@ -43,7 +43,7 @@ class NearPoints {
     Eigen::Vector3d point;
     std::size_t index;
   };
-  /// All points so near a cube of space that a question from within may meet them.
+  /// All points so near a cube that a question from within may meet them.
   struct Cube {
     Eigen::Vector3i number = Eigen::Vector3i::Zero();
     bool filled = false;

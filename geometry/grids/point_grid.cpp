@@ -10,7 +10,7 @@ namespace diefill::geometry {
 namespace {
 
 constexpr std::size_t kFirstBuckets = 1024;
-/// More than what a square root and a product can be off.
+/// More than a square root and a product can be wrong by.
 constexpr double kRounding = 1e-12;
 
 }  // namespace
@@ -39,7 +39,7 @@ std::size_t PointGrid::nearest_within(const Eigen::Vector3d& place, double radiu
     }
     return false;
   };
-  // What the cell of the place itself holds bounds how far to look round it.
+  // The points in the cell of the place itself bound how far to search.
   find_in_cell(cell_of(place), compare);
   const double bound = std::sqrt(best_distance) * (1 + kRounding);
   find_cell(place, std::min(radius, bound),

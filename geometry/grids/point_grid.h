@@ -1,4 +1,4 @@
-// Points in a hashed grid of cubes, for questions about what lies near.
+// Points in a hashed grid of cubes, for questions about near points.
 #pragma once
 
 #include <Eigen/Core>
@@ -15,7 +15,7 @@ class PointGrid {
   /// `cell` is the edge of a cube in m, best about the radius (m) asked with.
   explicit PointGrid(double cell);
 
-  /// Room for so many points, so that the grid need not grow on the way.
+  /// Reserves room for that many points.
   void reserve(std::size_t count);
   /// Adds a point (m) and returns its index.
   std::size_t insert(const Eigen::Vector3d& point);

@@ -1,4 +1,4 @@
-// A few things remembered of the last places asked about.
+// The last few answers by place.
 #pragma once
 
 #include <Eigen/Core>
@@ -7,13 +7,13 @@
 
 namespace diefill::geometry {
 
-/// `Count`, a power of two, slots for cubes of space. Cubes in a row along an axis have different slots, so
-/// that a tour that comes back beside where it was finds them as it left them; some cubes share one.
+/// `Count`, a power of two, slots for cubes of space. Cubes in a row along an axis have different slots, so a
+/// tour that returns beside its path finds their values still there; some cubes share a slot.
 template <typename Item, std::size_t Count>
 class SpatialCache {
  public:
   Item& at(const Eigen::Vector3i& cube) {
-    // Odd factors: each leads through all slots.
+    // Odd factors: multiples of each visit all slots.
     const auto number = [&](int axis) { return static_cast<std::uint32_t>(cube[axis]); };
     return slots_[(number(0) * kAlongX + number(1) * kAlongY + number(2) * kAlongZ) % Count];
   }

@@ -1,4 +1,4 @@
-// Meshes as CGAL has them, for the files that repair.
+// Meshes as CGAL's types, for the files that repair.
 #pragma once
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -15,7 +15,7 @@ using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Point = Kernel::Point_3;
 using Surface = CGAL::Surface_mesh<Point>;
 
-/// Triangles without any order among them.
+/// Triangles without connectivity.
 struct Soup {
   std::vector<Point> points;
   std::vector<std::vector<std::size_t>> triangles;

@@ -14,8 +14,8 @@ constexpr std::size_t kFirstSize = 1024;
 
 using Bits = std::array<std::uint64_t, 3>;
 
-/// The same for equal places, as adding +0.0 makes one of both zeros. Numbers that are none are equal where
-/// their bits are: a damaged file may hold millions of them.
+/// The same for equal points, as adding +0.0 makes both zeros one. NaNs are equal if their bits are: a
+/// damaged file may hold millions of them.
 Bits bits_of(const Eigen::Vector3d& place) {
   Bits bits;
   for (std::size_t k = 0; k < 3; ++k)

@@ -1,4 +1,4 @@
-// Vertices told apart by their place alone: triangle soups name every corner anew.
+// Vertices identified by position alone: triangle soups repeat every corner.
 #pragma once
 
 #include <Eigen/Core>
@@ -7,19 +7,19 @@
 
 namespace diefill::geometry {
 
-/// A growing set of places, each there once. Equal is what compares equal, so that both zeros are one; what
-/// is not a number is equal to the same bits, of which damaged files may hold millions.
+/// A growing set of distinct points. Points are equal if they compare equal, so both zeros are one; NaNs are
+/// equal if their bits are, because damaged files may hold millions.
 class EqualVertices {
  public:
-  /// Number of the place, which is new if none was equal before.
+  /// Number of the point, which is new if none was equal before.
   std::uint32_t add(const Eigen::Vector3d& place);
-  /// Room for so many, so that the table need not grow on the way.
+  /// Reserves room for that many.
   void reserve(std::size_t count);
-  /// Has memory brought that add() of the place will need soon.
+  /// Prefetches the memory that add() of the point will need.
   void expect(const Eigen::Vector3d& place) const;
-  /// In the order in which they first came.
+  /// In order of first appearance.
   const std::vector<Eigen::Vector3d>& places() const { return places_; }
-  /// The same, leaving none behind.
+  /// The same, moved out.
   std::vector<Eigen::Vector3d> take_places();
 
  private:

@@ -1,5 +1,5 @@
-// The sides of all triangles of a mesh, put together edge by edge: what every question about neighbours,
-// holes and shells begins with. Made for ten million triangles: no sorting of all, eight bytes a side.
+// The sides of all triangles of a mesh by edge: the basis of every question about neighbours, holes and
+// shells. Made for ten million triangles: no global sort, eight bytes per side.
 #pragma once
 
 #include <cstdint>
@@ -32,7 +32,7 @@ class HalfEdge {
   std::uint32_t high_ = 0, packed_ = 0;
 };
 
-/// Half edges by the edge they lie on.
+/// Half edges by their edge.
 class HalfEdges {
  public:
   /// Of the triangles for which `takes_part(triangle)` is true; several threads ask it at once. Throws

@@ -17,7 +17,7 @@ namespace diefill::geometry {
 
 namespace {
 
-/// How far, in square roots of a triangle's area, the two sides of it are probed for inside and outside.
+/// How far, in square roots of a triangle's area, both sides of it are probed for inside and outside.
 constexpr double kProbeDepth = 1e-4;
 constexpr std::size_t kOfAPart = 16384;  // triangles whose solid angles one core sums
 constexpr std::size_t kMostMarks = 100;  // of one kind; more would cover the part on a picture
@@ -42,7 +42,7 @@ class Pieces {
   std::vector<std::size_t> parent_;
 };
 
-/// The check of one mesh, a kind of finding at a time.
+/// The check of one mesh, one kind of finding after another.
 class Examination {
  public:
   explicit Examination(const Mesh& mesh) : mesh_(mesh) { findings_.triangles = mesh.triangles.size(); }
@@ -149,9 +149,9 @@ double Examination::winding_about(const Eigen::Vector3d& point) const {
   return std::accumulate(angles.begin(), angles.end(), 0.0) / (4 * std::numbers::pi);
 }
 
-/// A shell faces outward when there is no solid before its largest triangle and solid behind it: this holds
-/// for the walls of closed hollows inside a solid too. Open or contradictory surfaces enclose nothing, so
-/// nothing is said.
+/// A shell faces outward when there is no solid before its largest triangle and solid behind it: this also
+/// holds for the walls of closed cavities inside a solid. Open or contradictory surfaces enclose nothing, so
+/// nothing is reported.
 void Examination::find_inward_shells() {
   std::map<std::size_t, std::size_t> largest;  // of a shell: its largest triangle
   const auto area = [&](std::size_t t) { return area_vector(corners_of(mesh_, t)).norm(); };

@@ -1,5 +1,5 @@
-// Says in an engineer's words whether a mesh encloses a solid: closed, oriented, free of self-intersections,
-// degenerate and duplicate triangles (CGAL).
+// Whether a mesh encloses a solid, as findings an engineer understands: closed, oriented, free of
+// self-intersections, degenerate and duplicate triangles (CGAL).
 #pragma once
 
 #include <optional>
@@ -11,7 +11,7 @@
 
 namespace diefill::geometry {
 
-/// One place where a mesh is not as it should be.
+/// One place where a mesh is wrong.
 struct MeshMark {
   std::string kind;       ///< such as "open edge"
   Eigen::Vector3d place;  ///< m
@@ -35,21 +35,21 @@ struct MeshFindings {
   double volume = 0;              ///< m^3, enclosed; negative when inside out
 
   /// True when the mesh encloses a solid that wall spheres can be made from: closed, consistently oriented,
-  /// outward and free of crossings. Duplicate and degenerate triangles alone do no harm (they are left out
-  /// where surfaces are measured) and are only remarked upon.
+  /// outward and free of crossings. Duplicate and degenerate triangles alone do no harm: they are left out
+  /// where surfaces are measured, and reported.
   bool usable() const;
-  /// One finding a line in words, such as "12 open edges: the surface has a hole near (1.0, 2.0, 0.0) mm".
+  /// One finding per line, such as "12 open edges: the surface has a hole near (1.0, 2.0, 0.0) mm".
   std::vector<std::string> description() const;
   std::vector<Eigen::Vector3d>
       places;                   ///< m, first place of each kind of finding, in the order of description()
   std::vector<MeshMark> marks;  ///< up to 100 places of each kind, for pictures
 };
 
-/// Examines `mesh`. Never throws for a bad mesh: badness is what it reports.
+/// Examines `mesh`. Never throws for a bad mesh: the findings say what is wrong.
 MeshFindings check_mesh(const Mesh& mesh);
 
-/// The findings, and the adjacency that had to be found for them, for a SolidQuery about the same mesh; empty
-/// where a corner is no place. Never throws for a bad mesh, as check_mesh().
+/// The findings, and the adjacency found for them, for a SolidQuery about the same mesh; empty where a corner
+/// is not finite. Never throws for a bad mesh, like check_mesh().
 struct ExaminedMesh {
   MeshFindings findings;
   std::optional<Topology> topology;

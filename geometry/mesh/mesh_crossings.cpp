@@ -40,7 +40,7 @@ class Slabs {
  public:
   Slabs(const Mesh& mesh, const std::vector<std::uint8_t>& left_out) : mesh_(mesh) {
     mesh.bounding_box().size().maxCoeff(&axis_);
-    // One triangle in fifty tells well enough where slabs have to begin.
+    // One triangle in fifty is enough to place the slabs.
     std::vector<double> begins;
     for (std::size_t t = 0; t < mesh.triangles.size(); t += kSampled)
       if (!left_out[t]) begins.push_back(range(t).first);
@@ -79,7 +79,7 @@ class Slabs {
   }
 
  private:
-  /// Triangles are made when asked for: ten million would take most of a gigabyte.
+  /// Triangles are made on request: ten million would take most of a gigabyte.
   Kernel::Triangle_3 triangle(std::size_t t) const { return shrunk_triangle(corners_of(mesh_, t)); }
   std::pair<double, double> range(std::size_t t) const {
     const CGAL::Bbox_3 box = triangle(t).bbox();

@@ -1,4 +1,4 @@
-// What a mesh check found, in words.
+// The findings of a mesh check as text.
 #include <iomanip>
 #include <sstream>
 
@@ -19,7 +19,7 @@ std::string counted(std::size_t count, const std::string& one, const std::string
   return std::to_string(count) + " " + (count == 1 ? one : many);
 }
 
-/// Writes one line a finding; takes the places one after another.
+/// Writes one line per finding; takes the places in order.
 class Writer {
  public:
   explicit Writer(const std::vector<Eigen::Vector3d>& places) : places_(places) {}

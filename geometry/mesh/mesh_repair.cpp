@@ -39,7 +39,7 @@ std::string formatted(const char* format, Values... values) {
   return text;
 }
 
-/// One repair, step after step.
+/// One repair, step by step.
 class Repair {
  public:
   Repair(const Mesh& mesh, const MeshFindings& findings, const RepairOptions& options)
@@ -179,8 +179,8 @@ void Repair::fill_holes() {
   for (const auto border : borders) fill(border);
 }
 
-/// A shell that is inside out is turned round; one that lies inside another becomes the wall of a hollow,
-/// where no powder gets.
+/// A shell that is inside out is reversed; one that lies inside another becomes the wall of a closed cavity
+/// that powder never reaches.
 void Repair::turn_outward() {
   const Mesh before = cgal::mesh_of(surface_);
   const MeshFindings findings = check_mesh(before);
@@ -267,8 +267,8 @@ RepairedMesh Repair::run() {
 
 namespace {
 
-/// Copies do no harm to the check, which leaves them out, but facing both ways they hide the solid from
-/// others.
+/// Copies do no harm to the check, which leaves them out, but copies facing both ways hide the solid from
+/// other shells.
 RepairedMesh without_copies(const Mesh& mesh) {
   RepairedMesh result{mesh, {}, {}, {}, 0};
   const std::size_t dropped = drop_copies_of_triangles(result.mesh);

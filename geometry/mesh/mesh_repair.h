@@ -1,4 +1,4 @@
-// Repairs what can be repaired in a mesh without guessing, says what it did, and leaves the rest as it is.
+// Repairs what can be repaired in a mesh without guessing, and lists what it did.
 #pragma once
 
 #include <string>
@@ -32,7 +32,7 @@ struct RepairOptions {
 struct RepairedMesh {
   Mesh mesh;
   MeshFindings findings;             ///< of `mesh`, as it is now
-  std::vector<std::string> repairs;  ///< what was done, one a line in words; empty when nothing was
+  std::vector<std::string> repairs;  ///< what was done, one per line; empty when nothing was
   std::vector<std::string> refused;  ///< what could be done, but not without guessing, and why it was not
   /// m, largest distance between a point of either surface and the other one; 0 unless wrapped.
   double largest_deviation = 0;

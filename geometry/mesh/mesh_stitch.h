@@ -1,5 +1,5 @@
-// Steps of a repair that need no guess: loose corners and edges that belong together, triangles that bound
-// nothing, solids that touch. Each changes the mesh as little as it can and says how much it did.
+// Repairs that need no guess: loose corners and edges that belong together, triangles that bound nothing,
+// solids that touch. Each changes the mesh as little as possible and returns how much it changed.
 #pragma once
 
 #include <cstddef>
@@ -22,18 +22,18 @@ WeldedCorners weld_loose_corners(Mesh& mesh, double tolerance);
 /// one face has a corner that its neighbour lacks. Returns how many edges were split.
 std::size_t split_edges_at_corners(Mesh& mesh, double tolerance);
 
-/// Takes away triangles without area. Returns how many.
+/// Removes triangles without area. Returns how many.
 std::size_t drop_triangles_without_area(Mesh& mesh);
 
-/// Takes away all but the first of triangles with the same corners. Returns how many.
+/// Removes all but the first of triangles with the same corners. Returns how many.
 std::size_t drop_copies_of_triangles(Mesh& mesh);
 
-/// Takes away triangles that are there facing both ways where this opens no edge and leaves fewer edges of
-/// more than two triangles: the faces that solids share. Returns the number of pairs.
+/// Removes triangles that occur facing both ways where this opens no edge and leaves fewer edges of more than
+/// two triangles: the faces that solids share. Returns the number of pairs.
 std::size_t drop_opposite_pairs(Mesh& mesh);
 
-/// The surface taken apart where solids touch along edges: the two triangles that have solid between them go
-/// together. Empty where the sides of an edge do not alternate between solid and free.
+/// The surface separated where solids touch along edges: the two triangles with solid between them stay
+/// together. Empty if the sides of an edge do not alternate between solid and free.
 std::vector<Mesh> shells_of_solids(const Mesh& mesh);
 
 }  // namespace diefill::geometry

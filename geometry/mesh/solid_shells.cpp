@@ -1,4 +1,4 @@
-// Solids that touch along edges, taken apart.
+// Separates solids that touch along edges.
 #include <Eigen/Geometry>
 #include <cmath>
 #include <map>
@@ -25,7 +25,7 @@ struct Leaf {
   double angle = 0;
 };
 
-/// Which triangles go together.
+/// Which triangles stay together.
 class Groups {
  public:
   explicit Groups(std::size_t count) : parent_(count) {

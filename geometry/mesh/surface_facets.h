@@ -1,4 +1,4 @@
-// Plane facets of a triangulated surface: what a CAD program exported as several triangles is one face again.
+// Plane facets of a triangulated surface: coplanar triangles of a CAD export joined into one face.
 #pragma once
 
 #include <cstdint>
@@ -12,8 +12,8 @@ namespace diefill::geometry {
 inline constexpr std::int32_t kNoFacet = -1;
 
 /// A piece of a facet's border between two mesh corners. The facet lies to the left seen from outside. There
-/// may be ten millions of them: corners are pointed at. Where corners of the mesh coincide the first is
-/// meant, so that edges meet where they have a corner in common.
+/// may be tens of millions, so corners are pointers. Where corners of the mesh coincide the first is meant,
+/// so that edges with a common corner meet.
 struct BorderEdge {
   const Eigen::Vector3d* from_corner = nullptr;  ///< of the mesh, m
   const Eigen::Vector3d* to_corner = nullptr;

@@ -1,4 +1,4 @@
-// Who borders whom in a triangle mesh: joined corners, neighbours across edges, and where the surface is
+// Adjacency of the triangles of a mesh: merged corners, neighbours across edges, and where the surface is
 // clean.
 #pragma once
 

@@ -33,7 +33,7 @@ std::size_t longest_edge(const Corners& corners);
 /// Twice the area times the unit normal, m^2.
 Eigen::Vector3d area_vector(const Corners& corners);
 
-/// True when the triangle has no area worth the name: its height is below 1e-12 of its longest edge.
+/// True when the triangle has practically no area: its height is below 1e-12 of its longest edge.
 bool is_degenerate(const Corners& corners);
 
 }  // namespace diefill::geometry

@@ -1,6 +1,6 @@
-// A tree of boxes round triangles that finds the triangle nearest to a point.
-// CGAL's AABB_tree answers the same question; it does not look into the nearer child first, which costs 5 to
-// 60 times the time for the long thin facets of tessellated cylinders.
+// A tree of bounding boxes that finds the triangle nearest to a point.
+// CGAL's AABB_tree answers the same question but does not visit the nearer child first, which costs 5 to 60
+// times the time for the long thin facets of tessellated cylinders.
 #pragma once
 
 #include <array>
@@ -31,16 +31,16 @@ class TriangleTree {
     bool alone = false;  ///< no other triangle is as near, nor would one be 1e-10 of the distance beside
   };
   Hit nearest(const Eigen::Vector3d& point) const;
-  /// The same, sooner where a triangle lies within `guess` (m) of the point or hardly farther.
+  /// The same, faster where a triangle lies within `guess` (m) of the point or little farther.
   Hit nearest(const Eigen::Vector3d& point, double guess) const;
-  /// The part of the tree that holds all triangles near a place: of many questions about places near each
-  /// other, most can begin there instead of at the root. Each thread has its own.
+  /// The part of the tree that holds all triangles near a place: questions about places near each other
+  /// mostly start there instead of at the root. One per thread.
   struct Region {
     Eigen::Vector3d middle = Eigen::Vector3d::Zero();  ///< m
     double radius = 0;                   ///< m, no triangle outside the part is nearer than this
     std::uint32_t first = 0, count = 0;  ///< as in Siblings
   };
-  /// The same, soonest where `region` is that of a question about a place near by; moves it on otherwise.
+  /// The same, fastest where `region` is that of a question about a near place; updates it otherwise.
   Hit nearest(const Eigen::Vector3d& point, double guess, Region& region) const;
 
   const Corners& corners(std::size_t triangle) const { return triangles_[triangle]; }
@@ -48,8 +48,8 @@ class TriangleTree {
   const Box& box() const { return box_; }
 
  private:
-  /// Two nodes, with boxes in single precision that are rounded outwards: they fill one line of the cache,
-  /// which most of a question's time goes into, and are looked at together.
+  /// Two nodes, with boxes in single precision that are rounded outwards: they fill one cache line, which
+  /// takes most of a question's time, and are tested together.
   struct alignas(64) Siblings {
     using Two = Eigen::Array2f;
     std::array<Two, 3> lower, upper;  ///< by axis

@@ -1,4 +1,4 @@
-// How often a surface goes round a point.
+// Winding number: how often a surface encloses a point.
 #pragma once
 
 #include <span>
@@ -12,8 +12,8 @@ namespace diefill::geometry {
 double solid_angle(const Corners& corners, const Eigen::Vector3d& eye);
 
 /// Winding number of a surface about `point` (m): 1 inside a closed, outward surface, 0 outside; in between
-/// where the surface has holes (Jacobson, Kavan and Sorkine-Hornung 2013). Sums over all triangles: for the
-/// odd hard case.
+/// where the surface has holes (Jacobson, Kavan and Sorkine-Hornung 2013). Sums over all triangles: for rare
+/// difficult cases.
 double winding_number(std::span<const Corners> triangles, const Eigen::Vector3d& point);
 
 }  // namespace diefill::geometry

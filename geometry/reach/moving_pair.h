@@ -1,8 +1,8 @@
 // Whether two solids that move past each other cut into each other, pose after pose.
 //
-// Points of both surfaces (corners, edges and faces) are asked for how deep they lie in the other solid. A
-// point that is far from the other solid is not asked again before the two have moved that far against each
-// other (conservative advancement), so that many close poses cost little.
+// Points of both surfaces (corners, edges and faces) are tested for their depth in the other solid. A point
+// far from the other solid is not tested again before the two have moved that far relative to each other
+// (conservative advancement), so many close poses cost little.
 #pragma once
 
 #include <array>
@@ -17,10 +17,10 @@ namespace diefill::geometry {
 /// Mean thickness (m) of a solid: its volume over half its surface; that of a sheet is the sheet's.
 double mean_thickness(const Mesh& mesh);
 
-/// Two solids and what is known of their distances.
+/// Two solids and their known distances.
 class MovingPair {
  public:
-  /// Depths up to `tolerance` (m) are fits that rub, facets and rounding. Keeps references to all four.
+  /// Depths up to `tolerance` (m) are tight fits, facets and rounding. Keeps references to all four.
   MovingPair(const Mesh& one, const SolidQuery& solid_of_one, const Mesh& other,
              const SolidQuery& solid_of_other, double tolerance);
 
@@ -29,7 +29,7 @@ class MovingPair {
     double depth = 0;                                 ///< m
     Eigen::Vector3d place = Eigen::Vector3d::Zero();  ///< m, laboratory frame
   };
-  /// Nothing where they cut no deeper than the tolerance in these poses.
+  /// Nothing if they cut no deeper than the tolerance in these poses.
   std::optional<Cut> look(const SolidPose& one, const SolidPose& other);
 
  private:

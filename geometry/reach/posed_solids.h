@@ -1,4 +1,4 @@
-// The voxels that moving and standing solids block, sample of their poses after sample.
+// The voxels that moving and standing solids block, pose after pose.
 #pragma once
 
 #include "geometry/reach/reach.h"

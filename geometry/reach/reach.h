@@ -2,8 +2,8 @@
 // and sideways around the tools in all the poses they take. Only surfaces next to that space need wall
 // spheres.
 //
-// The answer errs on the side of too many surfaces: powder stays wherever it has been unless a tool moves in,
-// and what a moving tool runs into goes along with it. Powder does not run over the rim of what holds it when
+// Errors are on the side of too many surfaces: powder stays wherever it has been unless a tool moves in, and
+// a moving tool takes along the powder that it meets. Powder does not run over the rim of its container when
 // it is poured.
 #pragma once
 

@@ -7,7 +7,7 @@
 namespace diefill::geometry {
 namespace {
 
-// Free voxels of one layer, flooded sideways; tells whether the border is met.
+// Free voxels of one layer, flooded sideways; reports whether the border is reached.
 class LayerFlood {
  public:
   LayerFlood(const VoxelGrid& grid, int layer, const std::vector<std::uint8_t>& blocked)

@@ -1,5 +1,4 @@
-// Lets powder run through free voxels: down and sideways without limit, upwards only as far as a heap may
-// rise.
+// Floods free voxels with powder: down and sideways without limit, upwards only as far as a heap may rise.
 #pragma once
 
 #include <cstdint>
@@ -22,7 +21,7 @@ class ReachFlood {
   /// Powder above that layer only falls.
   void pour(const std::vector<Box>& boxes, const std::vector<std::uint8_t>& blocked);
 
-  /// Takes powder out of blocked voxels and lets the rest spread.
+  /// Removes powder from blocked voxels and lets the rest spread.
   void spread(const std::vector<std::uint8_t>& blocked);
 
   /// Moves powder from one voxel to another. Lifted powder lifts what stands on it: the column grows at its

@@ -17,8 +17,8 @@ struct VoxelGrid {
   double edge = 0;                                   ///< m
   Eigen::Vector3i counts = Eigen::Vector3i::Zero();
 
-  /// The smallest grid of this edge over `box`, flush with the box's lower corner. Throws MeshError for more
-  /// voxels than memory and patience allow.
+  /// The smallest grid of this edge over `box`, flush with the box's lower corner. Throws MeshError for too
+  /// many voxels.
   static VoxelGrid over(const Box& box, double edge);
 
   std::size_t size() const;

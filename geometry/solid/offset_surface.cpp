@@ -15,7 +15,7 @@ constexpr int kShrinkSteps = 60;
 /// Two faces are one when the directions away from them differ by less than this.
 constexpr double kSameDirection = 1e-3;
 
-/// A face to keep away from: `away` is the unit vector from it into the solid.
+/// A face to move away from: `away` is the unit vector from it into the solid.
 struct Constraint {
   Eigen::Vector3d foot;
   Eigen::Vector3d away;
@@ -37,8 +37,8 @@ class Constraints {
     list_[count_++] = constraint;
   }
 
-  /// The shortest move that brings `place` to `depth` below all faces, the oldest left out where three have
-  /// no such place, as two facets of a curve and a face across; empty when two contradict each other.
+  /// The shortest move that brings `place` to `depth` below all faces. Leaves out the oldest where three have
+  /// no such place, such as two facets of a curve and a face across; empty when two contradict each other.
   std::optional<Eigen::Vector3d> shortest_move(const Eigen::Vector3d& place, double depth) {
     const auto move = move_below_all(place, depth);
     if (move || count_ < 3) return move;
@@ -47,7 +47,7 @@ class Constraints {
     return move_below_all(place, depth);
   }
 
-  /// Distance between the two faces that look at each other most, m.
+  /// Distance between the two most opposed faces, m.
   double distance_of_opposite_faces() const {
     double most_opposite = 0;
     double distance = 0;

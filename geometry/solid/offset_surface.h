@@ -31,10 +31,10 @@ class OffsetSurface {
     double thickness = 0;
     return settle(guess, near_boundary, region, thickness, nullptr);
   }
-  /// What was asked on the way from a guess to its place.
+  /// Answers on the way from a guess to its place, for reuse.
   using Trail = std::vector<SolidQuery::Known>;
-  /// The same, sooner where `trail` is of a guess that differs by rounding alone; writes it where it is
-  /// empty.
+  /// The same, faster where `trail` is of a guess that differs by rounding alone;
+  /// fills it where it is empty.
   std::optional<Place> settle(const Eigen::Vector3d& guess, const Eigen::Vector3d& near_boundary,
                               TriangleTree::Region& region, Trail& trail) const {
     double thickness = 0;

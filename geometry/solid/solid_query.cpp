@@ -106,10 +106,10 @@ std::vector<std::uint32_t> SolidQuery::Implementation::fan_round(std::size_t tri
   return fan;
 }
 
-/// Angle-weighted pseudo-normals tell inside from outside at edges and corners (Baerentzen and Aanaes 2005).
-/// They need a clean fan of triangles round the corner; elsewhere there is none and the winding number
-/// decides. Few questions end at a corner: its normal is made when asked for. Summed in the order of the
-/// triangles, it does not depend on where the walk round the corner began.
+/// Angle-weighted pseudo-normals distinguish inside from outside at edges and corners (Baerentzen and Aanaes
+/// 2005). They need a clean fan of triangles around the corner; elsewhere the winding number decides. Few
+/// questions end at a corner, so its normal is computed on request. Summed in the order of the triangles, it
+/// does not depend on where the walk around the corner began.
 Eigen::Vector3d SolidQuery::Implementation::corner_normal(std::size_t triangle, std::size_t corner) const {
   std::vector<std::uint32_t> fan = fan_round(triangle, corner);
   std::sort(fan.begin(), fan.end());
@@ -180,7 +180,7 @@ SolidQuery::Known SolidQuery::signed_nearest(const Eigen::Vector3d& point, doubl
 
 SolidQuery::Known SolidQuery::signed_nearest(const Eigen::Vector3d& point, const Known& known,
                                              TriangleTree::Region& region) const {
-  // Where no other triangle is about as near, so little as this makes none of them the nearest.
+  // No other triangle is nearly as near, so this margin makes none of them the nearest.
   constexpr double kRounding = 1e-11;
   if (!known.alone || (point - known.asked).norm() > kRounding * known.distance)
     return signed_nearest(point, (point - known.point).norm(), region);

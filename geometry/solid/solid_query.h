@@ -11,9 +11,9 @@ namespace diefill::geometry {
 
 struct Topology;
 
-/// Answers geometric questions about one closed, outward mesh. Building costs O(n log n), a question O(log
-/// n). Questions may be asked from several threads at once. Copies share what was built: 150 bytes a
-/// triangle.
+/// Geometric questions about one closed, outward mesh. Building costs O(n log n), a question O(log n).
+/// Thread-safe. Copies share what was built:
+/// 150 bytes per triangle.
 class SolidQuery {
  public:
   /// Throws MeshError for a mesh without a triangle that has an area.
@@ -30,23 +30,23 @@ class SolidQuery {
   struct SignedNearest : Nearest {
     bool inside;  ///< the point asked about is inside the solid
   };
-  /// Both answers for the price of one.
+  /// Both answers for the cost of one.
   SignedNearest signed_nearest(const Eigen::Vector3d& point) const;
-  /// The answer for a point, kept to answer for others.
+  /// The answer for a point, kept for near ones.
   struct Known : SignedNearest {
     Eigen::Vector3d asked;
     std::uint32_t tree_triangle;  ///< number in tree()
     bool alone;                   ///< TriangleTree::Hit::alone
   };
-  /// The same, sooner where the surface is within `guess` (m) of the point or hardly farther and `region` is
-  /// that of a question about a place near by.
+  /// The same, faster where the surface is within `guess` (m) of the point or little farther and `region` is
+  /// that of a question about a near place.
   Known signed_nearest(const Eigen::Vector3d& point, double guess, TriangleTree::Region& region) const;
-  /// The same, soonest where `known` is of a point that differs by rounding alone.
+  /// The same, fastest where `known` is of a point that differs by rounding alone.
   Known signed_nearest(const Eigen::Vector3d& point, const Known& known, TriangleTree::Region& region) const;
   bool inside(const Eigen::Vector3d& point) const;
   /// Distance to the surface in m, negative inside the solid.
   double signed_distance(const Eigen::Vector3d& point) const;
-  /// Of the mesh asked about.
+  /// Of the mesh.
   const Topology& topology() const;
   /// The triangles that count: none without area, none twice.
   const TriangleTree& tree() const;

@@ -1,4 +1,4 @@
-// Points spread over a triangulated surface, each standing for a share of its area.
+// Points on a triangulated surface, each with its share of the area.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -40,7 +40,7 @@ void sample_triangle(const Corners& corners, double step, Visit visit) {
   const auto area_before = [&](double x) {
     return x < foot ? 0.5 * x * height_at(x) : 0.5 * (longest * height - (longest - x) * height_at(x));
   };
-  // Columns on the longest side, so that needles are sampled to their points: many may meet in one corner.
+  // Columns on the longest side, so that thin triangles are sampled to their tips: many may meet there.
   const int columns = std::max(1, static_cast<int>(std::ceil(longest / step)));
   for (int column = 0; column < columns; ++column) {
     const double begin = longest * column / columns, end = longest * (column + 1) / columns;

@@ -1,6 +1,6 @@
-// A surface in stretches of some thousand triangles, facet by facet: work for threads. Where stretches begin
-// follows from the surface alone, so that what is summed stretch by stretch has the same bits on any number
-// of threads.
+// A surface in ranges (stretches) of some thousand triangles, facet by facet: tasks for threads.
+// The ranges depend on the surface alone,
+// so sums over stretches have the same bits on any number of threads.
 #pragma once
 
 #include <algorithm>
@@ -34,9 +34,9 @@ void visit_facets(const Facets& facets, const Stretch& stretch, Visit visit) {
   }
 }
 
-/// Calls `take(work(stretch))` for every stretch: work on all cores, take one after the other in order, never
-/// both at once. The result of `work` may hold much, as only some dozen of them are there at a time, and
-/// fewer at first, so that later work sees what was taken from the beginning.
+/// Calls `take(work(stretch))` for every stretch: `work` on all cores, `take` one after the other in order,
+/// never both at once. The result of `work` may be large: only some dozens of them exist at a time, and fewer
+/// at first, so that later work sees what was taken early.
 template <typename Work, typename Take>
 void work_and_take(const std::vector<Stretch>& stretches, Work work, Take take) {
   constexpr std::size_t kMostAtATime = 64;

@@ -55,7 +55,7 @@ double inset_at(const Facet& facet, const Eigen::Vector3d& along, double end, do
   return 0;
 }
 
-/// What is known of each facet before runs are formed.
+/// Properties of each facet before runs are formed.
 struct Candidate {
   Eigen::Vector3d axis = Eigen::Vector3d::Zero();  ///< direction of the longest smooth edge
   bool narrow = false;

@@ -19,7 +19,7 @@ constexpr double kSameDirection = 1e-3;  // rad
 constexpr double kBetterFit = 0.1;       // of a deviation: then another order is meant
 constexpr double kShown = 5e-6;          // m, what two decimals of a millimetre show
 
-/// Middle and spread of a surface, by area.
+/// Centroid and spread of a surface, by area.
 struct Spread {
   Eigen::Vector3d centre = Eigen::Vector3d::Zero();
   Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();
@@ -49,15 +49,15 @@ Spread spread_of(std::span<const Corners> triangles) {
   return spread;
 }
 
-/// Probes a solid with images of its own corners.
+/// Tests a solid with images of its own corners.
 class Images {
  public:
   Images(const TriangleTree& tree, double tolerance)
       : tree_(tree), tolerance_(tolerance), spread_(spread_of(tree.triangles())) {
     const std::size_t stride = std::max<std::size_t>(1, tree_.triangles().size() / kMostProbes);
     for (std::size_t t = 0; t < tree_.triangles().size(); t += stride) {
-      // Corners of holes lie in the faces that the holes pierce; only middles of walls tell a hole is
-      // missing.
+      // Corners of holes lie in the faces that the holes pierce; only the middles of walls show that a hole
+      // is missing.
       const Corners& corners = tree_.corners(t);
       for (const auto& corner : corners) probes_.push_back(corner - spread_.centre);
       probes_.emplace_back((corners[0] + corners[1] + corners[2]) / 3 - spread_.centre);

@@ -1,5 +1,5 @@
-// A fixed set of points sorted into the cells of a regular grid, for fast questions about who is near. Visits
-// in a fixed order that depends on the points alone, so that sums over neighbours are the same in every run.
+// A fixed set of points in the cells of a regular grid, for fast neighbour questions. Visits in a fixed order
+// that depends on the points alone, so sums over neighbours are the same in every run.
 #pragma once
 
 #include <array>

@@ -73,7 +73,7 @@ double smallest_radius(const VoronoiRequest& request) {
   return radii.empty() ? request.sphere_radius : *std::min_element(radii.begin(), radii.end());
 }
 
-/// Spheres and wall spheres in units of the smallest sphere's radius, ready to be asked who is near.
+/// Spheres and wall spheres in units of the smallest sphere's radius, ready for neighbour questions.
 class Surroundings {
  public:
   explicit Surroundings(const VoronoiRequest& request)
@@ -133,7 +133,7 @@ class Surroundings {
   NeighbourGrid sphere_grid_, wall_grid_;
 };
 
-/// Cuts nearest first, so that far ones soon find nothing to cut. False when nothing of the cell is left.
+/// Cuts nearest first, so that far ones soon find nothing to cut. False when nothing of the cell remains.
 bool apply_cuts(Workshop& workshop) {
   std::sort(workshop.cuts.begin(), workshop.cuts.end(), [](const Cut& a, const Cut& b) {
     return a.order != b.order ? a.order < b.order : a.index < b.index;
@@ -238,8 +238,8 @@ VoronoiCells voronoi_cells(const VoronoiRequest& request) {
   const std::size_t grains = request.sphere_centres.size() / per_grain;
   VoronoiCells cells{std::vector<double>(grains), std::vector<std::uint8_t>(grains)};
   tbb::enumerable_thread_specific<Workshop> workshops(surroundings.reach());
-  // What is done before the loop is seen inside it, and what is done inside is seen after it. oneTBB
-  // guarantees that; these two say it to the thread sanitizer, which does not see into the library.
+  // Tells the thread sanitizer the order that oneTBB guarantees: what is done before the loop is visible
+  // inside it, and what is done inside is visible afterwards.
   std::atomic<std::size_t> begun{0}, ended{0};
   begun.fetch_add(1, std::memory_order_release);
   const auto measure = [&](const tbb::blocked_range<std::size_t>& range) {

@@ -11,11 +11,10 @@
 
 namespace diefill::geometry {
 
-/// What to divide up. Lengths in m. Between spheres of unequal radii the dividing plane is the radical one,
-/// from which tangents to both are equally long, so that it never cuts a sphere that the other does not
-/// touch; between equal ones it is halfway. A sphere's cell is cut at every wall sphere on the plane that
-/// touches the wall sphere where it is nearest to the sphere's centre; the volume of walls belongs to no
-/// cell.
+/// What to divide. Lengths in m. Between spheres of unequal radii the dividing plane is the radical plane,
+/// from which tangents to both are equally long, so it never cuts a sphere that the other does not touch;
+/// between equal ones it is halfway. A sphere's cell is cut at every wall sphere by the plane that touches
+/// the wall sphere where it is nearest to the sphere's centre; the volume of walls belongs to no cell.
 struct VoronoiRequest {
   std::vector<Eigen::Vector3d> sphere_centres;  ///< grain after grain
   std::size_t spheres_per_grain = 1;

@@ -11,10 +11,10 @@ namespace diefill::geometry {
 inline constexpr double kSampleStep = 0.4;
 /// Large triangles are looked at in parts of this length over R when only some of the surface is reachable.
 inline constexpr double kPartLength = 16;
-/// Distance over R of the points that stand for reachable surface when parts are passed over.
+/// Distance over R of the points that represent the reachable surface when parts are skipped.
 inline constexpr double kThinning = 4;
 
-/// How near (m) one of the points that stand for reachable surface is to a part of this length (m) that
+/// How near (m) one of the points that represent the reachable surface is to a part of this length (m) that
 /// powder reaches.
 inline double near_powder_part(double longest) {
   return (1 + kThinning / kPartLength) * longest;
@@ -38,8 +38,8 @@ void visit_parts_near_powder(NearPoints& powder_parts, const Corners& corners, d
   if (powder_parts.any_within(middle, near_powder_part(longest))) visit(corners);
 }
 
-/// Tells which samples powder reaches. What is reachable was asked once, about R apart: asking again more
-/// finely would find slivers at frayed edges that no sphere was meant for.
+/// Which samples powder reaches. Reachability was computed once, about R apart: a finer test would find
+/// slivers at frayed edges where no sphere was placed.
 class ReachableSamples {
  public:
   /// For spheres of radius `depth` (m). One thread asks.

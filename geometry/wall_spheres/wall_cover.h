@@ -24,8 +24,8 @@ struct CoverTarget {
   const std::function<void(double)>& tell;  ///< hears the share that is done; may be empty
 };
 
-/// Tells the share of all work that is done while stretches are gone through: of a part of it that takes the
-/// share `from` to `to`.
+/// Reports progress while stretches are processed: of a part of all work that takes the share from `from` to
+/// `to`.
 class StretchProgress {
  public:
   StretchProgress(const CoverTarget& target, double from, double to)
@@ -53,7 +53,7 @@ PointGrid reachable_points(const CoverTarget& target, double step);
 /// So many of the `reachable` points that each has one of them near, for spheres of `radius` (m).
 PointGrid powder_parts(const PointGrid& reachable, double radius);
 
-/// What was found out about a sample of the surface and need not be found again.
+/// Facts about a sample of the surface that need not be found again.
 enum class SampleKnown : std::uint8_t {
   kBeyond,        ///< where powder comes
   kReachable,     ///< and nothing more is known

@@ -1,4 +1,4 @@
-// The open places between wall spheres, seen from points of the surface.
+// Uncovered places between wall spheres, found from points of the surface.
 #pragma once
 
 #include <array>
@@ -16,8 +16,8 @@ struct Hole {
   double distance = 0;                               ///< m, from `middle` to the nearest centre
 };
 
-/// Finds holes between the centres of a layout, which may grow meanwhile. For one thread, and quickest where
-/// samples follow one another over the surface: what was found for one mostly holds for the next.
+/// Finds holes between the centres of a layout, which may grow meanwhile. For one thread, and fastest where
+/// samples follow each other over the surface: the answer for one mostly holds for the next.
 class HoleFinder {
  public:
   /// `step` is the spacing of the surface samples in m: holes are looked for that far around each.

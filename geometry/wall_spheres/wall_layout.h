@@ -1,5 +1,5 @@
-// The growing set of wall sphere centres: which guesses become centres, and the regular grids and rows tried
-// first.
+// The growing set of wall sphere centres: which candidates become centres, and the regular grids and rows
+// tried first.
 #pragma once
 
 #include <functional>

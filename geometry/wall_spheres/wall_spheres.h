@@ -17,7 +17,7 @@ struct WallSphereOptions {
   /// True for surface points (m, the mesh's frame) that powder can reach; the others carry no spheres, but
   /// for about one spacing beyond the edge of the reachable surface. Empty: all of the surface.
   std::function<bool(const Eigen::Vector3d& surface_point, const Eigen::Vector3d& outward_normal)> reachable;
-  /// Hears the share that is done, 0 to 1, of one thread at a time. Empty: nobody wants to know.
+  /// Called with the finished share, 0 to 1, by one thread at a time. Empty: not reported.
   std::function<void(double share)> tell;
 };
 

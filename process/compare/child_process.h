@@ -1,4 +1,4 @@
-// A program run as a child process, with what it says going to a file.
+// A program run as a child process, with its output in a file.
 #pragma once
 
 #include <sys/types.h>
@@ -10,7 +10,7 @@
 
 namespace diefill::process {
 
-/// What a process has cost, its own children not counted unless it waited for them.
+/// The cost of a process; its own children count only if it waited for them.
 struct ProcessCost {
   double cpu_seconds = 0;        ///< s of processor time, all threads together
   double peak_memory_bytes = 0;  ///< largest resident set
@@ -31,7 +31,7 @@ class ChildProcess {
   std::optional<int> ended();
   /// What it has cost until now, once ended in all.
   ProcessCost cost() const;
-  /// Asks it to stop, as Ctrl-C does.
+  /// Asks it to stop, like Ctrl-C.
   void interrupt();
 
  private:

@@ -1,4 +1,4 @@
-// Gathers the results of a comparison's runs and says what differs.
+// Gathers the results of a comparison's runs and reports differences.
 #pragma once
 
 #include <filesystem>

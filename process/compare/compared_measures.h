@@ -1,4 +1,4 @@
-// What variants are compared by.
+// The measures by which variants are compared.
 #pragma once
 
 #include <string>

@@ -1,4 +1,4 @@
-// The files that scenes need, copied beside the runs of a comparison so that these stand alone.
+// The files that scenes need, copied beside the runs of a comparison so that these are self-contained.
 #pragma once
 
 #include <filesystem>
@@ -7,9 +7,9 @@
 
 namespace diefill::process {
 
-/// Copies of CAD files and tables of motions in `tools` of a directory. Contents name them: two files of one
-/// name do not clash, and a scene names other files as soon as their contents are others. What a CAD file
-/// refers to (geometry/cad/referred_files.h) goes with it, in a folder of its own.
+/// Copies of CAD files and tables of motions in `tools` of a directory. They are named after their contents:
+/// two files of one name do not clash, and a scene names another file as soon as the contents change. Files
+/// that a CAD file refers to (geometry/cad/referred_files.h) go with it, in a folder of its own.
 class CopiedFiles {
  public:
   /// Throws results::ResultError where `tools` cannot be made.

@@ -40,8 +40,8 @@ double share_in(const fs::path& log) {
   return share;
 }
 
-/// Removes what runs have left for each other (run/beginning.h), and the folder with it. What else lies there
-/// is not ours and stays.
+/// Removes what runs have left for each other (run/shared_start.h), and the folder with it. What else lies
+/// there is not ours and stays.
 void remove_shared_starts(const fs::path& folder) {
   static const std::regex ours(R"([0-9a-f]{16}\.bin(\..*\.tmp)?)");
   std::error_code error;

@@ -1,5 +1,5 @@
-// Runs the jobs of a comparison on this machine, several at a time, each as a process of its own: one that
-// fails takes no other with it.
+// Runs the jobs of a comparison on this machine, several at a time, each as a process of its own, so that a
+// crash affects only one.
 #pragma once
 
 #include <atomic>
@@ -17,8 +17,8 @@ struct JobOptions {
   int cores = 1;                  ///< shared evenly by them, at least one thread each
   int threads = 0;                ///< of each job; 0: cores / at_once
   bool pictures = true;           ///< whether jobs draw their results
-  /// Whether jobs take over beginnings from each other (run/beginning.h). Results are the same, what a job
-  /// costs is not.
+  /// Whether jobs use each other's shared starts (run/shared_start.h). Results are the same; the cost of a
+  /// job is not.
   bool share_starts = false;
   /// s of processor time that all jobs together may have cost, earlier runs of them included. What is at work
   /// then is stopped with a checkpoint, what waits is left.

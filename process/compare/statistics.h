@@ -1,4 +1,4 @@
-// Means over seeds and what their difference is worth.
+// Means over seeds and the significance of their difference.
 #pragma once
 
 #include <cstddef>

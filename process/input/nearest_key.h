@@ -1,4 +1,4 @@
-// Finds the known word that a mistyped one most likely stands for.
+// Finds the known word nearest to a mistyped one.
 #pragma once
 
 #include <optional>

@@ -1,5 +1,5 @@
-// Numbers in messages with as many digits as it takes: what was found and what is allowed must not look
-// alike.
+// Numbers in messages with as many digits as needed: what was found and what is allowed must not look the
+// same.
 #pragma once
 
 #include <string>
@@ -7,7 +7,7 @@
 
 namespace diefill::process {
 
-/// Two different numbers with so many digits, six or more, that they differ in words, too.
+/// Two different numbers with so many digits, six or more, that they differ as text, too.
 std::pair<std::string, std::string> numbers_apart(double one, double other);
 
 }  // namespace diefill::process

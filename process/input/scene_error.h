@@ -1,4 +1,4 @@
-// The one exception that tells a user what is wrong with a scene.
+// The exception that tells a user what is wrong with a scene.
 #pragma once
 
 #include <stdexcept>

@@ -1,4 +1,4 @@
-// What was probably meant on a line of a scene that is not TOML.
+// The likely meaning of a line of a scene that is not TOML.
 #pragma once
 
 #include <string>

@@ -184,7 +184,7 @@ std::optional<bool> TableReader::flag(const std::string& key) {
 std::optional<std::string> TableReader::text(const std::string& key) {
   const toml::node* node = find(key);
   if (node == nullptr) return std::nullopt;
-  const auto value = node->value_exact<std::string>();
+  auto value = node->value_exact<std::string>();
   if (!value) reject_node(*node, key, "expected a text in quotes");
   if (!is_printable(*value))
     reject_node(*node, key, "expected a text on one line, without line breaks or other control characters");

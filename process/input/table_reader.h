@@ -1,5 +1,5 @@
-// Reads one table of a scene file: typed values with unit, range and default, and complaints that name file,
-// line, key, what was found and what is allowed. Remembers which keys were asked for and rejects all others.
+// Reads one table of a scene file: typed values with unit, range and default, and messages with file, line,
+// key, what was found and what is allowed. Rejects all keys that were not requested.
 #pragma once
 
 #include <toml++/impl/forward_declarations.h>
@@ -32,7 +32,7 @@ struct NumberRule {
   std::string_view example;
 };
 
-/// Words of a choice and what they stand for.
+/// Words of a choice and their values.
 template <class Value>
 using Choices = std::vector<std::pair<std::string, Value>>;
 
@@ -94,7 +94,7 @@ class TableReader {
   /// All tables of a [[key]] list; empty when there is none.
   std::vector<TableReader> tables(const std::string& key);
 
-  /// Throws SceneError for the first key that nobody asked for, with the nearest one that exists.
+  /// Throws SceneError for the first key that was not requested, with the nearest one that exists.
   void finish() const;
 
   /// Throws SceneError that `key` is missing, unless it is there.

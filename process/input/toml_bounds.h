@@ -1,5 +1,5 @@
-// How deeply a scene's text may nest tables and lists, seen before it is parsed: the parser follows keys such
-// as a.b.c and brackets by calling itself, and thousands of them would use up its stack.
+// How deeply a scene's text may nest tables and lists, checked before it is parsed: the parser is recursive,
+// and thousands of levels would overflow its stack.
 #pragma once
 
 #include <filesystem>

@@ -11,7 +11,7 @@ struct FreeSystem {
   void operator()(ut_system* system) const { ut_free_system(system); }
 };
 
-/// udunits2 reports on stderr by itself; a wrong unit is the user's to hear of once, in our own words.
+/// udunits2 prints errors itself; the user should see one line, in the program's own words.
 int say_nothing(const char*, va_list) {
   return 0;
 }

@@ -99,7 +99,7 @@ Split split(std::string_view text, const std::string& needed) {
   return result;
 }
 
-/// Only an equal dimension will do: udunits2 itself would also turn Hz into s, being reciprocal, and rpm into
+/// Only an equal dimension will do: udunits2 itself would also turn Hz into s, its reciprocal, and rpm into
 /// Hz, taking an angle for a number.
 bool same_dimension(const ParsedUnit& given, const ut_unit* wanted) {
   const Unit quotient(ut_divide(given.unit.get(), wanted));

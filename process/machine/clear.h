@@ -1,5 +1,5 @@
-// Takes away the powder that is not in the die: what is left in the shoe and on the plate costs time and
-// changes nothing any more.
+// Removes the powder that is not in the die: what is left in the shoe and on the plate costs time and has no
+// effect any more.
 #pragma once
 
 #include <memory>

@@ -16,8 +16,8 @@ struct RestLimits {
   double time = 0.01;    ///< s that it stays below
 };
 
-/// Everything that is given must hold. What is measured counts from when `after`, `with`, `at` and `delay`
-/// are fulfilled, so that powder that rested before does not count. Holds once and for all.
+/// All given parts must hold. Measured quantities count from when `after`, `with`, `at` and `delay` are
+/// fulfilled, so powder that rested before does not count. Once it has held, it stays fulfilled.
 struct Condition {
   std::string after;         ///< name of a step that has ended; empty: none
   std::string with;          ///< name of a step that has begun; empty: none

@@ -18,11 +18,11 @@ constexpr QuantityRule kDuration = {Dimension::time, "1 s", "0 s", "1000 s", tru
 constexpr QuantityRule kIntegralTime = {Dimension::time, "20 ms", "0 s", "100 s", true};
 constexpr NumberRule kGain = {0, 1000, true, "0.5"};
 
-/// What line and turn have in common; target and speed limit are known.
+/// What translation and rotation have in common; target and speed limit are known.
 std::shared_ptr<Step> finished(TableReader& table, const std::vector<std::string>& tools,
                                ForceControl control) {
-  // At rest against nothing the speed limit is asked for by twice the default gain's part; a seventh of what
-  // rings (engine/STABILITY.md, force-controlled pistons).
+  // At rest without resistance twice the default gain would ask for the speed limit; a seventh of what
+  // becomes unstable (engine/STABILITY.md, force-controlled pistons).
   control.gain = table.number("gain", kGain).value_or(0.5) * control.speed_limit / control.target;
   control.integral_time = table.quantity("integral_time", kIntegralTime).value_or(0.02);
   return std::make_shared<ControlledTool>(tools, control, table.quantity("duration", kDuration));
@@ -42,7 +42,7 @@ void ForceControl::update(ControlState& state, double measured, double now, doub
   const double error = target - measured;
   const double grown = state.integral + gain * error * interval / integral_time;
   const double asked = gain * error + grown;
-  // Winding up an integral that the limit keeps from acting would overshoot later.
+  // An integral that grows while the limit acts would overshoot later.
   if (std::abs(asked) < speed_limit) state.integral = grown;
   double rate = std::clamp(gain * error + state.integral, -speed_limit, speed_limit);
   rate = std::clamp(rate, state.rate - acceleration * interval, state.rate + acceleration * interval);

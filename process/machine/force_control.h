@@ -1,5 +1,5 @@
-// A tool that follows the powder's resistance instead of a way known beforehand: pushed with a given force,
-// or turned with a given torque, by PI control of its speed.
+// A tool that follows the powder's resistance instead of a prescribed path: pushed with a given force, or
+// turned with a given torque, by PI control of its speed.
 #pragma once
 
 #include <memory>
@@ -13,7 +13,7 @@
 
 namespace diefill::process {
 
-/// How far a controlled tool has come. All that a restart needs.
+/// State of a controlled tool. All that a restart needs.
 struct ControlState {
   double coordinate = 0;  ///< m or rad at time `since`
   double rate = 0;        ///< m/s or rad/s from then on
@@ -23,7 +23,7 @@ struct ControlState {
   double coordinate_at(double time) const { return coordinate + rate * (time - since); }
 };
 
-/// What the control is to reach and by which means. Units of a line, with those of a turn in brackets.
+/// Target and limits of the control. Units of a line, with those of a rotation in brackets.
 struct ForceControl {
   bool turns = false;        ///< a torque about the axis, not a force along it
   RotationAxis axis;         ///< of pushing or turning
@@ -38,8 +38,8 @@ struct ForceControl {
   /// `place`, m).
   double resistance(const Eigen::Vector3d& force, const Eigen::Vector3d& torque,
                     const Eigen::Vector3d& place) const;
-  /// Takes `state` on to `now` (s) and gives it the rate for the next `interval` s, after the mean
-  /// `measured` resistance since. The integral stands still while the speed limit binds.
+  /// Advances `state` to `now` (s) and sets its rate for the next `interval` s, from the mean `measured`
+  /// resistance since the last call. The integral is held while the speed limit acts.
   void update(ControlState& state, double measured, double now, double interval) const;
   ToolMotion motion(double coordinate, double rate) const;
 };

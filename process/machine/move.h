@@ -1,5 +1,5 @@
-// Straight moves from rest to rest: a punch's stroke, core rods, a gate that is pulled, a shoe that is lifted
-// off; over one distance or from station to station.
+// Straight moves from rest to rest: a punch's stroke, core rods, a gate that opens, a shoe that is lifted;
+// over one distance or from station to station.
 #pragma once
 
 #include <memory>

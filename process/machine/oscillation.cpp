@@ -25,10 +25,10 @@ std::vector<double> Oscillation::turning_points(double length) const {
   const double half_period = 0.5 / frequency, quarter = 0.25 / frequency,
                offset = phase / (2 * std::numbers::pi * frequency);
   const double first =
-      quarter - offset + half_period * std::ceil((swelling.ramp + offset - quarter) / half_period);
+      quarter - offset + half_period * std::ceil((ramps.ramp + offset - quarter) / half_period);
   std::vector<double> points;
   for (const double point : {first, first + half_period})
-    if (point <= length - swelling.ramp) points.push_back(point);
+    if (point <= length - ramps.ramp) points.push_back(point);
   return points;
 }
 
@@ -37,7 +37,7 @@ Oscillation read_oscillation(TableReader& table, const QuantityRule& rule) {
   oscillation.amplitude = table.required_quantity("amplitude", rule);
   oscillation.frequency = table.required_quantity("frequency", kFrequency);
   oscillation.phase = table.quantity("phase", kPhase).value_or(0);
-  oscillation.swelling = read_swelling(table, 1 / oscillation.frequency);
+  oscillation.ramps = read_ramps(table, 1 / oscillation.frequency);
   return oscillation;
 }
 

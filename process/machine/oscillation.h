@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "process/machine/swelling_motion.h"
+#include "process/machine/ramped_motion.h"
 
 namespace diefill::process {
 
@@ -13,7 +13,7 @@ struct Oscillation {
   double amplitude = 0;  ///< m or rad
   double frequency = 0;  ///< Hz
   double phase = 0;      ///< rad
-  Swelling swelling;
+  RampTimes ramps;
 
   double value(double time, const Envelope& envelope) const;  ///< m or rad
   double rate(double time, const Envelope& envelope) const;   ///< m/s or rad/s

@@ -10,7 +10,7 @@
 namespace diefill::process {
 namespace {
 
-// Upper limits: far above any press, where a slip of the unit is the likelier reason.
+// Upper limits: far above any press, where a wrong unit is the likelier reason.
 constexpr QuantityRule kVelocity = {Dimension::velocity, "0.2 m/s", "0 m/s", "10 m/s", true};
 constexpr QuantityRule kAcceleration = {Dimension::acceleration, "10 m/s^2", "0 m/s^2", "10000 m/s^2", true};
 constexpr QuantityRule kClearance = {Dimension::length, "2 mm", "0 mm", "1 m"};
@@ -32,7 +32,7 @@ Extent along(const Eigen::Vector3d& direction, const Eigen::Vector3d& lower, con
 /// The first crossing's direction: a shoe that left the plate or cut into it would be a mistake.
 Eigen::Vector3d level_direction(TableReader& table) {
   table.require("direction", "\"-x\"");
-  const Eigen::Vector3d direction = *table.direction("direction");
+  Eigen::Vector3d direction = *table.direction("direction");
   constexpr double kLevel = 1e-6;
   if (std::abs(direction.z()) > kLevel)
     table.reject("direction",

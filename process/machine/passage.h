@@ -32,10 +32,10 @@ class Passage final : public Step {
  public:
   explicit Passage(PassageSpec spec);
 
-  /// Without a given travel, one that goes so far that the tool's whole box, trailing wall included, has
-  /// passed the cavity by the clearance. The box is taken because the thickness of a CAD tool's trailing wall
-  /// is not known here; powder inside the tool has then left the cavity by wall thickness plus clearance.
-  /// Throws SceneError when the scene has no cavity, or the tool stands beyond it already.
+  /// Without a given travel, the tool moves until its whole box, trailing wall included, has passed the
+  /// cavity by the clearance. The box is used because the thickness of a CAD tool's trailing wall is not
+  /// known here; powder inside the tool has then left the cavity by wall thickness plus clearance. Throws
+  /// SceneError when the scene has no cavity, or the tool stands beyond it already.
   std::shared_ptr<const Step> prepared(const MachineContext& context) const override;
   bool needs_cavity() const override { return true; }
   std::vector<std::string> tools() const override { return {spec_.tool}; }

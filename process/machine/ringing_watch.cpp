@@ -12,7 +12,7 @@ void RingingWatch::look(double share, double now, double longest) {
   if (swings > 0 && now - last > longest) *this = {};
   lowest = swings > 0 ? std::min(lowest, share) : share;
   highest = swings > 0 ? std::max(highest, share) : share;
-  // The first swing is the one that goes up.
+  // The first oscillation is the one that rises.
   const bool ends = high ? share < kLow : share > kHigh;
   if (!ends) return;
   high = !high;
@@ -22,7 +22,7 @@ void RingingWatch::look(double share, double now, double longest) {
 
 void watch_for_ringing(RingingWatch& watch, const ForceControl& control, double measured, double now,
                        const std::string& tools) {
-  // A tool that bounces as fast as it may takes this long to turn about.
+  // A tool that bounces as fast as allowed takes this long to reverse.
   const double longest = control.integral_time + 4 * control.speed_limit / control.acceleration;
   watch.look(measured / control.target, now, longest);
   if (!watch.rings()) return;

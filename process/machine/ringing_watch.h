@@ -1,5 +1,5 @@
-// Whether force control rings: with too high a gain a tool answers every difference by more than it takes to
-// undo it, and bounces on the powder instead of pressing it (engine/STABILITY.md, force-controlled pistons).
+// Detects unstable force control: with too high a gain a tool overcorrects every deviation and bounces on the
+// powder instead of pressing it (engine/STABILITY.md, force-controlled pistons).
 #pragma once
 
 #include <cstdint>
@@ -9,8 +9,8 @@ namespace diefill::process {
 
 struct ForceControl;
 
-/// Counts swings of the powder's resistance about the wanted one. A plain value, so that a checkpoint can
-/// keep it.
+/// Counts oscillations of the powder's resistance about the target. A plain value, so that a checkpoint can
+/// store it.
 struct RingingWatch {
   static constexpr std::uint32_t kMost = 40;        ///< swings in a row before control is said to ring
   static constexpr double kLow = 0.5, kHigh = 1.5;  ///< ends of a swing, over the wanted resistance
@@ -20,13 +20,13 @@ struct RingingWatch {
   double last = 0;                 ///< s, when it did
   double lowest = 0, highest = 0;  ///< of the resistance over the wanted one, since the first of them
 
-  /// Takes in the resistance over the wanted one at `now` (s); a pause longer than `longest` (s) ends a row.
+  /// Adds the resistance over the target at `now` (s); a pause longer than `longest` (s) ends a row.
   void look(double share, double now, double longest);
   bool rings() const { return swings >= kMost; }
 };
 
-/// Looks at the `measured` resistance (N or N m) of powder to `tools` under `control`, where nothing else
-/// moves tools. Throws engine::OutOfRange when it goes on swinging.
+/// Checks the `measured` resistance (N or N m) of powder to `tools` under `control`, where nothing else moves
+/// tools. Throws engine::OutOfRange when it keeps oscillating.
 void watch_for_ringing(RingingWatch& watch, const ForceControl& control, double measured, double now,
                        const std::string& tools);
 

@@ -25,7 +25,7 @@ std::shared_ptr<Step> read_rotation(TableReader& table, const std::vector<ToolSp
   const RotationAxis axis = read_rotation_axis(table);
   const double speed = table.required_quantity("speed", kSpeed);
   if (speed == 0) table.reject("speed", "the speed must not be zero; give a speed such as \"60 rpm\"");
-  return std::make_shared<Rotation>(moving, axis, speed, read_swelling(table, kRamp));
+  return std::make_shared<Rotation>(moving, axis, speed, read_ramps(table, kRamp));
 }
 
 }  // namespace diefill::process

@@ -6,17 +6,17 @@
 #include <utility>
 #include <vector>
 
+#include "process/machine/ramped_motion.h"
 #include "process/machine/rotation_axis.h"
-#include "process/machine/swelling_motion.h"
 #include "process/machine/tool_spec.h"
 
 namespace diefill::process {
 
-class Rotation final : public SwellingMotion {
+class Rotation final : public RampedMotion {
  public:
   /// `speed` in rad/s, right-handed; negative: the other way round.
-  Rotation(std::vector<std::string> tools, const RotationAxis& axis, double speed, const Swelling& swelling)
-      : SwellingMotion(std::move(tools), swelling), axis_(axis), speed_(speed) {}
+  Rotation(std::vector<std::string> tools, const RotationAxis& axis, double speed, const RampTimes& ramps)
+      : RampedMotion(std::move(tools), ramps), axis_(axis), speed_(speed) {}
 
   std::string description() const override;
 

@@ -12,11 +12,11 @@
 
 namespace diefill::process {
 
-class RotationalOscillation final : public SwellingMotion {
+class RotationalOscillation final : public RampedMotion {
  public:
   RotationalOscillation(std::vector<std::string> tools, const RotationAxis& axis,
                         const Oscillation& oscillation)
-      : SwellingMotion(std::move(tools), oscillation.swelling), axis_(axis), oscillation_(oscillation) {}
+      : RampedMotion(std::move(tools), oscillation.ramps), axis_(axis), oscillation_(oscillation) {}
 
   std::vector<double> turning_points(double length) const override {
     return oscillation_.turning_points(length);

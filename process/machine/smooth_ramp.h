@@ -1,4 +1,4 @@
-// The smooth way from 0 to 1 that motions start and stop by: value, velocity and acceleration are continuous.
+// The smooth start and stop of motions, from 0 to 1: value, velocity and acceleration are continuous.
 #pragma once
 
 #include <algorithm>
@@ -25,11 +25,11 @@ inline double ramp_integral(double x) {
   return x * x * x * x * (x * (x - 3) + 2.5);
 }
 
-/// Amplitude over time of a motion that swells, goes on and dies away.
+/// Amplitude over time of a motion that ramps up, continues and ramps down.
 class Envelope {
  public:
-  /// `ramp` s of swelling and of dying away (0: at once); `end` s when it is over, infinite if never. The
-  /// ramps do not overlap: an end before two ramps have passed is put off to then.
+  /// `ramp` s of each ramp (0: at once); `end` s when the motion is over, infinite if never. The ramps do not
+  /// overlap: an end before two ramps have passed is postponed to then.
   explicit Envelope(double ramp, double end = std::numeric_limits<double>::infinity())
       : ramp_(ramp), end_(std::max(end, 2 * ramp)) {}
 

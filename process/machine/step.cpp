@@ -14,7 +14,7 @@ double Step::stopping_time(double) const {
 ToolMotion Step::motion_stopped(double time, double stop) const {
   const double braking = stopping_time(stop);
   if (time <= stop) return motion(time);
-  // The step's own clock runs slower and slower, so that it comes to a stand on its own way.
+  // The step's own clock slows down, so that it comes to rest on its own path.
   const double share = braking > 0 ? std::min((time - stop) / braking, 1.0) : 1;
   const double clock = stop + braking * (share - ramp_integral(share));
   const double whole = duration().value_or(clock);

@@ -1,6 +1,6 @@
-// One thing the machine does: settle, a shoe passage, a vibration, ... A step knows how long it takes and
-// where it carries its tools, as functions of the time since it began, so that a restart needs no history but
-// the times of its start and of being told to stop.
+// One motion or action of the machine: settle, a shoe passage, a vibration, ... A step states its duration
+// and the displacement of its tools as functions of the time since it began, so a restart needs only the
+// times at which it started and was told to stop.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -32,7 +32,7 @@ struct MachineContext {
   Eigen::Vector3d gravity = {0, 0, -9.81};  ///< m/s^2
 };
 
-/// What any step of the scene may say besides its kind's own keys.
+/// What any step of the scene may state besides its kind's own keys.
 struct StepPlan {
   std::string name;                ///< empty: nobody refers to it
   std::optional<Condition> start;  ///< nothing: when the step before it in the scene has ended
@@ -49,41 +49,41 @@ struct PowderChange;   // powder_change.h
 class Step {
  public:
   virtual ~Step() = default;
-  /// True if the step must know the cavity and where its tools stand; it is then prepared after all others.
+  /// True if the step needs the cavity and the position of its tools; it is then prepared after all others.
   virtual bool needs_cavity() const { return false; }
-  /// The step with whatever depends on the geometry settled, such as how far a passage has to go; null where
-  /// the step can be followed as it stands. Throws SceneError when the geometry leaves no sensible answer.
+  /// The step with all that depends on the geometry resolved, such as the travel of a passage; null where
+  /// nothing depends on it. Throws SceneError when the geometry allows no sensible answer.
   virtual std::shared_ptr<const Step> prepared(const MachineContext&) const { return nullptr; }
-  /// Names of the tools that move, all alike; empty when none does.
+  /// Names of the tools that move, all in the same way; empty when none does.
   virtual std::vector<std::string> tools() const { return {}; }
-  /// True if the step's duration is left open: it lasts until its plan says, or until the powder is at rest.
+  /// True if the step's duration is open: it lasts until its plan says, or until the powder is at rest.
   virtual bool open_ended() const { return false; }
-  /// s, or nothing when it is left open.
+  /// s, or nothing when it is open.
   virtual std::optional<double> duration() const = 0;
-  /// True for motions about one place, such as shaking: the tool stays where it is, in the long run.
+  /// True for motions about one place, such as shaking: on average the tool stays where it is.
   virtual bool stays() const { return false; }
-  /// s since the step began: instants at which such a motion, lasting `length` s, is farthest out to either
+  /// s since the step began: instants at which such a motion, lasting `length` s, is farthest out on either
   /// side. Empty where the kind does not know them.
   virtual std::vector<double> turning_points(double length) const {
     (void)length;
     return {};
   }
-  /// Motion of the tools at `time` (s since the step began), added to where the other steps leave them.
-  /// Asked from 0 to the duration only.
+  /// Motion of the tools at `time` (s since the step began), relative to where the other steps leave them.
+  /// Requested from 0 to the duration only.
   virtual ToolMotion motion(double time) const {
     (void)time;
     return {};
   }
-  /// s that the step needs to come to a stand after it is told to stop `stop` s after it began.
+  /// s that the step needs to come to rest after it is told to stop `stop` s after it began.
   virtual double stopping_time(double stop) const;
-  /// Motion of a step that was told to stop at `stop` (s since it began). Unless a kind knows better, it goes
-  /// on along its way ever more slowly.
+  /// Motion of a step that was told to stop at `stop` (s since it began). By default it continues along its
+  /// path ever more slowly.
   virtual ToolMotion motion_stopped(double time, double stop) const;
-  /// A step whose way is not known beforehand: it is driven by the powder's resistance. Otherwise null.
+  /// A step under force control, whose path depends on the powder's resistance. Otherwise null.
   virtual const ForceControl* control() const { return nullptr; }
-  /// Powder that comes in while the step is on. Otherwise null.
+  /// Powder that enters while the step is active. Otherwise null.
   virtual const PowderInflow* inflow() const { return nullptr; }
-  /// Powder that is taken away when the step begins. Otherwise null.
+  /// Powder that is removed when the step begins. Otherwise null.
   virtual const PowderRemoval* removal() const { return nullptr; }
   /// What acts otherwise from the step's begin on. Otherwise null.
   virtual const PowderChange* change() const { return nullptr; }

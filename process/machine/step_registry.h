@@ -1,4 +1,4 @@
-// Which kinds of step a scene may ask for. To add one: a file of its own, and its line in step_registry.cpp.
+// The kinds of step a scene may use. To add one: a file of its own, and its line in step_registry.cpp.
 #pragma once
 
 #include <memory>
@@ -10,11 +10,11 @@
 
 namespace diefill::process {
 
-/// Makes a step from its [[step]] table; `tools` are those of the scene, for the step to name the one it
-/// moves. The caller rejects keys that the factory did not ask for. Throws SceneError.
+/// Makes a step from its [[step]] table; `tools` are those of the scene, from which the step selects its own.
+/// The caller rejects keys that the factory did not request. Throws SceneError.
 using StepFactory = std::shared_ptr<Step> (*)(TableReader& table, const std::vector<ToolSpec>& tools);
 
-/// Kinds by the word that stands under `kind`, in the order in which messages list them.
+/// Kinds by the value of `kind`, in the order in which messages list them.
 const Choices<StepFactory>& step_kinds();
 
 }  // namespace diefill::process

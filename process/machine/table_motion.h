@@ -18,7 +18,7 @@ struct MotionTable {
 };
 
 /// Reads a CSV file. Its first line names the columns with their units, such as `time s, x mm, angle deg`:
-/// time, and any of x, y, z, angle. `where` begins complaints. Throws SceneError.
+/// time, and any of x, y, z, angle. `where` begins messages. Throws SceneError.
 MotionTable read_motion_table(const std::filesystem::path& file, const std::string& where);
 
 class TableMotion final : public Step {

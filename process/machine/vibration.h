@@ -11,11 +11,11 @@
 
 namespace diefill::process {
 
-class Vibration final : public SwellingMotion {
+class Vibration final : public RampedMotion {
  public:
   /// `axis` is a unit vector.
   Vibration(std::vector<std::string> tools, const Eigen::Vector3d& axis, const Oscillation& oscillation)
-      : SwellingMotion(std::move(tools), oscillation.swelling), axis_(axis), oscillation_(oscillation) {}
+      : RampedMotion(std::move(tools), oscillation.ramps), axis_(axis), oscillation_(oscillation) {}
 
   std::vector<double> turning_points(double length) const override {
     return oscillation_.turning_points(length);

@@ -1,4 +1,4 @@
-// Parts of a cavity in words: where the shoe arrives, in the middle, at the bottom.
+// Names for parts of a cavity: where the shoe arrives, in the middle, at the bottom.
 #pragma once
 
 #include <functional>

@@ -1,4 +1,4 @@
-// Dies with several cavities: which of them a result's maps and summary are of.
+// Selects the cavity of a die with several that a result's maps and summary are of.
 #pragma once
 
 #include "process/results/fill_result.h"

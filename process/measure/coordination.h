@@ -1,4 +1,4 @@
-// Contacts of every grain, found again from places alone.
+// Contacts of every grain, found from positions alone.
 #pragma once
 
 #include <vector>

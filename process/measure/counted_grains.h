@@ -1,4 +1,4 @@
-// Which grains enter averages: those whose cells mean something, deep enough below the surface.
+// Which grains enter averages: those with meaningful cells, deep enough below the surface.
 #pragma once
 
 #include <vector>

@@ -1,4 +1,4 @@
-// How many grains a figure must stand on to be given at all.
+// Minimum number of grains behind a figure.
 #pragma once
 
 #include <cstddef>

@@ -1,5 +1,5 @@
-// Single numbers that say how evenly a die is filled. Each is a function from results to named figures, which
-// appear in report.json and can be compared between filling strategies.
+// Single numbers that describe how evenly a die is filled. Each is a function from results to named figures,
+// which appear in report.json and can be compared between filling strategies.
 #pragma once
 
 #include <map>

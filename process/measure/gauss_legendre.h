@@ -1,4 +1,4 @@
-// Places and weights of Gauss and Legendre's rule on 0..1.
+// Nodes and weights of Gauss-Legendre quadrature on 0..1.
 #pragma once
 
 #include <array>

@@ -1,5 +1,4 @@
-// The smooth field that grains' values make: a Gaussian average over grain centres (Bierwisch 2009,
-// Eq. 2.27).
+// The smooth field of grains' values: a Gaussian average over grain centres (Bierwisch 2009, Eq. 2.27).
 #pragma once
 
 #include <vector>

@@ -1,4 +1,4 @@
-// How one sphere's volume is shared out among the cells of a grid; the work behind partial volumes.
+// How one sphere's volume is divided among the cells of a grid; the core of partial volumes.
 #pragma once
 
 #include "process/results/cell_field.h"

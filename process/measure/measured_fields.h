@@ -1,5 +1,5 @@
-// The maps, sections and profiles of a result, measured anew from its powder and solid fractions: no
-// simulation is needed.
+// The maps, sections and profiles of a result, recomputed from its powder and solid fractions without
+// simulation.
 #pragma once
 
 #include <Eigen/Core>

@@ -1,5 +1,5 @@
-// Solid volume in the cells of a grid, every sphere shared out exactly among the cells it reaches into.
-// Counting whole grains by their centres instead jumps by a grain's volume whenever a centre crosses a face.
+// Solid volume in the cells of a grid, every sphere divided exactly among the cells it overlaps. Counting
+// whole grains by their centres instead jumps by a grain's volume whenever a centre crosses a face.
 #pragma once
 
 #include "process/results/cell_field.h"

@@ -1,4 +1,4 @@
-// Where powder is: the same outline for every field of one instant, whatever the field knows of the powder.
+// Where powder is: the same outline for all fields of one instant, with or without values.
 #pragma once
 
 #include <cstdint>

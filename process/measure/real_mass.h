@@ -1,4 +1,4 @@
-// What the filled model powder means for the real one: masses in grams, and how full the die is.
+// What the filled model powder means for the real one: masses in grams, and the fill ratio.
 #pragma once
 
 #include <cstdint>

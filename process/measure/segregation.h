@@ -1,5 +1,5 @@
-// Where large and small grains went: mean grain diameters, weighted by mass, over the cavity. A strategy that
-// segregates shows in them; powder of one size has none of it.
+// Distribution of large and small grains: mean grain diameters, weighted by mass, over the cavity. They show
+// strategies that segregate; powder of one size has none.
 #pragma once
 
 #include <memory>
@@ -11,11 +11,11 @@ namespace diefill::process {
 
 /// Mean diameter (mm) of the grains whose centre lies in the cavity, weighted by mass, over height (mm above
 /// the cavity floor) and, in rings, over azimuth (deg); NaN where a bin has fewer than three grains. Nothing
-/// where all grains are alike or there is no cavity.
+/// for powder of one size or there is no cavity.
 std::vector<results::Profile> size_profiles(const results::FillResult& result);
 
 /// The mean diameter as a field: Gaussian averages (gaussian_field.h) of diameter times mass over mass, of
-/// all grains. Throws std::invalid_argument where all grains are alike.
+/// all grains. Throws std::invalid_argument for powder of one size.
 class SizeField {
  public:
   SizeField(const results::PowderState& powder, double averaging_width);

@@ -1,4 +1,4 @@
-// Tools as solids, for measures that must tell powder's places from theirs.
+// Tools as solids, for measures that must separate powder from tools.
 #pragma once
 
 #include <vector>

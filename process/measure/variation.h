@@ -1,5 +1,5 @@
-// How a map varies along its height and round its azimuth, how it differs from another, and how its grains'
-// values are distributed.
+// How a map varies over height and azimuth, how it differs from another, and how grains' values are
+// distributed.
 #pragma once
 
 #include <optional>

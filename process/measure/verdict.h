@@ -1,4 +1,4 @@
-// A filled cavity in one line, for the person at the press.
+// A filled cavity in one line, for the press operator.
 #pragma once
 
 #include <string>

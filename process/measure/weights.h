@@ -1,11 +1,11 @@
-// What grains weigh and hold together, each with its own mass and volume.
+// Mass and solid volume of grains, each with its own.
 #pragma once
 
 #include "process/results/fill_result.h"
 
 namespace diefill::process {
 
-/// Sum of `one(k)` over the grains `list`, where `same` is that of all grains if they are alike: as many
+/// Sum of `one(k)` over the grains `list`, where `same` is that of each grain of powder of one size: as many
 /// times as there are grains, so that sums of many do not gather rounding.
 template <class List, class One>
 double sum_over(const results::PowderState& powder, const List& list, double same, const One& one) {

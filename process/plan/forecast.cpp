@@ -79,7 +79,7 @@ Forecast forecast(const Scene& scene, const Tooling& tooling, const RestTimes& r
 Forecast forecast(const Scene& scene, const Tooling& tooling, const Pilot& pilot) {
   Forecast forecast = plan::forecast(scene, tooling, pilot.rest);
   // Lists of near pairs serve until a grain has gone as far as they allow, a share of its size, and grains of
-  // any size move alike.
+  // any size move the same way.
   const double speed_in_fall = pilot.fall_time > 0 ? fall_time(scene, tooling) / pilot.fall_time : 1;
   const double oftener = pilot.time_step > 0 ? forecast.time_step / pilot.time_step *
                                                    (pilot.grain_diameter / forecast.grain_diameter)

@@ -86,13 +86,13 @@ SizeCost size_cost_if_sound(const engine::Simulation& bed) {
   }
 }
 
-/// How long powder took to come to rest, as far as the pilot has seen it. `alike`: whether it has about as
-/// many grains as the run will have. In fewer, one that rolls moves the centre of mass of all too far to be
-/// called rest, and what took longer than usual says nothing of more grains.
-void note_rest_times(bool rests_once, bool monodisperse, Pilot& pilot) {
+/// How long powder took to come to rest, as far as the pilot has seen it. `full_size`: whether it has about
+/// as many grains as the run will have. In fewer, one that rolls moves the centre of mass of all too far to
+/// be called rest, and what took longer than usual says nothing of more grains.
+void note_rest_times(bool rests_once, bool full_size, Pilot& pilot) {
   const RestTimes usual;
   const auto credible = [&](double seen, double otherwise) {
-    return monodisperse ? seen : std::min(seen, otherwise);
+    return full_size ? seen : std::min(seen, otherwise);
   };
   const PhaseCost &fall = pilot.of(PhaseKind::fall), &rest = pilot.of(PhaseKind::rest);
   if (fall.whole)

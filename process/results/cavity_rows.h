@@ -1,4 +1,4 @@
-// What every cavity of a die holds, in the terms of someone who weighs: one row a cavity.
+// The contents of every cavity of a die, by mass: one row per cavity.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-// One writer a directory: two runs into one directory would each take the other's results for its own.
+// One writer per directory: two runs in one directory would each take the other's results for its own.
 #pragma once
 
 #include <sys/types.h>
@@ -16,8 +16,8 @@ struct DirectoryInUse : ResultError {
 };
 
 /// A directory locked for the life of this object, against other processes. The lock (fcntl, which network
-/// mounts know as well) is of the file `.lock` in it, and goes with the process, however that ends; a file
-/// that a killed process has left means nothing. Reading needs no lock.
+/// mounts support as well) is on the file `.lock` in it, and ends with the process in any case; a file left
+/// by a killed process has no effect. Reading needs no lock.
 class DirectoryLock {
  public:
   /// Throws DirectoryInUse where another process holds the lock, ResultError where no file can be made.

@@ -1,4 +1,4 @@
-// What earlier runs have left in a results directory is kept when a run begins there anew.
+// Keeps what earlier runs left in a results directory when a new run begins there.
 #pragma once
 
 #include <filesystem>

@@ -1,4 +1,4 @@
-// What an experiment of the laboratory found: limits with their prediction, and curves to be drawn. Plain
+// Result of an experiment of the laboratory: limits with their prediction, and curves for charts. Plain
 // values in the units that their labels name.
 #pragma once
 

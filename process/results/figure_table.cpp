@@ -78,8 +78,8 @@ constexpr std::array kFigures = {
            "fill density of the real powder", ShownAs{"g/cm^3", 1e-3, 3}},
     Figure{"cavity_solid_fraction", "1", "all powder in it over its volume", "solid fraction of the cavity",
            kRatio},
-    Figure{"solid_fraction_grains", "1", "grains that the mean solid fraction stands on",
-           "grains that the mean solid fraction stands on", kNumber},
+    Figure{"solid_fraction_grains", "1", "grains in the mean solid fraction",
+           "grains in the mean solid fraction", kNumber},
     Figure{"bulk_solid_fraction", "1", "solid fraction of all settled powder, in the cavity or not",
            "solid fraction of the powder", kRatio},
     Figure{"slope_of_*_deg", "deg", "slope of the heap's surface to the horizontal", "slope of *",
@@ -97,7 +97,7 @@ constexpr std::array kFigures = {
            "size of the largest grains", kMillimetres},
     Figure{"mean_grain_diameter_all_mm", "mm", "mean by mass of all grains",
            "mean grain diameter of all powder, by mass", kFromMillimetres},
-    Figure{"coarse_graining_factor", "1", "size of a model grain over that of the powder it stands for",
+    Figure{"coarse_graining_factor", "1", "size of a model grain over that of the powder it represents",
            "coarse graining factor", kRatio},
     Figure{"grains", "1", "number of grains", "grains at the end", kNumber},
     Figure{"spheres", "1", "number of basic spheres of the powder", "spheres of powder at the end", kNumber},
@@ -185,7 +185,7 @@ std::string without_cavity(const std::string& name) {
   return numbered ? name.substr(number + 1) : name;
 }
 
-/// Equal, or alike where `pattern` has a `*`.
+/// Equal, or matching where `pattern` has a `*`.
 bool matches(std::string_view pattern, std::string_view name) {
   const std::size_t star = pattern.find('*');
   if (star == std::string_view::npos) return pattern == name;

@@ -1,5 +1,5 @@
-// The figures of a run: what each is called, how it is formed, in what unit it is stored and how it is shown.
-// Everything that writes, lists, compares or draws figures reads them here.
+// The figures of a run: name, meaning, unit, label and format. Everything that writes, lists, compares or
+// draws figures reads them here.
 #pragma once
 
 #include <span>
@@ -18,7 +18,7 @@ struct ShownAs {
   double period = 0;  ///< in `unit`, for angles that come round again; 0: none
 };
 
-/// One figure. `*` in `name` and `label` stands for the name of a thing of the scene.
+/// One figure. `*` in `name` and `label` is replaced by the name of a thing of the scene.
 struct Figure {
   const char* name;     ///< in report.json and results.h5; scripts read it, so it does not change
   const char* unit;     ///< of the stored value

@@ -1,6 +1,6 @@
-// What a finished (or interrupted) filling leaves behind: powder, tools, fields and figures, in SI units.
-// These are plain values. `process/measure` fills them, `result_file.h` stores and reads them, `render` draws
-// them; none of the three needs the others.
+// The result of a finished (or interrupted) filling: powder, tools, fields and figures, in SI units. Plain
+// values. `process/measure` fills them, `result_file.h` stores and reads them, `render` draws them; none of
+// the three needs the others.
 #pragma once
 
 #include <Eigen/Core>
@@ -12,7 +12,7 @@
 
 namespace diefill::results {
 
-/// Kinds of grains of a powder whose grains are not all alike; arrays over kinds. Grains of all kinds are of
+/// Particle types of a powder of several sizes; arrays over types. Grains of all types are of
 /// one shape.
 struct ParticleTypes {
   std::vector<double> diameter;       ///< m, d
@@ -41,8 +41,8 @@ struct PowderState {
   std::vector<Eigen::Vector4d> orientation;  ///< unit quaternion (w, x, y, z), body to laboratory
   std::vector<Eigen::Vector3d> velocity;     ///< m/s
   std::vector<Eigen::Vector3d> angular_velocity;  ///< rad/s, laboratory frame
-  ParticleTypes kinds;                            ///< empty where all grains are alike
-  std::vector<std::uint8_t> kind;  ///< of every grain, its number in `kinds`; empty where all are alike
+  ParticleTypes kinds;                            ///< empty for powder of one size
+  std::vector<std::uint8_t> kind;  ///< of every grain, its number in `kinds`; empty for powder of one size
 
   bool monodisperse() const { return kind.empty(); }
   double diameter_of(std::size_t k) const {
@@ -117,7 +117,7 @@ struct Stage {
   double start = 0, end = 0;  ///< s since the start of the scene
 };
 
-/// What a run says about itself in words, by topic, such as "powder" or "assumptions"; units are in the
+/// Statements about the run, by topic, such as "powder" or "assumptions"; units are in the
 /// texts. `name` and `text` have the same length.
 struct Topic {
   std::string topic;

@@ -1,4 +1,4 @@
-// How near a run came to the limits of the method, and on which side each limit counts.
+// Distance of a run from the limits of the method, and on which side each limit counts.
 #pragma once
 
 #include <string>

@@ -1,4 +1,4 @@
-// Why a figure of a run has no value, in the words of its report.
+// The reason why a figure of a run has no value.
 #pragma once
 
 #include <string>

@@ -1,4 +1,4 @@
-// Places of a field that have no value, and why: they are told apart in Field2D::value itself.
+// Places of a field that have no value, and why: encoded in Field2D::value itself.
 #pragma once
 
 #include <bit>

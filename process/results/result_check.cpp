@@ -12,11 +12,11 @@ void same_or_none(const std::string& what, std::size_t found, std::size_t grains
 }
 
 void check_kinds(const ParticleTypes& kinds, const std::vector<std::uint8_t>& kind, std::size_t grains) {
-  same_or_none("kinds of grains", kind.size(), grains);
+  same_or_none("particle types", kind.size(), grains);
   const std::size_t count = kinds.size();
   if (kinds.sphere_radius.size() != count || kinds.mass.size() != count ||
       kinds.solid_volume.size() != count || kinds.material.size() != count)
-    throw ResultError("the table of kinds of grains has columns of unequal lengths");
+    throw ResultError("the table of particle types has columns of unequal lengths");
   for (const std::uint8_t number : kind)
     if (number >= count)
       throw ResultError("a grain is of kind " + std::to_string(number) + ", but there are " +

@@ -1,4 +1,4 @@
-// Numbers with no more digits than their scatter leaves.
+// Numbers with only the digits that their scatter allows.
 #pragma once
 
 #include <string>

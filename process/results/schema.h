@@ -1,6 +1,6 @@
-// The HDF5 schema, said once: writer and reader walk through the same description, so that what is written is
-// what can be read. README.md lists the same for people. Raise kSchemaVersion with every change here; what
-// is added as a list or an optional group keeps older files readable.
+// The HDF5 schema, defined once: writer and reader walk through the same description, so what is written can
+// be read. README.md lists the same for people. Raise kSchemaVersion with every change here; what is added as
+// a list or an optional group keeps older files readable.
 #pragma once
 
 #include <string>
@@ -16,17 +16,15 @@ inline constexpr int kSchemaVersion = 5, kOldestSchemaVersion = 1;
 
 template <class Archive, class Powder>
 void describe_kinds(Archive& archive, Powder& powder) {
-  archive.optional_group(
-      "kinds", "kinds of grains, where they are not all alike", !powder.monodisperse(), [&] {
-        auto& kinds = powder.kinds;
-        archive.field("diameter", kinds.diameter, "m", "grain size d of each kind");
-        archive.field("sphere_radius", kinds.sphere_radius, "m", "radius of the basic spheres of each kind");
-        archive.field("grain_mass", kinds.mass, "kg", "mass of one grain of each kind");
-        archive.field("grain_solid_volume", kinds.solid_volume, "m^3",
-                      "solid volume of one grain of each kind");
-        archive.field("material", kinds.material, "text", "material of each kind");
-        archive.field("of_grain", powder.kind, "1", "number of every grain's kind, from 0");
-      });
+  archive.optional_group("kinds", "particle types of powder of several sizes", !powder.monodisperse(), [&] {
+    auto& kinds = powder.kinds;
+    archive.field("diameter", kinds.diameter, "m", "grain size d of each type");
+    archive.field("sphere_radius", kinds.sphere_radius, "m", "radius of the basic spheres of each type");
+    archive.field("grain_mass", kinds.mass, "kg", "mass of one grain of each type");
+    archive.field("grain_solid_volume", kinds.solid_volume, "m^3", "solid volume of one grain of each type");
+    archive.field("material", kinds.material, "text", "material of each type");
+    archive.field("of_grain", powder.kind, "1", "number of every grain's type, from 0");
+  });
 }
 
 template <class Archive, class Powder>
@@ -177,7 +175,7 @@ void describe_profiles(Archive& archive, Profiles& profiles) {
 template <class Archive, class Checks>
 void describe_tool_checks(Archive& archive, Checks& checks) {
   const auto name_of = [](const ToolCheck& check) { return check.tool; };
-  archive.list("tool_checks", "what the CAD check found out", checks, name_of, [&](auto& check) {
+  archive.list("tool_checks", "findings of the CAD check", checks, name_of, [&](auto& check) {
     archive.field("tool", check.tool, "text", "name of the tool");
     archive.field("file", check.file, "text", "name of its CAD file");
     archive.field("findings", check.findings, "text", "remarks about the mesh");
@@ -203,8 +201,8 @@ void describe_stages(Archive& archive, Stages& stages) {
 template <class Archive, class Topics>
 void describe_topics(Archive& archive, Topics& topics) {
   const auto name_of = [](const Topic& topic) { return topic.topic; };
-  archive.list("topics", "what the run says about itself in words", topics, name_of, [&](auto& topic) {
-    archive.field("topic", topic.topic, "text", "what it is about");
+  archive.list("topics", "statements about the run, by topic", topics, name_of, [&](auto& topic) {
+    archive.field("topic", topic.topic, "text", "the topic");
     archive.field("name", topic.name, "text", "names of the statements");
     archive.field("text", topic.text, "text", "the statements, as many as names");
   });
@@ -220,9 +218,9 @@ void describe_instants(Archive& archive, Instants& instants) {
     archive.field("orientation", instant.orientation, "1",
                   "unit quaternion (w, x, y, z), body to laboratory");
     archive.field("velocity", instant.velocity, "m/s", "velocity of the grain centre");
-    archive.optional_group(
-        "kinds", "kinds of grains, where they are not all alike", !instant.kind.empty(),
-        [&] { archive.field("of_grain", instant.kind, "1", "as /powder/kinds/of_grain"); });
+    archive.optional_group("kinds", "particle types of powder of several sizes", !instant.kind.empty(), [&] {
+      archive.field("of_grain", instant.kind, "1", "as /powder/kinds/of_grain");
+    });
     archive.field("tool_orientation", instant.tool_orientation, "1",
                   "unit quaternion that turns every tool from its place in /tools, in their order");
     archive.field("tool_displacement", instant.tool_displacement, "m", "shift of every tool after turning");

@@ -1,5 +1,4 @@
-// A hash of a file's contents at its end: whether they are what was written is known before any of them is
-// believed.
+// A hash of a file's contents at its end, checked before any of them is used.
 #pragma once
 
 #include <filesystem>

@@ -1,5 +1,5 @@
-// Speed against accuracy: what settings of a scene cost and how far their results are off, as tradeoff.json
-// and tradeoff.csv, and for charts.
+// Cost against error: what settings of a scene cost and how large their errors are, as tradeoff.json and
+// tradeoff.csv, and for charts.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-// Turns a finished run into results: measures the filled die and writes down all figures of the report.
+// Turns a finished run into results: measures the filled die and collects all figures of the report.
 #pragma once
 
 #include "process/results/fill_result.h"

@@ -1,5 +1,5 @@
-// Stops and goes on: a checkpoint file holds all that a run needs to continue bit for bit, and is written
-// whole or not at all.
+// Stops and continues runs: a checkpoint file holds all that a run needs to continue bit for bit, and is
+// written completely or not at all.
 #pragma once
 
 #include <cstdint>
@@ -14,15 +14,15 @@
 
 namespace diefill::process {
 
-/// A run at one instant. `scene_hash` ties it to the scene and CAD files it came from, `start_hash` to
-/// all that has acted by then (beginning.h).
+/// A run at one instant. `scene_hash` ties it to its scene and CAD files, `start_hash` to all that has acted
+/// so far (shared_start.h).
 struct Checkpoint {
   std::uint64_t scene_hash = 0, start_hash = 0;
   engine::Snapshot simulation;
   ScheduleState schedule;
   ProbesState probes;
   std::vector<SnapshotState> snapshots;
-  /// Grains of each kind out of the computation: spilled or discharged, and wedged between tools.
+  /// Grains of each type out of the computation: spilled or discharged, and wedged between tools.
   std::vector<std::uint64_t> grains_left, grains_sheared;
   std::uint64_t grains_leaked = 0;         ///< of those that left, beneath the cavity
   double wall_seconds = 0;                 ///< s of computing so far, over all sittings
@@ -33,8 +33,8 @@ struct Checkpoint {
 /// The file of a run's checkpoint in its results directory.
 std::filesystem::path checkpoint_file(const std::filesystem::path& directory);
 
-/// Writes the checkpoint to a file. Throws results::ResultError when the disk is full; the one before then
-/// still stands.
+/// Writes the checkpoint to a file. Throws results::ResultError when the disk is full; the previous one then
+/// stays.
 void write_checkpoint(const std::filesystem::path& path, const Checkpoint& checkpoint);
 
 /// Reads such a file; nothing if there is none. Throws results::ResultError when it is damaged or of another

@@ -1,5 +1,5 @@
-// One filling from scene to rest: pours, steps the simulation through the schedule, lets spilled grains go,
-// watches the method's limits, records probes, keeps checkpoints.
+// One filling from scene to rest: pours, steps the simulation through the schedule, removes spilled grains,
+// monitors the method's limits, records probes, writes checkpoints.
 #pragma once
 
 #include <atomic>
@@ -28,7 +28,7 @@ struct RunOptions {
   std::filesystem::path directory;  ///< for checkpoints
   int threads = 2;
   bool resume = false;  ///< go on from the directory's checkpoint
-  /// Where runs leave their beginnings for each other (beginning.h); empty: nowhere.
+  /// Where runs store their shared starts (shared_start.h); empty: nowhere.
   std::filesystem::path shared_starts;
   bool show_progress = true;
   const std::atomic<bool>* stop =
@@ -55,7 +55,7 @@ class FillRun {
   void run();
   /// Whether numerics.max_time was over before the scene.
   bool ran_out_of_time() const { return !schedule_.finished() && out_of_time(); }
-  /// Why the scene is not over, in words; empty once it is.
+  /// Why the scene is not over, for messages; empty once it is.
   std::string why_unfinished() const;
 
   const engine::Simulation& simulation() const { return *simulation_; }

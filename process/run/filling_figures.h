@@ -1,4 +1,4 @@
-// Figures of a filled die that powder metallurgy speaks of.
+// Figures of a filled die in terms of powder metallurgy.
 #pragma once
 
 #include "process/measure/real_mass.h"

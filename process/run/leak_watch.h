@@ -1,5 +1,5 @@
-// Powder that runs out beneath the cavity: the tools leave an opening there while they move, which their CAD
-// at rest does not show.
+// Powder that leaks below the cavity: moving tools leave an opening there, which their CAD at rest does not
+// show.
 #pragma once
 
 #include <cstdint>
@@ -22,9 +22,9 @@ class LeakWatch {
   std::uint64_t grains() const { return grains_; }
   void restore(std::uint64_t grains) { grains_ = grains; }
 
-  /// What to tell the user, out of `poured` grains that there have been; nothing for stray ones.
+  /// The message about `poured` grains in all; nothing for a few stray ones.
   std::optional<std::string> warning(std::uint64_t poured) const;
-  /// The same when there is something to tell for the first time; nothing from then on.
+  /// The same at its first occurrence; nothing from then on.
   std::optional<std::string> news(std::uint64_t poured);
 
  private:

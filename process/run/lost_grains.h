@@ -1,5 +1,5 @@
-// Grains inside tools: those that went through a wall, which ends a run, and those that fell where no powder
-// was expected and no wall stands, which are spilled.
+// Grains inside tools: those that passed through a wall, which ends a run, and those that fell where no
+// powder was expected and no wall stands, which count as spilled.
 #pragma once
 
 #include <cstdint>
@@ -13,11 +13,11 @@
 
 namespace diefill::process {
 
-/// Looks for grains whose centre is more than half a grain deep in a tool.
+/// Finds grains whose centre is more than half a grain deep in a tool.
 class LostGrains {
  public:
-  /// `grain_diameters`: m, of each kind of grains, ascending. Builds what makes looking cheap; `tooling` must
-  /// outlive it.
+  /// `grain_diameters`: m, of each particle type, ascending. Prepares fast checks;
+  /// `tooling` must outlive it.
   LostGrains(const Tooling& tooling, std::vector<double> grain_diameters);
 
   /// Ids of grains that came into a tool, in the last `interval` (s), where it carries no wall spheres.

@@ -1,4 +1,4 @@
-// Warnings about limits of the method that a finished run has passed or come near.
+// Warnings about limits of the method that a finished run has exceeded or approached.
 #pragma once
 
 #include <string>

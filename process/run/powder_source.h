@@ -1,5 +1,5 @@
-// Lets powder into a running simulation: grains at random free places of a box, at a mass rate or as room
-// comes free.
+// Feeds powder into a running simulation: grains at random free places of a box, at a mass rate or as room
+// becomes free.
 #pragma once
 
 #include <vector>
@@ -12,16 +12,16 @@
 
 namespace diefill::process {
 
-/// All the steps of a scene that let powder in. What is random depends on the scene's seed and the number of
-/// the time step alone, so that a restart needs no history. Sizes of grains follow the scene's shares as
-/// evenly as they can, one grain after the other, so that masses are met.
+/// All the steps of a scene that feed powder. Randomness depends on the scene's seed and the number of the
+/// time step alone, so a restart needs no history. Sizes of grains follow the scene's shares as evenly as
+/// possible, one grain after the other, so that masses are met.
 class PowderSource {
  public:
   /// Keeps references to both.
   PowderSource(const Scene& scene, const Tooling& tooling);
 
   bool any() const { return !sources_.empty(); }
-  /// Adds what the steps that are on let in now, and counts it in the schedule; returns how many grains.
+  /// Adds what the active steps feed now, and counts it in the schedule; returns how many grains.
   std::size_t feed(engine::Simulation& simulation, Schedule& schedule) const;
 
  private:

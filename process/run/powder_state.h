@@ -11,7 +11,7 @@ namespace diefill::process {
 /// Grains as they are now, laboratory frame, all of `shape` and `grain_diameter` (m).
 results::PowderState powder_state(const engine::Simulation& simulation, const engine::GrainShape& shape,
                                   double grain_diameter);
-/// The same with the kinds of the scene.
+/// The same with the particle types of the scene.
 results::PowderState powder_state(const Scene& scene, const engine::Simulation& simulation);
 
 /// What contacts carry through every grain now, in the frame of `die`.

@@ -1,5 +1,5 @@
-// Records what probes of the scene ask for while it runs: loads on tools, mass through planes, filled mass,
-// fill level, energy. A scene without probes pays nothing.
+// Records the probes of a scene during a run: loads on tools, mass through planes, filled mass, fill level,
+// energy. A scene without probes has no cost.
 #pragma once
 
 #include <vector>
@@ -10,7 +10,7 @@
 
 namespace diefill::process {
 
-/// What a probe has gathered; all that a restart needs besides its rows.
+/// State of a probe; all that a restart needs besides its rows.
 struct ProbeState {
   Eigen::Vector3d force = Eigen::Vector3d::Zero(), torque = Eigen::Vector3d::Zero();  ///< summed over steps
   std::uint64_t steps = 0;                                                            ///< since the last row
@@ -31,7 +31,7 @@ class Probes {
   Probes(const Scene& scene, const Tooling& tooling);
 
   bool any() const { return !specs_.empty(); }
-  /// Notes what there is before the first step.
+  /// Records the state before the first step.
   void begin(const engine::Simulation& simulation);
   /// To be called after every time step; adds a row where an interval is over.
   void observe(const engine::Simulation& simulation);

@@ -1,4 +1,4 @@
-// Carries a simulation through the steps of its scene: which are on, since when, and where they take the
+// Runs a simulation through the steps of its scene: which are active, since when, and where they move the
 // tools.
 #pragma once
 
@@ -14,7 +14,7 @@
 
 namespace diefill::process {
 
-/// Powder's load on a tool, summed since the schedule was last looked at.
+/// The powder's load on a tool, summed since the last update of the schedule.
 struct LoadSum {
   Eigen::Vector3d force = Eigen::Vector3d::Zero(), torque = Eigen::Vector3d::Zero();
 };
@@ -41,10 +41,10 @@ class Schedule {
   void begin(engine::Simulation& simulation, const ScheduleState& state = {});
   /// To be called after every time step: sums the loads on tools, where a step or condition asks for them.
   void observe(const engine::Simulation& simulation);
-  /// Ends steps that are over and starts those whose time has come, each once; true if there were any. Gives
-  /// tools under force control their speed until the next call; throws engine::OutOfRange when one rings.
+  /// Ends steps that are over and starts those that are due, each once; true if there were any. Sets the
+  /// speed of tools under force control until the next call; throws engine::OutOfRange when one oscillates.
   bool update(engine::Simulation& simulation);
-  /// Whether `condition` holds now; `watch` keeps what it has seen. For snapshots.
+  /// Whether `condition` holds now; `watch` stores its state. For snapshots.
   bool holds(const Condition& condition, ConditionState& watch, const engine::Simulation& simulation) const;
 
   /// Steps that are over, each with its tools and its time.
@@ -54,12 +54,12 @@ class Schedule {
   const Stages& stages() const { return stages_; }
   /// Of the scene's step k (from 0).
   const StepState& of_step(std::size_t k) const { return state_.steps[k + 1]; }
-  /// Counts grains that the scene's step k let in.
+  /// Counts grains that step k of the scene fed.
   void count_inflow(std::size_t k, std::size_t grains) { state_.steps[k + 1].grains_come += grains; }
 
-  /// Steps that are on, in words; "done" after the last.
+  /// The active steps as text; "done" after the last.
   std::string description() const;
-  /// s that remain at least, counting `settling_time` s for whatever is not known beforehand.
+  /// s that remain at least, with `settling_time` s for whatever is not known beforehand.
   double time_left(double now, double settling_time) const;
   /// Box (m) round everything the tools reach in all steps.
   geometry::Box swept() const;

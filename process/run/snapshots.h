@@ -1,4 +1,4 @@
-// When a run is to leave results of the powder as it is under way.
+// When a run stores intermediate results.
 #pragma once
 
 #include <string>
@@ -8,7 +8,7 @@
 
 namespace diefill::process {
 
-/// How far a snapshot of the scene has come; a plain value, so that a checkpoint can keep it.
+/// State of a snapshot of the scene; a plain value, so that a checkpoint can store it.
 struct SnapshotState {
   ConditionState watch;
   std::uint64_t taken = 0;

@@ -1,4 +1,4 @@
-// What a tool that draws air means for the grains.
+// The effect on grains of air that a tool draws.
 #pragma once
 
 #include <optional>

@@ -1,4 +1,4 @@
-// One key of a part of a contact law: how it is read from the scene, and how it is shown in reports.
+// One key of a part of a contact law: how it is read from the scene, and how reports show it.
 #pragma once
 
 #include <functional>
@@ -27,7 +27,7 @@ enum class Need {
   linked     ///< another part gives it where it is missing: not a number until then
 };
 
-/// Whether a part that stands alone cannot do without the key.
+/// Whether a part on its own needs the key.
 inline bool wanted(Need need) {
   return need != Need::optional;
 }
@@ -97,7 +97,7 @@ ContactKey<Parameters> choice_key(std::string name, Value Parameters::*member, C
           }};
 }
 
-/// A key that is in use for some values of keys read before it, and otherwise refused with `reason`.
+/// A key that is used for some values of keys read before it, and otherwise refused with `reason`.
 template <class Parameters>
 ContactKey<Parameters> key_where(const std::function<bool(const Parameters&)>& in_use,
                                  const ContactKey<Parameters>& key, std::string reason) {

@@ -1,5 +1,5 @@
-// What [contact] says: the laws among grains and between grains and tools, in the engine's terms and in
-// words.
+// What [contact] states: the laws between grains and between grains and tools, as engine parameters and as
+// text.
 #pragma once
 
 #include <optional>
@@ -24,8 +24,8 @@ struct PairLawSpec {
   std::vector<PartDescription> words;  ///< normal, damping, friction, rolling, attraction
 };
 
-/// The usual rule of coarse graining (Bierwisch 2009, chapter 3), the first of
-/// engine::coarse_graining::kParameterRules. Others are there, and those of kMethods, which scale forces.
+/// The default rule of coarse graining (Bierwisch 2009, chapter 3), the first of
+/// engine::coarse_graining::kParameterRules. Other rules: the rest of them, and kMethods, which scale forces.
 inline constexpr const char* kBierwischScaling = "bierwisch";
 
 struct ContactSpec {

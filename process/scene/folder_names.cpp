@@ -80,12 +80,12 @@ std::string numbered(const std::string& name, const std::string& form) {
 }  // namespace
 
 std::vector<std::string> folder_names(const std::vector<std::string>& names) {
-  std::map<std::string, int> monodisperse;
-  for (const std::string& name : names) ++monodisperse[lower(plain_form(name))];
+  std::map<std::string, int> uses;
+  for (const std::string& name : names) ++uses[lower(plain_form(name))];
   std::vector<std::string> folders;
   for (const std::string& name : names) {
     const std::string form = plain_form(name);
-    const bool clashes = monodisperse[lower(form)] > 1 && name != lower(form);
+    const bool clashes = uses[lower(form)] > 1 && name != lower(form);
     folders.push_back(clashes || needs_number(name, form) ? numbered(name, form) : form);
   }
   return folders;

@@ -1,5 +1,5 @@
-// Names that people give, as names of folders: any printable text on the one side, on the other what every
-// file system, shell and command line takes, and nothing that the program writes itself.
+// Folder names from names that people give: any printable text in, and out what every file system, shell and
+// command line accepts and the program itself does not write.
 #pragma once
 
 #include <string>
@@ -8,10 +8,10 @@
 namespace diefill::process {
 
 /// Folder names for these names, one each, made of a-z, A-Z, 0-9, '-', '.' and '_' alone. They differ from
-/// each other by more than capitals, from all files and folders that the program writes into a directory of
-/// runs, and do not begin with '-' or '.'. Where a name's own letters do not see to that (they are too many,
-/// no ASCII letters, or would give the folder of another name), a number made of the whole name stands
-/// behind. A name has the same folder in every list in which no other comes close to it. Names must differ.
+/// each other by more than case, from all files and folders that the program writes into a directory of runs,
+/// and do not begin with '-' or '.'. Where a name's own letters do not ensure this (too many, not ASCII, or
+/// the folder of another name), a number derived from the whole name is appended. A name has the same folder
+/// in every list without a similar name. Names must differ.
 std::vector<std::string> folder_names(const std::vector<std::string>& names);
 
 /// The folder of a name that stands alone.

@@ -1,5 +1,5 @@
-// Whether two scenes ask for the same computation: what a run that is to go on, or results that are to be
-// kept, must have in common with the scene of today.
+// Whether two scenes ask for the same computation:
+// the condition for resuming a run, and for keeping results.
 #pragma once
 
 #include <toml++/impl/forward_declarations.h>
@@ -11,17 +11,17 @@
 
 namespace diefill::process {
 
-/// The document in `text` without what has no part in the computation: title, variants, numerics.max_time and
-/// numerics.checkpoint_interval; comments and the order of keys go with the text. `file` stands in messages.
-/// Throws SceneError for text that is not TOML.
+/// The document in `text` without what does not affect the computation: title, variants, numerics.max_time
+/// and numerics.checkpoint_interval; comments and the order of keys go with the text. `file` stands in
+/// messages. Throws SceneError for text that is not TOML.
 toml::table acting_document(const std::string& text, const std::filesystem::path& file);
 
-/// The same as text: equal for scenes that ask for the same computation in words of their own.
+/// The same as text: equal for scenes that ask for the same computation in different notation.
 std::string acting_text(const std::string& text, const std::filesystem::path& file);
 
-/// Number that two scenes have in common if they ask for the same computation with the same files: hash of
-/// the acting text, of `tool_hashes` (the tools' CAD files, tool by tool) and of the tables that steps read
-/// (`file` resolves their paths). Throws SceneError for text that is not TOML.
+/// Number that two scenes share if they ask for the same computation with the same files: hash of the acting
+/// text, of `tool_hashes` (the tools' CAD files, tool by tool) and of the tables that steps read (`file`
+/// resolves their paths). Throws SceneError for text that is not TOML.
 std::uint64_t scene_identity(const std::string& text, const std::filesystem::path& file,
                              const std::vector<std::string>& tool_hashes);
 

@@ -19,7 +19,7 @@ std::string millimetres(double length) {
   return number_text(length * 1e3) + " mm";
 }
 
-/// Two lengths that differ, with so many digits that they do so in words.
+/// Two lengths that differ, with so many digits that they do so as text.
 std::pair<std::string, std::string> millimetres_apart(double one, double other) {
   const auto words = numbers_apart(1e3 * one, 1e3 * other);
   return {words.first + " mm", words.second + " mm"};

@@ -22,8 +22,8 @@ struct PresetUse {
 /// In the order of preset_names().
 std::vector<PresetUse> preset_uses();
 
-/// kg/m^3, of the metal that a preset's powder is made of, which is iron: the tabulated grain masses make
-/// model grains lighter. 0 for powders of one's own, and where the scene gives the mass of a grain.
+/// kg/m^3, of the metal of a preset's powder, which is iron: the tabulated grain masses make model grains
+/// lighter. 0 for user-defined powders, and where the scene gives the mass of a grain.
 double preset_solid_density(const PowderSpec& powder);
 
 /// One-line warning for a preset that is unsuitable for die filling; empty for all others.

@@ -12,7 +12,7 @@ constexpr QuantityRule kCarryBeyond = {Dimension::length, "20 mm", "0 mm", "1 m"
 constexpr NumberRule kSleepEnergy = {0, 0.1, true, "1e-4"};
 constexpr NumberRule kWakeForce = {0, 0.9, true, "0.5"};
 
-/// Powder that sleeps in a tool that shakes would be shaken through the walls' grip alone, and wake at once.
+/// Powder that sleeps in a shaking tool would be shaken by the walls' grip alone, and wake at once.
 void refuse_while_shaken(TableReader& table, const Scene& scene, const std::string& key) {
   for (const auto& step : scene.steps)
     if (step->stays() && !step->tools().empty())

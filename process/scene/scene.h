@@ -1,4 +1,4 @@
-// A scene as typed, checked values in SI units: what the reader makes of a TOML file, and all that the run
+// A scene as typed, checked values in SI units: made from a TOML file by the reader, and all that a run
 // needs.
 #pragma once
 
@@ -52,9 +52,9 @@ struct PowderSpec {
   /// m, model grain size d wanted, exactly (d / R) times the wanted R: coarse graining scales the rest to it.
   /// Where grains are of several sizes, that of the grain of mean mass.
   double grain_diameter = 6 * 7.84e-5;
-  /// Sizes of the model grains (m), ascending, with their shares by number; empty: all grains are alike.
+  /// Sizes of the model grains (m), ascending, with their shares by number; empty: one size.
   std::vector<engine::CutClass> sizes;
-  std::string sizes_text;  ///< for people; empty where all grains are alike
+  std::string sizes_text;  ///< for people; empty for one size
 };
 
 /// m, the smallest and the largest grain size wanted.
@@ -62,7 +62,7 @@ double smallest_grain(const PowderSpec& powder);
 double largest_grain(const PowderSpec& powder);
 /// Makes all grains larger by `factor`.
 void enlarge(PowderSpec& powder, double factor);
-/// m, of each kind of grains, ascending; one where all grains are alike.
+/// m, of each particle type, ascending.
 std::vector<double> grain_diameters(const PowderSpec& powder);
 
 /// Wanted over reference grain size: the factor s by which coarse graining enlarges the grains; 1 for none.
@@ -71,8 +71,8 @@ double coarse_graining_factor(const PowderSpec& powder);
 /// Which rule of coarse graining takes the reference powder to the wanted grain size.
 enum class CoarseGraining { bierwisch };
 
-/// R_eff of grains on a mesh: that of a flat wall, or that on wall spheres, so that nothing but the shape
-/// differs.
+/// R_eff of grains on a mesh: that of a flat wall,
+/// or that on wall spheres, so that only the shape differs.
 enum class MeshContactRadius { flat, wall_spheres };
 
 /// Walls: spheres of one radius for all tools unless a tool says otherwise.
@@ -167,8 +167,8 @@ struct MeasureSpec {
   std::vector<HeapSpec> heaps;
 };
 
-/// A value: a copy may be changed without the original noticing. Copies share `contact` and the steps, which
-/// nobody changes; steps that depend on the tools are prepared for a run in a copy (with_prepared_steps()).
+/// A value: copies are independent. They share `contact` and the steps, which nobody changes; steps that
+/// depend on the tools are prepared for a run in a copy (with_prepared_steps()).
 struct Scene {
   std::filesystem::path file;
   std::string text;  ///< as read

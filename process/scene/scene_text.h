@@ -1,4 +1,4 @@
-// The scene file as text: found, readable, and text at all.
+// The scene file as text: found, readable, and really text.
 #pragma once
 
 #include <toml++/impl/forward_declarations.h>
@@ -13,7 +13,7 @@ namespace diefill::process {
 std::string load_scene_text(const std::filesystem::path& file);
 
 /// The document in `text`; `file` stands in messages. Throws SceneError for text that is not TOML, with the
-/// line and, for the slips that people make, the remedy.
+/// line and, for common mistakes, the remedy.
 toml::table parse_scene_text(const std::string& text, const std::filesystem::path& file);
 
 /// The document as the text of a scene file, numbers with as few digits as give them back.

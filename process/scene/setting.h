@@ -1,5 +1,5 @@
 // `setting` of a scene: how fine to compute, for a scene that leaves grain size, time step, wall spheres and
-// fill height to the planner (process/plan), and what such a choice leaves in the scene's text.
+// fill height to the planner (process/plan), and how the chosen values are written into its text.
 #pragma once
 
 #include <optional>
@@ -20,16 +20,16 @@ Setting setting_named(const std::string& name);
 
 /// `setting` of a scene. Throws SceneError where the scene also gives a quantity that the setting chooses.
 std::optional<Setting> read_setting(TableReader& document);
-/// [pour] of a scene with a setting, which has no fill height: until the setting is turned into numbers the
-/// whole height of the box stands for it.
+/// [pour] of a scene with a setting, which has no fill height: until the setting is turned into numbers it is
+/// the whole height of the box.
 PourSpec read_pour_without_height(TableReader table, const PowderSpec& powder, const NumericsSpec& numerics);
 
 /// The setting that the scene's text names. It is to be turned into numbers before anything runs.
 std::optional<Setting> setting_of(const Scene& scene);
 
-/// Lines of comment at the top of a scene whose numbers were chosen: who chose, then what.
+/// Comment lines at the top of a scene whose numbers were chosen: who chose them, then what.
 std::string as_comment(const std::vector<std::string>& chosen);
-/// The same read off a scene's text; empty where nothing was chosen.
+/// The same read from a scene's text; empty where nothing was chosen.
 std::vector<std::string> chosen_in(const std::string& text);
 
 }  // namespace diefill::process

@@ -1,11 +1,11 @@
-// Air drawn through the powder by a tool that goes down: the table [suction].
+// Air drawn through the powder by a tool that moves down: the table [suction].
 #pragma once
 
 #include <string>
 
 namespace diefill::process {
 
-/// What the resistance of the powder to air follows from. SI units.
+/// What the powder's resistance to air follows from. SI units.
 struct SuctionSpec {
   std::string tool;              ///< the one whose motion draws the air
   double particle_diameter = 0;  ///< m, of the real powder

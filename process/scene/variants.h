@@ -27,7 +27,7 @@ std::vector<Variant> read_variants(const std::filesystem::path& file);
 /// Whether the scene's text has [[variant]] tables.
 bool has_variants(const Scene& scene);
 
-/// What is to be different from a scene file.
+/// Changes to a scene file.
 struct SceneChanges {
   std::string set;  ///< TOML, such as `step.1.velocity = "0.1 m/s"`, a key a line
   std::vector<std::string>
@@ -44,9 +44,9 @@ Scene changed_scene(const std::string& text, const std::filesystem::path& file, 
 std::optional<std::string> value_at(const std::string& text, const std::filesystem::path& file,
                                     const std::string& key);
 
-/// The scene file's text of `scene` (one of read_variants) with this seed. Where it names a file, CAD of a
-/// tool or the table that a step follows, it has what `elsewhere` gives for its path, as given. What a
-/// setting chose stays said at its top (process/scene/setting.h).
+/// The scene file's text of `scene` (one of read_variants) with this seed. Paths of files that it names, CAD
+/// of a tool or the table of a step, are replaced by what `elsewhere` gives for them. The comment of a
+/// setting stays at its top (process/scene/setting.h).
 std::string scene_text_with(const Scene& scene, std::uint64_t seed,
                             const std::function<std::string(const std::filesystem::path&)>& elsewhere);
 

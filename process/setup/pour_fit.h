@@ -12,11 +12,11 @@ namespace diefill::process {
 /// bring it near a wall.
 inline constexpr double kNearestTool = 0.9;
 
-/// Throws SceneError where the pour box reaches beside or below the tools that stand (`standing`, m): powder
-/// there would be let go as spilled at once.
+/// Throws SceneError where the pour box extends beside or below the standing tools (`standing`, m): powder
+/// there would be lost at once.
 void refuse_powder_over_nothing(const Scene& scene, const geometry::Box& standing);
 
-/// Throws SceneError for a grain that starts in a tool, which would shoot it away. `radii`: m, of each kind.
+/// Throws SceneError for a grain that starts in a tool, which would eject it. `radii`: m, of each type.
 void refuse_overlap(const Scene& scene, const Tooling& tooling, const std::vector<engine::NewGrain>& grains,
                     const std::vector<double>& radii);
 

@@ -1,5 +1,5 @@
-// Refuses scenes that cannot finish on this machine before they start: more grains, wall spheres or stored
-// instants than fit into memory, or too many time steps. Runs of days or weeks are allowed.
+// Refuses scenes that cannot finish on this machine: more grains, wall spheres or stored instants than fit
+// into memory, or too many time steps. Runs of days or weeks are allowed.
 #pragma once
 
 #include <string>

@@ -95,8 +95,8 @@ std::array<double, 2> extremes(const Step& step, const StepState& state, const g
 }
 
 /// Poses of all tools as time goes on: at the start, then whenever one has moved on by `distance`, at the end
-/// of every step, and where shaken tools are farthest out. Fine in time first, so that a passage to and fro
-/// is sampled once a way.
+/// of every step, and where shaken tools are farthest out. Fine in time first, so that a passage there and
+/// back is sampled once a way.
 std::vector<Poses> sampled_poses(const Scene& scene, const Tooling& tooling, double distance) {
   const Stages stages(scene);
   const auto states = predicted(stages, kSettlingGuess);

@@ -1,4 +1,4 @@
-// Which parts of the tools' surfaces powder can touch during a scene.
+// Which surfaces of the tools powder can touch during a scene.
 #pragma once
 
 #include <memory>

@@ -1,13 +1,13 @@
-// The tools of a scene before they are covered with wall spheres: enough to know the cavity and the motions.
+// The tools of a scene before they are covered with wall spheres: enough for cavity and motions.
 #pragma once
 
 #include "process/tooling/tooling.h"
 
 namespace diefill::process {
 
-/// Reads and examines the tools and settles what the scene's steps leave to the geometry (Step::prepare), as
-/// build_tooling() does, but without wall spheres. Throws SceneError or geometry::MeshError for tools that
-/// cannot be used. `tell` hears how far this is.
+/// Reads and examines the tools and resolves what the scene's steps leave to the geometry (Step::prepared),
+/// as build_tooling() does, but without wall spheres. Throws SceneError or geometry::MeshError for tools that
+/// cannot be used. `tell` receives the progress.
 Tooling read_tooling(const Scene& scene, const TellProgress& tell = tell_nobody);
 
 /// Share of the work of build_tooling() that reading takes, for a die of ten million triangles.

@@ -1,4 +1,4 @@
-// Set-ups that can be computed but are likely mistakes: powder beside the shoe, a shoe above the die,
+// Set-ups that can be computed but are probably mistakes: powder beside the shoe, a shoe above the die,
 // narrower than the cavity or never over it, a punch beside the die, too little powder.
 #pragma once
 
@@ -15,14 +15,14 @@ struct SetupFinding {
   std::vector<Eigen::Vector3d> places;  ///< m, laboratory frame
 };
 
-/// All that is found; none for most scenes.
+/// All findings; none for most scenes.
 std::vector<SetupFinding> setup_findings(const Scene& scene, const Tooling& tooling);
 
 /// Findings about the shoe: too high above the die, misses part of the cavity, or is out of scale.
 std::vector<SetupFinding> shoe_findings(const Scene& scene, const Tooling& tooling);
 
-/// Steps that let powder in with a rate that their boxes cannot give. Throws SceneError for a box in which no
-/// grain has room while its step is on: the step would never end.
+/// Steps whose boxes cannot supply their inflow rate. Throws SceneError for a box without room for a grain
+/// while its step is active: the step would never end.
 std::vector<SetupFinding> inflow_findings(const Scene& scene, const Tooling& tooling);
 
 /// Prefix of those warnings of a run that point to a likely mistake.

@@ -1,5 +1,5 @@
-// How many wall spheres tools may take: predicted before any is set, so that a radius far too small is
-// refused at once.
+// Number of wall spheres that tools may take: predicted before any is placed, so that a radius far too small
+// is refused at once.
 #pragma once
 
 #include <Eigen/Core>

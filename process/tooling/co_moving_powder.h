@@ -1,4 +1,4 @@
-// Powder that rides in the shoe as a block: where economy.carry_beyond asks for it.
+// Powder that moves with the shoe as a block (economy.carry_beyond).
 #pragma once
 
 #include <optional>
@@ -8,9 +8,9 @@
 
 namespace diefill::process {
 
-/// What the engine needs to carry powder in the shoe's frame, except near cavities; nothing where the scene
-/// does not ask for it. Throws SceneError where there is no cavity to be far from, no shoe or several, or
-/// where the die moves or the shoe turns.
+/// Settings for powder carried in the shoe's frame, except near cavities; nothing where the scene does not
+/// ask for it. Throws SceneError where there is no cavity to be far from, no shoe or several, or where the
+/// die moves or the shoe turns.
 std::optional<engine::SleepSettings> co_moving_powder(const Scene& scene, const Tooling& tooling);
 
 }  // namespace diefill::process

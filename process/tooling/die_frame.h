@@ -1,5 +1,5 @@
-// What lies in the die, wherever the die has been moved: places are taken back to the frame in which the die
-// stands where the scene puts it.
+// The frame of the die: positions are transformed to where the scene places the die, wherever it has been
+// moved.
 #pragma once
 
 #include "engine/simulation/simulation.h"
@@ -17,7 +17,7 @@ class DieFrame {
   explicit DieFrame(const engine::BodyMotion& die) : die_(die) {}
   /// True where the die stands as the scene puts it, to 1e-12 m and rad.
   bool at_home() const;
-  /// m, how far the die's own origin stands off, and rad, by which it is turned.
+  /// m, offset of the die's own origin, and rad, by which it is turned.
   double shift() const { return die_.translation.norm(); }
   double turn() const { return Eigen::AngleAxisd(die_.rotation).angle(); }
 

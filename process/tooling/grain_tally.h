@@ -1,4 +1,4 @@
-// Grains counted by kind, and what they weigh: exact however many there are and in whatever order they come.
+// Grains counted by particle type, and their mass: exact for any number of grains in any order.
 #pragma once
 
 #include <cstdint>

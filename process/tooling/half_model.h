@@ -1,7 +1,7 @@
-// Half a model for the whole: where tools and their motions are mirror images of themselves, half the powder
-// is computed in front of a plane that acts on grains as their images behind it would, and results show both
-// halves. What is lost: powder is never quite symmetric, so that the scatter between both halves is, and
-// grains cannot lie across the plane.
+// Half models: where tools and their motions are mirror images of themselves, half the powder is computed in
+// front of a plane that acts on grains as their images behind it would, and results show both halves. What is
+// lost: powder is never quite symmetric, so the scatter between the halves is missing, and no grain can lie
+// across the plane.
 #pragma once
 
 #include "engine/simulation/simulation.h"
@@ -11,7 +11,7 @@
 namespace diefill::process {
 
 /// Throws SceneError when tools or motions are not mirror images of themselves. Steps must have been
-/// prepared. Does nothing without a mirror plane, as all of the following.
+/// prepared. Like all functions below it does nothing without a mirror plane.
 void refuse_asymmetry(const Scene& scene, const Tooling& tooling);
 
 /// Drops the wall spheres that powder in front of the mirror plane cannot touch.
@@ -20,10 +20,10 @@ void keep_near_half(const Scene& scene, geometry::WallSpheres& spheres);
 /// The mirror plane as a wall at which grains meet their images.
 engine::WallBodySpec mirror_wall(int axis);
 
-/// 2 for a half model, 1 otherwise: what a grain, a mass, an energy counts.
+/// 2 for a half model, 1 otherwise: the factor of a grain, a mass, an energy.
 double copies(const Tooling& tooling);
 
-/// The load that both halves put on a tool.
+/// The load of both halves on a tool.
 engine::WallLoad whole_load(const Tooling& tooling, const engine::WallLoad& load);
 
 /// Calls visit(place) for the place and its image.

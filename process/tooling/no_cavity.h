@@ -1,4 +1,4 @@
-// Why tools have no cavity: what an engineer most likely got wrong, found by trying what would mend it.
+// Why tools have no cavity: the most likely mistake, found by trying what would correct it.
 #pragma once
 
 #include <string>
@@ -13,7 +13,7 @@ namespace diefill::process {
 /// beside the hole or too narrow for it. `poses`: as the steps that make the cavity leave the tools.
 std::string why_no_cavity(const Scene& scene, const Tooling& tooling, const std::vector<ToolPose>& poses);
 
-/// The tool that would fit with the others in another unit of length, and what to write; empty for none.
+/// The tool that would fit the others in another unit of length, and what to write; empty for none.
 /// Tools as they stand at the start; `tooling` knows its die.
 std::string wrong_unit(const Scene& scene, const Tooling& tooling);
 

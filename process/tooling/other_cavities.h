@@ -1,4 +1,4 @@
-// Dies with several cavities: figures, profiles and verdict of those that come after the largest.
+// Dies with several cavities: figures, profiles and verdict of all but the largest.
 #pragma once
 
 #include <functional>

@@ -1,6 +1,6 @@
-// Walls of a periodic scene: a tool that is the same all along the periodic direction gets rows of wall
-// spheres that repeat exactly with the period, so that a grain crossing the border meets the same wall on the
-// other side.
+// Walls of a periodic scene: a tool that is uniform along the periodic direction gets rows of wall spheres
+// that repeat exactly with the period, so a grain that crosses the border meets the same wall on the other
+// side.
 #pragma once
 
 #include "geometry/wall_spheres/wall_spheres.h"

@@ -1,4 +1,4 @@
-// A tool seen from above at one height: where its walls are, and which places they hold in.
+// A tool seen from above at one height: where its walls are, and which places they enclose.
 #pragma once
 
 #include <array>
@@ -29,7 +29,7 @@ class PlanView {
   std::vector<Segment> segments_;
 };
 
-/// The places that a tool holds in at a height, kept as a raster: asked for many times at the price of one.
+/// The places that a tool encloses at a height, as a raster: computed once, asked often.
 class Opening {
  public:
   Opening(const geometry::Mesh& mesh, double z);

@@ -1,4 +1,4 @@
-// How much memory a run takes, from what was measured of finished ones.
+// Memory that a run takes, fitted to measured runs.
 #pragma once
 
 namespace diefill::process::plan {

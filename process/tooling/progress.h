@@ -1,4 +1,4 @@
-// Tells the user how a long run gets on: a bar that is redrawn on a terminal, plain lines now and then
+// Progress of long work on standard error: a bar that is redrawn on a terminal, plain lines at intervals
 // elsewhere.
 #pragma once
 
@@ -8,12 +8,12 @@
 
 namespace diefill::process {
 
-/// Told by work under way: the share of it that is done, 0 to 1, and what is going on.
+/// Called by work in progress: its finished share, 0 to 1, and what is being done.
 using TellProgress = std::function<void(double share, const std::string& doing)>;
 
 inline void tell_nobody(double, const std::string&) {}
 
-/// Progress of one piece of work on standard error.
+/// Progress of one task on standard error.
 class Progress {
  public:
   explicit Progress(bool wanted);
@@ -21,14 +21,14 @@ class Progress {
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
-  /// `share` of the work done, 0 to 1, and what is going on. Cheap to call often: shows something ten times a
-  /// second on a terminal, every ten seconds elsewhere, and nothing in the first two seconds.
+  /// `share` of the work done, 0 to 1, and what is being done. Cheap to call: prints ten times a second on a
+  /// terminal, every ten seconds elsewhere, and nothing in the first two seconds.
   void show(double share, const std::string& doing, const std::string& rate);
-  /// Shows what it is told, as long as this object lives.
+  /// Prints what it is told, as long as this object lives.
   TellProgress listener();
   /// A line that stays.
   void say(const std::string& line);
-  /// The same, where no progress is wanted too: what must not go unnoticed.
+  /// The same, where no progress is wanted either: for what must not be missed.
   void warn(const std::string& line);
 
  private:

@@ -65,7 +65,7 @@ double predicted_start(std::size_t k, const Stages& stages, const std::vector<St
   return last;
 }
 
-void foresee_end(std::size_t k, const Stages& stages, std::vector<StepState>& states, double settling_time) {
+void predict_end(std::size_t k, const Stages& stages, std::vector<StepState>& states, double settling_time) {
   const Step& step = *stages.steps[k];
   StepState& state = states[k];
   const auto duration = step.duration();
@@ -160,7 +160,7 @@ std::vector<StepState> predicted(const Stages& stages, double settling_time) {
       if (states[k].is_over()) continue;
       if (states[k].waits()) states[k].started = predicted_start(k, stages, states);
       if (states[k].waits()) continue;
-      foresee_end(k, stages, states, settling_time);
+      predict_end(k, stages, states, settling_time);
       changed = changed || states[k].is_over();
     }
   }

@@ -1,4 +1,4 @@
-// The steps of a scene as a run goes through them: when each began and ended, and where that puts the tools.
+// The steps of a scene during a run: when each began and ended, and the resulting poses of the tools.
 #pragma once
 
 #include <memory>
@@ -14,13 +14,13 @@
 
 namespace diefill::process {
 
-/// How far a condition has been watched.
+/// State of a condition.
 struct ConditionState {
   double armed = -1;  ///< s, since when its measured parts count; negative: not yet
   RestWatch rest;
 };
 
-/// How far a step has come. All that a restart needs; a plain value, so that a checkpoint can keep it.
+/// State of a step. All that a restart needs; a plain value, so that a checkpoint can store it.
 struct StepState {
   double started = -1;     ///< s; negative: not yet
   double stop_asked = -1;  ///< s, when its plan told it to stop; negative: not yet
@@ -63,13 +63,13 @@ ToolPose pose_of(const Stages& stages, const std::vector<StepState>& states, con
                  double time);
 
 /// States after a run in which everything goes as predicted: what a step measures is fulfilled at once, and
-/// the powder takes `settling_time` (s) to come to rest or to do whatever else a step that is left open waits
-/// for. Steps must have been prepared.
+/// the powder takes `settling_time` (s) to come to rest or to do whatever else an open step waits for. Steps
+/// must have been prepared.
 std::vector<StepState> predicted(const Stages& stages, double settling_time);
 
-/// Instants (s) of a run that goes as predicted at which to look where tools are: dense during every step
-/// that moves one; a few score, spread over all phases, and those farthest out where it moves about one
-/// place. Sorted.
+/// Instants (s) of a predicted run at which to examine tools: dense during every step that moves one; some
+/// dozens, spread over all phases, and those farthest out where it moves about one place.
+/// Sorted.
 std::vector<double> instants(const Stages& stages, const std::vector<StepState>& states, int dense);
 
 }  // namespace diefill::process

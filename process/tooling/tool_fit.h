@@ -1,4 +1,4 @@
-// Checks sizes and positions of tools for mistakes: a wrong unit of length, a part that overlaps another.
+// Checks sizes and positions of tools: a wrong unit of length, a part that overlaps another.
 #pragma once
 
 #include <string>

@@ -1,4 +1,4 @@
-// Tools that would pass through each other on the ways that a scene's steps take them.
+// Tools that would collide during the steps of a scene.
 #pragma once
 
 #include <memory>
@@ -22,7 +22,7 @@ struct ToolCollision {
   std::string description() const;                  ///< without `where`
 };
 
-/// A tool that would pass through another; the places are for a picture.
+/// A tool that would cut into another; the places are for a picture.
 struct ToolsCollide : SceneError {
   ToolsCollide(const std::string& message, std::vector<ToolCollision> found)
       : SceneError(message), collisions(std::move(found)) {}
@@ -33,18 +33,18 @@ struct ToolsCollide : SceneError {
 /// start, and at most a quarter of the thinner one's mean thickness.
 double allowed_depth(const Scene& scene, const Tool& one, const Tool& other);
 
-/// Ways of tools under force control are not known beforehand.
+/// Paths of tools under force control are not known beforehand.
 enum class ForcedTools { stand, go_all_the_way };
 
-/// Follows all tools through all steps, which must have been prepared, and looks at every pair that moves
-/// against each other at poses at most half a millimetre apart; a pose that a pair has been in is not looked
-/// at again. One collision a pair at most.
+/// Follows all tools through all steps, which must have been prepared, and checks every pair in relative
+/// motion at poses at most half a millimetre apart; poses checked before are skipped. One collision per pair
+/// at most.
 std::vector<ToolCollision> find_collisions(const Scene& scene, const Tooling& tooling, ForcedTools forced);
 
 /// Throws ToolsCollide for the collisions of prescribed motions.
 void refuse_collisions(const Scene& scene, const Tooling& tooling);
 
-/// Watches, while a run is under way, the tools whose way follows the powder's resistance.
+/// Monitors, during a run, the tools under force control.
 class ForcedToolWatch {
  public:
   /// Keeps a reference to `tooling`.

@@ -1,4 +1,4 @@
-// Which tool is out of scale with the others, as when its file is read in another unit of length.
+// Which tool has the wrong scale, as when its file is read in another unit of length.
 #pragma once
 
 #include <string>

@@ -24,8 +24,8 @@ struct Tool {
   geometry::Mesh mesh;
   geometry::MeshFindings found;           ///< as the file has it
   geometry::MeshFindings findings;        ///< after repair
-  std::vector<std::string> file_remarks;  ///< what is odd about the file and was passed over, in words
-  std::vector<std::string> repairs;       ///< in words, one a line; empty when nothing was done
+  std::vector<std::string> file_remarks;  ///< oddities of the file that were ignored
+  std::vector<std::string> repairs;       ///< one per line; empty when nothing was done
   std::vector<std::string> not_repaired;  ///< what would have been a guess
   std::vector<std::string> file_parts;    ///< names of the parts in the file
   double metres_per_unit = 0;             ///< of the file
@@ -36,13 +36,13 @@ struct Tool {
   /// The wall itself, where that is the mesh; `spheres` then only cut the cells of grains that measures take.
   std::optional<geometry::Mesh> wall_mesh;
 
-  /// Answers about `mesh`, built when first asked for: millions of triangles take seconds and a gigabyte.
+  /// Queries of `mesh`, built at first use: millions of triangles take seconds and a gigabyte.
   const geometry::SolidQuery& solid() const;
   /// Keeps the adjacency that a check of `mesh` found for solid(), which would find it again.
   void keep(geometry::Topology topology) { topology_ = std::move(topology); }
 
  private:
-  // Two threads may not ask one tool first at once.
+  // Only one thread may be the first to ask.
   mutable std::optional<geometry::SolidQuery> solid_;
   mutable std::optional<geometry::Topology> topology_;  ///< until solid() takes it
 };
@@ -63,8 +63,8 @@ struct Tooling {
   /// All cavities as one, for motions and planning: the largest with the box and the volume of all and the
   /// narrowest place of any.
   geometry::Cavity all_cavities() const;
-  /// What is odd about the tools' files, what was done to their CAD, and which files were taken as a whole: a
-  /// line each.
+  /// Oddities of the tools' files, repairs of their CAD, and files that were used as a whole:
+  /// a line each.
   std::vector<std::string> remarks() const;
   /// Index of the tool of that name. Throws std::out_of_range.
   std::size_t index_of(const std::string& name) const;

@@ -104,7 +104,7 @@ std::string saving(double cost, double reference) {
   return text;
 }
 
-/// What a quantity's error is within, in words.
+/// What a quantity's error is within, as text.
 std::string limit_text(const TradeoffQuantity& quantity, double tolerance) {
   return quantity.floor > tolerance ? "the " + percent(quantity.floor) + " scatter over seeds"
                                     : "the tolerance of " + percent(tolerance);

@@ -1,5 +1,5 @@
-// From measured costs and values to errors, the floor that seeds set, the Pareto front, and one setting to
-// take.
+// From measured costs and values to errors, the floor due to seeds, the Pareto front, and the recommended
+// setting.
 #pragma once
 
 #include "process/results/tradeoff.h"

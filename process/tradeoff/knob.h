@@ -1,5 +1,5 @@
-// A knob of a scene that buys speed with accuracy: what it changes, which of its values are finer, which are
-// worth trying.
+// A knob: a setting of a scene that trades speed for accuracy. What it changes, which of its values are
+// finer, which are worth trying.
 #pragma once
 
 #include <functional>
@@ -12,7 +12,7 @@
 
 namespace diefill::process {
 
-/// Which values of a knob come nearer to the real thing.
+/// Which values of a knob are more accurate.
 enum class Finer { smaller, larger, as_listed, neither };
 
 struct Knob {

@@ -1,4 +1,4 @@
-// What the user decides by, as numbers of a result.
+// The quantities by which settings are judged, as numbers of a result.
 #pragma once
 
 #include <functional>
@@ -21,8 +21,8 @@ struct MeasuredQuantity {
 /// periodic along x and y). To judge by one more figure, its line in quantities.cpp.
 std::vector<MeasuredQuantity> measured_quantities(const Scene& scene);
 
-/// Key of the quantity that tells how far the density map is like that of the reference setting; not in
-/// measured_quantities, since it needs both.
+/// Key of the correlation of the density map with that of the reference setting; not in measured_quantities,
+/// because it needs both.
 inline constexpr const char* kMapCorrelation = "map_correlation";
 
 /// Mean rate (1/s times the column's unit) at which a column of cumulated amounts grew from a fifth to four

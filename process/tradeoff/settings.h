@@ -1,4 +1,4 @@
-// The settings of a scene that are tried: the scene as it stands, and one knob at a time turned from there.
+// The settings of a scene that are tried: the scene as it stands, and one knob changed at a time.
 #pragma once
 
 #include <string>
@@ -22,7 +22,7 @@ KnobValues read_vary(const std::string& text);
 /// All registered knobs that do something in the scene, with the values worth trying.
 std::vector<KnobValues> usual_knobs(const Scene& scene);
 
-/// One setting: the scene with some knobs turned.
+/// One setting: the scene with some knobs changed.
 struct Setting {
   std::string name, label;                   ///< as in results::TradeoffPoint
   std::vector<results::KnobChange> changes;  ///< none for the base

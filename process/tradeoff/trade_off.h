@@ -1,5 +1,5 @@
-// Runs a scene over settings, each with several seeds, and says what they cost and how far they are off. The
-// runs are jobs of diefill compare: folders that stand alone, kept when finished, gone on with when not.
+// Runs a scene over settings, each with several seeds, and reports their cost and error. The runs are jobs of
+// diefill compare: self-contained folders, kept when finished, continued when not.
 #pragma once
 
 #include <map>
@@ -23,7 +23,7 @@ struct TradeoffOptions {
   Say say;                ///< told what earlier runs are kept aside
 };
 
-/// What is to be tried of a scene.
+/// What to try of a scene.
 struct TradeoffPlan {
   std::vector<KnobValues> knobs;
   std::vector<Setting> settings;  ///< the base first

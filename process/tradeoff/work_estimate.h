@@ -1,4 +1,4 @@
-// What a setting will cost beside others, before it is run.
+// The predicted cost of a setting relative to others.
 #pragma once
 
 #include "process/scene/scene.h"

@@ -1,4 +1,4 @@
-// Where everything of a chart goes, and its finished picture; draw_chart() in chart.h is the way in.
+// Layout of a chart and its finished picture; draw_chart() in chart.h is the entry point.
 #pragma once
 
 #include <QImage>
@@ -8,7 +8,7 @@
 
 namespace diefill::render {
 
-/// A finished chart, with what is needed to find data points on it.
+/// A finished chart, with the geometry needed to find data points on it.
 struct ChartPicture {
   QImage image;
   PlotArea plot;

@@ -1,4 +1,4 @@
-// The one recipe for charts of the laboratory: measurement as points, prediction as a line.
+// Charts of the laboratory: measurement as points, prediction as a line.
 #pragma once
 
 #include <filesystem>

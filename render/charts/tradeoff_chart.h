@@ -1,6 +1,6 @@
-// Speed against accuracy at a glance: every setting's cost and error, the Pareto front, the setting to take,
-// the scatter over seeds below which an error means nothing, and which settings are off all the same, in a
-// quantity that scatters less. One small chart for each knob.
+// Cost against error: every setting's cost and error, the Pareto front, the recommended setting, the scatter
+// over seeds below which an error has no meaning, and settings that fail in a quantity that scatters less.
+// One small chart per knob.
 #pragma once
 
 #include <QImage>

@@ -18,7 +18,7 @@ struct ComparedField {
   results::Field2D field;
 };
 
-/// A finished picture, with what is needed to read values off it again.
+/// A finished picture, with the geometry needed to read values from it.
 struct ComparisonPicture {
   QImage image;
   std::vector<PlotArea> plots;  ///< one for each field

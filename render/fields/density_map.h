@@ -13,7 +13,7 @@
 
 namespace diefill::render {
 
-/// A finished picture, with what is needed to read values off it again.
+/// A finished picture, with the geometry needed to read values from it.
 struct FieldPicture {
   QImage image;
   PlotArea plot;

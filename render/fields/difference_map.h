@@ -1,4 +1,4 @@
-// What changed between two times, passages or runs: a map of differences about 0.
+// What changed between two times, passages or runs: differences about zero.
 #pragma once
 
 #include "render/fields/density_map.h"

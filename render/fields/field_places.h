@@ -1,4 +1,5 @@
-// What surrounds the powder on pictures of a result: tools, cavities, the fill plane; and where a section is.
+// What surrounds the powder on pictures of a result: tools, cavities, fill plane; and the position of a
+// section.
 #pragma once
 
 #include "process/results/fill_result.h"

@@ -1,4 +1,4 @@
-// What a field's picture carries besides the field: scale, outlines, arrows, remarks.
+// What a field's picture shows besides the field: scale, outlines, arrows, remarks.
 #pragma once
 
 #include <Eigen/Core>

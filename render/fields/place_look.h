@@ -1,5 +1,4 @@
-// What a picture of a field shows where the field has no value: tools, air, empty cavity, powder without
-// value.
+// How a picture shows places where the field has no value: tools, air, empty cavity, powder without value.
 #pragma once
 
 #include <QPainter>
@@ -27,7 +26,7 @@ class PlacesShown {
   void add(Place place) { shown_[static_cast<std::size_t>(place)] = true; }
   void add(const PlacesShown& other);
   bool any() const;
-  /// Whether anything but kNoPowder needs a word: the legend then takes a line of its own.
+  /// Whether anything but kNoPowder needs an entry: the legend then takes a line of its own.
   bool several() const;
   /// Draws a swatch with its meaning for each, from the left; returns the width in pixels.
   double draw_legend(QPainter& painter, const QPointF& corner, const ColourBar& bar) const;

@@ -1,4 +1,4 @@
-// A window for VTK that is no window: an OSMesa context in memory, so that no display is ever needed.
+// A VTK window in memory: an OSMesa context, so that no display is needed.
 #pragma once
 
 #include <vtkGenericOpenGLRenderWindow.h>

@@ -1,4 +1,4 @@
-// What a report says about several runs held against each other.
+// Sections of a report that compare several runs.
 #pragma once
 
 #include <vector>

@@ -1,4 +1,4 @@
-// The shoe speed up to which a die fills, from runs at several speeds.
+// The largest shoe speed that fills a die, from runs at several speeds.
 #pragma once
 
 #include <string>
@@ -30,7 +30,7 @@ inline constexpr double kFarthest = 2;
 CriticalSpeed critical_speed(const std::vector<double>& speed, const std::vector<double>& fill_ratio,
                              const std::vector<double>& error = {});
 
-/// What to read of it, in sentences.
+/// The result in sentences.
 std::string description(const CriticalSpeed& critical);
 
 }  // namespace diefill::render::report

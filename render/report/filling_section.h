@@ -1,4 +1,4 @@
-// How full the die is, which every report about a run begins with.
+// How full the die is: the first section of every report.
 #pragma once
 
 #include "process/results/fill_result.h"

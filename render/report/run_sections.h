@@ -1,4 +1,4 @@
-// What a report says about one run.
+// Sections of a report on one run.
 #pragma once
 
 #include <vector>

@@ -1,4 +1,4 @@
-// The strategy of a filling as a chart over time: one bar a stage.
+// The schedule of a filling as a chart over time: one bar per stage.
 #pragma once
 
 #include <QImage>

@@ -1,4 +1,4 @@
-// Which libraries drew a report.
+// The libraries that drew a report.
 #pragma once
 
 #include <string>

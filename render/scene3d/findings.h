@@ -1,4 +1,4 @@
-// The picture of what a check found about tools, from plain arrays.
+// The picture of a check's findings about tools, from plain arrays.
 #pragma once
 
 #include <Eigen/Core>

@@ -1,4 +1,4 @@
-// The tools as drawn through glass, with a numbered mark at every finding and a legend that says what it is.
+// Transparent tools with a numbered mark at every finding and a legend that explains it.
 #pragma once
 
 #include <QImage>

@@ -1,4 +1,4 @@
-// Triangles as VTK wants them.
+// Triangles as VTK's types.
 #pragma once
 
 #include <vtkPolyData.h>

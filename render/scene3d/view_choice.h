@@ -1,4 +1,4 @@
-// What a snapshot shows: where the scene is cut open, and which part of it fills the picture. Plain geometry.
+// Framing of a snapshot: where the scene is cut open, and which part fills the picture. Plain geometry.
 #pragma once
 
 #include <Eigen/Core>

@@ -1,4 +1,4 @@
-// A rectangle of data: where a value lands on the picture, and the frame, ticks and labels around it.
+// A rectangle of data: where a value lies on the picture, and the frame, ticks and labels around it.
 #pragma once
 
 #include <QPainter>

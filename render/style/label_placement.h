@@ -1,4 +1,4 @@
-// Where labels of points go so that none covers another, a point, or the frame.
+// Places for labels of points so that none covers another, a point, or the frame.
 #pragma once
 
 #include <QLineF>

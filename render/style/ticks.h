@@ -1,4 +1,4 @@
-// Round numbers for axes and colour bars: where ticks go, and how they are written.
+// Round numbers for axes and colour bars: positions of ticks, and how they are written.
 #pragma once
 
 #include <span>

@@ -20,11 +20,13 @@ if [ "${3:-}" = children ]; then
   reading=
 fi
 cd "$source"
-for file in cad_file cad_parts equal_vertices half_edges lie_apart mesh mesh_check mesh_findings mesh_import point_grid read_3mf \
-  read_binary_stl read_curved_faces read_triangles topology triangle triangle_tree winding; do
+for file in cad/cad_file cad/cad_parts cad/mesh_import cad/read_3mf cad/read_binary_stl cad/read_curved_faces \
+  cad/read_triangles grids/distinct_points grids/point_grid mesh/equal_vertices mesh/half_edges mesh/mesh \
+  mesh/mesh_check mesh/mesh_findings mesh/topology mesh/triangle mesh/triangle_tree mesh/winding; do
+  object=$out/objects/$(basename "$file").o
   # shellcheck disable=SC2086
-  [ "$out/objects/$file.o" -nt "geometry/$file.cpp" ] ||
-    clang++ $flags "-fsanitize=fuzzer-no-link$sanitizers" -c "geometry/$file.cpp" -o "$out/objects/$file.o"
+  [ "$object" -nt "geometry/$file.cpp" ] ||
+    clang++ $flags "-fsanitize=fuzzer-no-link$sanitizers" -c "geometry/$file.cpp" -o "$object"
 done
 # shellcheck disable=SC2086
 clang++ $flags "-fsanitize=fuzzer$sanitizers" tests/fuzz/guided_fuzz.cpp tests/fuzz/fuzz_input.cpp \

@@ -1,25 +1,56 @@
-// What documents point to exists: linked files, and commands of the program.
+// What documents name exists: files, commands, options, and keys of scenes; and what stands in a room is
+// named on its page.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <filesystem>
-#include <functional>
-#include <regex>
 #include <set>
 
+#include "tests/project/document_text.h"
 #include "tests/project/source_files.h"
 
 namespace diefill::project {
 namespace {
 
-/// Every match's first group in the text of every document.
-void for_each_match(const std::regex& pattern,
-                    const std::function<void(const std::string&, const std::string&)>& use) {
-  for (const auto& file : written_files()) {
-    if (!file.ends_with(".md")) continue;
-    const std::string text = text_of(file);
-    for (std::sregex_iterator match(text.begin(), text.end(), pattern), end; match != end; ++match)
-      use(file, (*match)[1].str());
+/// `name` as a file, folder, or source without its ending, seen from `folder` (empty or with a slash behind).
+bool names_a_file(const std::string& folder, const std::string& name) {
+  constexpr std::array kEndings = {"", ".h", ".cpp"};
+  return std::any_of(kEndings.begin(), kEndings.end(),
+                     [&](const char* ending) { return exists_beside(folder + "x", name + ending); });
+}
+
+/// From the document's folder or one above it, the root included.
+bool names_a_file_near(const std::string& document, const std::string& name) {
+  for (std::string folder = folder_of(document);; folder = folder_of(folder.substr(0, folder.size() - 1))) {
+    if (names_a_file(folder, name)) return true;
+    if (folder.empty()) return false;
   }
+}
+
+bool stands_for_several(const std::string& name) {
+  return name.find_first_of("<>*{}, ") != std::string::npos || name.find("...") != std::string::npos;
+}
+
+/// Paths into the project and names of sources; not those of files that the program or its user makes.
+bool is_path_of_project(const std::string& name) {
+  static const std::regex path("(\\.\\./)*(engine|geometry|process|render|app|tests|sample_tools)/[\\w./-]+"),
+      source("[\\w./-]+\\.(h|cpp|cmake|scad)");
+  return !stands_for_several(name) && (std::regex_match(name, path) || std::regex_match(name, source));
+}
+
+/// What a document names and the project lacks, a line each.
+std::vector<std::string> missing_files(const std::string& document, const std::string& text) {
+  std::set<std::string> known;
+  for (const auto& file : written_files()) known.insert(std::filesystem::path(file).filename());
+  std::vector<std::string> missing;
+  for (const auto& line : lines_of(text))
+    for (const auto& name : quoted_code(line)) {
+      const bool bare = name.find('/') == std::string::npos;
+      if (is_path_of_project(name) && !(bare ? known.contains(name) : names_a_file_near(document, name)))
+        missing.push_back(document + ": " + name);
+    }
+  return missing;
 }
 
 TEST(Documents, LinkToFilesThatExist) {
@@ -29,6 +60,42 @@ TEST(Documents, LinkToFilesThatExist) {
       missing.push_back(file + ": " + link);
   });
   EXPECT_TRUE(missing.empty()) << in_lines(missing);
+}
+
+TEST(Documents, NameFilesThatExist) {
+  std::vector<std::string> missing;
+  for (const auto& document : documents())
+    for (auto& line : missing_files(document, text_of(document))) missing.push_back(std::move(line));
+  EXPECT_TRUE(missing.empty()) << in_lines(missing);
+  EXPECT_EQ(
+      missing_files("engine/README.md", "`laws/nowhere.h` `engine/laws/parts.h` `gone.cpp` `laws/parts`"),
+      (std::vector<std::string>{"engine/README.md: laws/nowhere.h", "engine/README.md: gone.cpp"}));
+}
+
+TEST(Documents, ListFilesThatStandBesideThem) {
+  std::vector<std::string> missing;
+  for (const auto& document : documents())
+    for (const auto& cell : file_cells(text_of(document)))
+      for (const auto& name : quoted_code(cell))
+        if (!stands_for_several(name) && !names_a_file(folder_of(document), name))
+          missing.push_back(document + ": " + name);
+  EXPECT_TRUE(missing.empty()) << in_lines(missing);
+}
+
+TEST(Documents, ListEveryFileOfTheirRoom) {
+  std::vector<std::string> unlisted;
+  for (const auto& file : source_files()) {
+    const std::string folder = folder_of(file), page = folder + "README.md";
+    if (file.starts_with("tests/") || !exists_beside(folder + "x", "README.md")) continue;
+    if (folder == "process/scene/") continue;  // its page is the user's: keys, not files
+    const std::string text = text_of(page), name = std::filesystem::path(file).filename();
+    const std::string stem = std::filesystem::path(file).stem();
+    const bool listed = text.find('`' + stem + '`') != std::string::npos ||
+                        text.find('`' + name + '`') != std::string::npos ||
+                        text.find('`' + stem + ".h`") != std::string::npos;
+    if (!listed) unlisted.push_back(page + ": " + name);
+  }
+  EXPECT_TRUE(unlisted.empty()) << in_lines(unlisted);
 }
 
 TEST(Documents, NameCommandsThatTheProgramHas) {
@@ -42,6 +109,100 @@ TEST(Documents, NameCommandsThatTheProgramHas) {
   for_each_match(std::regex(R"(`(?:build/bin/)?diefill ([a-z_]+))"), [&](const auto& file, const auto& name) {
     if (!commands.contains(name)) unknown.push_back(file + ": diefill " + name);
   });
+  EXPECT_TRUE(unknown.empty()) << in_lines(unknown);
+}
+
+/// All that is written in sources and scripts below `folders`.
+std::string all_code(const std::vector<std::string>& folders) {
+  std::string code;
+  for (const auto& file : written_files())
+    if (!file.ends_with(".md") && std::any_of(folders.begin(), folders.end(),
+                                              [&](const auto& folder) { return file.starts_with(folder); }))
+      code += text_of(file);
+  return code;
+}
+
+TEST(Documents, NameOptionsThatProgramsHave) {
+  const std::string code = all_code({"app/", "tests/", "sample_tools/"});
+  std::vector<std::string> unknown;
+  for_each_match(std::regex("[` ](--[a-z][a-z-]+)(?![a-z_-])"), [&](const auto& file, const auto& option) {
+    if (code.find(option) == std::string::npos) unknown.push_back(file + ": " + option);
+  });
+  EXPECT_TRUE(unknown.empty()) << in_lines(unknown);
+}
+
+TEST(Documents, NameTypesMembersAndConstantsThatSourcesHave) {
+  const std::string code = all_code({"engine/", "geometry/", "process/", "render/", "app/", "tests/"});
+  static const std::regex word("[A-Za-z_][A-Za-z_0-9]*"),
+      identifier("([A-Z][A-Za-z0-9]*)::(\\w+)(\\(.*\\))?|k[A-Z]\\w*");
+  std::set<std::string> known;
+  for (std::sregex_iterator match(code.begin(), code.end(), word), end; match != end; ++match)
+    known.insert(match->str());
+  std::vector<std::string> unknown;
+  for (const auto& document : documents())
+    for (const auto& line : lines_of(text_of(document)))
+      for (const auto& name : quoted_code(line)) {
+        std::smatch part;
+        if (!std::regex_match(name, part, identifier)) continue;
+        const bool exists =
+            part[1].matched ? known.contains(part[1]) && known.contains(part[2]) : known.contains(name);
+        if (!exists) unknown.push_back(document + ": " + name);
+      }
+  EXPECT_TRUE(unknown.empty()) << in_lines(unknown);
+}
+
+// Files move; comments that name them are forgotten.
+TEST(Documents, CommentsNameSourcesThatExist) {
+  const std::regex comment("//.*"), source("[\\w./-]*\\w\\.(h|cpp)\\b"), system("GL/.*");
+  const auto files = source_files();
+  const auto exists = [&](const std::string& name) {
+    return std::regex_match(name, system) || std::any_of(files.begin(), files.end(), [&](const auto& file) {
+             return ('/' + file).ends_with('/' + name);
+           });
+  };
+  std::vector<std::string> missing;
+  for (const auto& file : files)
+    for (const auto& line : lines_of(text_of(file))) {
+      std::smatch part;
+      if (file.starts_with("tests/project/") || !std::regex_search(line, part, comment)) continue;
+      const std::string text = part.str();
+      for (std::sregex_iterator match(text.begin(), text.end(), source), end; match != end; ++match)
+        if (!exists(match->str())) missing.push_back(file + ": " + match->str());
+    }
+  EXPECT_TRUE(missing.empty()) << in_lines(missing);
+}
+
+/// Keys of scenes that a document names: `table.key` in its text, and all of its blocks of TOML.
+std::set<std::string> scene_keys(const std::string& text) {
+  static const std::regex table_key(
+      "(?!powder\\.vtp)(?:powder|pour|walls|numerics|economy|measure|contact|suction|motion)\\.([a-z_]+)(?:"
+      "\\.([a-z_]+))?(?: "
+      "= .*)?"),
+      assigned(" *([a-z_]+) *=.*"), heading(" *\\[+([a-z_]+)(?:\\.([a-z_]+))*\\]+.*");
+  std::set<std::string> keys;
+  const auto take = [&](const std::string& line, const std::regex& pattern) {
+    std::smatch part;
+    if (!std::regex_match(line, part, pattern)) return;
+    for (std::size_t k = 1; k < part.size(); ++k)
+      if (part[k].matched) keys.insert(part[k]);
+  };
+  for (const auto& line : lines_of(text))
+    for (const auto& code : quoted_code(line)) take(code, table_key), take(code, heading);
+  for (const auto& line : code_lines(text, "toml")) take(line, assigned), take(line, heading);
+  return keys;
+}
+
+TEST(Documents, NameKeysThatScenesHave) {
+  EXPECT_EQ(scene_keys("`economy.sleep` and `[powder.sizes]`\n```toml\nseed = 2\n```\n"),
+            (std::set<std::string>{"powder", "seed", "sizes", "sleep"}));
+  const std::string code = all_code({"process/"});
+  std::vector<std::string> unknown;
+  for (const auto& document : documents()) {
+    if (document == "CHANGELOG.md") continue;  // tells which keys are gone
+    for (const auto& key : scene_keys(text_of(document)))
+      if (code.find('"' + key + '"') == std::string::npos && code.find('.' + key + '"') == std::string::npos)
+        unknown.push_back(document + ": " + key);
+  }
   EXPECT_TRUE(unknown.empty()) << in_lines(unknown);
 }
 

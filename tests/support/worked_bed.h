@@ -17,7 +17,7 @@ struct BedWork {
   double pour = 0.12, shake = 0.05, discharge = 0.05;  ///< s; whole periods of shaking
 };
 
-/// Energy gained without work that explains it over what was turned over, as engine::Health has it.
+/// Energy gained without work that explains it over what was turned over, as engine::ValidityMonitor has it.
 struct EnergyGained {
   double poured = 0, shaken = 0, discharged = 0;
   double at_rest = 0;  ///< part of `poured`: in the last third of that time
@@ -39,7 +39,7 @@ inline engine::WallBodySpec half_floor(const std::string& name, double radius, d
 }
 
 /// Spheres on a loose lattice above a floor in two halves, periodic in x and y. Both halves shake up and
-/// down and to and fro at 40 Hz, up to 1.6 times as hard as gravity pulls; then one of them drops.
+/// down and sideways at 40 Hz, up to 1.6 times as hard as gravity pulls; then one of them drops.
 inline EnergyGained gained_by(engine::SimulationSettings settings, const BedWork& work) {
   const double radius = settings.shape().sphere_radius, spacing = 2.1 * radius, width = work.across * spacing;
   settings.period = {width, width};

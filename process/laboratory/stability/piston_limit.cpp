@@ -155,7 +155,7 @@ void find_piston_limit(const ExperimentOptions& options, results::ExperimentResu
     measured.y.push_back(limit);
     theory.y.push_back(2 * target / (stiffness_at(bed, target) * kSpeedLimit * interval));
     result.limits.push_back(
-        {"piston at " + std::to_string(std::lround(pressure)) + " Pa: gain at which it rings", limit,
+        {"piston at " + std::to_string(std::lround(pressure)) + " Pa: gain at which it oscillates", limit,
          theory.y.back(), "1", "2 F / (K v T), K: stiffness of the bed, T: 20 steps"});
   }
   chart.series = {measured, theory};

@@ -145,8 +145,8 @@ void push_through(const ExperimentOptions& options, results::ExperimentResult& r
   const double noticed = largest_that_holds(
       0.01, 300, 0.02, [&](double speed) { return fly_at(standard, speed).deepest < forbidden; });
   result.limits.push_back(
-      {"speed at which health stops the run (300: at none tried), spacing 1.6 R_w, R_w = R", noticed,
-       std::nan(""), "m/s", "HealthLimits::forbidden_wall_overlap"});
+      {"speed at which the validity monitor stops the run (300: at none tried), spacing 1.6 R_w, R_w = R",
+       noticed, std::nan(""), "m/s", "HealthLimits::forbidden_wall_overlap"});
   result.charts.push_back(chart);
 }
 

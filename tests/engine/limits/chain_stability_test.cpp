@@ -9,19 +9,12 @@
 namespace diefill::engine {
 namespace {
 
-/// A plane of the material that walls have.
-WallBodySpec bare_floor(double height = 0) {
-  WallBodySpec floor = steel_floor(height);
-  floor.material = kWallMaterial;
-  return floor;
-}
-
 constexpr double kStep = 1e-7;  // s, so short that nothing moves in the step that finds the contacts
 
 WallBodySpec floor_at(double height) {
   WallBodySpec floor;
   floor.name = "floor";
-  floor.material = "steel";
+  floor.material = kWallMaterial;
   floor.planes = {{{0, 0, height}, {0, 0, 1}}};
   return floor;
 }
@@ -29,7 +22,7 @@ WallBodySpec floor_at(double height) {
 WallBodySpec lid_at(double height) {
   WallBodySpec lid;
   lid.name = "lid";
-  lid.material = "steel";
+  lid.material = kWallMaterial;
   lid.planes = {{{0, 0, height}, {0, 0, -1}}};
   return lid;
 }

@@ -1,4 +1,4 @@
-// Every kind of bad mesh is found, counted and put in words; good ones pass without a word.
+// Every kind of bad mesh is found, counted and described; good ones pass without a message.
 #include "geometry/mesh/mesh_check.h"
 
 #include <gtest/gtest.h>

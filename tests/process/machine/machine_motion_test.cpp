@@ -61,7 +61,7 @@ Oscillation shaking(double amplitude, double frequency) {
   oscillation.amplitude = amplitude;
   oscillation.frequency = frequency;
   oscillation.phase = 0.7;
-  oscillation.swelling = {.ramp = 0.1, .duration = 1.0};
+  oscillation.ramps = {.ramp = 0.1, .duration = 1.0};
   return oscillation;
 }
 
@@ -114,13 +114,13 @@ TEST(Vibration, MovesSmoothlyFromRestToRest) {
   const auto motion = [&](double time) { return vibration.motion(time); };
   expect_derivative(motion, 1, 0.1);
   const double omega = 2 * pi * 8;
-  // Swelling adds at most 2 s' omega + s'' with s' < 1.9 / ramp and s'' < 5.8 / ramp^2.
+  // RampTimes adds at most 2 s' omega + s'' with s' < 1.9 / ramp and s'' < 5.8 / ramp^2.
   expect_smooth(motion, 1, 1e-3 * (omega + 19), 1e-3 * (omega * omega + 38 * omega + 580));
 }
 
 TEST(Vibration, DiesAwayWhenItIsToldToStop) {
   Oscillation endless = shaking(1e-3, 8);
-  endless.swelling.duration.reset();
+  endless.ramps.duration.reset();
   const Vibration vibration({"shoe"}, Eigen::Vector3d::UnitX(), endless);
   EXPECT_TRUE(vibration.open_ended());
   const double stop = 3.21;
@@ -140,7 +140,7 @@ TEST(Vibration, KnowsWhereItIsFarthestOut) {
                               {.amplitude = 1e-3,
                                .frequency = frequency,
                                .phase = phase,
-                               .swelling = {.ramp = 0.03, .duration = length}});
+                               .ramps = {.ramp = 0.03, .duration = length}});
       const auto points = shaking.turning_points(length);
       ASSERT_EQ(points.size(), 2U) << frequency;
       EXPECT_EQ(shaking.motion(points[0]).translation, -shaking.motion(points[1]).translation);

@@ -52,7 +52,7 @@ TEST(StressField, GrainsThatFlyTogetherPressOnNothing) {
 
 TEST(StressField, AgitatedGrainsPressAsAGasDoes) {
   auto result = stressed_block([](const auto&) { return Eigen::Vector3d::Zero().eval(); });
-  constexpr double kSpeed = 0.3;  // m/s, along each axis, to and fro
+  constexpr double kSpeed = 0.3;  // m/s, along each axis, in both directions
   std::mt19937_64 random(3);
   for (auto& velocity : result.powder.velocity)
     for (int axis = 0; axis < 3; ++axis) velocity[axis] = random() % 2 == 0 ? kSpeed : -kSpeed;

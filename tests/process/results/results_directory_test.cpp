@@ -15,7 +15,7 @@ namespace {
 namespace fs = std::filesystem;
 using support::contents;
 
-/// What a process of its own is told that wants to lock the directory; empty: it was locked.
+/// The message to a second process that tries to lock the directory; empty: it was locked.
 std::string told_another_process(const fs::path& directory) {
   int ends[2];
   if (::pipe(ends) != 0) return "no pipe";

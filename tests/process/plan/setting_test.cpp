@@ -1,7 +1,7 @@
 // What the settings choose, and how that reaches the scene.
 #include <gtest/gtest.h>
 
-#include "tests/process/plan_sample.h"
+#include "tests/process/plan/plan_sample.h"
 
 namespace diefill::process::plan {
 namespace {

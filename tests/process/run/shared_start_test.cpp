@@ -1,9 +1,10 @@
 // Which runs begin alike, and what they leave for each other.
+#include "process/run/shared_start.h"
+
 #include <gtest/gtest.h>
 
 #include <fstream>
 
-#include "process/run/shared_start.h"
 #include "tests/process/scene_files.h"
 #include "tests/support/scene_text.h"
 

@@ -9,7 +9,7 @@
 #include "process/powder/material.h"
 #include "process/setup/pour.h"
 #include "process/tooling/predicted_memory.h"
-#include "tests/process/plan_sample.h"
+#include "tests/process/plan/plan_sample.h"
 
 namespace diefill::process::plan {
 namespace {

@@ -1,8 +1,8 @@
+#include "geometry/grids/distinct_points.h"
+
 #include <gtest/gtest.h>
 
 #include <random>
-
-#include "geometry/grids/distinct_points.h"
 
 namespace diefill::geometry {
 namespace {
@@ -22,36 +22,36 @@ double least_distance(const std::vector<Eigen::Vector3d>& points) {
   return least;
 }
 
-TEST(LieApart, IsTrueUpToTheLeastDistanceOfAllPairs) {
+TEST(SurelyDistinct, IsTrueUpToTheLeastDistanceOfAllPairs) {
   const auto points = scattered(3000);
   const double least = least_distance(points);
-  EXPECT_TRUE(surely_lie_apart(points, 0.999 * least));
-  EXPECT_FALSE(surely_lie_apart(points, 1.001 * least));
+  EXPECT_TRUE(surely_distinct(points, 0.999 * least));
+  EXPECT_FALSE(surely_distinct(points, 1.001 * least));
 }
 
-TEST(LieApart, SeesOneCloseCopyAmongMany) {
+TEST(SurelyDistinct, SeesOneCloseCopyAmongMany) {
   auto points = scattered(100000);
   const double distance = 1e-7;
-  ASSERT_TRUE(surely_lie_apart(points, distance));
+  ASSERT_TRUE(surely_distinct(points, distance));
   points.push_back(points[31415] + Eigen::Vector3d(0, 0.9 * distance, 0));
-  EXPECT_FALSE(surely_lie_apart(points, distance));
+  EXPECT_FALSE(surely_distinct(points, distance));
 }
 
-TEST(LieApart, SeesEqualPoints) {
-  EXPECT_FALSE(surely_lie_apart({{1, 2, 3}, {3, 2, 1}, {1, 2, 3}}, 0));
+TEST(SurelyDistinct, SeesEqualPoints) {
+  EXPECT_FALSE(surely_distinct({{1, 2, 3}, {3, 2, 1}, {1, 2, 3}}, 0));
 }
 
-TEST(LieApart, HoldsForAPlaneOfPoints) {
+TEST(SurelyDistinct, HoldsForAPlaneOfPoints) {
   std::vector<Eigen::Vector3d> points;
   for (int i = 0; i < 100; ++i)
     for (int j = 0; j < 100; ++j) points.emplace_back(0.01 * i, 0.01 * j, 7);
-  EXPECT_TRUE(surely_lie_apart(points, 0.0099));
-  EXPECT_FALSE(surely_lie_apart(points, 0.0101));
+  EXPECT_TRUE(surely_distinct(points, 0.0099));
+  EXPECT_FALSE(surely_distinct(points, 0.0101));
 }
 
-TEST(LieApart, NoPointsAndOneDo) {
-  EXPECT_TRUE(surely_lie_apart({}, 1));
-  EXPECT_TRUE(surely_lie_apart({{0, 0, 0}}, 1));
+TEST(SurelyDistinct, NoPointsAndOneAre) {
+  EXPECT_TRUE(surely_distinct({}, 1));
+  EXPECT_TRUE(surely_distinct({{0, 0, 0}}, 1));
 }
 
 }  // namespace

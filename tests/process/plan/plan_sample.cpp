@@ -1,4 +1,4 @@
-#include "tests/process/plan_sample.h"
+#include "tests/process/plan/plan_sample.h"
 
 namespace diefill::process::plan {
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "tests/process/plan_sample.h"
+#include "tests/process/plan/plan_sample.h"
 
 namespace diefill::process::plan {
 namespace {

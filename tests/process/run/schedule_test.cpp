@@ -1,5 +1,7 @@
 // When steps begin and end: in turn, together, by time and by conditions, each once, and the same after a
 // restart in the middle.
+#include "process/run/schedule.h"
+
 #include <gtest/gtest.h>
 
 #include <map>
@@ -9,7 +11,6 @@
 #include "process/machine/vibration.h"
 #include "process/machine/wait.h"
 #include "process/powder/material.h"
-#include "process/run/schedule.h"
 #include "process/run/snapshots.h"
 #include "process/scene/powder_presets.h"
 
@@ -43,7 +44,7 @@ std::shared_ptr<Step> shaking_shoe() {
   Oscillation oscillation;
   oscillation.amplitude = 1e-3;
   oscillation.frequency = 20;
-  oscillation.swelling.ramp = 0.05;
+  oscillation.ramps.ramp = 0.05;
   return std::make_shared<Vibration>(std::vector<std::string>{"shoe"}, Eigen::Vector3d::UnitX(), oscillation);
 }
 

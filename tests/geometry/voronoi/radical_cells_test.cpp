@@ -6,7 +6,7 @@
 #include <limits>
 #include <stdexcept>
 
-#include "voronoi_sample.h"
+#include "tests/geometry/voronoi_sample.h"
 
 namespace diefill::geometry {
 namespace {

@@ -1,5 +1,5 @@
-// What vibrations, oscillations and rotations have in common: tools that move about one place, and a motion
-// that ramps up when it begins and ramps down when it ends or is stopped.
+// Common part of vibrations, oscillations and rotations: tools that move about one place, with a ramp at the
+// beginning and at the end or when stopped.
 #pragma once
 
 #include <optional>
@@ -14,7 +14,7 @@
 namespace diefill::process {
 
 /// How long such a motion lasts. SI units.
-struct Swelling {
+struct RampTimes {
   double ramp = 0;                 ///< s of ramping up and of ramping down
   std::optional<double> duration;  ///< s, ramps included; nothing: until stopped
 
@@ -24,16 +24,16 @@ struct Swelling {
 
 /// Reads `ramp` (s, `ramp` unless given) and `duration`. Throws SceneError where a duration is too short for
 /// both ramps.
-Swelling read_swelling(TableReader& table, double ramp);
+RampTimes read_ramps(TableReader& table, double ramp);
 
-class SwellingMotion : public Step {
+class RampedMotion : public Step {
  public:
-  SwellingMotion(std::vector<std::string> tools, const Swelling& swelling)
-      : tools_(std::move(tools)), swelling_(swelling) {}
+  RampedMotion(std::vector<std::string> tools, const RampTimes& ramps)
+      : tools_(std::move(tools)), ramps_(ramps) {}
 
   std::vector<std::string> tools() const override { return tools_; }
-  bool open_ended() const override { return !swelling_.duration; }
-  std::optional<double> duration() const override { return swelling_.duration; }
+  bool open_ended() const override { return !ramps_.duration; }
+  std::optional<double> duration() const override { return ramps_.duration; }
   bool stays() const override { return true; }
   ToolMotion motion(double time) const override;
   double stopping_time(double stop) const override;
@@ -44,7 +44,7 @@ class SwellingMotion : public Step {
   virtual ToolMotion at(double time, const Envelope& envelope) const = 0;
 
   std::vector<std::string> tools_;
-  Swelling swelling_;
+  RampTimes ramps_;
 };
 
 }  // namespace diefill::process

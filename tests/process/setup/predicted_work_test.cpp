@@ -1,7 +1,8 @@
 // Work that cannot end here is refused with its numbers before it begins.
+#include "process/setup/predicted_work.h"
+
 #include <gtest/gtest.h>
 
-#include "process/setup/predicted_work.h"
 #include "process/setup/wall_sphere_limit.h"
 #include "process/tooling/machine_memory.h"
 #include "tests/process/scene_files.h"
