@@ -36,19 +36,19 @@ TEST(SimulationChanges, GravityIsThatOfASimulationThatBeganWithIt) {
 
 TEST(SimulationChanges, BalanceEnergy) {
   for (const auto model : {Model::b, Model::d}) {
-    auto settings = weightless(model, {.friction = 0.5}, 1e-6);
+    auto settings = weightless(model, {.friction = 0.5}, 2.5e-7);
     Simulation simulation = cloud(settings);
-    run_steps(simulation, 400);
+    run_steps(simulation, 1600);
     simulation.set_gravity({0, 0, -9.81});
-    run_steps(simulation, 400);
+    run_steps(simulation, 1600);
     grain_contact(settings)->friction = 0;
     wall_contact(settings)->work_of_adhesion = 0.01;
     simulation.set_contact(settings.contact);
-    run_steps(simulation, 400);
+    run_steps(simulation, 1600);
     simulation.add_velocities(
         [](std::uint64_t id) { return Eigen::Vector3d(0.1 * static_cast<double>(id % 3), 0, -0.05); });
-    run_steps(simulation, 800);
-    EXPECT_LT(balance_error(simulation), 0.01);
+    run_steps(simulation, 3200);
+    EXPECT_LT(balance_error(simulation), 0.005);
   }
 }
 

@@ -37,10 +37,9 @@ engine::GrainShape sticky_sphere(double radius) {
   return engine::model_b(radius, kStickyDensity * 4.0 / 3.0 * std::numbers::pi * radius * radius * radius);
 }
 
-engine::WallBodySpec plane_floor(const std::string& material) {
+engine::WallBodySpec plane_floor() {
   engine::WallBodySpec floor;
   floor.name = "floor";
-  floor.material = material;
   floor.planes = {{Eigen::Vector3d::Zero(), Eigen::Vector3d::UnitZ()}};
   return floor;
 }

@@ -23,7 +23,7 @@ engine::laws::LawParameters sticky_law(double surface_energy, engine::laws::JkrL
 /// A sphere of `radius` (m) that rotates.
 engine::GrainShape sticky_sphere(double radius);
 
-/// The plane z = 0, solid below, of this material for several particle types.
-engine::WallBodySpec plane_floor(const std::string& material = {});
+/// The plane z = 0, solid below.
+engine::WallBodySpec plane_floor();
 
 }  // namespace diefill::process::laboratory

@@ -48,9 +48,9 @@ TEST(ForeseenWork, GrainsThatNoMemoryHoldsAreCounted) {
 }
 
 TEST(ForeseenWork, SnapshotsWithoutEndAreCounted) {
-  expect_parts(
-      complaint("[measure]", "[[snapshot]]\nname = \"s\"\nevery = \"1e-9 s\"\n[measure]"),
-      {"snapshot \"s\": every 1e-09 s of 0.25 s are 2.5e+08 folders", "allowed: at most 1e+04; raise every"});
+  expect_parts(complaint("[measure]", "[[snapshot]]\nname = \"s\"\nevery = \"1e-9 s\"\n[measure]"),
+               {"snapshot \"s\": every 1e-09 s of 0.25 s makes 2.5e+08 folders",
+                "allowed: at most 1e+04; raise every"});
 }
 
 /// What is said of a face of 0.24 m^2 that powder reaches all of, covered with spheres of `radius` (mm).
@@ -74,10 +74,11 @@ std::string complaint_about_walls(const std::string& radius) {
 TEST(ForeseenWork, TwoMillionWallSpheresAreTheMost) {
   // In squares of 1.6 radii.
   EXPECT_EQ(complaint_about_walls("0.22"), "");
-  const std::string message = complaint_about_walls("0.2"), advice = "take a radius of ";
-  expect_parts(message,
-               {"tool \"die\": some 2.34e+06 wall spheres of radius 0.2 mm", "and 2e+06 at most are allowed",
-                "(walls.sphere_radius or the tool's), or a wider spacing"});
+  const std::string message = complaint_about_walls("0.2"), advice = "use a radius of ";
+  expect_parts(
+      message,
+      {"tool \"die\": covering the reachable surface needs about 2.34e+06 wall spheres of radius 0.2 mm",
+       "allowed here: at most 2e+06", "(walls.sphere_radius or the tool's), or a wider spacing"});
   const auto begin = message.find(advice) + advice.size();
   EXPECT_EQ(complaint_about_walls(message.substr(begin, message.find(" mm", begin) - begin)), "") << message;
 }

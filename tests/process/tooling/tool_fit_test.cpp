@@ -31,7 +31,7 @@ void expect_says(const std::string& text, const std::string& words) {
 }
 
 TEST(ToolFit, OnlyAxesThatAreFarAreToBeMoved) {
-  expect_says(complaint({30, 0.31, -0.12}, 0.1), "lies 30 m from the origin, up to 20 m is allowed");
+  expect_says(complaint({30, 0.31, -0.12}, 0.1), "is 30 m from the origin, allowed: up to 20 m");
   expect_says(complaint({30, 0.31, -0.12}, 0.1), "add [\"-30000 mm\", \"0 mm\", \"0 mm\"] to its position");
   expect_says(complaint({3, -25.5, 0.12}, 0.1), "add [\"-3000 mm\", \"25500 mm\", \"0 mm\"] to its position");
 }
@@ -43,14 +43,14 @@ TEST(ToolFit, ToolsWithinTwentyMetresAreTaken) {
 
 TEST(ToolFit, AHugeToolIsToldAboutItsUnitAndNotItsDistance) {
   const std::string message = complaint({100, 100, 0}, 200);
-  expect_says(message, "measures 2e+05 x 2e+05 x 2e+05 mm, and 2000 mm is the most; see whether length_unit");
+  expect_says(message, "measures 2e+05 x 2e+05 x 2e+05 mm, allowed: up to 2000 mm; check whether length_unit");
   expect_says(message, "200 mm in \"um\"");
   EXPECT_EQ(message.find("origin"), std::string::npos) << message;
 }
 
 TEST(ToolFit, ATinyToolIsToldAboutItsUnit) {
   const std::string message = complaint({0, 0, 0}, 5e-5);
-  expect_says(message, "too small to be covered with wall spheres; see whether length_unit");
+  expect_says(message, "too small to be covered with wall spheres; check whether length_unit");
   expect_says(message, "50 mm in \"m\"");
 }
 
