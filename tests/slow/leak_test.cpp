@@ -13,6 +13,7 @@
 #include "geometry/solid/solid_query.h"
 #include "geometry/wall_spheres/wall_spheres.h"
 #include "project_paths.h"
+#include "tests/support/contact_access.h"
 
 namespace diefill::process {
 namespace {
@@ -29,8 +30,8 @@ constexpr std::size_t kGrains = 3000;
 engine::SimulationSettings settings() {
   engine::SimulationSettings settings;
   settings.types = {{engine::model_a(kGrainRadius, kGrainMass)}};
-  grain_contact(settings) = {1e7, 1e6 * kGrainRadius, 1e6 * kGrainRadius, 0.25, 0, 0};
-  wall_contact(settings) = grain_contact(settings);
+  engine::grain_contact(settings) = {1e7, 1e6 * kGrainRadius, 1e6 * kGrainRadius, 0.25, 0, 0};
+  engine::wall_contact(settings) = engine::grain_contact(settings);
   settings.gravity.setZero();
   settings.time_step = kStep;
   settings.threads = 2;
