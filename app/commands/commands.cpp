@@ -5,8 +5,10 @@ namespace diefill::app {
 void add_commands(CLI::App& program, Action& chosen) {
   add_run(program, chosen);
   add_check(program, chosen);
+  add_estimate(program, chosen);
   add_plan(program, chosen);
   add_powders(program, chosen);
+  add_fit_discharge(program, chosen);
   add_compare(program, chosen);
   add_tradeoff(program, chosen);
   add_map(program, chosen);

@@ -176,13 +176,18 @@ Scene with_numbers(const Scene& scene, const SettingNumbers& numbers, const std:
   }
 }
 
-Scene settled_scene(const Scene& scene, const std::optional<Setting>& wanted) {
+SettledScene settle(const Scene& scene, const std::optional<Setting>& wanted) {
   const auto setting = wanted ? wanted : setting_of(scene);
-  if (!setting) return scene;
+  if (!setting) return {scene, std::nullopt};
   refuse_sizes(scene, "setting \"" + description(*setting) + "\"");
-  const auto tooling = read_tooling(scene);
-  return with_numbers(scene, numbers_of(*setting, scene, tooling.all_cavities()),
-                      "setting " + description(*setting));
+  Tooling tooling = read_tooling(scene);
+  Scene settled = with_numbers(scene, numbers_of(*setting, scene, tooling.all_cavities()),
+                               "setting " + description(*setting));
+  return {std::move(settled), std::move(tooling)};
+}
+
+Scene settled_scene(const Scene& scene, const std::optional<Setting>& wanted) {
+  return settle(scene, wanted).scene;
 }
 
 }  // namespace diefill::process::plan
