@@ -2,7 +2,7 @@
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
-#include "app/commands/commands.h"
+#include "app/commands/formula_commands.h"
 #include "app/commands/scene_choice.h"
 #include "app/exit_code.h"
 #include "app/tables/estimate_report.h"

@@ -2,7 +2,7 @@
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
-#include "app/commands/commands.h"
+#include "app/commands/formula_commands.h"
 #include "app/exit_code.h"
 #include "app/output.h"
 #include "app/pictures/discharge_chart.h"

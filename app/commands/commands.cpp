@@ -1,5 +1,7 @@
 #include "app/commands/commands.h"
 
+#include "app/commands/formula_commands.h"
+
 namespace diefill::app {
 
 void add_commands(CLI::App& program, Action& chosen) {

@@ -22,8 +22,6 @@ void add_compare(CLI::App& program, Action& chosen);
 void add_tradeoff(CLI::App& program, Action& chosen);
 void add_lab(CLI::App& program, Action& chosen);
 void add_plan(CLI::App& program, Action& chosen);
-void add_estimate(CLI::App& program, Action& chosen);
-void add_fit_discharge(CLI::App& program, Action& chosen);
 void add_powders(CLI::App& program, Action& chosen);
 
 /// Adds all commands.

@@ -5,8 +5,10 @@
 #include <cmath>
 
 #include "process/plan/kept_pilot.h"
+#include "process/plan/settle.h"
 #include "process/powder/material.h"
 #include "process/setup/build_tooling.h"
+#include "process/setup/cover_tooling.h"
 #include "process/setup/predicted_work.h"
 #include "process/tooling/predicted_memory.h"
 

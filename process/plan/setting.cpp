@@ -11,7 +11,6 @@
 #include "process/scene/powder_presets.h"
 #include "process/scene/scene_text.h"
 #include "process/scene/sections.h"
-#include "process/setup/read_tooling.h"
 
 namespace diefill::process::plan {
 
@@ -174,20 +173,6 @@ Scene with_numbers(const Scene& scene, const SettingNumbers& numbers, const std:
   } catch (const SceneError& error) {
     throw SceneError(std::string(error.what()) + " (chosen by " + origin + ")");
   }
-}
-
-SettledScene settle(const Scene& scene, const std::optional<Setting>& wanted) {
-  const auto setting = wanted ? wanted : setting_of(scene);
-  if (!setting) return {scene, std::nullopt};
-  refuse_sizes(scene, "setting \"" + description(*setting) + "\"");
-  Tooling tooling = read_tooling(scene);
-  Scene settled = with_numbers(scene, numbers_of(*setting, scene, tooling.all_cavities()),
-                               "setting " + description(*setting));
-  return {std::move(settled), std::move(tooling)};
-}
-
-Scene settled_scene(const Scene& scene, const std::optional<Setting>& wanted) {
-  return settle(scene, wanted).scene;
 }
 
 }  // namespace diefill::process::plan

@@ -8,7 +8,6 @@
 
 #include "geometry/cavity/cavity.h"
 #include "process/scene/setting.h"
-#include "process/tooling/tooling.h"
 
 namespace diefill::process::plan {
 
@@ -44,15 +43,6 @@ SettingNumbers numbers_of(Setting setting, const Scene& scene, const geometry::C
 /// what was run. `origin` names who chose, such as "setting working". What is replaced is said at
 /// the top of the text (process/scene/setting.h). Throws SceneError where the numbers do not suit the scene.
 Scene with_numbers(const Scene& scene, const SettingNumbers& numbers, const std::string& origin);
-
-/// A scene with the numbers of its setting, and its tools where they had to be read for that.
-struct SettledScene {
-  Scene scene;
-  std::optional<Tooling> tooling;  ///< without wall spheres
-};
-
-/// As settled_scene(), with the tools that it read.
-SettledScene settle(const Scene& scene, const std::optional<Setting>& wanted);
 
 /// The scene as it is to be run: with the numbers of `wanted`, or else of its own setting; unchanged if there
 /// is neither. Reads the tools if need be.

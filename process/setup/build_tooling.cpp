@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "geometry/reach/moving_pair.h"
+#include "process/setup/cover_tooling.h"
 #include "process/setup/predicted_work.h"
 #include "process/setup/reachable_surface.h"
 #include "process/setup/read_tooling.h"

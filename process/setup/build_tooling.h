@@ -12,9 +12,4 @@ namespace diefill::process {
 Tooling build_tooling(const Scene& scene, double smallest_radius, double grain_diameter,
                       const TellProgress& tell = tell_nobody);
 
-/// The same of tools that read_tooling() has read already, for this scene or for one that differs from it
-/// only in the numbers of a setting.
-Tooling cover_tooling(const Scene& scene, Tooling read, double smallest_radius, double grain_diameter,
-                      const TellProgress& tell = tell_nobody);
-
 }  // namespace diefill::process
