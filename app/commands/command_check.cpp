@@ -9,6 +9,7 @@
 #include "app/output.h"
 #include "app/pictures/drawing.h"
 #include "app/tables/check_report.h"
+#include "app/tables/estimate_report.h"
 #include "process/powder/law_terms.h"
 #include "process/powder/material.h"
 #include "process/run/fill_run.h"
@@ -164,9 +165,11 @@ int check(const CheckArguments& arguments) {
     auto json = tools_as_json(tooling, diagnosis);
     json["simulation"] = as_json(predicted);
     json["warnings"] = setup_as_json(setup);
+    json["estimate"] = estimate_as_json(process::estimate::estimate(scene, tooling));
     print_json(json);
     return kDone;
   }
+  print_estimate_in_short(process::estimate::estimate(scene, tooling));
   for (std::size_t k = 0; k < tooling.tools.size(); ++k) print_tool(tooling.tools[k], &diagnosis.symmetry[k]);
   print_pairs(diagnosis);
   print_cavities(tooling);

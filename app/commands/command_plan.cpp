@@ -10,8 +10,10 @@
 #include "app/exit_code.h"
 #include "app/freed_memory.h"
 #include "app/tables/comparison_plan_report.h"
+#include "app/tables/estimate_report.h"
 #include "app/tables/finite_number.h"
 #include "app/tables/plan_report.h"
+#include "process/plan/kept_pilot.h"
 #include "process/tooling/progress.h"
 
 namespace diefill::app {
@@ -22,7 +24,7 @@ struct PlanArguments {
   std::string scene, setting;
   std::optional<double> minutes, error;
   int threads = 0;
-  bool json = false, no_benchmark = false, variants = false;
+  bool json = false, no_benchmark = false, variants = false, new_pilot = false;
 };
 
 void say_within_time(const process::plan::Plan& plan, double minutes,
@@ -53,6 +55,13 @@ void print_json(const nlohmann::ordered_json& json) {
   std::printf("%s\n", json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace).c_str());
 }
 
+/// The title and what costs nothing to know, before the pilot runs.
+void say_first(const process::Scene& scene, const process::estimate::Estimate& estimate) {
+  std::printf("%s\n", scene.title.c_str());
+  print_estimate_in_short(estimate);
+  std::fflush(stdout);
+}
+
 int plan_variants(const PlanArguments& arguments, process::plan::PlanOptions options) {
   const std::string title = process::read_scene(arguments.scene).title;
   const auto comparison = [&] {
@@ -74,10 +83,19 @@ int plan(const PlanArguments& arguments) {
                         ? arguments.threads
                         : static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
   options.pilot = !arguments.no_benchmark;
+  options.pilots = process::plan::folder_of_pilots();
+  options.new_pilot = arguments.new_pilot;
   if (arguments.variants) return plan_variants(arguments, options);
+  std::optional<process::estimate::Estimate> estimate;
   const auto plan = [&] {
-    process::Progress progress(true);
-    options.tell = progress.listener();
+    std::optional<process::Progress> progress(std::in_place, true);
+    options.tell = progress->listener();
+    options.tools_ready = [&](const process::Scene& scene, const process::Tooling& tooling) {
+      estimate = process::estimate::estimate(scene, tooling);
+      options.tell = process::tell_nobody;
+      progress.reset();  // its bar goes before something else is said
+      if (!arguments.json) say_first(scene, *estimate);
+    };
     give_back_freed_memory();  // as the runs will whose memory is foretold
     return process::plan::make_plan(process::read_scene(arguments.scene), options);
   }();
@@ -94,6 +112,7 @@ int plan(const PlanArguments& arguments) {
     return kDone;
   }
   auto json = plan_as_json(plan);
+  json["estimate"] = estimate ? estimate_as_json(*estimate) : nullptr;
   if (arguments.minutes) json["within_minutes"] = in_time ? choice_as_json(*in_time) : nullptr;
   if (arguments.error) {
     json["within_error"] = nullptr;
@@ -125,6 +144,8 @@ void add_plan(CLI::App& program, Action& chosen) {
       ->check(CLI::Range(1, 1024));
   command->add_flag("--no-benchmark", arguments->no_benchmark,
                     "skip the pilot run; wall times are then unknown");
+  command->add_flag("--new-pilot", arguments->new_pilot,
+                    "run the pilot again where one of this scene, machine and program is kept");
   auto* variants = command
                        ->add_flag("--variants", arguments->variants,
                                   "predict diefill compare: each [[variant]] of the scene and all together")
@@ -133,8 +154,11 @@ void add_plan(CLI::App& program, Action& chosen) {
   add_setting(*command, arguments->setting)->needs(variants);
   command->add_flag("--json", arguments->json, "print JSON, SI units");
   command->footer(
-      "Reads the tools, runs the scene with less and coarser powder for about ten seconds, and prints what "
-      "the scene\nneeds and what it would cost as written and with the settings quick, working and reference "
+      "Reads the tools, begins with what diefill estimate says, runs the scene with less and coarser powder "
+      "for "
+      "about\nten seconds (once a machine: the pilot is kept in ~/.cache/diefill/pilots), and prints what "
+      "the "
+      "scene needs and what it would cost as written and with the settings quick, working and reference "
       "(diefill run --setting).\n"
       "Examples:\n  diefill plan sample_tools/narrow_ring/fill.toml\n"
       "  diefill plan my_die.toml --minutes 60\n"

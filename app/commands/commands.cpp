@@ -1,12 +1,16 @@
 #include "app/commands/commands.h"
 
+#include "app/commands/formula_commands.h"
+
 namespace diefill::app {
 
 void add_commands(CLI::App& program, Action& chosen) {
   add_run(program, chosen);
   add_check(program, chosen);
+  add_estimate(program, chosen);
   add_plan(program, chosen);
   add_powders(program, chosen);
+  add_fit_discharge(program, chosen);
   add_compare(program, chosen);
   add_tradeoff(program, chosen);
   add_map(program, chosen);

@@ -8,7 +8,18 @@ namespace diefill::app {
 using Json = nlohmann::ordered_json;
 namespace plan = process::plan;
 
+bool is_busy(const plan::Pilot& pilot) {
+  constexpr double kFree = 0.95;
+  return pilot.processor_share < kFree;
+}
+
 void print_pilot(const plan::Pilot& pilot) {
+  if (!pilot.kept_since.empty())
+    std::printf("pilot run: kept since %s; --new-pilot runs it again\n", pilot.kept_since.c_str());
+  std::printf("processors: the machine gave the pilot %.0f %% of the processor time it asked for%s\n",
+              100 * pilot.processor_share,
+              is_busy(pilot) ? "; times on free processors leave the waiting out, times as busy have it"
+                             : ", about as much as on a free machine");
   std::printf("wall time: from a pilot run of %zu spheres, d = %.4g mm, %.4g mm of powder, %.1f s:",
               pilot.spheres, 1e3 * pilot.grain_diameter, 1e3 * pilot.fill_height, pilot.wall_seconds);
   for (int k = 0; k < plan::kPhaseKinds; ++k) {
@@ -39,6 +50,8 @@ Json pilot_as_json(const plan::Pilot& pilot) {
                {"fill_height_m", pilot.fill_height},
                {"spheres", pilot.spheres},
                {"wall_seconds", pilot.wall_seconds},
+               {"processor_share", pilot.processor_share},
+               {"kept_since", pilot.kept_since.empty() ? Json(nullptr) : Json(pilot.kept_since)},
                {"stopped", pilot.stopped},
                {"seconds_per_sphere_step", Json::object()}};
   for (int k = 0; k < plan::kPhaseKinds; ++k) {

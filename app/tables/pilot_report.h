@@ -13,4 +13,7 @@ void print_pilot(const process::plan::Pilot& pilot);
 /// The same in SI units.
 nlohmann::ordered_json pilot_as_json(const process::plan::Pilot& pilot);
 
+/// Whether the machine gave the pilot so little that it is worth a word.
+bool is_busy(const process::plan::Pilot& pilot);
+
 }  // namespace diefill::app

@@ -36,6 +36,12 @@ std::string time_of(const plan::Choice& choice) {
   return seconds ? process::duration_text(*seconds) : "unknown";
 }
 
+/// With the share of the processors that the pilot got.
+std::string busy_time_of(const plan::Choice& choice, double share) {
+  const auto& seconds = choice.forecast.wall_seconds;
+  return seconds ? process::duration_text(*seconds / share) : "unknown";
+}
+
 std::string error_of(const plan::Choice& choice) {
   return choice.error ? text("%.1f %%", 100 * choice.error->error) : "unknown";
 }
@@ -52,7 +58,7 @@ const std::vector<Row>& rows() {
       {"steps", [](const Choice& c) { return count(c.forecast.steps()); }},
       {"simulated time, s", [](const Choice& c) { return text("%.3g", c.forecast.seconds()); }},
       {"memory, MB", [](const Choice& c) { return text("%.0f", 1e-6 * c.forecast.memory); }},
-      {"wall time", time_of},
+      {"time, free processors", time_of},
       {"expected error", error_of}};
   return all;
 }
@@ -64,6 +70,12 @@ void print_table(const plan::Plan& plan) {
   for (const Row& row : rows()) {
     std::printf("%-24s", row.name);
     for (const auto& choice : plan.choices) std::printf("%20s", row.say(choice).c_str());
+    std::printf("\n");
+  }
+  if (plan.pilot && is_busy(*plan.pilot)) {
+    std::printf("%-24s", text("time, busy at %.0f %%", 100 * plan.pilot->processor_share).c_str());
+    for (const auto& choice : plan.choices)
+      std::printf("%20s", busy_time_of(choice, plan.pilot->processor_share).c_str());
     std::printf("\n");
   }
   std::printf("\n");
@@ -122,7 +134,6 @@ Json needs_as_json(const plan::Needs& needs) {
 }  // namespace
 
 void print_plan(const plan::Plan& plan) {
-  std::printf("%s\n", plan.scene.title.c_str());
   for (const auto& statement : plan.statements) std::printf("%s\n", statement.c_str());
   print_table(plan);
   print_sources(plan);
@@ -148,6 +159,7 @@ Json choice_as_json(const plan::Choice& choice) {
                {"simulated_s", forecast.seconds()},
                {"memory_bytes", forecast.memory},
                {"wall_seconds", forecast.wall_seconds ? Json(*forecast.wall_seconds) : Json(nullptr)},
+               {"wall_seconds_as_busy", nullptr},
                {"expected_error", nullptr},
                {"reasons", choice.numbers ? choice.numbers->reasons : std::vector<std::string>{}},
                {"phases", Json::array()}};
@@ -166,7 +178,12 @@ Json plan_as_json(const plan::Plan& plan) {
                {"tooling_seconds", plan.tooling_seconds},
                {"pilot", plan.pilot ? pilot_as_json(*plan.pilot) : Json(nullptr)},
                {"choices", Json::array()}};
-  for (const auto& choice : plan.choices) json["choices"].push_back(choice_as_json(choice));
+  for (const auto& choice : plan.choices) {
+    json["choices"].push_back(choice_as_json(choice));
+    if (plan.pilot && choice.forecast.wall_seconds)
+      json["choices"].back()["wall_seconds_as_busy"] =
+          *choice.forecast.wall_seconds / plan.pilot->processor_share;
+  }
   return json;
 }
 

@@ -9,22 +9,22 @@ namespace diefill::process::continuum {
 
 namespace {
 
-constexpr double kBurst = 0.2;  ///< x_0, t_0 over sqrt(D/g)
-
 /// m/s
 double velocity_scale(const SlitFlow& slit) {
   return std::sqrt(slit.gravity * slit.width);
 }
 
-/// Discharged mass over rho_a b D^2 after the dimensionless time x = t sqrt(g/D) - x_0 >= 0 (Bierwisch 2009,
-/// Eq. 5.17).
+}  // namespace
+
+double rate_share(const TransientCoefficients& numbers, double x) {
+  return numbers.steady * (1 - (1 - numbers.initial / numbers.steady) * std::exp(-numbers.beta * x));
+}
+
 double discharged_share(const TransientCoefficients& numbers, double x) {
   const double approach =
       (1 - numbers.initial / numbers.steady) / numbers.beta * std::expm1(-numbers.beta * x);
   return numbers.burst + numbers.steady * (x + approach);
 }
-
-}  // namespace
 
 double effective_width(double width, double grain_diameter) {
   return std::max(0.0, width - 1.4 * grain_diameter);
@@ -45,8 +45,7 @@ double steady_rate(const TransientCoefficients& numbers, const SlitFlow& slit) {
 double rate(const TransientCoefficients& numbers, const SlitFlow& slit, double time) {
   const double since = (time - burst_time(slit)) * std::sqrt(slit.gravity / slit.width);
   if (since < 0) return 0;
-  return steady_rate(numbers, slit) *
-         (1 - (1 - numbers.initial / numbers.steady) * std::exp(-numbers.beta * since));
+  return slit.density * slit.length * slit.width * velocity_scale(slit) * rate_share(numbers, since);
 }
 
 double discharged_mass(const TransientCoefficients& numbers, const SlitFlow& slit, double time) {

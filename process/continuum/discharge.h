@@ -36,6 +36,14 @@ inline constexpr TransientCoefficients kMeasuredDischarge = {0.081, 0.024, 4.3, 
 /// Hopper of model D grains, friction 0.5, no cohesion, simulated (Bierwisch 2009, Table 5.2).
 inline constexpr TransientCoefficients kSimulatedDischarge = {0.05, 0.39, 0.92, 1.4};
 
+/// Rate over rho_a b D sqrt(gD) at x = t sqrt(g/D) - 1/5 >= 0 (Bierwisch 2009, Eq. 5.15).
+double rate_share(const TransientCoefficients& numbers, double x);
+/// f_B(x): mass that has run out over rho_a b D^2 at x = t sqrt(g/D) - 1/5 >= 0 (Bierwisch 2009, Eq. 5.17).
+double discharged_share(const TransientCoefficients& numbers, double x);
+
+/// x_0, the burst's time over sqrt(D/g).
+inline constexpr double kBurst = 0.2;
+
 /// s, when the burst has passed: sqrt(D/g) / 5.
 double burst_time(const SlitFlow& slit);
 /// kg/s in the end: C_F rho_a b D sqrt(g D) (Bierwisch 2009, Eq. 5.13, beta outside the root).

@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <set>
 
+#include "process/plan/kept_pilot.h"
 #include "process/powder/law_terms.h"
 #include "process/powder/material.h"
 #include "process/run/powder_domain.h"
@@ -35,16 +36,15 @@ std::string powder_text(const PowderSpec& powder) {
 }
 
 /// The pilot of the powder and its law, run with this variant if there is none yet.
-const Pilot& pilot_for(const Prepared& variant, const PlanOptions& options,
-                       std::vector<PowderPilot>& pilots) {
+const Pilot& pilot_among(const Prepared& variant, const PlanOptions& options,
+                         std::vector<PowderPilot>& pilots) {
   const std::string powder = powder_text(variant.scene.powder);
   const auto laws = law_terms(variant.scene, engine_settings(variant.scene, 1.0)).used;
   const auto found = std::find_if(pilots.begin(), pilots.end(), [&](const PowderPilot& other) {
     return other.powder == powder && other.laws == laws;
   });
   if (found != pilots.end()) return found->pilot;
-  pilots.push_back(
-      {powder, laws, run_pilot(variant.scene, variant.tooling, options.threads, options.pilot_limit)});
+  pilots.push_back({powder, laws, pilot_for(variant.scene, variant.tooling, options)});
   return pilots.back().pilot;
 }
 
@@ -121,7 +121,7 @@ ComparisonForecast forecast_comparison(const std::vector<Variant>& variants, con
     own.name = variant.name;
     RestTimes rest;
     if (options.pilot) {
-      const Pilot& pilot = pilot_for(prepared, options, comparison.pilots);
+      const Pilot& pilot = pilot_among(prepared, options, comparison.pilots);
       rest = pilot.rest;
       own.forecast = forecast(prepared.scene, prepared.tooling, pilot);
     } else {

@@ -8,6 +8,7 @@
 #include "process/plan/alarm.h"
 #include "process/plan/forecast.h"
 #include "process/plan/pilot_scene.h"
+#include "process/plan/processor_use.h"
 #include "process/run/fill_run.h"
 
 namespace diefill::process::plan {
@@ -45,8 +46,10 @@ class Books {
  public:
   void book(const FillRun& run, PhaseKind kind, bool whole, Pilot& pilot) {
     PhaseCost& cost = pilot.cost[static_cast<std::size_t>(kind)];
-    cost.wall_seconds += run.wall_seconds() - wall_;
-    cost.search_seconds += searched(run) - searched_;
+    const ProcessorUse use = processor_use();
+    const double share = use.share_since(use_);
+    cost.wall_seconds += share * (run.wall_seconds() - wall_);
+    cost.search_seconds += share * (searched(run) - searched_);
     cost.sphere_steps += static_cast<double>(run.sphere_steps() - sphere_steps_);
     cost.seconds += run.simulation().time() - time_;
     cost.whole = whole;
@@ -54,15 +57,22 @@ class Books {
     searched_ = searched(run);
     sphere_steps_ = run.sphere_steps();
     time_ = run.simulation().time();
+    use_ = use;
+    pilot.wall_seconds = wall_ - begun_;
+    pilot.processor_share = use.share_since(use_then_);
   }
-  void begin(const FillRun& run) { wall_ = run.wall_seconds(); }
+  void begin(const FillRun& run) {
+    wall_ = begun_ = run.wall_seconds();
+    use_ = use_then_ = processor_use();
+  }
 
  private:
   static double searched(const FillRun& run) {
     return run.simulation().timers().seconds()[static_cast<std::size_t>(engine::Phase::search)];
   }
 
-  double wall_ = 0, searched_ = 0, time_ = 0;
+  double wall_ = 0, begun_ = 0, searched_ = 0, time_ = 0;
+  ProcessorUse use_, use_then_;
   std::uint64_t sphere_steps_ = 0;
 };
 
@@ -155,7 +165,6 @@ class PilotRun {
       pilot_.stopped = error.what();
     }
     books_.book(run, kind_, run.schedule().finished(), pilot_);
-    pilot_.wall_seconds = pilot_.cost_of_all().wall_seconds;
     note_rest_times(occurs(PhaseKind::rest, phases_) == 1, has_about_as_many_grains(), pilot_);
   }
 

@@ -12,7 +12,8 @@
 
 namespace diefill::process::plan {
 
-/// What a pilot run has found of one kind of phase.
+/// What a pilot run has found of one kind of phase. Seconds of computing are those on free processors: while
+/// others have them, they do not count (processor_use.h).
 struct PhaseCost {
   double wall_seconds = 0, sphere_steps = 0;
   double seconds = 0;         ///< simulated
@@ -27,7 +28,9 @@ struct Pilot {
   double time_step = 0;                        ///< s
   double fall_time = 0;                        ///< s, that its last grain fell (timeline.h)
   std::size_t spheres = 0;
-  double wall_seconds = 0;
+  double wall_seconds = 0;                  ///< s that it took, others' turns included
+  double processor_share = 1;               ///< of the processor time it asked for, what it got
+  std::string kept_since;                   ///< date and time of the run, where it was not run now
   std::array<PhaseCost, kPhaseKinds> cost;  ///< by PhaseKind
   RestTimes rest;                           ///< as found, or as usual where it was not seen
   std::string stopped;                      ///< why it ended early; empty: it did not

@@ -4,8 +4,12 @@
 #include <chrono>
 #include <cmath>
 
+#include "process/plan/kept_pilot.h"
+#include "process/plan/settle.h"
 #include "process/powder/material.h"
 #include "process/setup/build_tooling.h"
+#include "process/setup/cover_tooling.h"
+#include "process/setup/predicted_work.h"
 #include "process/tooling/predicted_memory.h"
 
 namespace diefill::process::plan {
@@ -58,15 +62,21 @@ double seconds_since(std::chrono::steady_clock::time_point then) {
 
 Plan make_plan(const Scene& scene, const PlanOptions& options) {
   Plan plan;
-  plan.scene = settled_scene(scene, std::nullopt);
-  const double sphere = smallest_sphere(engine_settings(plan.scene, 1.0));
   const auto began = std::chrono::steady_clock::now();
-  plan.tooling = build_tooling(plan.scene, sphere, largest_grain(plan.scene.powder), options.tell);
+  SettledScene settled = settle(scene, std::nullopt);
+  plan.scene = std::move(settled.scene);
+  const double sphere = smallest_sphere(engine_settings(plan.scene, 1.0));
+  const double grain = largest_grain(plan.scene.powder);
+  if (settled.tooling) refuse_endless(plan.scene);
+  plan.tooling = settled.tooling
+                     ? cover_tooling(plan.scene, std::move(*settled.tooling), sphere, grain, options.tell)
+                     : build_tooling(plan.scene, sphere, grain, options.tell);
   plan.scene = with_prepared_steps(std::move(plan.scene), plan.tooling);
   plan.tooling_seconds = seconds_since(began);
   plan.needs = needs_of(plan.scene, plan.tooling);
   plan.statements = description(plan.needs, plan.scene, plan.tooling);
-  if (options.pilot) plan.pilot = run_pilot(plan.scene, plan.tooling, options.threads, options.pilot_limit);
+  if (options.tools_ready) options.tools_ready(plan.scene, plan.tooling);
+  if (options.pilot) plan.pilot = pilot_for(plan.scene, plan.tooling, options);
   add_choices(plan);
   return plan;
 }

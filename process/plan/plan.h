@@ -1,6 +1,8 @@
 // A plan of a scene: what it needs, and its predicted cost as written and with each setting.
 #pragma once
 
+#include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -34,8 +36,13 @@ struct Plan {
 /// What to plan with.
 struct PlanOptions {
   int threads = 2;
-  bool pilot = true;                ///< run a pilot; without it wall times are unknown
-  double pilot_limit = 15;          ///< s of wall-clock time
+  bool pilot = true;             ///< run a pilot; without it wall times are unknown
+  double pilot_limit = 15;       ///< s of wall-clock time
+  std::filesystem::path pilots;  ///< folder where pilots are kept (kept_pilot.h); empty: none is
+  bool new_pilot = false;        ///< run it even where one is kept
+  /// Hears of the tools, with the scene on prepared steps, as soon as they are read and before the pilot
+  /// runs.
+  std::function<void(const Scene&, const Tooling&)> tools_ready;
   TellProgress tell = tell_nobody;  ///< receives the progress of reading tools
 };
 

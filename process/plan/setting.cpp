@@ -11,7 +11,6 @@
 #include "process/scene/powder_presets.h"
 #include "process/scene/scene_text.h"
 #include "process/scene/sections.h"
-#include "process/setup/read_tooling.h"
 
 namespace diefill::process::plan {
 
@@ -184,14 +183,6 @@ Scene with_numbers(const Scene& scene, const SettingNumbers& numbers, const std:
   } catch (const SceneError& error) {
     throw SceneError(std::string(error.what()) + " (chosen by " + origin + ")");
   }
-}
-
-Scene settled_scene(const Scene& scene, const std::optional<Setting>& wanted) {
-  const auto setting = wanted ? wanted : setting_of(scene);
-  if (!setting) return scene;
-  const auto tooling = read_tooling(scene);
-  return with_numbers(scene, numbers_of(*setting, scene, tooling.all_cavities()),
-                      "setting " + description(*setting));
 }
 
 }  // namespace diefill::process::plan

@@ -1,8 +1,9 @@
 #include "process/plan/size_cost.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
+
+#include "process/plan/processor_use.h"
 
 namespace diefill::process::plan {
 
@@ -62,17 +63,17 @@ std::vector<engine::NewGrain> side_by_side(const engine::Simulation& bed, int co
 }
 
 double seconds_of(engine::Simulation& simulation, int steps) {
-  const auto began = std::chrono::steady_clock::now();
+  const FreeClock clock;
   for (int k = 0; k < steps; ++k) simulation.step();
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
+  return clock.seconds();
 }
 
 /// s that making the list of near pairs takes: nearly all of what going back to a state does.
 double search_seconds(engine::Simulation& simulation) {
   const engine::Snapshot now = simulation.snapshot();
-  const auto began = std::chrono::steady_clock::now();
+  const FreeClock clock;
   simulation.restore(now);
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
+  return clock.seconds();
 }
 
 }  // namespace

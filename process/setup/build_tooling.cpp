@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "geometry/reach/moving_pair.h"
+#include "process/setup/cover_tooling.h"
 #include "process/setup/predicted_work.h"
 #include "process/setup/reachable_surface.h"
 #include "process/setup/read_tooling.h"
@@ -98,10 +99,14 @@ void refuse_leaks(const Scene& scene, const Tool& tool, double smallest_radius) 
 
 }  // namespace
 
-Tooling build_tooling(const Scene& as_read, double smallest_radius, double grain_diameter,
+Tooling build_tooling(const Scene& scene, double smallest_radius, double grain_diameter,
                       const TellProgress& tell) {
-  refuse_endless(as_read);
-  Tooling tooling = read_tooling(as_read, tell);
+  refuse_endless(scene);
+  return cover_tooling(scene, read_tooling(scene, tell), smallest_radius, grain_diameter, tell);
+}
+
+Tooling cover_tooling(const Scene& as_read, Tooling tooling, double smallest_radius, double grain_diameter,
+                      const TellProgress& tell) {
   const Scene scene = with_prepared_steps(as_read, tooling);
   tell(kToolsFit, "finding surfaces that powder can reach");
   const ReachableSurface reachable(scene, tooling, grain_diameter);

@@ -1,0 +1,115 @@
+#include "app/tables/discharge_fit_report.h"
+
+#include <cmath>
+#include <cstdio>
+#include <nlohmann/json.hpp>
+
+#include "process/results/csv_field.h"
+#include "process/results/json_numbers.h"
+#include "process/results/rounding.h"
+
+namespace diefill::app {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+namespace continuum = process::continuum;
+
+/// Deviation over value from which on a number says little.
+constexpr double kVague = 0.5;
+
+double deviation(const continuum::DischargeFit& fit, std::size_t k) {
+  const auto i = static_cast<Eigen::Index>(k);
+  return std::sqrt(std::max(0.0, fit.fit.covariance(i, i)));
+}
+
+bool is_rate(continuum::DischargeLaw law) {
+  return law == continuum::DischargeLaw::beverloo_round || law == continuum::DischargeLaw::beverloo_slit;
+}
+
+bool has_x(continuum::DischargeLaw law) {
+  return law == continuum::DischargeLaw::moving_shoe || law == continuum::DischargeLaw::transient;
+}
+
+}  // namespace
+
+std::vector<std::string> remarks(const continuum::DischargeFit& fit) {
+  std::vector<std::string> said;
+  if (fit.left_out > 0)
+    said.push_back(std::to_string(fit.left_out) +
+                   " points left out: the flow has not begun there (x below 0: faster than 5 sqrt(gD), or "
+                   "earlier than sqrt(D/g)/5)");
+  if (fit.fit.shape_at_bound)
+    said.push_back(
+        fit.names.back() +
+        " is at the end of what is searched: the points do not show how the flow comes to its steady "
+        "rate; the fit holds where it was measured and not beyond");
+  for (std::size_t k = 0; k < fit.names.size(); ++k)
+    if (deviation(fit, k) > kVague * std::abs(fit.fit.numbers[static_cast<Eigen::Index>(k)]))
+      said.push_back(
+          fit.names[k] + " is known to within " +
+          results::in_significant_digits(
+              100 * deviation(fit, k) / std::abs(fit.fit.numbers[static_cast<Eigen::Index>(k)]), 2) +
+          " % only; the curve is known better than its numbers, see the band of the chart");
+  if (fit.law == continuum::DischargeLaw::transient)
+    said.emplace_back(
+        "points of one outflow are not independent: the deviations are lower bounds; repeat it");
+  return said;
+}
+
+void print_fit(const continuum::DischargeFit& fit, const continuum::DischargeData& data) {
+  std::printf("law %s: %s\n", continuum::name_of(fit.law).c_str(), continuum::formula_of(fit.law).c_str());
+  for (std::size_t k = 0; k < fit.names.size(); ++k)
+    std::printf(
+        "%s = %s\n", fit.names[k].c_str(),
+        results::with_scatter(fit.fit.numbers[static_cast<Eigen::Index>(k)], deviation(fit, k)).c_str());
+  std::printf("%zu points; they scatter by %.2g %% about the fit, chi^2 per degree of freedom %.2g%s\n",
+              fit.used.size(), 100 * fit.relative_scatter, fit.fit.chi_square_per_freedom,
+              fit.used.front().error > 0 ? "" : " (no errors given: the scatter sets the deviations)");
+  if (data.grain_diameter > 0)
+    std::printf("openings count as D - 1.4 d with d = %.4g mm\n", 1e3 * data.grain_diameter);
+  for (const auto& remark : remarks(fit)) std::printf("note: %s\n", remark.c_str());
+}
+
+Json fit_as_json(const continuum::DischargeFit& fit, const continuum::DischargeData& data,
+                 const std::string& file) {
+  Json json = {{"law", continuum::name_of(fit.law)},
+               {"formula", continuum::formula_of(fit.law)},
+               {"measurements", file},
+               {"coefficients", Json::object()},
+               {"covariance", Json::array()},
+               {"points", fit.used.size()},
+               {"points_left_out", fit.left_out},
+               {"relative_scatter", results::json_number(fit.relative_scatter)},
+               {"chi_square_per_degree_of_freedom", results::json_number(fit.fit.chi_square_per_freedom)},
+               {"density_kg_m3", data.density},
+               {"effective_opening_grain_diameter_m", data.grain_diameter}};
+  for (std::size_t k = 0; k < fit.names.size(); ++k) {
+    const auto i = static_cast<Eigen::Index>(k);
+    json["coefficients"][fit.names[k]] = {{"value", results::json_number(fit.fit.numbers[i])},
+                                          {"deviation", results::json_number(deviation(fit, k))}};
+    Json row = Json::array();
+    for (Eigen::Index j = 0; j < fit.fit.covariance.cols(); ++j)
+      row.push_back(results::json_number(fit.fit.covariance(i, j)));
+    json["covariance"].push_back(row);
+  }
+  if (has_x(fit.law)) json["largest_x"] = fit.largest_x;
+  json["remarks"] = remarks(fit);
+  return json;
+}
+
+std::string fit_as_csv(const continuum::DischargeFit& fit, const continuum::DischargeData&) {
+  const std::string unit = is_rate(fit.law) ? "kg/s" : "kg";
+  std::string text =
+      "speed m/s,time s,width m,measured " + unit + ",fitted " + unit + ",deviation of fit " + unit + "\n";
+  for (std::size_t k = 0; k < fit.used.size(); ++k) {
+    const auto& point = fit.used[k];
+    const auto i = static_cast<Eigen::Index>(k);
+    for (const double value : {point.speed, point.time, point.width, point.value, fit.fit.values[i]})
+      text += results::csv_number(value) + ",";
+    text += results::csv_number(fit.fit.value_errors[i]) + "\n";
+  }
+  return text;
+}
+
+}  // namespace diefill::app

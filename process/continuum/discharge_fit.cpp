@@ -1,0 +1,210 @@
+#include "process/continuum/discharge_fit.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <stdexcept>
+
+namespace diefill::process::continuum {
+
+namespace {
+
+constexpr double kEmptyAnnulus = 1.4;  // over d (Bierwisch 2009, section 3.2.2)
+
+double felt(const DischargePoint& point, const DischargeData& data) {
+  return effective_width(point.width, data.grain_diameter);
+}
+
+/// t sqrt(g/D) - 1/5 of a point of a transient law.
+double x_of(DischargeLaw law, const DischargePoint& point, const DischargeData& data) {
+  const double width = felt(point, data);
+  return (law == DischargeLaw::transient ? point.time * std::sqrt(data.gravity / width)
+                                         : std::sqrt(data.gravity * width) / point.speed) -
+         kBurst;
+}
+
+/// kg that f_B is multiplied by.
+double scale_of(DischargeLaw law, const DischargePoint& point, const DischargeData& data) {
+  const double width = felt(point, data);
+  return data.density * width * point.length * (law == DischargeLaw::transient ? width : point.shoe_length);
+}
+
+bool has_burst(DischargeLaw law) {
+  return law == DischargeLaw::moving_shoe || law == DischargeLaw::transient;
+}
+
+bool is_beverloo(DischargeLaw law) {
+  return law == DischargeLaw::beverloo_round || law == DischargeLaw::beverloo_slit;
+}
+
+/// Whether the law says anything about the point.
+bool within_range(DischargeLaw law, const DischargePoint& point, const DischargeData& data) {
+  if (!is_beverloo(law) && !(felt(point, data) > 0)) return false;
+  return !has_burst(law) || x_of(law, point, data) >= 0;
+}
+
+/// f_B is linear in C_B, C_F and C_F - C_I for a given beta.
+SeparableModel burst_model(DischargeLaw law, const DischargeData& data) {
+  SeparableModel model;
+  model.names = {"C_B", "C_I", "C_F", "beta"};
+  model.least_shape = 1e-3;
+  model.largest_shape = 100;
+  model.basis = [law, &data](double beta) {
+    Eigen::MatrixXd basis(static_cast<Eigen::Index>(data.points.size()), 3);
+    for (Eigen::Index i = 0; i < basis.rows(); ++i) {
+      const auto& point = data.points[static_cast<std::size_t>(i)];
+      const double x = x_of(law, point, data);
+      basis.row(i) = scale_of(law, point, data) * Eigen::RowVector3d(1, x, std::expm1(-beta * x) / beta);
+    }
+    return basis;
+  };
+  model.meaning = [](const Eigen::VectorXd& c) -> Eigen::VectorXd {
+    return Eigen::Vector4d(c[0], c[1] - c[2], c[1], c[3]);
+  };
+  return model;
+}
+
+/// C_S times a power of sqrt(gD) / v_s; the shape is 1 + n.
+SeparableModel power_model(const DischargeData& data) {
+  SeparableModel model;
+  model.names = {"C_S", "n"};
+  model.least_shape = 0.1;
+  model.largest_shape = 10;
+  model.basis = [&data](double exponent) {
+    Eigen::MatrixXd basis(static_cast<Eigen::Index>(data.points.size()), 1);
+    for (Eigen::Index i = 0; i < basis.rows(); ++i) {
+      const auto& point = data.points[static_cast<std::size_t>(i)];
+      const double ratio = std::sqrt(data.gravity * felt(point, data)) / point.speed;
+      basis(i, 0) = scale_of(DischargeLaw::power_law, point, data) * std::pow(ratio, exponent);
+    }
+    return basis;
+  };
+  model.meaning = [](const Eigen::VectorXd& c) -> Eigen::VectorXd { return Eigen::Vector2d(c[0], c[1] - 1); };
+  return model;
+}
+
+std::size_t widths_of(const DischargeData& data) {
+  std::set<double> widths;
+  for (const auto& point : data.points) widths.insert(point.width);
+  return widths.size();
+}
+
+/// C rho sqrt(g) (D - k d)^(5/2), or b times ^(3/2); the shape is k.
+SeparableModel beverloo_model(DischargeLaw law, const DischargeData& data) {
+  constexpr std::size_t kWidthsForAnnulus = 3;
+  SeparableModel model;
+  model.names = {"C"};
+  model.least_shape = model.largest_shape = kEmptyAnnulus;
+  if (data.grain_diameter > 0 && widths_of(data) >= kWidthsForAnnulus) {
+    model.names.emplace_back("k");
+    model.least_shape = 0.05;
+    model.largest_shape = 5;
+  }
+  const bool round = law == DischargeLaw::beverloo_round;
+  model.basis = [round, &data](double k) {
+    Eigen::MatrixXd basis(static_cast<Eigen::Index>(data.points.size()), 1);
+    for (Eigen::Index i = 0; i < basis.rows(); ++i) {
+      const auto& point = data.points[static_cast<std::size_t>(i)];
+      const double width = std::max(0.0, point.width - k * data.grain_diameter);
+      basis(i, 0) = data.density * std::sqrt(data.gravity) *
+                    (round ? std::pow(width, 2.5) : point.length * std::pow(width, 1.5));
+    }
+    return basis;
+  };
+  return model;
+}
+
+SeparableModel model_of(DischargeLaw law, const DischargeData& data) {
+  if (has_burst(law)) return burst_model(law, data);
+  return law == DischargeLaw::power_law ? power_model(data) : beverloo_model(law, data);
+}
+
+double largest_value(const DischargeData& data) {
+  double largest = 0;
+  for (const auto& point : data.points) largest = std::max(largest, point.value);
+  return largest;
+}
+
+}  // namespace
+
+std::string name_of(DischargeLaw law) {
+  switch (law) {
+    case DischargeLaw::moving_shoe:
+      return "5.17";
+    case DischargeLaw::power_law:
+      return "5.18";
+    case DischargeLaw::transient:
+      return "transient";
+    case DischargeLaw::beverloo_round:
+      return "beverloo-round";
+    case DischargeLaw::beverloo_slit:
+      break;
+  }
+  return "beverloo-slit";
+}
+
+std::string formula_of(DischargeLaw law) {
+  switch (law) {
+    case DischargeLaw::moving_shoe:
+      return "m = rho_a D b l [C_B + C_F (x + (1 - C_I/C_F)/beta (exp(-beta x) - 1))], x = sqrt(gD)/v_s - "
+             "1/5 "
+             "(Bierwisch 2009, Eqs. 4.1, 5.17)";
+    case DischargeLaw::power_law:
+      return "m = C_S rho_a D b l (sqrt(gD)/v_s)^(1 + n) (Bierwisch 2009, Eq. 5.18)";
+    case DischargeLaw::transient:
+      return "m(t) = rho_a b D^2 [C_B + C_F (x + (1 - C_I/C_F)/beta (exp(-beta x) - 1))], x = t sqrt(g/D) - "
+             "1/5 (integral of Bierwisch 2009, Eq. 5.15)";
+    case DischargeLaw::beverloo_round:
+      return "W = C rho_a sqrt(g) (D - k d)^(5/2) (Beverloo 1961; Bierwisch 2009, Eq. 5.1)";
+    case DischargeLaw::beverloo_slit:
+      break;
+  }
+  return "W = C rho_a b sqrt(g) (D - k d)^(3/2) (Beverloo for a slit; Bierwisch 2009, Eq. 5.13)";
+}
+
+double DischargeFit::number(const std::string& name) const {
+  const auto at = std::find(names.begin(), names.end(), name);
+  if (at == names.end()) throw std::out_of_range("no number " + name);
+  return fit.numbers[at - names.begin()];
+}
+
+DischargeFit fit_discharge(DischargeLaw law, const DischargeData& given) {
+  DischargeData data = given;
+  std::erase_if(data.points, [&](const auto& point) { return !within_range(law, point, given); });
+  const SeparableModel model = model_of(law, data);
+  const auto count = static_cast<Eigen::Index>(data.points.size());
+  const bool known =
+      std::all_of(data.points.begin(), data.points.end(), [](const auto& point) { return point.error > 0; });
+  Eigen::VectorXd y(count), sigma(count);
+  for (Eigen::Index i = 0; i < count; ++i) {
+    const auto& point = data.points[static_cast<std::size_t>(i)];
+    y[i] = point.value;
+    sigma[i] =
+        known ? point.error : (law == DischargeLaw::transient ? largest_value(data) : std::abs(point.value));
+  }
+  DischargeFit found;
+  found.law = law;
+  found.names = model.names;
+  found.fit = fit(model, y, sigma, !known);
+  found.left_out = given.points.size() - data.points.size();
+  for (Eigen::Index i = 0; i < count; ++i) {
+    found.relative_scatter += std::pow(y[i] / found.fit.values[i] - 1, 2) / static_cast<double>(count);
+    if (has_burst(law))
+      found.largest_x = std::max(found.largest_x, x_of(law, data.points[static_cast<std::size_t>(i)], data));
+  }
+  found.relative_scatter = std::sqrt(found.relative_scatter);
+  found.used = data.points;
+  return found;
+}
+
+double predicted(const DischargeFit& fit, const DischargeData& data, const DischargePoint& point) {
+  const DischargeData one{{point}, data.density, data.grain_diameter, data.gravity};
+  if (!within_range(fit.law, point, data)) return std::nan("");
+  const bool shaped = fit.names.back() != "C";
+  const SeparableModel model = model_of(fit.law, one);
+  const Eigen::Index linear = fit.fit.fitted.size() - (shaped ? 1 : 0);
+  const double shape = shaped ? fit.fit.fitted[linear] : kEmptyAnnulus;
+  return (model.basis(shape) * fit.fit.fitted.head(linear))[0];
+}
+
+}  // namespace diefill::process::continuum

@@ -1,0 +1,256 @@
+#include "process/continuum/discharge_table.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <sstream>
+
+#include "process/input/nearest_key.h"
+#include "process/input/scene_error.h"
+#include "process/input/shown_value.h"
+#include "process/input/text_encoding.h"
+#include "process/input/text_file.h"
+#include "process/input/units.h"
+
+namespace diefill::process::continuum {
+
+namespace {
+
+constexpr std::size_t kMostPoints = 200000;
+
+/// A quantity that a column may hold.
+struct Quantity {
+  const char* name;
+  Dimension dimension;
+  bool may_be_zero;
+};
+
+constexpr std::array<Quantity, 11> kQuantities = {{{"speed", Dimension::velocity, false},
+                                                   {"time", Dimension::time, true},
+                                                   {"mass", Dimension::mass, true},
+                                                   {"rate", Dimension::mass_rate, true},
+                                                   {"error", Dimension::mass, false},
+                                                   {"rate_error", Dimension::mass_rate, false},
+                                                   {"width", Dimension::length, false},
+                                                   {"diameter", Dimension::length, false},
+                                                   {"length", Dimension::length, false},
+                                                   {"shoe_length", Dimension::length, false},
+                                                   {"density", Dimension::density, false}}};
+
+struct Column {
+  const Quantity* quantity = nullptr;
+  std::string unit;
+};
+
+/// A line that holds something, with its place for messages.
+struct Line {
+  std::string place, text;
+};
+
+std::string trimmed(const std::string& text) {
+  const std::size_t first = text.find_first_not_of(" \t\r\"");
+  if (first == std::string::npos) return {};
+  return text.substr(first, text.find_last_not_of(" \t\r\"") - first + 1);
+}
+
+std::vector<std::string> cells_of(const std::string& line) {
+  std::vector<std::string> cells;
+  std::istringstream stream(line);
+  for (std::string cell; std::getline(stream, cell, ',');) cells.push_back(trimmed(cell));
+  if (!line.empty() && line.back() == ',') cells.emplace_back();
+  return cells;
+}
+
+std::vector<Line> lines_of(const std::filesystem::path& file) {
+  constexpr std::size_t kLargest = 32U << 20U;
+  constexpr std::string_view kMark = "\xEF\xBB\xBF";
+  std::string text;
+  try {
+    text = load_text_file(file, {"table of discharges", "but it is a CSV file of masses", kLargest});
+  } catch (const std::runtime_error& reason) {
+    throw SceneError(file.string() + ": " + reason.what());
+  }
+  if (text.starts_with(kMark)) text.erase(0, kMark.size());
+  refuse_wrong_encoding(text, file);
+  std::vector<Line> lines;
+  std::istringstream stream(text);
+  int number = 0;
+  for (std::string line; std::getline(stream, line);) {
+    ++number;
+    const std::string content = trimmed(line);
+    if (content.empty() || content.front() == '#') continue;
+    lines.push_back({file.string() + ":" + std::to_string(number), line});
+  }
+  if (lines.empty())
+    throw SceneError(file.string() +
+                     ": found no lines; give a heading such as \"speed m/s,mass g\" and a "
+                     "line for each measurement");
+  return lines;
+}
+
+std::string allowed_columns() {
+  std::string names;
+  for (const auto& quantity : kQuantities) names += (names.empty() ? "" : ", ") + std::string(quantity.name);
+  return names;
+}
+
+Column column_of(std::string heading, const std::string& place) {
+  constexpr std::string_view kProbesRate = "mass rate";  // as a flow probe calls it
+  if (heading.starts_with(kProbesRate)) heading.replace(0, kProbesRate.size(), "rate");
+  const std::size_t end = heading.find_first_of(" \t[(");
+  const std::string name = heading.substr(0, end);
+  std::string unit = end == std::string::npos ? "" : heading.substr(end);
+  std::erase_if(unit, [](char c) { return c == '[' || c == ']' || c == '(' || c == ')'; });
+  unit = trimmed(unit);
+  const auto found = std::find_if(kQuantities.begin(), kQuantities.end(),
+                                  [&](const auto& quantity) { return name == quantity.name; });
+  if (found == kQuantities.end()) {
+    std::vector<std::string> known;
+    for (const auto& quantity : kQuantities) known.emplace_back(quantity.name);
+    const auto nearest = nearest_key(name, known);
+    throw SceneError(place + ": found column \"" + one_line(heading) + "\"" +
+                     (nearest ? "; did you mean \"" + *nearest + "\"?" : "") +
+                     " (allowed: " + allowed_columns() + ", each with its unit, such as \"mass g\")");
+  }
+  const Dimension dimension = found->dimension;
+  if (unit.empty())
+    throw SceneError(place + ": found column \"" + one_line(heading) + "\" without a unit; write it behind " +
+                     "the name, such as \"" + name + " " +
+                     std::string(example_of(dimension)).substr(example_of(dimension).find(' ') + 1) + "\"");
+  try {
+    parse_quantity("1 " + unit, dimension);
+  } catch (const UnitError& error) {
+    throw SceneError(place + ": column " + name + ": found unit \"" + one_line(unit) + "\", " + error.what());
+  }
+  return {&*found, unit};
+}
+
+std::vector<Column> columns_of(const Line& heading) {
+  std::vector<Column> columns;
+  for (const auto& cell : cells_of(heading.text)) {
+    columns.push_back(column_of(cell, heading.place));
+    for (std::size_t k = 0; k + 1 < columns.size(); ++k)
+      if (columns[k].quantity == columns.back().quantity)
+        throw SceneError(heading.place + ": found column " + columns[k].quantity->name +
+                         " twice; remove one of them");
+  }
+  return columns;
+}
+
+bool has(const std::vector<Column>& columns, const std::string& name) {
+  return std::any_of(columns.begin(), columns.end(),
+                     [&](const Column& column) { return name == column.quantity->name; });
+}
+
+double value_of(const std::string& cell, const Column& column, const std::string& place) {
+  const std::string where = place + ": column " + column.quantity->name + ": found ";
+  if (cell.empty()) throw SceneError(where + "nothing; give a number or remove the line");
+  double value = 0;
+  try {
+    value = parse_quantity(cell + ' ' + column.unit, column.quantity->dimension);
+  } catch (const UnitError& error) {
+    throw SceneError(where + "\"" + one_line(cell) + "\", " + error.what());
+  }
+  if (value < 0 || (value == 0 && !column.quantity->may_be_zero))
+    throw SceneError(where + one_line(cell) +
+                     (column.quantity->may_be_zero ? ", allowed: 0 or more" : ", allowed: above 0"));
+  return value;
+}
+
+void set(const std::string& name, double value, bool rates, DischargePoint& point, double& density) {
+  if (name == "speed") point.speed = value;
+  if (name == "time") point.time = value;
+  if (name == (rates ? "rate" : "mass")) point.value = value;
+  if (name == (rates ? "rate_error" : "error")) point.error = value;
+  if (name == "width" || name == "diameter") point.width = value;
+  if (name == "length") point.length = value;
+  if (name == "shoe_length") point.shoe_length = value;
+  if (name == "density") density = value;
+}
+
+/// What a law needs, and how the command line gives it; an empty option: only as a column.
+struct Need {
+  std::string column, option;
+  bool given;
+};
+
+void refuse_missing(const std::vector<Column>& columns, const std::string& place, DischargeLaw law,
+                    const CommonToAll& common) {
+  const bool rates = law == DischargeLaw::beverloo_round || law == DischargeLaw::beverloo_slit;
+  const bool shoe = law == DischargeLaw::moving_shoe || law == DischargeLaw::power_law;
+  const std::string width = law == DischargeLaw::beverloo_round ? "diameter" : "width";
+  std::vector<Need> needs = {{rates ? "rate" : "mass", "", false},
+                             {width, "--width", common.width.has_value() || has(columns, "width")},
+                             {"density", "--density", common.density.has_value()}};
+  if (shoe) needs.push_back({"speed", "", false});
+  if (law == DischargeLaw::transient) needs.push_back({"time", "", false});
+  if (law != DischargeLaw::beverloo_round) needs.push_back({"length", "--length", common.length.has_value()});
+  if (shoe) needs.push_back({"shoe_length", "--shoe-length", common.shoe_length.has_value()});
+  for (const Need& need : needs)
+    if (!need.given && !has(columns, need.column))
+      throw SceneError(place + ": law " + name_of(law) + " needs " + need.column + ": add a column" +
+                       (need.option.empty() ? "" : ", or give " + need.option));
+}
+
+/// Takes time and mass as those since `opened`.
+void count_from(double opened, DischargeData& data) {
+  double before = 0;
+  for (const auto& point : data.points)
+    if (point.time <= opened) before = std::max(before, point.value);
+  std::erase_if(data.points, [&](const auto& point) { return point.time < opened; });
+  for (auto& point : data.points) {
+    point.time -= opened;
+    point.value -= before;
+  }
+}
+
+}  // namespace
+
+DischargeLaw law_for_table(const std::filesystem::path& file) {
+  const Line heading = lines_of(file).front();
+  const auto columns = columns_of(heading);
+  if (has(columns, "mass") && has(columns, "speed")) return DischargeLaw::moving_shoe;
+  if (has(columns, "mass") && has(columns, "time")) return DischargeLaw::transient;
+  if (has(columns, "rate") && has(columns, "diameter")) return DischargeLaw::beverloo_round;
+  if (has(columns, "rate") && has(columns, "width")) return DischargeLaw::beverloo_slit;
+  throw SceneError(heading.place +
+                   ": no law is for these columns; give mass and speed, mass and time, or rate "
+                   "and diameter or width");
+}
+
+DischargeData read_discharge_table(const std::filesystem::path& file, DischargeLaw law,
+                                   const CommonToAll& common) {
+  const auto lines = lines_of(file);
+  const auto columns = columns_of(lines.front());
+  refuse_missing(columns, lines.front().place, law, common);
+  if (lines.size() - 1 > kMostPoints)
+    throw SceneError(file.string() + ": found " + std::to_string(lines.size() - 1) +
+                     " lines, allowed: " + std::to_string(kMostPoints) + "; leave out some");
+  const bool rates = law == DischargeLaw::beverloo_round || law == DischargeLaw::beverloo_slit;
+  DischargeData data;
+  data.density = common.density.value_or(0);
+  data.grain_diameter = common.grain_diameter.value_or(0);
+  for (std::size_t n = 1; n < lines.size(); ++n) {
+    const auto cells = cells_of(lines[n].text);
+    if (cells.size() != columns.size())
+      throw SceneError(lines[n].place + ": found " + std::to_string(cells.size()) + " values, expected " +
+                       std::to_string(columns.size()) + ", one per column");
+    DischargePoint point;
+    point.width = common.width.value_or(0);
+    point.length = common.length.value_or(0);
+    point.shoe_length = common.shoe_length.value_or(0);
+    double density = data.density;
+    for (std::size_t k = 0; k < columns.size(); ++k)
+      set(columns[k].quantity->name, value_of(cells[k], columns[k], lines[n].place), rates, point, density);
+    // Laws are linear in the density, so that one of a point is as good as a mass at the density of the
+    // first.
+    if (data.density == 0) data.density = density;
+    point.value *= data.density / density;
+    point.error *= data.density / density;
+    data.points.push_back(point);
+  }
+  if (common.opened) count_from(*common.opened, data);
+  return data;
+}
+
+}  // namespace diefill::process::continuum

@@ -1,0 +1,109 @@
+// Answers that need no grain: how full a shoe leaves the cavities, how fast it may go, how often it must
+// pass, whether air matters. Formulas on the tools' shapes, in well under a second.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "process/estimate/exposure.h"
+#include "process/estimate/known_error.h"
+#include "process/estimate/powder_discharge.h"
+
+namespace diefill::process::estimate {
+
+/// What to estimate with.
+struct EstimateOptions {
+  std::optional<PowderDischarge> law;  ///< nothing: that of the scene's powder
+  std::optional<double>
+      particle_diameter;  ///< m, of the real powder, for air; nothing: [suction]'s or a guess
+};
+
+/// A share of what a cavity holds from which on it counts as full.
+inline constexpr double kFull = 0.99;
+
+/// One opening below the shoe.
+struct OpeningEstimate {
+  std::string name;                   ///< "cavity", "cavity 2", "slit"
+  bool is_cavity = false;             ///< else powder runs right through
+  double volume = 0, depth = 0;       ///< m^3, m (volume over mouth); 0 for a slit
+  double area = 0;                    ///< m^2 of the mouth
+  double width = 0, felt_width = 0;   ///< m, of the mouth; the same for grains of the scene's size
+  double full_mass = 0;               ///< kg at apparent density; 0 for a slit
+  std::vector<double> offered;        ///< kg that would run in, floor or not, by crossing
+  std::vector<double> mass;           ///< kg in it after each crossing
+  double share = 0;                   ///< of full_mass after all crossings
+  double too_fast = 0;                ///< share of the first crossing's mouth where flow has no time to begin
+  std::optional<double> speed_once;   ///< m/s, fastest that fills it in one crossing
+  std::optional<double> speed_all;    ///< m/s, the same in as many crossings as the scene has
+  std::optional<int> crossings;       ///< needed at the scene's speed; nothing: more than kMostCrossings
+  double froude = 0;                  ///< v_s / sqrt(g D), D the width felt
+  std::optional<double> air_escapes;  ///< s; nothing: particle size not known, or no cavity
+  double filling_time = 0;            ///< s that powder covers it in the first crossing, mean
+};
+inline constexpr int kMostCrossings = 100;
+
+/// A punch that falls under the shoe.
+struct SuctionEstimate {
+  FallingPunch punch;
+  double volume_mass = 0;          ///< kg at apparent density in the room that it makes
+  double by_weight = 0;            ///< kg that follow by their own weight while it falls
+  std::optional<double> with_air;  ///< kg, drawn by air as well; nothing: particle size not known
+  std::optional<double> pull;      ///< drag of the air on powder at rest over its weight
+};
+
+/// A number without unit that orders scenes.
+struct SceneNumber {
+  std::string name, meaning, source;
+  double value = 0;
+};
+
+/// Powder and air as the estimate takes them.
+struct PowderEstimate {
+  double density = 0;                ///< kg/m^3, apparent
+  bool density_is_estimate = false;  ///< nobody has weighed it
+  double solid_fraction = 0;
+  double in_shoe = 0;                       ///< kg
+  std::optional<double> particle_diameter;  ///< m, of the real powder
+  std::string particle_source;              ///< where that comes from
+  double air_viscosity = 0;                 ///< Pa s
+  std::optional<double> air_number;         ///< Ar rho_s / rho_air
+  std::optional<double> carrying_flux;      ///< m/s
+};
+
+/// What the estimate settles.
+enum class Answer { nothing_moves, too_fast, fills, open };
+
+struct Estimate {
+  PowderEstimate powder;
+  PowderDischarge law;
+  double grain_diameter = 0;            ///< m
+  ShoeWay way;                          ///< without exposures
+  std::optional<double> cycle_time;     ///< s, of the steps
+  std::optional<double> crossing_time;  ///< s of one crossing, pauses apart
+  std::vector<OpeningEstimate> openings;
+  std::vector<SuctionEstimate> suctions;
+  std::vector<SceneNumber> numbers;
+  bool starved = false;  ///< the shoe holds less than runs in: masses are cut down to it
+  KnownError error;
+  Answer answer = Answer::open;
+};
+
+/// Estimates a scene on its tools; no wall spheres are needed. `scene` may have its steps prepared or not.
+Estimate estimate(const Scene& scene, const Tooling& tooling, const EstimateOptions& options = {});
+
+/// One statement for people.
+struct Statement {
+  std::string topic;   ///< "filling", "air", ...
+  std::string words;   ///< with numbers and what to do
+  std::string source;  ///< of the formula
+  std::string valid;   ///< range
+  std::string error;   ///< against DEM, or "not measured"
+};
+
+/// All statements, the answer first.
+std::vector<Statement> statements(const Estimate& estimate);
+/// The answer, and the one or two lines that it rests on.
+std::vector<std::string> in_short(const Estimate& estimate);
+
+}  // namespace diefill::process::estimate

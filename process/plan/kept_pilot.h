@@ -1,0 +1,32 @@
+// What pilot runs found out is kept per machine, so that a second plan of a scene is quick.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "process/plan/pilot.h"
+
+namespace diefill::process::plan {
+
+struct PlanOptions;  // plan.h
+
+/// Where this user's programs keep what can be found again: $XDG_CACHE_HOME/diefill/pilots, or
+/// ~/.cache/diefill/pilots; empty where neither is known.
+std::filesystem::path folder_of_pilots();
+
+/// Name under which a pilot is kept: the same for scenes that ask for the same computation with the same
+/// tools and limit, on as many threads, by the same build of the program on the same machine.
+std::string pilot_name(const Scene& scene, const Tooling& tooling, int threads, double wall_limit);
+
+/// The pilot of that name in `folder`; nothing where there is none that can be read.
+std::optional<Pilot> kept_pilot(const std::filesystem::path& folder, const std::string& name);
+
+/// Keeps the pilot, and at most kMostPilots of the newest; a folder that cannot be written to keeps none.
+void keep_pilot(const std::filesystem::path& folder, const std::string& name, const Pilot& pilot);
+inline constexpr std::size_t kMostPilots = 200;
+
+/// The pilot that was kept of this scene, or a new one, which is kept. `tooling` is that of the scene.
+Pilot pilot_for(const Scene& scene, const Tooling& tooling, const PlanOptions& options);
+
+}  // namespace diefill::process::plan

@@ -1,0 +1,22 @@
+#include "process/plan/settle.h"
+
+#include <utility>
+
+#include "process/setup/read_tooling.h"
+
+namespace diefill::process::plan {
+
+SettledScene settle(const Scene& scene, const std::optional<Setting>& wanted) {
+  const auto setting = wanted ? wanted : setting_of(scene);
+  if (!setting) return {scene, std::nullopt};
+  Tooling tooling = read_tooling(scene);
+  Scene settled = with_numbers(scene, numbers_of(*setting, scene, tooling.all_cavities()),
+                               "setting " + description(*setting));
+  return {std::move(settled), std::move(tooling)};
+}
+
+Scene settled_scene(const Scene& scene, const std::optional<Setting>& wanted) {
+  return settle(scene, wanted).scene;
+}
+
+}  // namespace diefill::process::plan

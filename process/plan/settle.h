@@ -1,0 +1,20 @@
+// A scene with the numbers of its setting, and the tools that were read to find them.
+#pragma once
+
+#include <optional>
+
+#include "process/plan/setting.h"
+#include "process/tooling/tooling.h"
+
+namespace diefill::process::plan {
+
+/// A scene with the numbers of its setting, and its tools where they had to be read for that.
+struct SettledScene {
+  Scene scene;
+  std::optional<Tooling> tooling;  ///< without wall spheres
+};
+
+/// As settled_scene(), with the tools that it read.
+SettledScene settle(const Scene& scene, const std::optional<Setting>& wanted);
+
+}  // namespace diefill::process::plan

@@ -1,0 +1,115 @@
+// diefill estimate, its short form in plan and check, and pilots that are kept, as a user meets them.
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <cstdlib>
+#include <nlohmann/json.hpp>
+
+#include "project_paths.h"
+#include "tests/app/small_die.h"
+
+namespace diefill::app {
+namespace {
+
+std::string sample(const std::string& name) {
+  return std::string(DIEFILL_SOURCE_DIR) + "/sample_tools/" + name;
+}
+
+nlohmann::json json_of(const std::vector<std::string>& arguments) {
+  const Outcome outcome = run_program(arguments);
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  return nlohmann::json::parse(outcome.out);
+}
+
+void expect_refused(const std::vector<std::string>& arguments, const std::string& part) {
+  const Outcome outcome = run_program(arguments);
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_EQ(outcome.complaints(), 1U) << outcome.err;
+  EXPECT_NE(outcome.err.find(part), std::string::npos) << outcome.err;
+}
+
+TEST(Estimate, AnswersWithinASecondOfReadingTheTools) {
+  const auto json = json_of({"estimate", sample("narrow_ring/fill.toml"), "--json"});
+  EXPECT_LT(json.at("estimating_seconds").get<double>(), 1);
+  const auto& ring = json.at("openings").at(0);
+  EXPECT_TRUE(ring.at("is_cavity").get<bool>());
+  EXPECT_GT(ring.at("share_filled").get<double>(), 0);
+  EXPECT_LE(ring.at("share_filled").get<double>(), 1);
+  EXPECT_GT(ring.at("critical_speed_one_crossing_m_per_s").get<double>(), 0);
+  EXPECT_NEAR(json.at("shoe").at("speed_m_per_s").get<double>(), 0.2, 0.01);
+  for (const auto& statement : json.at("statements")) {
+    EXPECT_FALSE(statement.at("words").get<std::string>().empty());
+    EXPECT_FALSE(statement.at("error_against_dem").get<std::string>().empty());
+  }
+}
+
+TEST(Estimate, SaysWhatAnEngineerCanActOn) {
+  const Outcome outcome = run_program({"estimate", sample("narrow_ring/fill.toml")});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  for (const char* part : {"answer: ", "critical shoe speed", "crossing", "cycle time", "air: ", "Bond: ",
+                           "Froude", "Pi_2: 8.6", "Bierwisch 2009, Eq. 5.17", "error against DEM: "})
+    EXPECT_NE(outcome.out.find(part), std::string::npos) << part << "\n" << outcome.out;
+}
+
+TEST(Estimate, EverySampleSceneHasOne) {
+  for (const char* name : {"gear/fill.toml", "stepped_ring/fill.toml", "rectangular_die/fill_jkr.toml",
+                           "narrow_ring/fill_sizes.toml", "narrow_ring/strategies/volumetric.toml",
+                           "tradeoff/angle_of_repose.toml", "slit_plate/discharge_6mm.toml"}) {
+    const Outcome outcome = run_program({"estimate", sample(name)});
+    EXPECT_EQ(outcome.exit_code, 0) << name << outcome.err;
+    EXPECT_NE(outcome.out.find("answer: "), std::string::npos) << name << outcome.out;
+  }
+}
+
+TEST(Estimate, TakesTheSizeOfTheRealParticlesAndALawOfOnesOwn) {
+  const SmallDie die;
+  die.write("fit.json", R"({"law": "5.17", "coefficients": {"C_B": {"value": 0.05}, "C_I": {"value": 0.39},
+    "C_F": {"value": 0.92}, "beta": {"value": 1.4}}})");
+  const std::string scene = die.scene().string();
+  const auto json = json_of({"estimate", scene, "--json", "--particle-diameter", "50 um", "--discharge",
+                             (die.folder() / "fit.json").string()});
+  EXPECT_NEAR(json.at("powder").at("particle_diameter_m").get<double>(), 50e-6, 1e-12);
+  EXPECT_NEAR(json.at("powder").at("discharge_law").at("C_F").get<double>(), 0.92, 1e-12);
+  expect_refused({"estimate", scene, "--particle-diameter", "50"}, "--particle-diameter: found \"50\"");
+  expect_refused({"estimate", scene, "--particle-diameter", "0 um"}, "allowed: 1 um to 10 mm");
+  expect_refused({"estimate", scene, "--discharge", scene}, "found no JSON");
+  expect_refused({"estimate", (die.folder() / "none.toml").string()}, "none.toml");
+}
+
+TEST(Estimate, IsWhatPlanAndCheckBeginWith) {
+  const SmallDie die;
+  const std::string scene = die.scene().string();
+  const Outcome check = run_program({"check", scene});
+  EXPECT_EQ(check.out.find("estimate without simulation: "), 0U) << check.out;
+  const Outcome plan = run_program({"plan", scene, "--no-benchmark"});
+  EXPECT_EQ(plan.out.find("Small die, one passage\nestimate without simulation: "), 0U) << plan.out;
+  EXPECT_TRUE(json_of({"check", scene, "--json"}).at("estimate").contains("answer"));
+  EXPECT_TRUE(json_of({"plan", scene, "--no-benchmark", "--json"}).at("estimate").contains("answer"));
+}
+
+TEST(Plan, KeepsItsPilotSoThatASecondPlanIsQuick) {
+  const SmallDie die;
+  const char* before = std::getenv("XDG_CACHE_HOME");
+  const std::string was = before == nullptr ? "" : before;
+  setenv("XDG_CACHE_HOME", die.folder().c_str(), 1);
+  const std::vector<std::string> words = {"plan", die.scene().string(), "--json", "--threads", "1"};
+  const auto first = json_of(words);
+  const auto began = std::chrono::steady_clock::now();
+  const auto second = json_of(words);
+  const double took = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
+  EXPECT_TRUE(first.at("pilot").at("kept_since").is_null());
+  EXPECT_FALSE(second.at("pilot").at("kept_since").is_null());
+  EXPECT_EQ(first.at("choices"), second.at("choices"));
+  EXPECT_LT(took, first.at("pilot").at("wall_seconds").get<double>());
+  EXPECT_GT(first.at("pilot").at("processor_share").get<double>(), 0);
+  EXPECT_LE(first.at("pilot").at("processor_share").get<double>(), 1);
+  die.exchange("seed = 1", "seed = 2");  // another computation
+  EXPECT_TRUE(json_of(words).at("pilot").at("kept_since").is_null());
+  if (before == nullptr)
+    unsetenv("XDG_CACHE_HOME");
+  else
+    setenv("XDG_CACHE_HOME", was.c_str(), 1);
+}
+
+}  // namespace
+}  // namespace diefill::app

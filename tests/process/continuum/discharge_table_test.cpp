@@ -1,0 +1,93 @@
+// Tables of measured discharges: units, and one clear line for what is wrong.
+#include "process/continuum/discharge_table.h"
+
+#include <gtest/gtest.h>
+
+#include "process/input/scene_error.h"
+#include "tests/support/temporary_folder.h"
+
+namespace diefill::process::continuum {
+namespace {
+
+constexpr CommonToAll kCommon = {3000.0, 6e-3, 33e-3, 32e-3, {}, {}};
+
+class DischargeTable : public testing::Test {
+ protected:
+  std::filesystem::path file(const std::string& text) const {
+    folder_.write("masses.csv", text);
+    return folder_.path() / "masses.csv";
+  }
+  /// What is said of a table for the law of the moving shoe.
+  std::string complaint(const std::string& text, const CommonToAll& common = kCommon) const {
+    try {
+      read_discharge_table(file(text), DischargeLaw::moving_shoe, common);
+    } catch (const SceneError& error) {
+      return error.what();
+    }
+    return "none";
+  }
+  void expect_complaint(const std::string& text, const std::string& part) const {
+    const std::string said = complaint(text);
+    EXPECT_NE(said.find(part), std::string::npos) << said;
+    EXPECT_EQ(said.find('\n'), std::string::npos) << said;
+  }
+
+ private:
+  support::TemporaryFolder folder_;
+};
+
+TEST_F(DischargeTable, HasUnitsInItsHeading) {
+  const auto data = read_discharge_table(file("\xEF\xBB\xBF# weighed by hand\r\nspeed cm/s,mass [g],error "
+                                              "(mg)\r\n10,24.5,300\r\n\r\n20,8,200\r\n"),
+                                         DischargeLaw::moving_shoe, kCommon);
+  ASSERT_EQ(data.points.size(), 2U);
+  EXPECT_NEAR(data.points[0].speed, 0.1, 1e-12);
+  EXPECT_NEAR(data.points[0].value, 0.0245, 1e-12);
+  EXPECT_NEAR(data.points[0].error, 3e-4, 1e-12);
+  EXPECT_NEAR(data.points[1].width, 6e-3, 1e-12);
+  EXPECT_NEAR(data.density, 3000, 1e-9);
+}
+
+TEST_F(DischargeTable, ColumnsComeBeforeWhatIsCommon) {
+  const auto data = read_discharge_table(file("speed m/s,mass g,width mm\n0.1,24.5,10\n"),
+                                         DischargeLaw::moving_shoe, kCommon);
+  EXPECT_NEAR(data.points[0].width, 10e-3, 1e-12);
+}
+
+TEST_F(DischargeTable, MayBeAFlowProbesFile) {
+  const auto path = file("time s,mass kg,mass rate kg/s\n0,0,0\n0.1,0.001,0.01\n0.2,0.003,0.02\n");
+  EXPECT_EQ(law_for_table(path), DischargeLaw::transient);
+  CommonToAll common = kCommon;
+  common.opened = 0.1;
+  const auto data = read_discharge_table(path, DischargeLaw::transient, common);
+  ASSERT_EQ(data.points.size(), 2U);
+  EXPECT_NEAR(data.points[1].time, 0.1, 1e-12);
+  EXPECT_NEAR(data.points[1].value, 0.002, 1e-12);
+}
+
+TEST_F(DischargeTable, TellsTheLawByItsColumns) {
+  EXPECT_EQ(law_for_table(file("mass g,speed m/s\n")), DischargeLaw::moving_shoe);
+  EXPECT_EQ(law_for_table(file("rate g/s,diameter mm\n")), DischargeLaw::beverloo_round);
+  EXPECT_EQ(law_for_table(file("rate g/s,width mm\n")), DischargeLaw::beverloo_slit);
+  EXPECT_THROW(law_for_table(file("mass g\n")), SceneError);
+}
+
+TEST_F(DischargeTable, SaysWhatIsWrongInOneLineWithItsPlace) {
+  expect_complaint("speed m/s,mass g\n0.1,abc\n", "masses.csv:2: column mass: found \"abc\"");
+  expect_complaint("speed m/s,mass g\n0.1,\n", "masses.csv:2: column mass: found nothing");
+  expect_complaint("speed m/s,mass g\n0.1\n", "masses.csv:2: found 1 values, expected 2");
+  expect_complaint("speed m/s,mass g\n-0.1,3\n", "found -0.1, allowed: above 0");
+  expect_complaint("speed m/s,mass g\n0.1,nan\n", "masses.csv:2: column mass");
+  expect_complaint("speed,mass g\n0.1,3\n", "\"speed\" without a unit");
+  expect_complaint("speed g,mass g\n0.1,3\n", "column speed: found unit \"g\"");
+  expect_complaint("sped m/s,mass g\n0.1,3\n", "did you mean \"speed\"?");
+  expect_complaint("speed m/s,mass g,mass kg\n0.1,3,4\n", "column mass twice");
+  expect_complaint("speed m/s\n0.1\n", "law 5.17 needs mass");
+  expect_complaint("\n", "found no lines");
+  EXPECT_NE(complaint("speed m/s,mass g\n0.1,3\n", {}).find("needs width: add a column, or give --width"),
+            std::string::npos);
+  EXPECT_THROW(read_discharge_table("/nowhere/masses.csv", DischargeLaw::moving_shoe, kCommon), SceneError);
+}
+
+}  // namespace
+}  // namespace diefill::process::continuum
