@@ -9,6 +9,7 @@ void add_commands(CLI::App& program, Action& chosen) {
   add_powders(program, chosen);
   add_compare(program, chosen);
   add_tradeoff(program, chosen);
+  add_calibrate(program, chosen);
   add_map(program, chosen);
   add_report(program, chosen);
   add_export(program, chosen);
