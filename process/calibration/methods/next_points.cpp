@@ -1,5 +1,6 @@
 #include "process/calibration/methods/next_points.h"
 
+#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <boost/math/distributions/normal.hpp>
 #include <cmath>
@@ -11,7 +12,7 @@ namespace diefill::process::calibration {
 namespace {
 
 constexpr int kDraws = 64;
-constexpr double kTooNear = 0.02;  // in widths of the box: a run there says little new
+constexpr double kTooNear = 0.02;  // in widths of the box, for a wide region
 constexpr std::size_t kCandidates = 512;
 
 /// Independent normal numbers, one row for each draw, evenly spread rather than random.
@@ -44,20 +45,40 @@ std::vector<Eigen::VectorXd> candidates(const Region& region, std::uint64_t seed
   return all;
 }
 
-/// The candidate with the largest value that is not too near to a place taken; nothing where none is.
+/// Distance below which a run says little new, in widths of the box.
+double too_near(const Region& region) {
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> axes(region.covariance);
+  return std::min(kTooNear, 0.25 * std::sqrt(std::max(0.0, axes.eigenvalues().minCoeff())));
+}
+
+/// The candidate with the largest value that is further than `apart` from all places taken; nothing where
+/// none is.
 template <class Value>
 Eigen::VectorXd best_candidate(const std::vector<Eigen::VectorXd>& all,
-                               const std::vector<Eigen::VectorXd>& taken, const Value& value) {
+                               const std::vector<Eigen::VectorXd>& taken, double apart, const Value& value) {
   Eigen::VectorXd best;
   double most = -std::numeric_limits<double>::infinity();
   for (const Eigen::VectorXd& place : all) {
-    if (nearest(place, taken) < kTooNear) continue;
+    if (nearest(place, taken) < apart) continue;
     const double worth = value(place);
     if (!(worth > most)) continue;
     most = worth;
     best = place;
   }
   return best;
+}
+
+/// The least misfit that the emulators' means know of, whether it was simulated or not.
+Minimum best_known(const Likelihood& likelihood, const Region& region,
+                   const std::vector<Eigen::VectorXd>& taken) {
+  const auto misfit = [&](const Eigen::VectorXd& at) { return likelihood.misfit(at); };
+  Minimum best{region.best, misfit(region.best)};
+  for (const Eigen::VectorXd& place : taken)
+    if (const double value = misfit(place); value < best.value) best = {place, value};
+  const auto dimensions = region.best.size();
+  const Minimum near =
+      minimum_near(misfit, best.at, Eigen::VectorXd::Zero(dimensions), Eigen::VectorXd::Ones(dimensions));
+  return near.value < best.value ? near : best;
 }
 
 /// Evenly spread samples of the region.
@@ -106,27 +127,23 @@ bool NextPoints::worthwhile() const {
 NextPoints next_points(const Likelihood& likelihood, const Region& region,
                        const std::vector<Eigen::VectorXd>& taken, std::size_t count, std::uint64_t seed) {
   NextPoints next;
-  double best = std::numeric_limits<double>::infinity();
-  Eigen::VectorXd best_place = region.best;
-  for (const Eigen::VectorXd& place : taken)
-    if (const double misfit = likelihood.misfit(place); misfit < best) {
-      best = misfit;
-      best_place = place;
-    }
-  next.scatter = misfit_scatter(likelihood, best_place);
+  const Minimum best = best_known(likelihood, region, taken);
+  next.scatter = misfit_scatter(likelihood, best.at);
   const auto all = candidates(region, seed);
   for (const Eigen::VectorXd& place : all)
-    next.expected_gain = std::max(next.expected_gain, expected_improvement(likelihood, place, best));
+    next.expected_gain = std::max(next.expected_gain, expected_improvement(likelihood, place, best.value));
   const auto inside = some_of(region);
   for (const Eigen::VectorXd& place : inside)
     next.emulator_share += likelihood.emulator_share(place) / static_cast<double>(inside.size());
   std::vector<Eigen::VectorXd> occupied = taken;
+  const double apart = too_near(region);
   for (std::size_t k = 0; k < count; ++k) {
     const Eigen::VectorXd place =
         k % 2 == 0
-            ? best_candidate(all, occupied,
-                             [&](const auto& at) { return expected_improvement(likelihood, at, best); })
-            : best_candidate(inside, occupied, [&](const auto& at) { return likelihood.emulator_share(at); });
+            ? best_candidate(all, occupied, apart,
+                             [&](const auto& at) { return expected_improvement(likelihood, at, best.value); })
+            : best_candidate(inside, occupied, apart,
+                             [&](const auto& at) { return likelihood.emulator_share(at); });
     if (place.size() == 0) continue;
     next.places.push_back(place);
     occupied.push_back(place);

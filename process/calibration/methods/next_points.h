@@ -21,7 +21,7 @@ struct NextPoints {
   /// First where the improvement expected is largest; second where, within the region that agrees, the
   /// emulators know least; and so on in turn.
   std::vector<Eigen::VectorXd> places;
-  double expected_gain = 0;   ///< largest expected improvement of the misfit
+  double expected_gain = 0;   ///< largest improvement expected over the least misfit that the emulators know
   double scatter = 0;         ///< misfit_scatter() where the misfit is least
   double emulator_share = 0;  ///< mean over the region of the emulators' variance over the measurements'
 

@@ -6,13 +6,14 @@
 #include <cstdint>
 #include <vector>
 
+#include "process/calibration/methods/ensemble.h"
 #include "process/calibration/methods/likelihood.h"
 #include "process/calibration/methods/minimise.h"
 
 namespace diefill::process::calibration {
 
 /// Logarithm of a likelihood at a place of the unit cube.
-using LogLikelihood = std::function<double(const Eigen::VectorXd&)>;
+using LogLikelihood = LogDensity;
 
 struct Region {
   Eigen::MatrixXd samples;  ///< in the unit cube, one a row

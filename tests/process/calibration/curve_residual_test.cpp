@@ -72,7 +72,7 @@ TEST(CurveResidual, APerpendicularIsShorterThanTheVerticalWhereTheCurveIsSteep) 
 }
 
 TEST(CurveResidual, TheMapHasItsLeastValueAtThePlantedParameters) {
-  const MeasuredCurve curve = discharge_curve(201);
+  const MeasuredCurve curve = discharge_curve(8);  // 0.1, 0.2, ... 0.8 m/s
   const std::vector<double> speeds = {0.1, 0.2, 0.4, 0.8};
   const auto residual = [&](double factor, double offset) {
     std::vector<double> areas;

@@ -127,7 +127,9 @@ TEST(FractionalDesign, CompactDesignsHaveTheResolutionAskedForAndFewRuns) {
       const auto design = compact_design(count, resolution);
       EXPECT_EQ(design.factors(), count);
       EXPECT_EQ(design.base, runs);
-      if (design.factors() > design.base) EXPECT_GE(resolution_of(design), resolution);
+      if (design.factors() > design.base) {
+        EXPECT_GE(resolution_of(design), resolution);
+      }
     }
 }
 

@@ -52,14 +52,16 @@ TEST_F(MeasuredCsv, SemicolonsQuotesAndCarriageReturnsOfSpreadsheetsAreTaken) {
 }
 
 TEST_F(MeasuredCsv, MapsHaveTwoPlacesInAnyOrder) {
-  const MeasuredTable table = read("azimuth [deg],height [mm],f [1],s [1]\n10,1,0.3,0.01\n0,1,0.31,0.01\n", 2);
+  const MeasuredTable table =
+      read("azimuth [deg],height [mm],f [1],s [1]\n10,1,0.3,0.01\n0,1,0.31,0.01\n", 2);
   ASSERT_EQ(table.places.size(), 2U);
   EXPECT_EQ(table.places[1].name, "height");
 }
 
 TEST_F(MeasuredCsv, EachFaultIsNamedInOneLineWithItsLine) {
-  EXPECT_EQ(complaint("speed,mass [g],s [g]\n1,2,3\n"),
-            "data.csv:1: column \"speed\" has no unit; write it as \"speed [g]\", or \"[1]\" for plain numbers");
+  EXPECT_EQ(
+      complaint("speed,mass [g],s [g]\n1,2,3\n"),
+      "data.csv:1: column \"speed\" has no unit; write it as \"speed [g]\", or \"[1]\" for plain numbers");
   EXPECT_NE(complaint("speed [m/s],mass [grm],s [g]\n1,2,3\n").find("data.csv:1: column \"mass [grm]\""),
             std::string::npos);
   EXPECT_NE(complaint("speed [m/s],mass [g],s [mm]\n1,2,3\n").find("\"mm\" is not a unit of what has \"g\""),
@@ -103,8 +105,8 @@ TEST(MeasuredInline, AFigureHasAValueAndADeviation) {
 }
 
 TEST(MeasuredInline, ACurveHasListsAndOneDeviationServesAll) {
-  const toml::table parsed = toml::parse(
-      "at = [\"100 mm/s\", \"0.2 m/s\"]\nvalues = [\"12 g\", \"8 g\"]\ndeviations = \"0.5 g\"");
+  const toml::table parsed =
+      toml::parse("at = [\"100 mm/s\", \"0.2 m/s\"]\nvalues = [\"12 g\", \"8 g\"]\ndeviations = \"0.5 g\"");
   TableReader reader(parsed, "powder.toml", "measurement");
   const MeasuredTable table = read_measured(reader, 1);
   EXPECT_EQ(table.places[0].unit, "mm/s");
@@ -122,8 +124,9 @@ TEST(MeasuredInline, FaultsAreNamed) {
             std::string::npos);
   EXPECT_NE(inline_complaint("file = \"a.csv\"\nvalue = \"1 g\"", 0).find("remove one of the two"),
             std::string::npos);
-  EXPECT_NE(inline_complaint("value = \"heavy\"\ndeviation = \"1 g\"", 0).find("does not begin with a number"),
-            std::string::npos);
+  EXPECT_NE(
+      inline_complaint("value = \"heavy\"\ndeviation = \"1 g\"", 0).find("does not begin with a number"),
+      std::string::npos);
 }
 
 TEST(UnitConversion, TakesPlainNumbersPercentAndAngles) {

@@ -42,10 +42,12 @@ TEST(ParameterRange, LinearAndLogarithmicRangesRunFromEndToEnd) {
 TEST(ParameterRange, FaultsAreNamedWithTheirPlace) {
   EXPECT_NE(complaint("").find("expected a [[parameter]]"), std::string::npos);
   EXPECT_NE(complaint(kFriction + kFriction).find("give each key once"), std::string::npos);
-  EXPECT_NE(complaint("[[parameter]]\nkey = \"step.1.velocity\"\nfrom = 1\nto = 2\n").find("a key of [powder]"),
-            std::string::npos);
-  EXPECT_NE(complaint("[[parameter]]\nkey = \"powder.friction\"\nfrom = 1\nto = 1\n").find("more than \"from\""),
-            std::string::npos);
+  EXPECT_NE(
+      complaint("[[parameter]]\nkey = \"step.1.velocity\"\nfrom = 1\nto = 2\n").find("a key of [powder]"),
+      std::string::npos);
+  EXPECT_NE(
+      complaint("[[parameter]]\nkey = \"powder.friction\"\nfrom = 1\nto = 1\n").find("more than \"from\""),
+      std::string::npos);
   EXPECT_NE(complaint("[[parameter]]\nkey = \"powder.friction\"\nfrom = 0\nto = 1\nscale = \"logarithmic\"\n")
                 .find("begins above 0"),
             std::string::npos);

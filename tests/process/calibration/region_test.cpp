@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/LU>
 #include <cmath>
 #include <stdexcept>
 
@@ -77,8 +78,9 @@ TEST(Profiles, HoldOneParameterAndLetTheOthersFollow) {
   for (const auto& point : all[0]) {
     // The least over the other parameter is that of the marginal distribution.
     EXPECT_NEAR(point.value, std::pow((point.place - 0.5) / 0.1, 2), 0.3 + 0.05 * point.value);
-    if (std::abs(point.place - 0.5) < 0.35)
+    if (std::abs(point.place - 0.5) < 0.35) {
       EXPECT_NEAR(point.others[1], 0.5 - 0.95 * (point.place - 0.5), 0.02);
+    }
   }
   const auto one = profiles([](const Eigen::VectorXd& at) { return at[0]; }, 1, 3);
   EXPECT_EQ(one[0][1].value, 0.5);
