@@ -75,7 +75,7 @@ Eigen::MatrixXd linear_predictions(std::size_t measurement, const SimulatedPoint
                                    const Eigen::MatrixXd& samples) {
   std::vector<std::size_t> with;
   for (std::size_t k = 0; k < simulated.outcomes.size(); ++k)
-    if (simulated.outcomes[k].has(measurement)) with.push_back(k);
+    if (simulated.outcomes[k].has(measurement) && simulated.points[k].role != "finer") with.push_back(k);
   if (with.size() < 3) return {};
   const auto rows = static_cast<Eigen::Index>(with.size());
   Eigen::MatrixXd places(rows, samples.cols() + 1);
@@ -155,6 +155,7 @@ results::Calibration account_of(const CalibrationPlan& plan, const SimulatedPoin
   results::Calibration account;
   account.title = plan.title;
   account.powder = plan.powder.filename().string();
+  account.finer_grains = plan.finer_grains;
   account.fitted = fit.has_value();
   account.chi_square = kNone;
   add_points(account, plan, simulated);

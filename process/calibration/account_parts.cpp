@@ -79,11 +79,13 @@ std::string out_of_reach(const results::CalibratedMeasurement& row, std::size_t 
   double least_of_first = 0, most_of_first = 0;
   for (std::size_t q = 0; q < row.data.size(); ++q) {
     double least = std::numeric_limits<double>::infinity(), most = -least;
-    for (const PointOutcome& outcome : simulated.outcomes)
-      for (const auto& values : outcome.values[measurement]) {
+    for (std::size_t k = 0; k < simulated.outcomes.size(); ++k) {
+      if (simulated.points[k].role == "finer") continue;
+      for (const auto& values : simulated.outcomes[k].values[measurement]) {
         least = std::min(least, values[q]);
         most = std::max(most, values[q]);
       }
+    }
     const double reach = 3 * row.data[q].deviation;
     if (!(row.data[q].measured < least - reach || row.data[q].measured > most + reach)) continue;
     if (beyond++ > 0) continue;
@@ -133,7 +135,7 @@ void add_checked(results::CalibratedMeasurement& row, std::size_t measurement,
     for (std::size_t k = 0; k < simulated.outcomes.size(); ++k) {
       const auto& rows = simulated.outcomes[k].values[measurement];
       const OverSeeds found = over_seeds(rows, q);
-      if (rows.empty()) continue;
+      if (rows.empty() || simulated.points[k].role == "finer") continue;
       datum.lower = std::isfinite(datum.lower) ? std::min(datum.lower, found.mean) : found.mean;
       datum.upper = std::isfinite(datum.upper) ? std::max(datum.upper, found.mean) : found.mean;
       if (simulated.points[k].role != "best") continue;
@@ -147,10 +149,19 @@ void add_checked(results::CalibratedMeasurement& row, std::size_t measurement,
   }
 }
 
+/// Of the runs with finer grains.
+void add_finer(results::CalibratedMeasurement& row, std::size_t measurement,
+               const SimulatedPoints& simulated) {
+  for (std::size_t k = 0; k < simulated.outcomes.size(); ++k)
+    if (simulated.points[k].role == "finer")
+      for (std::size_t q = 0; q < row.data.size(); ++q)
+        row.data[q].finer = over_seeds(simulated.outcomes[k].values[measurement], q).mean;
+}
+
 /// The axis of a map along a parameter; logarithmic ranges run along their logarithm.
 MapAxis axis_of(const ParameterRange& range, int nodes) {
   MapAxis axis{range.logarithmic ? "log10 of " + range.key + " in " + range.unit : range.key,
-               range.logarithmic ? "1" : range.unit,
+               range.logarithmic ? "" : range.unit,
                {}};
   for (int k = 0; k < nodes; ++k) {
     const double value = range.value_at(static_cast<double>(k) / (nodes - 1));
@@ -253,6 +264,7 @@ void add_measurements(results::Calibration& account, const CalibrationPlan& plan
       add_checked(row, m, simulated);
     }
     if (fit) add_residual(row, plan.measurements[m]);
+    add_finer(row, m, simulated);
     account.measurements.push_back(std::move(row));
   }
 }

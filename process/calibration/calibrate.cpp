@@ -65,6 +65,8 @@ class Search {
     if (checks)
       for (const auto& place : edge_of(fit_->region, std::min(kEdgePoints, 2 * plan_.parameters.size())))
         simulated_.points.push_back({"edge", plain(place), false, true});
+    if (!plan_.finer_grains.empty())
+      simulated_.points.push_back({"finer", plain(fit_->region.best), true, true, finer_grains_of(plan_)});
     simulate();
   }
 

@@ -32,6 +32,10 @@ void check_ends(const CalibrationPlan& plan) {
     for (const MeasurementRun& other : measurement.runs)
       scene_at(plan, other, std::vector<double>(count, 0.5));
   }
+  const std::vector<double> middle(count, 0.5);
+  if (!plan.finer_grains.empty())
+    for (const Measurement& measurement : plan.measurements)
+      scene_at(plan, measurement.runs.front(), middle, finer_grains_of(plan));
 }
 
 void check_data(const CalibrationPlan& plan) {
@@ -57,6 +61,10 @@ void read_search(TableReader& document, CalibrationPlan& plan) {
                                             .value_or(std::max(plan.most_points, plan.start_points)));
     search->finish();
   }
+  if (auto check = document.table("check")) {
+    plan.finer_grains = check->required_text("grain_diameter", "0.7 mm");
+    check->finish();
+  }
   if (auto screening = document.table("screening")) {
     plan.resolution = static_cast<int>(screening->integer("resolution", 3, 5).value_or(plan.resolution));
     screening->finish();
@@ -64,6 +72,10 @@ void read_search(TableReader& document, CalibrationPlan& plan) {
 }
 
 }  // namespace
+
+std::string finer_grains_of(const CalibrationPlan& plan) {
+  return "powder.grain_diameter = \"" + plan.finer_grains + "\"\n";
+}
 
 CalibrationPlan read_calibration(const std::filesystem::path& file) {
   CalibrationPlan plan;
@@ -88,11 +100,16 @@ CalibrationPlan read_calibration(const std::filesystem::path& file) {
   return plan;
 }
 
-Scene scene_at(const CalibrationPlan& plan, const MeasurementRun& run, const std::vector<double>& place) {
+Scene scene_at(const CalibrationPlan& plan, const MeasurementRun& run, const std::vector<double>& place,
+               const std::string& set) {
   SceneChanges changes;
   changes.set = run.set + (run.set.empty() || run.set.back() == '\n' ? "" : "\n");
   for (std::size_t k = 0; k < place.size(); ++k) changes.set += plan.parameters[k].assignment(place[k]);
-  return changed_scene(run.text, run.file, changes);
+  const Scene scene = changed_scene(run.text, run.file, changes);
+  if (set.empty()) return scene;
+  SceneChanges last;
+  last.set = set;
+  return changed_scene(scene.text, run.file, last);
 }
 
 }  // namespace diefill::process::calibration

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "process/input/scene_error.h"
 #include "process/input/unit_conversion.h"
 
 namespace diefill::process::calibration {

@@ -54,7 +54,7 @@ std::vector<Variant> PointRuns::variants_of(const Point& point, std::size_t numb
     try {
       if (kept.empty()) {
         Variant variant{point_name(number) + ", run " + std::to_string(run + 1), folder_of(number, run),
-                        scene_at(plan_, runs_[run], point.place)};
+                        scene_at(plan_, runs_[run], point.place, point.set)};
         variant.scene.seed = plan_.seed;
         kept.push_back(std::move(variant));
       }
@@ -71,6 +71,9 @@ void PointRuns::run(const std::vector<Point>& points) {
   WantedJobs wanted;
   wanted.title = plan_.title;
   wanted.seeds = plan_.seeds;
+  // What an earlier call went on to comes again in its turn.
+  if (std::filesystem::exists(results::job_list_file(options_.directory)))
+    wanted.later = results::read_job_list(options_.directory).variants;
   for (std::size_t k = 0; k < points.size(); ++k)
     for (Variant& variant : variants_of(points[k], k)) wanted.variants.push_back(std::move(variant));
   const results::JobList all = write_jobs(options_.directory, wanted, options_.say);

@@ -18,6 +18,7 @@ struct Point {
   std::string role;                    ///< as in results::CalibrationPoint
   std::vector<double> place;           ///< in the unit cube
   bool fitted = true, checks = false;  ///< which measurements it takes
+  std::string set = {};                ///< TOML that its scenes change besides
 };
 
 /// What a point's runs gave.

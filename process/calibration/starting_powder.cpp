@@ -23,7 +23,8 @@ toml::table document_of(const std::filesystem::path& file) {
 
 std::string with_starting_powder(const std::filesystem::path& scene, const std::filesystem::path& powder) {
   toml::table document = document_of(scene);
-  if (powder.empty() || std::filesystem::equivalent(powder, scene)) return scene_text_of(document);
+  std::error_code missing;
+  if (powder.empty() || std::filesystem::equivalent(powder, scene, missing)) return scene_text_of(document);
   toml::table start = document_of(powder);
   if (!start.contains("powder"))
     throw SceneError(powder.string() + ": found no [powder], expected a scene or a powder file");

@@ -1,5 +1,6 @@
 #include "process/results/calibration.h"
 
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "process/results/atomic_file.h"
@@ -35,6 +36,7 @@ Json entry(const CalibrationDatum& datum, const CalibratedMeasurement& measureme
   json["scatter_over_seeds"] = json_number(datum.scatter);
   json["lower_90"] = json_number(datum.lower);
   json["upper_90"] = json_number(datum.upper);
+  if (std::isfinite(datum.finer)) json["simulated_with_finer_grains"] = datum.finer;
   return json;
 }
 
@@ -108,6 +110,7 @@ std::string json_of(const Calibration& calibration) {
                {"program_version", calibration.program_version},
                {"powder", calibration.powder},
                {"fitted_with", calibration.grains},
+               {"finer_grains", calibration.finer_grains},
                {"stopped", calibration.stopped},
                {"chi_square", json_number(calibration.chi_square)},
                {"fitted_values", calibration.data},

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -31,6 +32,8 @@ struct CalibrationDatum {
   double uncertainty = 0;              ///< standard deviation of `simulated` from runs too few
   double scatter = 0;                  ///< of a run over seeds
   double lower = 0, upper = 0;         ///< over the region of parameters that agree
+  /// At the best parameters with finer grains.
+  double finer = std::numeric_limits<double>::quiet_NaN();
 };
 
 struct CalibratedMeasurement {
@@ -47,7 +50,7 @@ struct CalibratedMeasurement {
 
 /// One set of parameters that was simulated.
 struct CalibrationPoint {
-  std::string role;            ///< "start", "search", "best", "edge" or "screening"
+  std::string role;            ///< "start", "search", "best", "edge", "finer" or "screening"
   std::vector<double> values;  ///< in the parameters' units
   std::string state, reason;   ///< finished, failed or left out; why
   double chi_square = 0;       ///< of its own runs against the data; NaN: not all finished
@@ -87,8 +90,9 @@ struct Screening {
 
 struct Calibration {
   std::string title, command, program_version;
-  std::string powder;  ///< start: name of its file
-  std::string grains;  ///< grain size and model, walls and stiffness that it was fitted with, in words
+  std::string powder;        ///< start: name of its file
+  std::string finer_grains;  ///< grain size of the check with finer grains; empty: none
+  std::string grains;        ///< grain size and model, walls and stiffness that it was fitted with, in words
   std::vector<CalibratedParameter> parameters;
   std::vector<CalibratedMeasurement> measurements;
   std::vector<CalibrationPoint> points;

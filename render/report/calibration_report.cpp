@@ -84,7 +84,7 @@ Figure curve_picture(const results::CalibratedMeasurement& measurement) {
 Table data_table(const results::Calibration& calibration, bool fitted) {
   Table table{"",
               {"Measurement", "Measured", "Simulated", "Over powders that agree", "Scatter over seeds",
-               "Difference in deviations"},
+               "Difference in deviations", "With finer grains"},
               {},
               true};
   for (const auto& measurement : calibration.measurements) {
@@ -99,9 +99,11 @@ Table data_table(const results::Calibration& calibration, bool fitted) {
            in_digits(datum.simulated, 4) + unit,
            in_digits(datum.lower, 4) + " to " + in_digits(datum.upper, 4) + unit,
            in_digits(datum.scatter, 2) + unit,
-           in_digits((datum.simulated - datum.measured) / std::hypot(datum.deviation, own), 2)});
+           in_digits((datum.simulated - datum.measured) / std::hypot(datum.deviation, own), 2),
+           std::isfinite(datum.finer) ? in_digits(datum.finer, 4) + unit : "–"});
     }
   }
+  leave_out_empty_columns(table);
   return table;
 }
 
@@ -109,6 +111,9 @@ Section data_section(const results::Calibration& calibration, bool fitted) {
   Section section{fitted ? "Measured and simulated" : "Check on what was not fitted", 1, {}};
   if (const Table table = data_table(calibration, fitted); !table.rows.empty())
     section.blocks.emplace_back(table);
+  if (!calibration.finer_grains.empty() && fitted)
+    section.blocks.emplace_back(
+        Paragraph{"Finer grains: d = " + calibration.finer_grains + ", at the best parameters.", false});
   Figures figures;
   for (const auto& measurement : calibration.measurements) {
     if (measurement.fitted != fitted) continue;
