@@ -123,10 +123,10 @@ void transfer(Io& io, Contents& checkpoint) {
   io(simulation.reference.doublings);
   io(simulation.reference.body_allowance);
   io(simulation.reference.awake_grains);
-  io(simulation.grain_memory.pair);
-  io(simulation.grain_memory.value);
-  io(simulation.wall_memory.pair);
-  io(simulation.wall_memory.value);
+  io(simulation.grain_history.pair);
+  io(simulation.grain_history.value);
+  io(simulation.wall_history.pair);
+  io(simulation.wall_history.value);
   io(simulation.ledger);
   io(simulation.next_id);
   io(simulation.overlap);

@@ -72,9 +72,9 @@ class HalfStepSphere {
     for (int side = 0; side < 2; ++side) {
       const Eigen::Vector3d apart = place_ - Eigen::Vector3d(side == 0 ? large_ : -large_, 0, 0);
       const double overlap = kFineRadius + large_ - apart.norm();
-      double* memory = memory_[side];
+      double* history = history_[side];
       if (!(overlap > 0)) {
-        std::fill_n(memory, laws::LudingFriction::kMemory, 0.0);
+        std::fill_n(history, laws::LudingFriction::kHistory, 0.0);
         continue;
       }
       const Eigen::Vector3d normal = apart.normalized();
@@ -82,7 +82,7 @@ class HalfStepSphere {
       const Eigen::Vector3d sliding = velocity_ - speed * normal - kFineRadius * spin_.cross(normal);
       const double push = kStiffness * overlap + damping_.force(overlap, std::sqrt(overlap), speed);
       const Eigen::Vector3d drag =
-          engine::eigen(friction_.force(memory, engine::plain(normal), engine::plain(sliding),
+          engine::eigen(friction_.force(history, engine::plain(normal), engine::plain(sliding),
                                         std::sqrt(overlap), std::abs(push), time_step));
       force_ += push * normal + drag;
       torque_ += (-kFineRadius * normal).cross(drag);
@@ -95,7 +95,7 @@ class HalfStepSphere {
   laws::PairProperties pair_;
   laws::LinearRestitutionDamping damping_;
   laws::LudingFriction friction_;
-  double memory_[2][laws::LudingFriction::kMemory] = {};
+  double history_[2][laws::LudingFriction::kHistory] = {};
 };
 
 }  // namespace

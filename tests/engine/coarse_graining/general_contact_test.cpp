@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "engine/coarse_graining/methods.h"
-#include "engine_test_support.h"
+#include "tests/engine/engine_test_support.h"
 #include "tests/engine/laws/source_laws.h"
 #include "tests/engine/reference/all_pairs.h"
 

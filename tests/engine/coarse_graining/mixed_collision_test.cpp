@@ -6,8 +6,8 @@
 #include "engine/limits/general_time_step.h"
 #include "engine/limits/mix_time_step.h"
 #include "engine/limits/time_step.h"
-#include "mixed_support.h"
 #include "tests/engine/laws/source_laws.h"
+#include "tests/engine/mixed_support.h"
 
 namespace diefill::engine {
 namespace {

@@ -10,8 +10,8 @@
 #include "engine/limits/pinched_grains.h"
 #include "engine/limits/validity_monitor.h"
 #include "engine/observe/contact_stress.h"
-#include "mixed_support.h"
 #include "tests/engine/laws/source_laws.h"
+#include "tests/engine/mixed_support.h"
 
 namespace diefill::engine {
 namespace {

@@ -2,10 +2,10 @@
 #include <gtest/gtest.h>
 
 #include "engine/coarse_graining/methods.h"
-#include "mixed_support.h"
-#include "reference_dem.h"
 #include "tests/engine/laws/source_laws.h"
+#include "tests/engine/mixed_support.h"
 #include "tests/engine/reference/all_pairs.h"
+#include "tests/engine/reference_dem.h"
 
 namespace diefill::engine {
 namespace {

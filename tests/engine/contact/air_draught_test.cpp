@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "engine/contact/air_flow.h"
-#include "engine_test_support.h"
+#include "tests/engine/engine_test_support.h"
 
 namespace diefill::engine {
 namespace {

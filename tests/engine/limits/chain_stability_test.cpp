@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "mixed_support.h"
+#include "tests/engine/mixed_support.h"
 
 namespace diefill::engine {
 namespace {

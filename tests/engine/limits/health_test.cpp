@@ -5,7 +5,7 @@
 
 #include "engine/limits/time_step.h"
 #include "engine/limits/validity_monitor.h"
-#include "engine_test_support.h"
+#include "tests/engine/engine_test_support.h"
 
 namespace diefill::engine {
 namespace {

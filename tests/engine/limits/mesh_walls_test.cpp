@@ -1,6 +1,6 @@
 // Walls of triangles: as flat as a plane however it is cut up, faces, edges and corners as closed forms have
 // them, each place counted once.
-#include "mesh_walls.h"
+#include "tests/engine/mesh_walls.h"
 
 #include <gtest/gtest.h>
 

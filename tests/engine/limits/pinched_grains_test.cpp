@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "engine/limits/chain_stability.h"
-#include "engine_test_support.h"
+#include "tests/engine/engine_test_support.h"
 
 namespace diefill::engine {
 namespace {

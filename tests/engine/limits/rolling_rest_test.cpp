@@ -4,7 +4,7 @@
 
 #include "engine/limits/general_time_step.h"
 #include "engine/limits/time_step.h"
-#include "engine_test_support.h"
+#include "tests/engine/engine_test_support.h"
 
 namespace diefill::engine {
 namespace {

@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "engine/limits/mix_time_step.h"
-#include "mixed_support.h"
+#include "tests/engine/mixed_support.h"
 
 namespace diefill::engine {
 namespace {

@@ -8,7 +8,7 @@
 #include <stdexcept>
 
 #include "engine/numerics/out_of_range.h"
-#include "engine_test_support.h"
+#include "tests/engine/engine_test_support.h"
 
 namespace diefill::engine {
 namespace {

@@ -6,7 +6,7 @@
 #include <array>
 #include <cmath>
 
-#include "engine_test_support.h"
+#include "tests/engine/engine_test_support.h"
 
 namespace diefill::engine {
 namespace {

@@ -8,7 +8,7 @@
 #include <limits>
 #include <numbers>
 
-#include "voronoi_sample.h"
+#include "tests/geometry/voronoi_sample.h"
 
 namespace diefill::geometry {
 namespace {

@@ -3,10 +3,10 @@
 
 #include <cmath>
 
-#include "measure_sample.h"
 #include "process/measure/counted_grains.h"
 #include "process/measure/figures.h"
 #include "process/measure/measure.h"
+#include "tests/process/measure_sample.h"
 
 namespace diefill::process {
 namespace {

@@ -1,9 +1,9 @@
 // Gaussian fields: constants stay, gradients come back, holes stay holes, tools are cut out.
 #include <gtest/gtest.h>
 
-#include "measure_sample.h"
 #include "process/measure/gaussian_field.h"
 #include "process/measure/measure.h"
+#include "tests/process/measure_sample.h"
 
 namespace diefill::process {
 namespace {

@@ -3,9 +3,9 @@
 
 #include <numeric>
 
-#include "measure_sample.h"
 #include "process/measure/cavity_position.h"
 #include "process/measure/measure.h"
+#include "tests/process/measure_sample.h"
 
 namespace diefill::process {
 namespace {

@@ -1,7 +1,6 @@
 // Maps and sections show powder wherever it is; cavities of any shape have maps.
 #include <gtest/gtest.h>
 
-#include "measure_sample.h"
 #include "process/measure/box_map.h"
 #include "process/measure/measure.h"
 #include "process/measure/measured_fields.h"
@@ -9,6 +8,7 @@
 #include "process/measure/powder_places.h"
 #include "process/results/places_without_value.h"
 #include "process/run/assemble.h"
+#include "tests/process/measure_sample.h"
 
 namespace diefill::process {
 namespace {

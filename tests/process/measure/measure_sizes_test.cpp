@@ -3,13 +3,13 @@
 
 #include <numeric>
 
-#include "measure_sample.h"
 #include "process/measure/cavity_position.h"
 #include "process/measure/coordination.h"
 #include "process/measure/figures.h"
 #include "process/measure/measure.h"
 #include "process/measure/partial_volumes.h"
 #include "process/measure/segregation.h"
+#include "tests/process/measure_sample.h"
 
 namespace diefill::process {
 namespace {

@@ -3,8 +3,8 @@
 
 #include <random>
 
-#include "measure_sample.h"
 #include "process/measure/stress_field.h"
+#include "tests/process/measure_sample.h"
 
 namespace diefill::process {
 namespace {

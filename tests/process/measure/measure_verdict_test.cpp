@@ -3,7 +3,6 @@
 
 #include <cmath>
 
-#include "measure_sample.h"
 #include "process/measure/enough_grains.h"
 #include "process/measure/figures.h"
 #include "process/measure/measure.h"
@@ -11,6 +10,7 @@
 #include "process/measure/verdict.h"
 #include "process/results/cavity_rows.h"
 #include "process/results/no_value.h"
+#include "tests/process/measure_sample.h"
 
 namespace diefill::process {
 namespace {

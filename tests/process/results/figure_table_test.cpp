@@ -9,13 +9,13 @@
 #include <regex>
 #include <set>
 
-#include "measure_sample.h"
 #include "process/compare/compared_measures.h"
 #include "process/measure/figures.h"
 #include "process/measure/heap_slope.h"
 #include "process/tradeoff/quantities.h"
 #include "project_paths.h"
-#include "results_sample.h"
+#include "tests/process/measure_sample.h"
+#include "tests/process/results_sample.h"
 
 namespace diefill::results {
 namespace {

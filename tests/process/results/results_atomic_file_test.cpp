@@ -8,7 +8,7 @@
 #include "process/results/atomic_file.h"
 #include "process/results/group_names.h"
 #include "process/results/result_file.h"
-#include "results_sample.h"
+#include "tests/process/results_sample.h"
 #include "tests/support/temporary_folder.h"
 
 namespace diefill::results {

@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "process/results/result_file.h"
-#include "results_sample.h"
+#include "tests/process/results_sample.h"
 #include "tests/support/temporary_folder.h"
 
 namespace diefill::results {

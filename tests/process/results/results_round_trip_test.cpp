@@ -11,7 +11,7 @@
 
 #include "process/results/result_file.h"
 #include "process/results/schema.h"
-#include "results_sample.h"
+#include "tests/process/results_sample.h"
 #include "tests/support/temporary_folder.h"
 
 namespace diefill::results {
