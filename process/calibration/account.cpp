@@ -136,6 +136,16 @@ void add_words(results::Calibration& account, const CalibrationPlan& plan, const
         " values; the ranges are too narrow, the deviations too small, or the model cannot do this");
 }
 
+/// As a text of TOML; names hold no control characters.
+std::string in_quotes(const std::string& text) {
+  std::string quoted = "\"";
+  for (const char letter : text) {
+    if (letter == '"' || letter == '\\') quoted += '\\';
+    quoted += letter;
+  }
+  return quoted + '"';
+}
+
 std::string grains_in_words(const Scene& scene) {
   const char letter = "ABCD"[static_cast<int>(scene.powder.model)];
   return std::string("grain model ") + letter + ", d = " + number_text(1e3 * scene.powder.grain_diameter) +
@@ -195,7 +205,7 @@ std::string powder_account(const results::Calibration& account) {
             "\"\nbest = " + number(parameter.best) + "\nlower_90 = " + number(parameter.lower) +
             "\nupper_90 = " + number(parameter.upper) + "\n";
   for (const auto& measurement : account.measurements)
-    text += "\n[[calibration.measurement]]\nname = '" + measurement.name + "'\nuse = \"" +
+    text += "\n[[calibration.measurement]]\nname = " + in_quotes(measurement.name) + "\nuse = \"" +
             (measurement.fitted ? "fit" : "check") +
             "\"\nvalues = " + std::to_string(measurement.data.size()) + "\n";
   return text;
