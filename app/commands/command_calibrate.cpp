@@ -90,6 +90,7 @@ std::vector<std::string> write_all(const CalibrateArguments& arguments,
 
 int calibrate(const CalibrateArguments& arguments) {
   const auto plan = calibration::read_calibration(arguments.file);
+  if (!arguments.screen) calibration::check_enough_data(plan);
   const std::filesystem::path directory = directory_of(arguments);
   refuse_earlier(directory, arguments.resume);
   const OutputDirectory output(directory, {"tools"});

@@ -38,17 +38,6 @@ void check_ends(const CalibrationPlan& plan) {
       scene_at(plan, measurement.runs.front(), middle, finer_grains_of(plan));
 }
 
-void check_data(const CalibrationPlan& plan) {
-  std::size_t data = 0;
-  for (const Measurement& measurement : plan.measurements)
-    if (measurement.fitted) data += measurement.data.size();
-  if (data < plan.parameters.size())
-    throw SceneError(
-        plan.file.string() + ": found " + std::to_string(data) + " measured values to fit " +
-        std::to_string(plan.parameters.size()) +
-        " parameters; allowed: at least as many values as parameters; measure more or leave parameters out");
-}
-
 void read_search(TableReader& document, CalibrationPlan& plan) {
   const int count = static_cast<int>(plan.parameters.size());
   plan.start_points = 4 + 4 * count;
@@ -73,6 +62,17 @@ void read_search(TableReader& document, CalibrationPlan& plan) {
 
 }  // namespace
 
+void check_enough_data(const CalibrationPlan& plan) {
+  std::size_t data = 0;
+  for (const Measurement& measurement : plan.measurements)
+    if (measurement.fitted) data += measurement.data.size();
+  if (data < plan.parameters.size())
+    throw SceneError(
+        plan.file.string() + ": found " + std::to_string(data) + " measured values to fit " +
+        std::to_string(plan.parameters.size()) +
+        " parameters; allowed: at least as many values as parameters; measure more or leave parameters out");
+}
+
 std::string finer_grains_of(const CalibrationPlan& plan) {
   return "powder.grain_diameter = \"" + plan.finer_grains + "\"\n";
 }
@@ -95,7 +95,6 @@ CalibrationPlan read_calibration(const std::filesystem::path& file) {
   plan.measurements = read_measurements(document, {plan.powder});
   read_search(document, plan);
   document.finish();
-  check_data(plan);
   check_ends(plan);
   return plan;
 }

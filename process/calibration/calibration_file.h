@@ -26,6 +26,9 @@ struct CalibrationPlan {
   int resolution = 4;        ///< of a screening
 };
 
+/// Throws SceneError where fewer values are to be fitted than there are parameters.
+void check_enough_data(const CalibrationPlan& plan);
+
 /// What the last check sets in its scenes.
 std::string finer_grains_of(const CalibrationPlan& plan);
 

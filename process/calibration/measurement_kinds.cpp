@@ -43,7 +43,9 @@ std::vector<Measurement> read_measurements(TableReader& document, const Measurem
 MeasurementRun run_of_scene(TableReader& measurement, const MeasurementContext& context) {
   const std::filesystem::path file =
       measurement.file().parent_path() / measurement.required_text("scene", "heap.toml");
-  return {with_starting_powder(file, context.powder), file, measurement.text("set").value_or("")};
+  std::string set;
+  for (const std::string& line : measurement.texts("set", "step.1.velocity = '0.2 m/s'")) set += line + '\n';
+  return {with_starting_powder(file, context.powder), file, set};
 }
 
 }  // namespace diefill::process::calibration

@@ -5,8 +5,9 @@ noise, hides the parameters, and lets `diefill calibrate` find them again.
     tests/calibration/planted_powders.py --trials 3 --out /tmp/planted
 
 Two parameters (friction, work of adhesion); discharge through a slit at three shoe speeds and the solid fraction
-of the powder, from the coarse scene sample_tools/tradeoff/slit_discharge.toml with still coarser grains. Prints, for each trial, truth, intervals, whether the truth lies in the
-90 % region (normal approximation of the samples) and the core minutes; then how many of all did."""
+of the powder, from the coarse scene sample_tools/tradeoff/slit_discharge.toml with still coarser grains. Prints for
+each trial the truth, the intervals, whether the truth lies in the 90 % region (normal approximation of the samples)
+and the core minutes; then how many of all did."""
 import argparse
 import json
 import math
@@ -19,10 +20,11 @@ import sys
 ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 SCENES = os.path.join(ROOT, "sample_tools", "tradeoff")
 SPEEDS = [0.2, 0.4, 0.8]  # m/s
+WIDTH = 9.6  # mm, periodic length of the slit
 FIRST_SEED = 1000  # of the hidden simulations
 FRICTION, ADHESION = (0.1, 1.0), (0.001, 0.1)  # ranges; the second logarithmic, J/m^2
 NORMAL_REGION = 4.605  # chi^2 that holds 90 % with two parameters
-COARSE = "powder.grain_diameter = '2.35 mm'\npour.fill_height = '9 mm'\n"
+COARSE = ["powder.grain_diameter = '2.35 mm'", "pour.fill_height = '9 mm'"]
 
 
 def run(arguments):
@@ -33,15 +35,20 @@ def run(arguments):
 
 
 def simulated(options, folder, name, speed, truth):
-    """Reports of repeats of the slit with the planted powder, at seeds that the calibration does not use."""
+    """Folders of repeats of the slit with the planted powder, at seeds that the calibration does not use."""
     scene = os.path.join(folder, name + ".toml")
     with open(scene, "w") as file:
         file.write(planted_scene(speed, truth))
     out = os.path.join(folder, name)
     run([options.program, "compare", scene, "--seeds", str(options.repeats), "--jobs", str(options.jobs), "--out", out,
          "--quiet"])
-    return [json.load(open(os.path.join(out, "as_it_is", "seed-%d" % (FIRST_SEED + k), "report.json")))
-            for k in range(options.repeats)]
+    return [os.path.join(out, "as_it_is", "seed-%d" % (FIRST_SEED + k)) for k in range(options.repeats)]
+
+
+def through_slit(folder):
+    """g per mm of slit that had passed it in the end."""
+    last = open(os.path.join(folder, "probe_slit.csv")).read().split("\n")[-2]
+    return 1e3 * float(last.split(",")[1]) / WIDTH
 
 
 def planted_scene(speed, truth):
@@ -72,14 +79,14 @@ def write_calibration(path, masses, fraction):
     text = 'title = "Planted powder"\nseed = 1\n'
     text += '\n[[parameter]]\nkey = "powder.friction"\nfrom = %g\nto = %g\n' % FRICTION
     text += '\n[[parameter]]\nkey = "powder.work_of_adhesion"\nfrom = "%g J/m^2"\nto = "%g J/m^2"\nscale = "logarithmic"\n' % ADHESION
-    head = 'scene = "%s"\nset = """%s"""\n'
+    head = 'scene = "%s"\nset = %s\n'
     slit = os.path.join(SCENES, "slit_discharge.toml")
-    text += '\n[[measurement]]\nname = "slit"\nfigure = "mass_left_kg"\nover = "step.1.velocity"\n' + head % (slit, COARSE)
+    text += '\n[[measurement]]\nname = "slit"\nfigure = "mass_through_slit"\nover = "step.1.velocity"\n' + head % (slit, json.dumps(COARSE))
     text += "at = [%s]\n" % ", ".join('"%g m/s"' % speed for speed in SPEEDS)
-    text += "values = [%s]\n" % ", ".join('"%.6g g"' % mass for mass, _ in masses)
-    text += "deviations = [%s]\n" % ", ".join('"%.3g g"' % deviation for _, deviation in masses)
+    text += "values = [%s]\n" % ", ".join('"%.6g g/mm"' % mass for mass, _ in masses)
+    text += "deviations = [%s]\n" % ", ".join('"%.3g g/mm"' % deviation for _, deviation in masses)
     text += '\n[[measurement]]\nname = "apparent density"\nfigure = "bulk_solid_fraction"\n'
-    text += head % (slit, COARSE + "step.1.velocity = '%g m/s'\n" % SPEEDS[0])
+    text += head % (slit, json.dumps(COARSE + ["step.1.velocity = '%g m/s'" % SPEEDS[0]]))
     text += 'value = "%.6g"\ndeviation = "%.3g"\n' % fraction
     open(path, "w").write(text)
 
@@ -90,9 +97,10 @@ def trial(options, number, generator):
     os.makedirs(folder, exist_ok=True)
     masses, fractions = [], []
     for k, speed in enumerate(SPEEDS):
-        reports = simulated(options, folder, "truth-%d" % k, speed, truth)
-        masses.append(noisy([1e3 * report["mass_left_kg"] for report in reports], options.noise, generator))
+        runs = simulated(options, folder, "truth-%d" % k, speed, truth)
+        masses.append(noisy([through_slit(run) for run in runs], options.noise, generator))
         if k == 0:
+            reports = [json.load(open(os.path.join(run, "report.json"))) for run in runs]
             fractions = noisy([report["bulk_solid_fraction"] for report in reports], 0.01, generator)
     path = os.path.join(folder, "calibration.toml")
     write_calibration(path, masses, fractions)
