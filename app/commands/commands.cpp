@@ -13,6 +13,7 @@ void add_commands(CLI::App& program, Action& chosen) {
   add_fit_discharge(program, chosen);
   add_compare(program, chosen);
   add_tradeoff(program, chosen);
+  add_calibrate(program, chosen);
   add_map(program, chosen);
   add_report(program, chosen);
   add_export(program, chosen);

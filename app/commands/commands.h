@@ -20,6 +20,7 @@ void add_info(CLI::App& program, Action& chosen);
 void add_bench(CLI::App& program, Action& chosen);
 void add_compare(CLI::App& program, Action& chosen);
 void add_tradeoff(CLI::App& program, Action& chosen);
+void add_calibrate(CLI::App& program, Action& chosen);
 void add_lab(CLI::App& program, Action& chosen);
 void add_plan(CLI::App& program, Action& chosen);
 void add_powders(CLI::App& program, Action& chosen);

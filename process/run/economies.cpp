@@ -4,6 +4,7 @@
 #include <cstdio>
 
 #include "process/input/units.h"
+#include "process/scene/powder_file.h"
 #include "process/scene/powder_presets.h"
 
 namespace diefill::process {
@@ -34,6 +35,7 @@ std::vector<std::string> economies_text(const Scene& scene, const engine::Simula
     lines.push_back("powder in the shoe farther than " + number_text(1e3 * *scene.economy.carry_beyond) +
                     " mm from a cavity was moved as a rigid block: " + left_out(simulation, sphere_steps));
   if (const std::string limit = preset_warning(scene.powder); !limit.empty()) lines.push_back(limit);
+  if (const std::string other = fitted_with_warning(scene); !other.empty()) lines.push_back(other);
   return lines;
 }
 

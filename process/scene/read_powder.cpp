@@ -1,6 +1,7 @@
 #include <optional>
 
 #include "process/scene/plausibility.h"
+#include "process/scene/powder_file.h"
 #include "process/scene/powder_presets.h"
 #include "process/scene/read_clump.h"
 #include "process/scene/sections.h"
@@ -110,6 +111,7 @@ PowderSpec read_powder(TableReader& table) {
   read_overrides(table, powder);
   read_grain_diameter(table, powder, !radius && !own_clump);
   read_sizes(table, powder);
+  read_fitted_with(table);
   table.finish();
   check_density(table, powder);
   check_coarsening(table, powder);

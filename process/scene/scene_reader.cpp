@@ -1,6 +1,7 @@
 #include <toml++/toml.h>
 
 #include "process/scene/contact_spec.h"
+#include "process/scene/powder_file.h"
 #include "process/scene/scene.h"
 #include "process/scene/scene_text.h"
 #include "process/scene/sections.h"
@@ -44,12 +45,13 @@ Eigen::Vector3d read_gravity(TableReader& document) {
 
 }  // namespace
 
-Scene scene_of(const toml::table& parsed, const std::string& text, const std::filesystem::path& file) {
+Scene scene_of(toml::table& parsed, const std::string& text, const std::filesystem::path& file) {
   const toml::table empty;
+  const bool stands_in_two_files = take_powder_file(parsed, file);
   TableReader document(parsed, file, "");
   Scene scene;
   scene.file = file;
-  scene.text = text;
+  scene.text = stands_in_two_files ? as_comment(chosen_in(text)) + scene_text_of(parsed) : text;
   scene.title = document.text("title").value_or(file.stem().string());
   scene.seed = static_cast<std::uint64_t>(document.integer("seed", 0, INT64_MAX).value_or(1));
   scene.gravity = read_gravity(document);
@@ -80,7 +82,8 @@ Scene scene_of(const toml::table& parsed, const std::string& text, const std::fi
 }
 
 Scene parse_scene(const std::string& text, const std::filesystem::path& file) {
-  return scene_of(parse_scene_text(text, file), text, file);
+  toml::table document = parse_scene_text(text, file);
+  return scene_of(document, text, file);
 }
 
 Scene read_scene(const std::filesystem::path& file) {

@@ -9,8 +9,10 @@
 
 namespace diefill::process {
 
-/// The scene in a parsed document; `text` and `file` are kept in it, and `file` stands in messages.
-Scene scene_of(const toml::table& parsed, const std::string& text, const std::filesystem::path& file);
+/// The scene in a parsed document; `text` and `file` are kept in it, and `file` stands in messages. Where its
+/// powder stands in a file of its own (powder_file.h) the document takes it over, and the scene's text is
+/// that of the whole document.
+Scene scene_of(toml::table& parsed, const std::string& text, const std::filesystem::path& file);
 
 /// `coarse_graining` of [powder]; to be read before the rest, which rejects keys that nobody asked for.
 CoarseGraining read_coarse_graining(TableReader& table);

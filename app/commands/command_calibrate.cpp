@@ -1,0 +1,149 @@
+#include <cstdio>
+
+#include "app/commands/commands.h"
+#include "app/exit_code.h"
+#include "app/kept_notes.h"
+#include "app/output.h"
+#include "app/pictures/drawing.h"
+#include "app/stop_signals.h"
+#include "app/tables/calibration_table.h"
+#include "app/tables/finite_number.h"
+#include "process/calibration/calibrate.h"
+#include "process/calibration/screen.h"
+#include "process/results/atomic_file.h"
+#include "render/report/calibration_report.h"
+#include "render/report/html.h"
+#include "render/report/pdf.h"
+
+namespace diefill::app {
+
+namespace {
+
+namespace calibration = process::calibration;
+
+struct CalibrateArguments {
+  std::string file, out;
+  double budget = 0;
+  int jobs = 1, threads = 1;
+  bool resume = false, screen = false, pdf = false, quiet = false;
+};
+
+/// out/<folder of the file>_<name of the file>, with _screening behind it for a screening.
+std::filesystem::path directory_of(const CalibrateArguments& arguments) {
+  if (!arguments.out.empty()) return arguments.out;
+  const std::filesystem::path file = arguments.file;
+  const auto folder = std::filesystem::absolute(file).parent_path().filename().string();
+  return std::filesystem::path("out") /
+         (folder + '_' + file.stem().string() + (arguments.screen ? "_screening" : ""));
+}
+
+std::string command_text(const CalibrateArguments& arguments) {
+  std::string words = "diefill calibrate " + arguments.file;
+  if (arguments.screen) words += " --screen";
+  return words;
+}
+
+/// Results that are there are gone on with only where the user says so.
+void refuse_earlier(const std::filesystem::path& directory, bool resume) {
+  const bool there = std::filesystem::exists(results::job_list_file(directory));
+  if (there && !resume)
+    throw process::SceneError(
+        directory.string() +
+        ": holds runs of an earlier call; add --resume to continue, or choose another --out");
+}
+
+calibration::CalibrateOptions options_of(const CalibrateArguments& arguments,
+                                         const std::filesystem::path& directory) {
+  calibration::CalibrateOptions options;
+  options.command = command_text(arguments);
+  options.points.directory = directory;
+  options.points.say = say_note;
+  options.points.jobs.program = std::filesystem::read_symlink("/proc/self/exe");
+  options.points.jobs.at_once = arguments.jobs;
+  options.points.jobs.threads = arguments.threads;
+  options.points.jobs.pictures = false;
+  options.points.jobs.show_progress = !arguments.quiet;
+  if (arguments.budget > 0) options.points.jobs.cpu_seconds = 60 * arguments.budget;
+  if (!arguments.quiet) options.tell = say_note;
+  return options;
+}
+
+std::vector<std::string> write_all(const CalibrateArguments& arguments,
+                                   const std::filesystem::path& directory,
+                                   const results::Calibration& account) {
+  const std::string name = arguments.screen ? "screening" : "calibration";
+  std::vector<std::string> written = {"calibration.json", "calibration.csv", "calibration_points.csv",
+                                      name + ".html"};
+  write_output([&] {
+    results::write_calibration(directory, account);
+    set_up_drawing();
+    const auto document = render::report::calibration_document(account);
+    results::write_text_atomically(directory / (name + ".html"), render::report::html_page(document));
+    if (arguments.screen) written.emplace_back("screening.csv");
+    if (account.fitted) written.emplace_back("powder.toml");
+    if (!arguments.pdf) return;
+    results::write_text_atomically(directory / (name + ".pdf"), render::report::pdf_pages(document));
+    written.push_back(name + ".pdf");
+  });
+  return written;
+}
+
+int calibrate(const CalibrateArguments& arguments) {
+  const auto plan = calibration::read_calibration(arguments.file);
+  if (!arguments.screen) calibration::check_enough_data(plan);
+  const std::filesystem::path directory = directory_of(arguments);
+  refuse_earlier(directory, arguments.resume);
+  const OutputDirectory output(directory, {"tools"});
+  auto options = options_of(arguments, directory);
+  options.points.jobs.stop = &heed_stop_signals();
+  const auto account =
+      arguments.screen ? calibration::screen(plan, options) : calibration::calibrate(plan, options);
+  const auto written = write_all(arguments, directory, account);
+  std::printf("%sin %s:", calibration_table(account).c_str(), directory.string().c_str());
+  for (const auto& file : written) std::printf(" %s", file.c_str());
+  std::printf("\n");
+  return account.fitted || !account.screening.quantities.empty() ? kDone : kFailed;
+}
+
+void add_options(CLI::App& command, CalibrateArguments& arguments) {
+  command.add_option("FILE", arguments.file, "calibration file (TOML): parameters with ranges, measurements")
+      ->required();
+  command.add_flag("--screen", arguments.screen,
+                   "do not fit: run a two-level design over the ends of the ranges and chart the effects");
+  command.add_option("--jobs", arguments.jobs, "runs at a time (default: 1)")->check(CLI::Range(1, 1024));
+  command.add_option("--threads", arguments.threads, "threads of each run (default: 1)")
+      ->check(CLI::Range(1, 1024));
+  command
+      .add_option(
+          "--budget", arguments.budget,
+          "total processor time of all runs in core minutes, including earlier calls (default: no limit)")
+      ->check(CLI::PositiveNumber)
+      ->check(finite_number());
+  command.add_flag("--resume", arguments.resume,
+                   "continue in a directory that holds runs; finished ones are kept");
+  command.add_option("--out", arguments.out, "directory for results (default: out/<folder>_<file>)");
+  command.add_flag("--pdf", arguments.pdf, "write the report as a PDF too");
+  command.add_flag("--quiet", arguments.quiet, "print no progress");
+}
+
+}  // namespace
+
+void add_calibrate(CLI::App& program, Action& chosen) {
+  auto* command = program.add_subcommand(
+      "calibrate",
+      "Find the powder that agrees with measurements, with error bars, and state what they cannot tell");
+  auto arguments = std::make_shared<CalibrateArguments>();
+  add_options(*command, *arguments);
+  command->footer(
+      "Examples:\n"
+      "  diefill calibrate my_powder.toml --jobs 2 --budget 60\n"
+      "  diefill calibrate my_powder.toml --resume                 go on after a stop or with more budget\n"
+      "  diefill calibrate my_powder.toml --screen                 which parameters matter\n"
+      "The file is explained in process/calibration/README.md. Writes powder.toml, which scenes use with\n"
+      "powder.file = \"powder.toml\", calibration.html, calibration.json and CSV. Exit codes: 0 done, 1 too "
+      "few runs\n"
+      "gave values, 2 bad input, 130 stopped.");
+  command->callback([arguments, &chosen] { chosen = [arguments] { return calibrate(*arguments); }; });
+}
+
+}  // namespace diefill::app

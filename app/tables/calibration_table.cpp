@@ -1,0 +1,93 @@
+#include "app/tables/calibration_table.h"
+
+#include <cmath>
+#include <cstdio>
+
+namespace diefill::app {
+namespace {
+
+std::string number(double value, int digits = 3) {
+  if (!std::isfinite(value)) return "-";
+  char text[40];
+  std::snprintf(text, sizeof text, "%.*g", digits, value);
+  return text;
+}
+
+std::string with_unit(const std::string& text, const std::string& unit) {
+  return unit == "1" || unit.empty() ? text : text + ' ' + unit;
+}
+
+/// Padded to a width.
+std::string padded(std::string text, std::size_t width) {
+  if (text.size() < width) text.append(width - text.size(), ' ');
+  return text + ' ';
+}
+
+std::string parameters_of(const results::Calibration& calibration) {
+  std::string lines = padded("parameter", 30) + padded("best", 16) + "90 % interval\n";
+  for (const auto& parameter : calibration.parameters)
+    lines += padded(parameter.key, 30) + padded(with_unit(number(parameter.best), parameter.unit), 16) +
+             with_unit(number(parameter.lower) + " to " + number(parameter.upper), parameter.unit) + '\n';
+  return lines;
+}
+
+std::string measurements_of(const results::Calibration& calibration) {
+  constexpr std::size_t kMost = 12;  // values of a measurement that are listed one by one
+  std::string lines = padded("measurement", 30) + padded("measured", 22) + padded("simulated", 12) +
+                      "over powders that agree\n";
+  for (const auto& measurement : calibration.measurements) {
+    if (measurement.data.size() > kMost) {
+      lines += padded(measurement.name, 30) + std::to_string(measurement.data.size()) + " values, chi^2 " +
+               number(measurement.chi_square) + (measurement.fitted ? "" : " (check)") + '\n';
+      continue;
+    }
+    for (const auto& datum : measurement.data) {
+      const std::string at =
+          std::isfinite(datum.x) ? " at " + with_unit(number(datum.x), measurement.x_unit) : "";
+      lines +=
+          padded(measurement.name + at + (measurement.fitted ? "" : " (check)"), 30) +
+          padded(with_unit(number(datum.measured, 4) + " +- " + number(datum.deviation, 2), measurement.unit),
+                 22) +
+          padded(number(datum.simulated, 4), 12) + number(datum.lower, 4) + " to " + number(datum.upper, 4) +
+          '\n';
+    }
+    if (!measurement.remark.empty()) lines += "  " + measurement.name + ": " + measurement.remark + '\n';
+  }
+  return lines;
+}
+
+std::string screening_of(const results::Screening& screening) {
+  std::string lines =
+      std::to_string(screening.runs) + " runs, " +
+      (screening.resolution == 0 ? "full factorial" : "resolution " + std::to_string(screening.resolution)) +
+      "; standard errors from " + screening.error_source + '\n';
+  for (const auto& generator : screening.generators) lines += "generator " + generator + '\n';
+  for (std::size_t q = 0; q < screening.quantities.size(); ++q) {
+    const auto& quantity = screening.quantities[q];
+    lines += "effects on " + quantity.name + ", mean " + with_unit(number(quantity.mean, 4), quantity.unit) +
+             ", 95 % margin " + number(quantity.margin) + '\n';
+    for (const auto& effect : screening.effects)
+      lines += "  " + padded(effect.string, 24) + padded(number(effect.values[q]), 12) +
+               (std::abs(effect.values[q]) > quantity.margin ? "* " : "  ") + effect.words + '\n';
+  }
+  return lines;
+}
+
+}  // namespace
+
+std::string calibration_table(const results::Calibration& calibration) {
+  std::string lines;
+  if (calibration.screening.runs > 0) {
+    lines = screening_of(calibration.screening);
+  } else if (calibration.fitted) {
+    lines = parameters_of(calibration) + "chi^2 " + number(calibration.chi_square) + " of " +
+            std::to_string(calibration.data) +
+            " values: " + (calibration.agrees ? "agrees with the data" : "does not agree with the data") +
+            '\n' + measurements_of(calibration);
+  }
+  for (const auto& sentence : calibration.insights) lines += "- " + sentence + '\n';
+  for (const auto& remark : calibration.remarks) lines += "note: " + remark + '\n';
+  return lines + "the search ended because " + calibration.stopped + '\n';
+}
+
+}  // namespace diefill::app

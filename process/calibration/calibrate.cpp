@@ -1,0 +1,161 @@
+#include "process/calibration/calibrate.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <fstream>
+#include <iterator>
+
+#include "process/calibration/account.h"
+#include "process/calibration/methods/next_points.h"
+#include "process/calibration/methods/space_filling.h"
+#include "process/calibration/starting_powder.h"
+#include "process/compare/kept_aside.h"
+#include "process/results/atomic_file.h"
+#include "process/run/assemble.h"
+
+namespace diefill::process::calibration {
+namespace {
+
+constexpr std::size_t kAtOnce = 2;      // points of a round; not --jobs, on which no result is to depend
+constexpr std::size_t kEdgePoints = 4;  // at most, for checks
+
+std::vector<double> plain(const Eigen::VectorXd& place) {
+  return {place.begin(), place.end()};
+}
+
+std::vector<Point> start_points(const CalibrationPlan& plan) {
+  std::vector<Point> points;
+  const auto even =
+      space_filling(static_cast<std::size_t>(plan.start_points), plan.parameters.size(), plan.seed);
+  for (Eigen::Index k = 0; k < even.rows(); ++k) points.push_back({"start", plain(even.row(k).transpose())});
+  return points;
+}
+
+/// The calibration on its way.
+class Search {
+ public:
+  Search(const CalibrationPlan& plan, const CalibrateOptions& options)
+      : plan_(plan), options_(options), runs_(plan, options.points) {
+    simulated_.points = start_points(plan);
+  }
+
+  /// Until nothing helps any more; says why it ended.
+  std::string go() {
+    for (;;) {
+      simulate();
+      fit_ = fit_points(plan_, simulated_);
+      if (runs_.over_budget()) return "the budget is used";
+      if (!fit_) return "too few runs gave values";
+      const NextPoints next = next_points(*fit_->likelihood, fit_->region, taken(), kAtOnce,
+                                          plan_.seed + simulated_.points.size());
+      tell(next);
+      if (!next.worthwhile()) return reason(next);
+      if (simulated_.points.size() + next.places.size() > static_cast<std::size_t>(plan_.most_points))
+        return "the search reached its most points (" + std::to_string(plan_.most_points) + ")";
+      for (const auto& place : next.places) simulated_.points.push_back({"search", plain(place)});
+    }
+  }
+
+  /// The best parameters and those of the region's edge on what is to be checked.
+  void check() {
+    bool checks = false;
+    for (const Measurement& measurement : plan_.measurements) checks = checks || !measurement.fitted;
+    if (!fit_ || runs_.over_budget()) return;
+    simulated_.points.push_back({"best", plain(fit_->region.best), true, true});
+    if (checks)
+      for (const auto& place : edge_of(fit_->region, std::min(kEdgePoints, 2 * plan_.parameters.size())))
+        simulated_.points.push_back({"edge", plain(place), false, true});
+    if (!plan_.finer_grains.empty())
+      simulated_.points.push_back({"finer", plain(fit_->region.best), true, true, finer_grains_of(plan_)});
+    simulate();
+  }
+
+  results::Calibration account(const std::string& stopped) const {
+    results::Calibration account = account_of(plan_, simulated_, fit_);
+    account.command = options_.command;
+    account.program_version = program_version();
+    account.stopped = stopped;
+    return account;
+  }
+
+  const std::optional<Fit>& fit() const { return fit_; }
+
+ private:
+  void simulate() {
+    runs_.run(simulated_.points);
+    for (std::size_t k = simulated_.outcomes.size(); k < simulated_.points.size(); ++k)
+      simulated_.outcomes.push_back(runs_.outcome(simulated_.points[k], k));
+  }
+
+  std::vector<Eigen::VectorXd> taken() const {
+    std::vector<Eigen::VectorXd> places;
+    for (const Point& point : simulated_.points)
+      places.push_back(Eigen::Map<const Eigen::VectorXd>(point.place.data(),
+                                                         static_cast<Eigen::Index>(point.place.size())));
+    return places;
+  }
+
+  void tell(const NextPoints& next) const {
+    if (!options_.tell) return;
+    std::string line = std::to_string(simulated_.points.size()) + " points:";
+    for (std::size_t k = 0; k < plan_.parameters.size(); ++k) {
+      const ParameterRange& range = plan_.parameters[k];
+      const auto d = static_cast<Eigen::Index>(k);
+      char text[200];
+      std::snprintf(text, sizeof text, " %s %.3g (%.3g to %.3g)", range.key.c_str(),
+                    range.value_at(fit_->region.best[d]), range.value_at(fit_->region.lower[d]),
+                    range.value_at(fit_->region.upper[d]));
+      line += text;
+    }
+    char text[160];
+    std::snprintf(text, sizeof text, "; expected gain %.2g, scatter %.2g, emulator's share %.2g",
+                  next.expected_gain, next.scatter, next.emulator_share);
+    options_.tell(line + text);
+  }
+
+  static std::string reason(const NextPoints& next) {
+    char text[240];
+    std::snprintf(
+        text, sizeof text,
+        "more runs would change little: expected gain %.2g of the misfit, scatter over seeds %.2g; the "
+        "emulators add %.0f %% to the measurements' variance",
+        next.expected_gain, next.scatter, 100 * next.emulator_share);
+    return text;
+  }
+
+  const CalibrationPlan& plan_;
+  const CalibrateOptions& options_;
+  PointRuns runs_;
+  SimulatedPoints simulated_;
+  std::optional<Fit> fit_;
+};
+
+/// powder.toml of the best parameters. One of an earlier state of the search is renamed.
+void write_powder(const CalibrationPlan& plan, const Fit& fit, const results::Calibration& account,
+                  const PointOptions& options) {
+  const Measurement& first = plan.measurements[fit.measurement.front()];
+  const Scene scene = scene_at(plan, first.runs.front(), plain(fit.region.best));
+  const std::string text =
+      powder_file_text(scene, powder_comment(account), powder_account(account), program_version());
+  const std::filesystem::path file = options.directory / "powder.toml";
+  if (std::filesystem::exists(file)) {
+    std::ifstream stream(file, std::ios::binary);
+    if (std::string{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()} == text) return;
+    const auto aside = set_one_aside(file);
+    if (options.say) options.say("note: the earlier powder.toml was renamed to " + aside.filename().string());
+  }
+  results::write_text_atomically(file, text);
+}
+
+}  // namespace
+
+results::Calibration calibrate(const CalibrationPlan& plan, const CalibrateOptions& options) {
+  Search search(plan, options);
+  const std::string stopped = search.go();
+  search.check();
+  results::Calibration account = search.account(stopped);
+  if (search.fit()) write_powder(plan, *search.fit(), account, options.points);
+  return account;
+}
+
+}  // namespace diefill::process::calibration

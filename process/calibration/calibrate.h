@@ -1,0 +1,25 @@
+// Finds the powder that agrees with measurements: a space-filling start, then simulations where they help
+// most, until they help no more.
+#pragma once
+
+#include <functional>
+#include <string>
+
+#include "process/calibration/calibration_file.h"
+#include "process/calibration/point_runs.h"
+#include "process/results/calibration.h"
+
+namespace diefill::process::calibration {
+
+struct CalibrateOptions {
+  PointOptions points;  ///< directory, jobs and budget (jobs.cpu_seconds)
+  std::string command;  ///< for the account
+  /// Told what has been found so far, a line at a time.
+  std::function<void(const std::string&)> tell;
+};
+
+/// Runs the calibration, or goes on with it where runs are there, and gives the account of it. Writes
+/// `directory`/powder.toml where a powder was found. Throws Interrupted, SceneError, std::runtime_error.
+results::Calibration calibrate(const CalibrationPlan& plan, const CalibrateOptions& options);
+
+}  // namespace diefill::process::calibration

@@ -1,0 +1,114 @@
+#include "process/calibration/calibration_file.h"
+
+#include <toml++/toml.h>
+
+#include "process/scene/scene_text.h"
+#include "process/scene/setting.h"
+#include "process/scene/variants.h"
+
+namespace diefill::process::calibration {
+namespace {
+
+constexpr int kMostSeeds = 100, kMostPoints = 10000;
+
+/// Scenes that a run cannot have are found before hours are spent.
+void check_ends(const CalibrationPlan& plan) {
+  const std::size_t count = plan.parameters.size();
+  for (const Measurement& measurement : plan.measurements) {
+    const MeasurementRun& run = measurement.runs.front();
+    for (std::size_t k = 0; k < count; ++k)
+      for (const double end : {0.0, 1.0}) {
+        std::vector<double> place(count, 0.5);
+        place[k] = end;
+        try {
+          if (setting_of(scene_at(plan, run, place)))
+            throw SceneError(run.file.string() +
+                             ": setting: a calibration needs numbers; write grain_diameter instead");
+        } catch (const SceneError& error) {
+          throw SceneError(std::string(error.what()) + " (measurement \"" + measurement.name + "\", " +
+                           plan.parameters[k].key + " at " + (end == 0 ? "\"from\"" : "\"to\"") + ")");
+        }
+      }
+    for (const MeasurementRun& other : measurement.runs)
+      scene_at(plan, other, std::vector<double>(count, 0.5));
+  }
+  const std::vector<double> middle(count, 0.5);
+  if (!plan.finer_grains.empty())
+    for (const Measurement& measurement : plan.measurements)
+      scene_at(plan, measurement.runs.front(), middle, finer_grains_of(plan));
+}
+
+void read_search(TableReader& document, CalibrationPlan& plan) {
+  const int count = static_cast<int>(plan.parameters.size());
+  plan.start_points = 4 + 4 * count;
+  plan.most_points = 10 + 15 * count;
+  if (auto search = document.table("search")) {
+    plan.seeds = static_cast<int>(search->integer("seeds", 1, kMostSeeds).value_or(plan.seeds));
+    plan.start_points =
+        static_cast<int>(search->integer("start_points", count + 2, kMostPoints).value_or(plan.start_points));
+    plan.most_points = static_cast<int>(search->integer("most_points", plan.start_points, kMostPoints)
+                                            .value_or(std::max(plan.most_points, plan.start_points)));
+    search->finish();
+  }
+  if (auto check = document.table("check")) {
+    plan.finer_grains = check->required_text("grain_diameter", "0.7 mm");
+    check->finish();
+  }
+  if (auto screening = document.table("screening")) {
+    plan.resolution = static_cast<int>(screening->integer("resolution", 3, 5).value_or(plan.resolution));
+    screening->finish();
+  }
+}
+
+}  // namespace
+
+void check_enough_data(const CalibrationPlan& plan) {
+  std::size_t data = 0;
+  for (const Measurement& measurement : plan.measurements)
+    if (measurement.fitted) data += measurement.data.size();
+  if (data < plan.parameters.size())
+    throw SceneError(
+        plan.file.string() + ": found " + std::to_string(data) + " measured values to fit " +
+        std::to_string(plan.parameters.size()) +
+        " parameters; allowed: at least as many values as parameters; measure more or leave parameters out");
+}
+
+std::string finer_grains_of(const CalibrationPlan& plan) {
+  return "powder.grain_diameter = \"" + plan.finer_grains + "\"\n";
+}
+
+CalibrationPlan read_calibration(const std::filesystem::path& file) {
+  CalibrationPlan plan;
+  plan.file = file;
+  plan.text = load_scene_text(file);
+  const toml::table parsed = parse_scene_text(plan.text, file);
+  TableReader document(parsed, file, "");
+  plan.title = document.text("title").value_or(file.stem().string());
+  plan.seed = static_cast<std::uint64_t>(document.integer("seed", 0, INT64_MAX / 2).value_or(1));
+  plan.parameters = read_parameters(document);
+  if (const auto powder = document.text("powder")) plan.powder = file.parent_path() / *powder;
+  const auto tables = document.tables("measurement");
+  if (plan.powder.empty() && !tables.empty()) {
+    TableReader first = tables.front();
+    plan.powder = file.parent_path() / first.required_text("scene", "heap.toml");
+  }
+  plan.measurements = read_measurements(document, {plan.powder});
+  read_search(document, plan);
+  document.finish();
+  check_ends(plan);
+  return plan;
+}
+
+Scene scene_at(const CalibrationPlan& plan, const MeasurementRun& run, const std::vector<double>& place,
+               const std::string& set) {
+  SceneChanges changes;
+  changes.set = run.set + (run.set.empty() || run.set.back() == '\n' ? "" : "\n");
+  for (std::size_t k = 0; k < place.size(); ++k) changes.set += plan.parameters[k].assignment(place[k]);
+  const Scene scene = changed_scene(run.text, run.file, changes);
+  if (set.empty()) return scene;
+  SceneChanges last;
+  last.set = set;
+  return changed_scene(scene.text, run.file, last);
+}
+
+}  // namespace diefill::process::calibration

@@ -1,0 +1,91 @@
+// A figure of a scene, such as the mass through a slit: alone, or as a curve over a key of the scene, one run
+// for each point.
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "process/calibration/measurement.h"
+#include "process/input/nearest_key.h"
+#include "process/input/unit_conversion.h"
+#include "process/results/figure_table.h"
+#include "process/scene/variants.h"
+#include "process/tradeoff/quantities.h"
+
+namespace diefill::process::calibration {
+namespace {
+
+/// What a figure's name stands for.
+struct ChosenFigure {
+  std::string name, unit;
+  std::function<double(const results::FillResult&)> value;
+};
+
+/// A quantity of the trade-off, or else a figure of report.json.
+ChosenFigure figure_called(TableReader& table, const std::string& word, const Scene& scene) {
+  std::vector<std::string> known;
+  for (const MeasuredQuantity& quantity : measured_quantities(scene)) {
+    if (quantity.about.key == word) return {quantity.about.name, quantity.about.unit, quantity.value};
+    known.push_back(quantity.about.key);
+  }
+  for (const results::Figure& figure : results::figure_table()) known.emplace_back(figure.name);
+  if (const results::Figure* figure = results::find_figure(word))
+    return {figure->label, figure->unit,
+            [word](const results::FillResult& result) { return results::figure_of(result, word); }};
+  const auto meant = nearest_key(word, known);
+  table.reject("figure", meant ? "no figure has this name; did you mean \"" + *meant + "\"?"
+                               : "no figure has this name; process/results/figures.md and the keys of "
+                                 "diefill tradeoff list them");
+}
+
+/// The factor that takes a figure into the data's unit.
+double factor_into(const TableReader& table, const MeasuredColumn& column, const ChosenFigure& figure) {
+  try {
+    return unit_factor(figure.unit, column.unit);
+  } catch (const UnitError& error) {
+    throw SceneError(table.where("figure") + ": measured in \"" + column.unit + "\", but the figure has \"" +
+                     figure.unit + "\": " + error.what());
+  }
+}
+
+/// A run for each point of a curve: the scene with the key set.
+std::vector<MeasurementRun> runs_over(const MeasurementRun& run, const std::string& key,
+                                      const MeasuredColumn& column) {
+  std::vector<MeasurementRun> runs;
+  for (const double value : column.values) {
+    char number[40];
+    std::snprintf(number, sizeof number, "%.10g", value);
+    MeasurementRun one = run;
+    one.set +=
+        (one.set.empty() || one.set.back() == '\n' ? "" : "\n") + key + " = " +
+        (column.unit == "1" ? std::string(number) : '"' + std::string(number) + ' ' + column.unit + '"') +
+        '\n';
+    runs.push_back(std::move(one));
+  }
+  return runs;
+}
+
+}  // namespace
+
+Measurement read_figure_measurement(TableReader& table, const MeasurementContext& context) {
+  const std::string word = table.required_text("figure", "filled_mass");
+  const auto over = table.text("over");
+  Measurement measurement;
+  const MeasurementRun run = run_of_scene(table, context);
+  measurement.data = read_measured(table, over ? 1 : 0);
+  if (!over && measurement.data.size() != 1)
+    table.reject("file", "a single figure has one row; give \"over\" for a curve");
+  const ChosenFigure figure = figure_called(table, word, parse_scene(run.text, run.file));
+  const double factor = factor_into(table, measurement.data.value, figure);
+  measurement.quantity = figure.name;
+  measurement.runs = over ? runs_over(run, *over, measurement.data.places[0]) : std::vector{run};
+  if (over) measurement.data.places[0].name = *over;
+  measurement.simulated = [factor,
+                           value = figure.value](const std::vector<const results::FillResult*>& results) {
+    std::vector<double> values;
+    for (const results::FillResult* result : results) values.push_back(factor * value(*result));
+    return values;
+  };
+  return measurement;
+}
+
+}  // namespace diefill::process::calibration

@@ -1,0 +1,51 @@
+#include <algorithm>
+
+#include "process/calibration/measurement.h"
+#include "process/calibration/starting_powder.h"
+
+namespace diefill::process::calibration {
+
+const std::vector<MeasurementKind>& measurement_kinds() {
+  static const std::vector<MeasurementKind> kinds = {
+      {"figure", "a figure of a scene, alone or over a key of the scene", read_figure_measurement},
+      {"profile", "a profile of a scene's result, such as the fill level over the azimuth",
+       read_profile_measurement},
+      {"map", "a map or section of a scene's result", read_map_measurement},
+  };
+  return kinds;
+}
+
+std::vector<Measurement> read_measurements(TableReader& document, const MeasurementContext& context) {
+  Choices<ReadMeasurement> kinds;
+  for (const MeasurementKind& kind : measurement_kinds()) kinds.emplace_back(kind.word, kind.read);
+  static const Choices<bool> uses = {{"fit", true}, {"check", false}};
+  std::vector<Measurement> all;
+  for (TableReader& table : document.tables("measurement")) {
+    const std::string name = table.required_name("name", "heap");
+    const auto same = [&](const Measurement& other) { return other.name == name; };
+    if (std::any_of(all.begin(), all.end(), same))
+      table.reject("name", "an earlier measurement has this name; give each a unique name");
+    const std::string kind = table.text("kind").value_or(kinds.front().first);
+    const ReadMeasurement read = table.choice("kind", kinds).value_or(kinds.front().second);
+    const bool fitted = table.choice("use", uses).value_or(true);
+    Measurement measurement = read(table, context);
+    measurement.name = name;
+    measurement.kind = kind;
+    measurement.fitted = fitted;
+    table.finish();
+    all.push_back(std::move(measurement));
+  }
+  if (std::none_of(all.begin(), all.end(), [](const Measurement& each) { return each.fitted; }))
+    document.reject("measurement", "expected at least one [[measurement]] with use = \"fit\"");
+  return all;
+}
+
+MeasurementRun run_of_scene(TableReader& measurement, const MeasurementContext& context) {
+  const std::filesystem::path file =
+      measurement.file().parent_path() / measurement.required_text("scene", "heap.toml");
+  std::string set;
+  for (const std::string& line : measurement.texts("set", "step.1.velocity = '0.2 m/s'")) set += line + '\n';
+  return {with_starting_powder(file, context.powder), file, set};
+}
+
+}  // namespace diefill::process::calibration

@@ -1,0 +1,96 @@
+#include "process/calibration/methods/insight.h"
+
+#include <Eigen/Cholesky>
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <stdexcept>
+
+namespace diefill::process::calibration {
+namespace {
+
+constexpr double kAlongALine = 0.8;   // correlation from which two parameters are fixed only together
+constexpr double kLeftOpen = 0.7;     // share of its range from which a parameter counts as unknown; an even
+                                      // distribution has 0.9
+constexpr double kOverlapping = 0.4;  // lesser correlation that is worth a word
+
+std::string percent(double share) {
+  char text[16];
+  std::snprintf(text, sizeof text, "%.0f %%", 100 * share);
+  return text;
+}
+
+std::string two_digits(double value) {
+  char text[16];
+  std::snprintf(text, sizeof text, "%.2f", value);
+  return text;
+}
+
+std::string listed(const std::vector<std::string>& words) {
+  std::string text;
+  for (std::size_t k = 0; k < words.size(); ++k)
+    text += (k == 0 ? "" : k + 1 == words.size() ? " and " : ", ") + words[k];
+  return text;
+}
+
+Eigen::MatrixXd covariance_of(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b) {
+  const Eigen::MatrixXd of_a = a.rowwise() - a.colwise().mean(), of_b = b.rowwise() - b.colwise().mean();
+  return of_a.transpose() * of_b / static_cast<double>(a.rows() - 1);
+}
+
+}  // namespace
+
+std::vector<std::string> insights(const Region& region, const std::vector<std::string>& parameters,
+                                  const std::vector<std::string>& measured_by) {
+  std::vector<std::string> sentences;
+  const std::string data = measured_by.empty() ? "the measurements" : listed(measured_by);
+  const std::string alone = measured_by.size() == 1 ? " alone" : " together";
+  for (std::size_t d = 0; d < parameters.size(); ++d) {
+    const auto at = static_cast<Eigen::Index>(d);
+    const double width = region.upper[at] - region.lower[at];
+    if (width > kLeftOpen)
+      sentences.push_back(data + alone + " say next to nothing about " + parameters[d] +
+                          ": its interval is " + percent(width) + " of the range");
+  }
+  for (std::size_t i = 0; i < parameters.size(); ++i)
+    for (std::size_t j = i + 1; j < parameters.size(); ++j) {
+      const double r = region.correlation(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j));
+      if (std::abs(r) < kOverlapping) continue;
+      const std::string together =
+          r < 0 ? "more of one makes up for less of the other" : "both rise together";
+      const std::string pair = parameters[i] + " and " + parameters[j];
+      if (std::abs(r) >= kAlongALine)
+        sentences.push_back(data + alone + " fix " + pair + " only along a line: " + together +
+                            " (correlation " + two_digits(r) +
+                            "); a measurement that depends on them otherwise would separate them");
+      else
+        sentences.push_back(pair + " are partly fixed together: " + together + " (correlation " +
+                            two_digits(r) + ")");
+    }
+  return sentences;
+}
+
+std::vector<Worth> worth_of(const Eigen::MatrixXd& samples,
+                            const std::vector<PossibleMeasurement>& possible) {
+  std::vector<Worth> all;
+  const Eigen::MatrixXd now = covariance_of(samples, samples);
+  for (const PossibleMeasurement& measurement : possible) {
+    if (measurement.values.rows() != samples.rows())
+      throw std::invalid_argument("a possible measurement has a value for each sample");
+    const Eigen::MatrixXd with = covariance_of(samples, measurement.values);
+    Eigen::MatrixXd total = covariance_of(measurement.values, measurement.values);
+    total.diagonal().array() += measurement.deviations.array().square();
+    const Eigen::MatrixXd after = now - with * total.ldlt().solve(with.transpose());
+    Worth worth;
+    worth.name = measurement.name;
+    worth.volume = std::sqrt(std::max(0.0, after.determinant() / now.determinant()));
+    worth.deviations = (after.diagonal().cwiseMax(0).array() / now.diagonal().array()).sqrt();
+    all.push_back(std::move(worth));
+  }
+  std::stable_sort(all.begin(), all.end(),
+                   [](const Worth& a, const Worth& b) { return a.volume < b.volume; });
+  return all;
+}
+
+}  // namespace diefill::process::calibration

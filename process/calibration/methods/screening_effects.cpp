@@ -1,0 +1,96 @@
+#include "process/calibration/methods/screening_effects.h"
+
+#include <algorithm>
+#include <boost/math/distributions/students_t.hpp>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+namespace diefill::process::calibration {
+namespace {
+
+constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+
+double mean_of(const std::vector<double>& values) {
+  double sum = 0;
+  for (const double value : values) sum += value;
+  return sum / static_cast<double>(values.size());
+}
+
+double median(std::vector<double> values) {
+  std::sort(values.begin(), values.end());
+  const std::size_t half = values.size() / 2;
+  return values.size() % 2 == 1 ? values[half] : 0.5 * (values[half - 1] + values[half]);
+}
+
+double t_quantile(double freedom) {
+  return boost::math::quantile(boost::math::students_t(freedom), 0.975);
+}
+
+/// From repeats: variance within settings, pooled, carried over to a difference of two means.
+void error_from_repeats(ScreeningEffects& screening, const std::vector<std::vector<double>>& responses) {
+  double squares = 0, freedom = 0, of_means = 0;
+  for (const auto& values : responses) {
+    const double mean = mean_of(values);
+    for (const double value : values) squares += (value - mean) * (value - mean);
+    freedom += static_cast<double>(values.size() - 1);
+    of_means += 1 / static_cast<double>(values.size());
+  }
+  const double runs = static_cast<double>(responses.size());
+  screening.source = ErrorSource::repeats;
+  screening.error = 2 / runs * std::sqrt(squares / freedom * of_means);
+  screening.margin = t_quantile(freedom) * screening.error;
+}
+
+void error_after_lenth(ScreeningEffects& screening, const FractionalDesign& design,
+                       const std::vector<double>& means) {
+  constexpr std::size_t kFewest = 7;
+  std::vector<double> sizes;
+  for (std::uint64_t column = 1; column < design.runs(); ++column)
+    sizes.push_back(std::abs(contrast(design, means, column)));
+  screening.error = screening.margin = kNone;
+  if (sizes.size() < kFewest) return;
+  const double first = 1.5 * median(sizes);
+  std::vector<double> small;
+  for (const double size : sizes)
+    if (size < 2.5 * first) small.push_back(size);
+  screening.source = ErrorSource::lenth;
+  screening.error = small.empty() ? 0 : 1.5 * median(small);
+  screening.margin = t_quantile(static_cast<double>(sizes.size()) / 3) * screening.error;
+}
+
+}  // namespace
+
+double contrast(const FractionalDesign& design, const std::vector<double>& means, std::uint64_t column) {
+  double sum = 0;
+  for (std::size_t run = 0; run < design.runs(); ++run)
+    sum += level_of_column(design, run, column) * means[run];
+  return 2 * sum / static_cast<double>(design.runs());
+}
+
+ScreeningEffects screening_effects(const FractionalDesign& design,
+                                   const std::vector<std::vector<double>>& responses) {
+  if (responses.size() != design.runs())
+    throw std::invalid_argument("a design of " + std::to_string(design.runs()) + " runs has " +
+                                std::to_string(responses.size()) + " responses");
+  std::vector<double> means;
+  bool repeated = false;
+  for (const auto& values : responses) {
+    if (values.empty()) throw std::invalid_argument("a run of the design has no response");
+    means.push_back(mean_of(values));
+    repeated = repeated || values.size() > 1;
+  }
+  ScreeningEffects screening;
+  screening.mean = mean_of(means);
+  for (AliasString& string : alias_strings(design)) {
+    const double value = contrast(design, means, string.column);
+    screening.effects.push_back({std::move(string), value});
+  }
+  if (repeated)
+    error_from_repeats(screening, responses);
+  else
+    error_after_lenth(screening, design, means);
+  return screening;
+}
+
+}  // namespace diefill::process::calibration

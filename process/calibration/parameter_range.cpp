@@ -1,0 +1,92 @@
+#include "process/calibration/parameter_range.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "process/input/scene_error.h"
+#include "process/input/unit_conversion.h"
+
+namespace diefill::process::calibration {
+namespace {
+
+constexpr NumberRule kPlain = {-1e12, 1e12, false, "0.25"};
+
+/// A plain number, or a text with a unit.
+NumberWithUnit end_of(TableReader& table, const std::string& key) {
+  table.require(key, "0.2, or \"0.001 J/m^2\" for a key with a unit");
+  std::optional<std::string> text;
+  try {
+    text = table.text(key);
+  } catch (const SceneError&) {
+    return {*table.number(key, kPlain), "1"};
+  }
+  try {
+    return number_with_unit(*text);
+  } catch (const UnitError& error) {
+    table.reject(key, error.what());
+  }
+}
+
+std::string written(double value) {
+  char text[40];
+  std::snprintf(text, sizeof text, "%.8g", value);
+  return text;
+}
+
+void check_key(const TableReader& table, const ParameterRange& range,
+               const std::vector<ParameterRange>& earlier) {
+  const auto begins = [&](const char* start) { return range.key.starts_with(start); };
+  if (!begins("powder.") && !begins("contact.") && !begins("walls."))
+    table.reject("key", "allowed: a key of [powder], [contact] or [walls], such as \"powder.friction\"");
+  const auto same = [&](const ParameterRange& other) { return other.key == range.key; };
+  if (std::any_of(earlier.begin(), earlier.end(), same))
+    table.reject("key", "an earlier [[parameter]] has this key; give each key once");
+}
+
+}  // namespace
+
+double ParameterRange::value_at(double place) const {
+  if (logarithmic) return from * std::pow(to / from, place);
+  return from + (to - from) * place;
+}
+
+double ParameterRange::place_of(double value) const {
+  if (logarithmic) return std::log(value / from) / std::log(to / from);
+  return (value - from) / (to - from);
+}
+
+std::string ParameterRange::assignment(double place) const {
+  const std::string number = written(value_at(place));
+  return key + " = " + (unit == "1" ? number : '"' + number + ' ' + unit + '"') + '\n';
+}
+
+std::vector<ParameterRange> read_parameters(TableReader& document) {
+  static const Choices<bool> scales = {{"linear", false}, {"logarithmic", true}};
+  std::vector<ParameterRange> all;
+  for (TableReader& table : document.tables("parameter")) {
+    ParameterRange range;
+    range.key = table.required_text("key", "powder.friction");
+    check_key(table, range, all);
+    const NumberWithUnit from = end_of(table, "from"), to = end_of(table, "to");
+    range.logarithmic = table.choice("scale", scales).value_or(false);
+    table.finish();
+    range.unit = from.unit;
+    range.from = from.number;
+    try {
+      range.to = to.number * unit_factor(to.unit, from.unit);
+    } catch (const UnitError& error) {
+      table.reject("to", error.what());
+    }
+    if (!(range.to > range.from)) table.reject("to", "allowed: more than \"from\"");
+    if (range.logarithmic && !(range.from > 0))
+      table.reject("from", "a logarithmic range begins above 0; raise it or use scale = \"linear\"");
+    all.push_back(std::move(range));
+  }
+  if (all.empty())
+    document.reject("parameter",
+                    "expected a [[parameter]] with key, from and to, such as key = \"powder.friction\"");
+  return all;
+}
+
+}  // namespace diefill::process::calibration

@@ -1,0 +1,154 @@
+#include "process/calibration/point_runs.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "process/results/job_cost.h"
+#include "process/results/result_file.h"
+
+namespace diefill::process::calibration {
+namespace {
+
+std::string point_name(std::size_t number) {
+  return "point " + std::to_string(number + 1);
+}
+
+}  // namespace
+
+PointRuns::PointRuns(const CalibrationPlan& plan, PointOptions options)
+    : plan_(plan), options_(std::move(options)) {
+  for (const Measurement& measurement : plan_.measurements) {
+    std::vector<std::size_t> numbers;
+    for (const MeasurementRun& run : measurement.runs) {
+      const auto same = [&](const MeasurementRun& other) {
+        return other.text == run.text && other.set == run.set && other.file == run.file;
+      };
+      const auto found = std::find_if(runs_.begin(), runs_.end(), same);
+      numbers.push_back(static_cast<std::size_t>(found - runs_.begin()));
+      if (found == runs_.end()) runs_.push_back(run);
+    }
+    measured_by_.push_back(std::move(numbers));
+  }
+}
+
+std::string PointRuns::folder_of(std::size_t number, std::size_t run) const {
+  char name[40];
+  std::snprintf(name, sizeof name, "p%03zu_r%02zu", number + 1, run + 1);
+  return name;
+}
+
+/// Each once, in their order.
+std::vector<std::size_t> PointRuns::runs_of(const Point& point) const {
+  std::set<std::size_t> numbers;
+  for (std::size_t m = 0; m < plan_.measurements.size(); ++m)
+    if (plan_.measurements[m].fitted ? point.fitted : point.checks)
+      numbers.insert(measured_by_[m].begin(), measured_by_[m].end());
+  return {numbers.begin(), numbers.end()};
+}
+
+std::vector<Variant> PointRuns::variants_of(const Point& point, std::size_t number) {
+  std::vector<Variant> variants;
+  for (const std::size_t run : runs_of(point)) {
+    auto& kept = scenes_[{number, run}];
+    try {
+      if (kept.empty()) {
+        Variant variant{point_name(number) + ", run " + std::to_string(run + 1), folder_of(number, run),
+                        scene_at(plan_, runs_[run], point.place, point.set)};
+        variant.scene.seed = plan_.seed;
+        kept.push_back(std::move(variant));
+      }
+    } catch (const SceneError& error) {
+      refused_[number] = error.what();
+      return {};
+    }
+    variants.push_back(kept.front());
+  }
+  return variants;
+}
+
+void PointRuns::run(const std::vector<Point>& points) {
+  WantedJobs wanted;
+  wanted.title = plan_.title;
+  wanted.seeds = plan_.seeds;
+  // What an earlier call went on to comes again in its turn.
+  if (std::filesystem::exists(results::job_list_file(options_.directory)))
+    wanted.later = results::read_job_list(options_.directory).variants;
+  for (std::size_t k = 0; k < points.size(); ++k)
+    for (Variant& variant : variants_of(points[k], k)) wanted.variants.push_back(std::move(variant));
+  const results::JobList all = write_jobs(options_.directory, wanted, options_.say);
+  results::JobList open = all;
+  open.jobs.clear();
+  double of_others = 0;
+  for (const results::Job& job : all.jobs) {
+    const JobState state = state_of(options_.directory, job);
+    const bool again = state.stage == JobState::Stage::failed && !tried_.contains(job.folder);
+    if (state.stage == JobState::Stage::open || again)
+      open.jobs.push_back(job);
+    else
+      of_others += results::read_job_cost(options_.directory / job.folder).cpu_seconds;
+  }
+  JobOptions jobs = options_.jobs;
+  jobs.cpu_seconds -= of_others;
+  if (!open.jobs.empty() && jobs.cpu_seconds > 0) run_jobs(options_.directory, open, jobs);
+  spent_ = 0;
+  for (const results::Job& job : all.jobs) {
+    tried_.insert(job.folder);
+    spent_ += results::read_job_cost(options_.directory / job.folder).cpu_seconds;
+  }
+}
+
+std::vector<std::vector<double>> PointRuns::values_of(std::size_t measurement, std::size_t number) {
+  std::vector<std::vector<double>> rows;
+  for (int k = 0; k < plan_.seeds; ++k) {
+    std::vector<results::FillResult> read;
+    for (const std::size_t run : measured_by_[measurement]) {
+      const std::uint64_t seed = plan_.seed + static_cast<std::uint64_t>(k);
+      const results::Job job{"", seed, folder_of(number, run) + "/seed-" + std::to_string(seed)};
+      if (state_of(options_.directory, job).stage != JobState::Stage::finished) break;
+      read.push_back(results::read_results(options_.directory / job.folder));
+    }
+    if (read.size() < measured_by_[measurement].size()) continue;
+    std::vector<const results::FillResult*> in_order;
+    for (const auto& result : read) in_order.push_back(&result);
+    auto values = plan_.measurements[measurement].simulated(in_order);
+    if (std::all_of(values.begin(), values.end(), [](double value) { return std::isfinite(value); }))
+      rows.push_back(std::move(values));
+  }
+  return rows;
+}
+
+PointOutcome PointRuns::outcome(const Point& point, std::size_t number) {
+  PointOutcome outcome;
+  outcome.values.resize(plan_.measurements.size());
+  outcome.state = "finished";
+  if (const auto refused = refused_.find(number); refused != refused_.end()) {
+    outcome.state = "failed";
+    outcome.reason = refused->second;
+    return outcome;
+  }
+  for (const std::size_t run : runs_of(point))
+    for (int k = 0; k < plan_.seeds; ++k) {
+      const std::uint64_t seed = plan_.seed + static_cast<std::uint64_t>(k);
+      const results::Job job{"", seed, folder_of(number, run) + "/seed-" + std::to_string(seed)};
+      const JobState state = state_of(options_.directory, job);
+      outcome.core_seconds += results::read_job_cost(options_.directory / job.folder).cpu_seconds;
+      if (state.stage == JobState::Stage::failed) {
+        outcome.state = "failed";
+        outcome.reason = state.reason;
+      } else if (state.stage == JobState::Stage::open && outcome.state == "finished") {
+        outcome.state = "left out";
+      }
+    }
+  for (std::size_t m = 0; m < plan_.measurements.size(); ++m) {
+    if (!(plan_.measurements[m].fitted ? point.fitted : point.checks)) continue;
+    outcome.values[m] = values_of(m, number);
+    if (outcome.state == "finished" && !outcome.has(m)) {
+      outcome.state = "failed";
+      outcome.reason = "its results have no value of \"" + plan_.measurements[m].name + '"';
+    }
+  }
+  return outcome;
+}
+
+}  // namespace diefill::process::calibration

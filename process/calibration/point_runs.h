@@ -1,0 +1,69 @@
+// Runs the simulations that sets of parameters take, as jobs of a comparison (compare/run_jobs.h), and reads
+// the measured values off their results.
+#pragma once
+
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "process/calibration/calibration_file.h"
+#include "process/compare/job_folder.h"
+#include "process/compare/run_jobs.h"
+
+namespace diefill::process::calibration {
+
+/// One set of parameters to simulate.
+struct Point {
+  std::string role;                    ///< as in results::CalibrationPoint
+  std::vector<double> place;           ///< in the unit cube
+  bool fitted = true, checks = false;  ///< which measurements it takes
+  std::string set = {};                ///< TOML that its scenes change besides
+};
+
+/// What a point's runs gave.
+struct PointOutcome {
+  /// Measurement by measurement, a row of values for each seed whose runs are all finished and have them all.
+  std::vector<std::vector<std::vector<double>>> values;
+  std::string state, reason;  ///< finished, failed or left out; why
+  double core_seconds = 0;
+
+  bool has(std::size_t measurement) const { return !values[measurement].empty(); }
+};
+
+struct PointOptions {
+  std::filesystem::path directory;
+  JobOptions jobs;
+  Say say;
+};
+
+class PointRuns {
+ public:
+  PointRuns(const CalibrationPlan& plan, PointOptions options);
+
+  /// Runs what is not finished of these points, failed ones once. Points are told apart by their place in the
+  /// list, which only grows. Throws Interrupted, and std::runtime_error as run_jobs does.
+  void run(const std::vector<Point>& points);
+  /// Throws SceneError where a result cannot have what is measured.
+  PointOutcome outcome(const Point& point, std::size_t number);
+  /// Whether the budget of processor time is spent.
+  bool over_budget() const { return spent_ >= options_.jobs.cpu_seconds; }
+  double spent() const { return spent_; }
+
+ private:
+  std::vector<std::size_t> runs_of(const Point& point) const;
+  std::vector<Variant> variants_of(const Point& point, std::size_t number);
+  std::vector<std::vector<double>> values_of(std::size_t measurement, std::size_t number);
+  std::string folder_of(std::size_t number, std::size_t run) const;
+
+  const CalibrationPlan& plan_;
+  PointOptions options_;
+  std::vector<MeasurementRun> runs_;                   ///< of all measurements, each once
+  std::vector<std::vector<std::size_t>> measured_by_;  ///< runs of each measurement
+  std::map<std::pair<std::size_t, std::size_t>, std::vector<Variant>> scenes_;
+  std::map<std::size_t, std::string> refused_;  ///< points that a scene cannot have, and why
+  std::set<std::string> tried_;                 ///< folders run in this session
+  double spent_ = 0;                            ///< s of processor time of all jobs
+};
+
+}  // namespace diefill::process::calibration

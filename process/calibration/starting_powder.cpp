@@ -1,0 +1,55 @@
+#include "process/calibration/starting_powder.h"
+
+#include <toml++/toml.h>
+
+#include <array>
+
+#include "process/scene/powder_file.h"
+#include "process/scene/scene_text.h"
+
+namespace diefill::process::calibration {
+namespace {
+
+constexpr std::array<const char*, 3> kTables = {"powder", "contact", "walls"};
+
+/// A document with its powder file, if it names one, laid under it.
+toml::table document_of(const std::filesystem::path& file) {
+  toml::table document = parse_scene_text(load_scene_text(file), file);
+  take_powder_file(document, file);
+  return document;
+}
+
+}  // namespace
+
+std::string with_starting_powder(const std::filesystem::path& scene, const std::filesystem::path& powder) {
+  toml::table document = document_of(scene);
+  std::error_code missing;
+  if (powder.empty() || std::filesystem::equivalent(powder, scene, missing)) return scene_text_of(document);
+  toml::table start = document_of(powder);
+  if (!start.contains("powder"))
+    throw SceneError(powder.string() + ": found no [powder], expected a scene or a powder file");
+  toml::table own = document["powder"].is_table() ? *document["powder"].as_table() : toml::table{};
+  for (const char* key : kTables) {
+    document.erase(key);
+    if (toml::table* table = start[key].as_table()) document.insert(key, *table);
+  }
+  toml::table& of_document = *document["powder"].as_table();
+  of_document.erase("fitted_with");  // it is fitted anew
+  if (toml::node* diameter = own.get("grain_diameter"))
+    diameter->visit([&](auto& value) { of_document.insert_or_assign("grain_diameter", std::move(value)); });
+  return scene_text_of(document);
+}
+
+std::string powder_file_text(const Scene& scene, const std::string& comment, const std::string& account,
+                             const std::string& program_version) {
+  const toml::table document = parse_scene_text(scene.text, scene.file);
+  toml::table kept;
+  for (const char* key : kTables)
+    if (const toml::table* table = document[key].as_table()) kept.insert(key, *table);
+  kept["powder"].as_table()->erase("fitted_with");
+  toml::table fitted = parse_scene_text(fitted_with_text(fitted_with_of(scene, program_version)), scene.file);
+  kept["powder"].as_table()->insert("fitted_with", *fitted["powder"]["fitted_with"].as_table());
+  return comment + scene_text_of(kept) + '\n' + account;
+}
+
+}  // namespace diefill::process::calibration

@@ -1,0 +1,301 @@
+#include "render/report/calibration_report.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "render/report/numbers.h"
+#include "render/report/pictures_of.h"
+
+namespace diefill::render::report {
+namespace {
+
+std::string unit_behind(const std::string& unit) {
+  return unit == "1" || unit.empty() ? "" : ' ' + unit;
+}
+
+std::string axis_text(const std::string& name, const std::string& unit) {
+  return name + (unit == "1" || unit.empty() ? "" : " [" + unit + "]");
+}
+
+Table parameter_table(const results::Calibration& calibration) {
+  Table table{"Parameters: best value and the interval that holds 90 % of what agrees with the data",
+              {"Parameter", "Best", "90 % interval", "Searched"},
+              {},
+              true};
+  for (const auto& parameter : calibration.parameters) {
+    const std::string unit = unit_behind(parameter.unit);
+    table.rows.push_back({parameter.key, in_digits(parameter.best, 3) + unit,
+                          in_digits(parameter.lower, 3) + " to " + in_digits(parameter.upper, 3) + unit,
+                          in_digits(parameter.from, 3) + " to " + in_digits(parameter.to, 3) + unit +
+                              (parameter.logarithmic ? ", logarithmic" : "")});
+  }
+  return table;
+}
+
+Section answer_section(const results::Calibration& calibration) {
+  Section section{"The powder", 1, {}};
+  if (!calibration.fitted) {
+    section.blocks.emplace_back(Paragraph{"No powder was fitted: " + calibration.stopped + '.', true});
+    return section;
+  }
+  section.blocks.emplace_back(parameter_table(calibration));
+  section.blocks.emplace_back(Paragraph{
+      "chi^2 is " + in_digits(calibration.chi_square, 3) + " for " + std::to_string(calibration.data) +
+          " measured values and " + std::to_string(calibration.parameters.size()) + " parameters: " +
+          (calibration.agrees ? "the powder agrees with the data within their deviations."
+                              : "the powder does not agree with the data within their deviations."),
+      !calibration.agrees});
+  for (const auto& sentence : calibration.insights)
+    section.blocks.emplace_back(Paragraph{sentence + '.', false});
+  for (const auto& remark : calibration.remarks) section.blocks.emplace_back(Paragraph{remark + '.', true});
+  section.blocks.emplace_back(
+      Paragraph{"Fitted with " + calibration.grains +
+                    ". The parameters belong to these: with other wall spheres or another "
+                    "stiffness, calibrate again.",
+                false});
+  return section;
+}
+
+/// Measured values with their deviations, simulated ones with the region's range.
+Figure curve_picture(const results::CalibratedMeasurement& measurement) {
+  Chart chart;
+  chart.title = measurement.name;
+  chart.subtitle = measurement.fitted ? "fitted" : "kept for checking";
+  chart.x.label = axis_text(measurement.x_name, measurement.x_unit);
+  chart.y.label = axis_text(measurement.quantity, measurement.unit);
+  Curve measured{"measured", {}, {}, CurveStyle::kMarkers, {}},
+      best{"simulated, best powder", {}, {}, CurveStyle::kLineAndMarkers, {}};
+  Curve lower{"simulated, 90 % of powders that agree", {}, {}, CurveStyle::kLine, {}};
+  for (const auto& datum : measurement.data) {
+    for (Curve* curve : {&measured, &best, &lower}) curve->x.push_back(datum.x);
+    measured.y.push_back(datum.measured);
+    measured.y_error.push_back(datum.deviation);
+    best.y.push_back(datum.simulated);
+    best.y_error.push_back(std::isfinite(datum.scatter) ? datum.scatter : 0);
+    lower.y.push_back(0.5 * (datum.lower + datum.upper));
+    lower.band.push_back(0.5 * (datum.upper - datum.lower));
+  }
+  chart.curves = {measured, best, lower};
+  chart.note =
+      "Bars: standard deviation of the measurement, and of one run over seeds; band: over powders that agree";
+  return chart_picture(chart, measurement.name + ": measured and simulated");
+}
+
+Table data_table(const results::Calibration& calibration, bool fitted) {
+  Table table{"",
+              {"Measurement", "Measured", "Simulated", "Over powders that agree", "Scatter over seeds",
+               "Difference in deviations", "With finer grains"},
+              {},
+              true};
+  for (const auto& measurement : calibration.measurements) {
+    if (measurement.fitted != fitted || measurement.data.size() > 12) continue;
+    for (const auto& datum : measurement.data) {
+      const std::string unit = unit_behind(measurement.unit);
+      const std::string at =
+          std::isfinite(datum.x) ? " at " + in_digits(datum.x, 3) + unit_behind(measurement.x_unit) : "";
+      const double own = std::isfinite(datum.uncertainty) ? datum.uncertainty : 0;
+      table.rows.push_back(
+          {measurement.name + at, in_digits(datum.measured, 4) + " ± " + in_digits(datum.deviation, 2) + unit,
+           in_digits(datum.simulated, 4) + unit,
+           in_digits(datum.lower, 4) + " to " + in_digits(datum.upper, 4) + unit,
+           in_digits(datum.scatter, 2) + unit,
+           in_digits((datum.simulated - datum.measured) / std::hypot(datum.deviation, own), 2),
+           std::isfinite(datum.finer) ? in_digits(datum.finer, 4) + unit : "–"});
+    }
+  }
+  leave_out_empty_columns(table);
+  return table;
+}
+
+Section data_section(const results::Calibration& calibration, bool fitted) {
+  Section section{fitted ? "Measured and simulated" : "Check on what was not fitted", 1, {}};
+  if (const Table table = data_table(calibration, fitted); !table.rows.empty())
+    section.blocks.emplace_back(table);
+  if (!calibration.finer_grains.empty() && fitted)
+    section.blocks.emplace_back(
+        Paragraph{"Finer grains: d = " + calibration.finer_grains + ", at the best parameters.", false});
+  Figures figures;
+  for (const auto& measurement : calibration.measurements) {
+    if (measurement.fitted != fitted) continue;
+    if (!measurement.remark.empty())
+      section.blocks.emplace_back(Paragraph{measurement.name + ": " + measurement.remark + '.', true});
+    const std::string residual = std::isfinite(measurement.residual)
+                                     ? "; mean square perpendicular distance from the measured curve " +
+                                           in_digits(measurement.residual, 2) + " (Bierwisch 2009, Eq. 4.3)"
+                                     : "";
+    section.blocks.emplace_back(
+        Paragraph{measurement.name + ": chi^2 " + in_digits(measurement.chi_square, 3) + " of " +
+                      std::to_string(measurement.data.size()) + " values" + residual + '.',
+                  false});
+    if (!measurement.x_name.empty() && measurement.second_name.empty() && measurement.data.size() > 1)
+      figures.figures.push_back(curve_picture(measurement));
+  }
+  if (!figures.figures.empty()) section.blocks.emplace_back(std::move(figures));
+  return section;
+}
+
+Figure profile_picture(const results::CalibratedParameter& parameter, std::size_t data) {
+  Chart chart;
+  chart.title = "Misfit along " + parameter.key;
+  chart.subtitle = "all other parameters as they fit best";
+  chart.x.label = axis_text(parameter.key, parameter.unit);
+  chart.x.logarithmic = parameter.logarithmic;
+  chart.y.label = "Misfit in standard deviations";
+  chart.y.lower = 0;
+  Curve curve{"", parameter.profile_at, {}, CurveStyle::kLine, {}};
+  for (const double chi : parameter.profile) curve.y.push_back(std::sqrt(chi / static_cast<double>(data)));
+  chart.curves = {curve};
+  chart.note = "Square root of chi^2 over the number of values: about 1 where the powder agrees";
+  return chart_picture(chart, "misfit along " + parameter.key);
+}
+
+Section region_section(const results::Calibration& calibration) {
+  Section section{"What the data can tell, and what not", 1, {}};
+  Figures maps{{}, true}, profiles{{}, true};
+  for (const auto& map : calibration.maps)
+    maps.figures.push_back(field_picture(map, "Misfit in standard deviations",
+                                         "about 1 where the powder agrees", kRangeFromData,
+                                         map.first_name + " and " + map.second_name));
+  for (const auto& map : calibration.residual_maps)
+    maps.figures.push_back(field_picture(map, map.quantity, "root mean square, in scaled coordinates",
+                                         kRangeFromData, map.quantity));
+  for (const auto& parameter : calibration.parameters)
+    profiles.figures.push_back(profile_picture(parameter, calibration.data));
+  if (!maps.figures.empty()) section.blocks.emplace_back(std::move(maps));
+  section.blocks.emplace_back(std::move(profiles));
+  if (calibration.parameters.size() > 1) {
+    Table table{"Correlation of the parameters over all powders that agree", {""}, {}, true};
+    for (const auto& parameter : calibration.parameters) table.header.push_back(parameter.key);
+    for (std::size_t i = 0; i < calibration.correlation.size(); ++i) {
+      table.rows.push_back({calibration.parameters[i].key});
+      for (const double r : calibration.correlation[i]) table.rows.back().push_back(in_digits(r, 2));
+    }
+    section.blocks.emplace_back(std::move(table));
+  }
+  Table worth{"What one more measurement would leave of the uncertainty (linear estimate)",
+              {"Measurement", "Region"},
+              {},
+              true};
+  for (const auto& parameter : calibration.parameters) worth.header.push_back(parameter.key);
+  for (const auto& each : calibration.worth) {
+    worth.rows.push_back({each.name, in_digits(100 * each.volume, 2) + " %"});
+    for (const double ratio : each.deviations) worth.rows.back().push_back(in_digits(100 * ratio, 2) + " %");
+  }
+  if (!worth.rows.empty()) section.blocks.emplace_back(std::move(worth));
+  return section;
+}
+
+Section screening_section(const results::Screening& screening) {
+  Section section{"Effects", 1, {}};
+  std::string words =
+      std::to_string(screening.runs) + " runs, " +
+      (screening.resolution == 0 ? "a full factorial"
+                                 : "resolution " + std::to_string(screening.resolution)) +
+      ". An effect is the mean at the high level less the mean at the low level; standard errors come from " +
+      screening.error_source + '.';
+  section.blocks.emplace_back(Paragraph{words, false});
+  Listing letters;
+  for (const auto& line : screening.letters) letters.text += line + '\n';
+  for (const auto& line : screening.generators) letters.text += line + '\n';
+  section.blocks.emplace_back(std::move(letters));
+  Table table{"Effects; those beyond their 95 % margin are marked *", {"Effect", "Parameters"}, {}, true};
+  for (const auto& quantity : screening.quantities)
+    table.header.push_back(axis_text(quantity.name, quantity.unit));
+  for (const auto& effect : screening.effects) {
+    table.rows.push_back({effect.string, effect.words});
+    for (std::size_t q = 0; q < effect.values.size(); ++q)
+      table.rows.back().push_back(in_digits(effect.values[q], 3) +
+                                  (std::abs(effect.values[q]) > screening.quantities[q].margin ? " *" : ""));
+  }
+  section.blocks.emplace_back(std::move(table));
+  Table errors{"Mean, standard error of an effect, error of the regression without and with interactions",
+               {"Quantity", "Mean", "Standard error", "Without [%]", "With [%]"},
+               {},
+               true};
+  for (const auto& quantity : screening.quantities)
+    errors.rows.push_back({quantity.name, in_digits(quantity.mean, 4) + unit_behind(quantity.unit),
+                           in_digits(quantity.error, 2), in_digits(quantity.error_without, 2),
+                           in_digits(quantity.error_with, 2)});
+  section.blocks.emplace_back(std::move(errors));
+  Figures figures{{}, true};
+  for (std::size_t q = 0; q < screening.quantities.size(); ++q)
+    figures.figures.push_back(effects_picture(screening, q));
+  section.blocks.emplace_back(std::move(figures));
+  return section;
+}
+
+Section points_section(const results::Calibration& calibration) {
+  Section section{"Simulated sets of parameters", 1, {}};
+  Table table{"", {"#", "Role"}, {}, true};
+  for (const auto& parameter : calibration.parameters)
+    table.header.push_back(axis_text(parameter.key, parameter.unit));
+  for (const char* head : {"chi^2 of its runs", "Core seconds", "State"}) table.header.emplace_back(head);
+  double seconds = 0;
+  for (std::size_t k = 0; k < calibration.points.size(); ++k) {
+    const auto& point = calibration.points[k];
+    table.rows.push_back({std::to_string(k + 1), point.role});
+    for (const double value : point.values) table.rows.back().push_back(in_digits(value, 3));
+    table.rows.back().push_back(in_digits(point.chi_square, 3));
+    table.rows.back().push_back(in_digits(point.core_seconds, 3));
+    table.rows.back().push_back(point.state + (point.reason.empty() ? "" : ": " + point.reason));
+    seconds += point.core_seconds;
+  }
+  section.blocks.emplace_back(Paragraph{"The search ended because " + calibration.stopped +
+                                            ". All runs took " + in_digits(seconds / 60, 3) +
+                                            " core minutes.",
+                                        false});
+  section.blocks.emplace_back(std::move(table));
+  section.blocks.emplace_back(Listing{calibration.command});
+  return section;
+}
+
+}  // namespace
+
+Figure effects_picture(const results::Screening& screening, std::size_t quantity) {
+  const auto& about = screening.quantities[quantity];
+  Chart chart;
+  chart.title = "Effects on " + about.name;
+  chart.subtitle = "with 95 % margins";
+  chart.x.label = "Effect";
+  chart.x.lower = 0;
+  chart.y.label = axis_text("Mean at high less mean at low level", about.unit);
+  double x = 0;
+  for (const auto& effect : screening.effects) {
+    x += 1;
+    if (!effect.main && std::abs(effect.values[quantity]) <= about.margin)
+      continue;  // legible: what stands out
+    Curve curve{
+        effect.string + ": " + effect.words, {x}, {effect.values[quantity]}, CurveStyle::kMarkers, {}};
+    if (std::isfinite(about.margin)) curve.y_error = {about.margin};
+    chart.curves.push_back(std::move(curve));
+  }
+  chart.x.upper = x + 1;
+  Curve zero{"", {0, x + 1}, {0, 0}, CurveStyle::kLine, {}};
+  chart.curves.push_back(zero);
+  chart.note = "All main effects, and those strings of interactions that stand out from their margin";
+  return chart_picture(chart, "effects on " + about.name);
+}
+
+Document calibration_document(const results::Calibration& calibration) {
+  Document document;
+  document.title = calibration.title;
+  const bool screened = calibration.screening.runs > 0;
+  document.subtitle = std::string(screened ? "Screening" : "Calibration") + " by diefill " +
+                      calibration.program_version + ", starting from " + calibration.powder;
+  if (screened) {
+    document.sections.push_back(screening_section(calibration.screening));
+  } else {
+    document.sections.push_back(answer_section(calibration));
+    if (calibration.fitted) {
+      document.sections.push_back(data_section(calibration, true));
+      document.sections.push_back(region_section(calibration));
+      const auto& all = calibration.measurements;
+      if (std::any_of(all.begin(), all.end(), [](const auto& each) { return !each.fitted; }))
+        document.sections.push_back(data_section(calibration, false));
+    }
+  }
+  document.sections.push_back(points_section(calibration));
+  return document;
+}
+
+}  // namespace diefill::render::report

@@ -1,0 +1,184 @@
+// Calibration through the real program: a small planted powder is found again from its filled die.
+#include <gtest/gtest.h>
+
+#include <csignal>
+#include <fstream>
+#include <thread>
+
+#include "tests/app/small_die.h"
+#include "tests/support/scene_text.h"
+
+namespace diefill::app {
+namespace {
+
+constexpr double kPlanted = 0.45;  // friction
+
+/// A die with a calibration file that asks for the friction; the measurement is a run with a planted one and
+/// another seed.
+class Calibrated {
+ public:
+  Calibrated() {
+    die_.exchange("reduced_modulus", "friction = 0.45\nreduced_modulus");
+    die_.exchange("seed = 1", "seed = 77");
+    EXPECT_EQ(die_.run({"--no-pictures"}).exit_code, 0);
+    measured_ = die_.report().at("filled_mass_kg").get<double>() * 1e6;
+    die_.exchange("friction = 0.45", "friction = 0.3");
+    die_.write("calibration.toml", text());
+  }
+  std::string text() const {
+    return "title = \"Small powder\"\nseed = 1\n\n[[parameter]]\nkey = \"powder.friction\"\nfrom = 0.05\nto "
+           "= 1.2\n\n"
+           "[[measurement]]\nname = \"filled die\"\nscene = \"scene.toml\"\nfigure = "
+           "\"filled_mass_kg\"\nvalue = \"" +
+           std::to_string(measured_) +
+           " mg\"\ndeviation = \"2 mg\"\n\n[search]\nseeds = 1\nstart_points = 4\nmost_points = 6\n";
+  }
+  const SmallDie& die() const { return die_; }
+  std::filesystem::path out(const std::string& name = "found") const { return die_.folder() / name; }
+  std::vector<std::string> arguments(const std::vector<std::string>& more = {},
+                                     const std::string& out_name = "found") const {
+    std::vector<std::string> all = {"calibrate", (die_.folder() / "calibration.toml").string(), "--out",
+                                    out(out_name).string()};
+    all.insert(all.end(), more.begin(), more.end());
+    return all;
+  }
+
+ private:
+  SmallDie die_;
+  double measured_ = 0;
+};
+
+nlohmann::json account_in(const std::filesystem::path& folder) {
+  return nlohmann::json::parse(contents(folder / "calibration.json"));
+}
+
+TEST(Calibrate, FindsAPlantedFrictionAndWritesAPowderThatScenesUse) {
+  const Calibrated calibrated;
+  const Outcome outcome = run_program(calibrated.arguments({"--pdf"}));
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  SCOPED_TRACE(outcome.out);
+  const auto account = account_in(calibrated.out());
+  const auto& friction = account.at("parameters").at(0);
+  EXPECT_EQ(friction.at("key"), "powder.friction");
+  EXPECT_LE(friction.at("lower_90").get<double>(), kPlanted);
+  EXPECT_GE(friction.at("upper_90").get<double>(), kPlanted);
+  EXPECT_TRUE(account.at("agrees").get<bool>());
+  for (const char* file :
+       {"calibration.html", "calibration.pdf", "calibration.csv", "calibration_points.csv"})
+    EXPECT_GT(contents(calibrated.out() / file).size(), 100U) << file;
+  EXPECT_EQ(contents(calibrated.out() / "calibration.pdf").substr(0, 4), "%PDF");
+
+  // The powder in a scene: the run has its friction, and says so where its walls are others.
+  const auto& die = calibrated.die();
+  std::filesystem::copy_file(calibrated.out() / "powder.toml", die.folder() / "powder.toml");
+  die.exchange(
+      "preset = \"ASC100.29 A2\"\ngrain_diameter = \"1 mm\"\nfriction = 0.3\nreduced_modulus = \"3 MPa\"\n",
+      "file = \"powder.toml\"\nreduced_modulus = \"4 MPa\"\n");
+  const Outcome run = die.run({"--no-pictures"});
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  std::string warnings;
+  for (const auto& warning : die.report().at("warnings")) warnings += warning.get<std::string>() + '\n';
+  EXPECT_NE(warnings.find("reduced modulus 4 MPa instead of 3 MPa"), std::string::npos) << warnings;
+}
+
+TEST(Calibrate, KilledAtRandomMomentsItGoesOnToTheSameResult) {
+  const Calibrated calibrated;
+  ASSERT_EQ(run_program(calibrated.arguments({"--quiet"}, "whole")).exit_code, 0);
+  std::vector<std::string> more = {"--quiet"};
+  for (const int milliseconds : {1500, 2300, 900}) {
+    Program program(calibrated.arguments(more, "killed"));
+    std::this_thread::sleep_for(std::chrono::milliseconds(milliseconds));
+    program.send(milliseconds == 900 ? SIGINT : SIGKILL);
+    program.wait();
+    more = {"--quiet", "--resume"};
+  }
+  const Outcome last = run_program(calibrated.arguments(more, "killed"));
+  ASSERT_EQ(last.exit_code, 0) << last.err;
+  EXPECT_EQ(contents(calibrated.out("killed") / "powder.toml"),
+            contents(calibrated.out("whole") / "powder.toml"));
+  EXPECT_EQ(account_in(calibrated.out("killed")).at("samples"),
+            account_in(calibrated.out("whole")).at("samples"));
+}
+
+TEST(Calibrate, ADirectoryWithRunsIsContinuedOnlyWhenAsked) {
+  const Calibrated calibrated;
+  // The budget ends with the first run; nothing was found.
+  const Outcome first = run_program(calibrated.arguments({"--budget", "0.0001"}));
+  EXPECT_EQ(first.exit_code, 1) << first.err;
+  EXPECT_NE(first.out.find("the budget is used"), std::string::npos) << first.out;
+  EXPECT_FALSE(std::filesystem::exists(calibrated.out() / "powder.toml"));
+  const Outcome second = run_program(calibrated.arguments());
+  EXPECT_EQ(second.exit_code, 2);
+  EXPECT_EQ(second.complaints(), 1U) << second.err;
+  EXPECT_NE(second.err.find("add --resume to continue"), std::string::npos) << second.err;
+  const Outcome third = run_program(calibrated.arguments({"--resume", "--budget", "100"}));
+  EXPECT_EQ(third.exit_code, 0) << third.err;
+}
+
+TEST(Calibrate, AValueThatNoPowderReachesIsReported) {
+  const Calibrated calibrated;
+  calibrated.die().write("calibration.toml",
+                         support::exchanged(calibrated.text(), "value = \"", "value = \"9"));
+  const Outcome outcome = run_program(calibrated.arguments());
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_NE(outcome.out.find("no parameters in these ranges reach 1 of its 1 values"), std::string::npos)
+      << outcome.out;
+  EXPECT_NE(outcome.out.find("does not agree with the data"), std::string::npos) << outcome.out;
+  EXPECT_FALSE(account_in(calibrated.out()).at("agrees").get<bool>());
+}
+
+TEST(Calibrate, AScreeningChartsEffectsWithTheirErrors) {
+  const Calibrated calibrated;
+  calibrated.die().write(
+      "calibration.toml",
+      support::exchanged(
+          support::exchanged(
+              calibrated.text(), "[[measurement]]",
+              "[[parameter]]\nkey = \"walls.friction\"\nfrom = 0.05\nto = 0.5\n\n[[measurement]]"),
+          "seeds = 1\nstart_points = 4", "seeds = 2\nstart_points = 4") +
+          "\n[[measurement]]\nname = \"level\"\nscene = \"scene.toml\"\nfigure = \"fill_height_mm\"\nvalue = "
+          "\"3 mm\"\n"
+          "deviation = \"0.1 mm\"\n");
+  const Outcome outcome = run_program(calibrated.arguments({"--screen"}));
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  const auto screening = account_in(calibrated.out()).at("screening");
+  EXPECT_EQ(screening.at("runs"), 4);
+  const auto& mass = screening.at("quantities").at(0);
+  ASSERT_TRUE(mass.at("standard_error").is_number());
+  for (const char* effect : {"A", "B", "AB"})
+    EXPECT_TRUE(mass.at("effects").at(effect).is_number()) << effect;
+  EXPECT_LT(mass.at("effects").at("A").get<double>(), 0);  // more friction, less mass
+  EXPECT_GT(contents(calibrated.out() / "screening.html").size(), 1000U);
+  EXPECT_EQ(contents(calibrated.out() / "screening.csv").substr(0, 6), "effect");
+}
+
+TEST(Calibrate, BadFilesEndInOneLineBeforeAnythingRuns) {
+  const SmallDie die;
+  const std::string good =
+      "[[parameter]]\nkey = \"powder.friction\"\nfrom = 0.1\nto = 1.0\n\n[[measurement]]\nname = \"m\"\n"
+      "scene = \"scene.toml\"\nfigure = \"filled_mass_kg\"\nvalue = \"90 mg\"\ndeviation = \"2 mg\"\n";
+  const auto refused = [&](const std::string& old, const std::string& text, const std::string& part) {
+    die.write("calibration.toml", old.empty() ? good + text : support::exchanged(good, old, text));
+    const Outcome outcome =
+        run_program({"calibrate", (die.folder() / "calibration.toml").string(), "--out", die.out().string()});
+    EXPECT_EQ(outcome.exit_code, 2) << part;
+    EXPECT_EQ(outcome.complaints(), 1U) << outcome.err;
+    EXPECT_NE(outcome.err.find(part), std::string::npos) << outcome.err;
+  };
+  refused("\"90 mg\"", "\"90\"", "not a unit");
+  refused("\"90 mg\"", "\"90 mm\"", "not a unit");
+  refused("\"2 mg\"", "\"0 mg\"", "the standard deviation is 0");
+  refused("filled_mass_kg", "filled_mass_kgg", "did you mean \"filled_mass_kg\"?");
+  refused("scene.toml", "none.toml", "none.toml");
+  refused("powder.friction", "powder.frictoin", "powder.friction");
+  refused("to = 1.0", "to = 100", "at \"to\"");
+  refused("name = \"m\"", "name = \"m\"\nuse = \"check\"", "use = \"fit\"");
+  refused("name = \"m\"", "name = \"m\"\nkind = \"figur\"", "figure");
+  refused("", "\n[serch]\nseeds = 2\n", "search");
+  refused("", "\n[[parameter]]\nkey = \"walls.friction\"\nfrom = 0.1\nto = 0.5\n",
+          "found 1 measured values to fit 2 parameters");
+  EXPECT_FALSE(std::filesystem::exists(die.out()));
+}
+
+}  // namespace
+}  // namespace diefill::app

@@ -1,0 +1,150 @@
+// Measurements as a plant hands them over, and what is wrong with some.
+#include "process/calibration/measured_table.h"
+
+#include <gtest/gtest.h>
+#include <toml++/toml.h>
+
+#include "process/input/scene_error.h"
+#include "process/input/unit_conversion.h"
+#include "tests/support/temporary_folder.h"
+
+namespace diefill::process::calibration {
+namespace {
+
+class MeasuredCsv : public testing::Test {
+ protected:
+  MeasuredTable read(const std::string& text, std::size_t places = 1) const {
+    folder_.write("data.csv", text);
+    return read_measured_csv(folder_.path() / "data.csv", places);
+  }
+  /// The message, after the folder's name.
+  std::string complaint(const std::string& text, std::size_t places = 1) const {
+    try {
+      read(text, places);
+    } catch (const SceneError& error) {
+      const std::string message = error.what();
+      return message.substr(message.find("data.csv"));
+    }
+    return "no complaint";
+  }
+
+ private:
+  support::TemporaryFolder folder_;
+};
+
+TEST_F(MeasuredCsv, IsReadWithItsUnitsAndDeviationsInTheUnitOfTheValues) {
+  const MeasuredTable table =
+      read("# weighed on Monday\nspeed [m/s], mass [g], deviation [mg]\n0.1, 12.1, 300\n0.2, 8.4, 200\n");
+  ASSERT_EQ(table.size(), 2U);
+  EXPECT_EQ(table.places[0].name, "speed");
+  EXPECT_EQ(table.places[0].unit, "m/s");
+  EXPECT_EQ(table.value.unit, "g");
+  EXPECT_EQ(table.value.values, (std::vector<double>{12.1, 8.4}));
+  EXPECT_EQ(table.deviation.unit, "g");
+  EXPECT_NEAR(table.deviation.values[0], 0.3, 1e-12);
+}
+
+TEST_F(MeasuredCsv, SemicolonsQuotesAndCarriageReturnsOfSpreadsheetsAreTaken) {
+  const MeasuredTable table = read("\"x [mm]\";\"level [mm]\";\"s [mm]\"\r\n1;2;0.5\r\n2;3;0.5\r\n");
+  ASSERT_EQ(table.size(), 2U);
+  EXPECT_EQ(table.value.name, "level");
+  EXPECT_EQ(table.value.values[1], 3);
+}
+
+TEST_F(MeasuredCsv, MapsHaveTwoPlacesInAnyOrder) {
+  const MeasuredTable table =
+      read("azimuth [deg],height [mm],f [1],s [1]\n10,1,0.3,0.01\n0,1,0.31,0.01\n", 2);
+  ASSERT_EQ(table.places.size(), 2U);
+  EXPECT_EQ(table.places[1].name, "height");
+}
+
+TEST_F(MeasuredCsv, EachFaultIsNamedInOneLineWithItsLine) {
+  EXPECT_EQ(
+      complaint("speed,mass [g],s [g]\n1,2,3\n"),
+      "data.csv:1: column \"speed\" has no unit; write it as \"speed [g]\", or \"[1]\" for plain numbers");
+  EXPECT_NE(complaint("speed [m/s],mass [grm],s [g]\n1,2,3\n").find("data.csv:1: column \"mass [grm]\""),
+            std::string::npos);
+  EXPECT_NE(complaint("speed [m/s],mass [g],s [mm]\n1,2,3\n").find("\"mm\" is not a unit of what has \"g\""),
+            std::string::npos);
+  const std::string head = "speed [m/s],mass [g],s [g]\n";
+  EXPECT_EQ(complaint(head + "0.2,2,1\n0.1,3,1\n"),
+            "data.csv:3: 0.1 follows 0.2; sort the points in rising order");
+  EXPECT_EQ(complaint(head + "0.2,2,1\n0.2,3,1\n"),
+            "data.csv:3: this place is given twice; give each place once, with the mean of its values");
+  EXPECT_EQ(complaint(head + "0.2,2,1\n0.3,2,0\n"),
+            "data.csv:3: the standard deviation is 0, allowed: more than 0; give what repeated measurements "
+            "scatter by");
+  EXPECT_NE(complaint(head + "0.2,2,-1\n").find("allowed: more than 0"), std::string::npos);
+  EXPECT_EQ(complaint(head + "0.2,two,1\n"),
+            "data.csv:2: found \"two\", expected a number with a decimal point");
+  EXPECT_EQ(complaint(head + "0.2,nan,1\n"),
+            "data.csv:2: found \"nan\", expected a number with a decimal point");
+  EXPECT_NE(complaint(head + "0.2,2\n").find("data.csv:2: found 2 columns, expected 3"), std::string::npos);
+  EXPECT_EQ(complaint(head), "data.csv: found no measured values");
+  EXPECT_EQ(complaint(""), "data.csv: found no measured values");
+}
+
+/// What is said of an inline measurement.
+std::string inline_complaint(const std::string& text, std::size_t places) {
+  const toml::table parsed = toml::parse(text);
+  TableReader reader(parsed, "powder.toml", "measurement");
+  try {
+    read_measured(reader, places);
+  } catch (const SceneError& error) {
+    return error.what();
+  }
+  return "no complaint";
+}
+
+TEST(MeasuredInline, AFigureHasAValueAndADeviation) {
+  const toml::table parsed = toml::parse("value = \"12.1 g\"\ndeviation = \"300 mg\"");
+  TableReader reader(parsed, "powder.toml", "measurement");
+  const MeasuredTable table = read_measured(reader, 0);
+  EXPECT_EQ(table.value.values[0], 12.1);
+  EXPECT_NEAR(table.deviation.values[0], 0.3, 1e-12);
+}
+
+TEST(MeasuredInline, ACurveHasListsAndOneDeviationServesAll) {
+  const toml::table parsed =
+      toml::parse("at = [\"100 mm/s\", \"0.2 m/s\"]\nvalues = [\"12 g\", \"8 g\"]\ndeviations = \"0.5 g\"");
+  TableReader reader(parsed, "powder.toml", "measurement");
+  const MeasuredTable table = read_measured(reader, 1);
+  EXPECT_EQ(table.places[0].unit, "mm/s");
+  EXPECT_NEAR(table.places[0].values[1], 200, 1e-9);
+  EXPECT_EQ(table.deviation.values, (std::vector<double>{0.5, 0.5}));
+}
+
+TEST(MeasuredInline, FaultsAreNamed) {
+  EXPECT_NE(inline_complaint("value = \"12\"\ndeviation = \"1 g\"", 0).find("not a unit"), std::string::npos);
+  EXPECT_NE(inline_complaint("value = \"12 g\"", 0).find("deviation"), std::string::npos);
+  EXPECT_NE(inline_complaint("value = \"12 g\"\ndeviation = \"0 g\"", 0).find("allowed: more than 0"),
+            std::string::npos);
+  EXPECT_NE(inline_complaint("at = [\"1 mm\"]\nvalues = [\"1 g\", \"2 g\"]\ndeviations = \"1 g\"", 1)
+                .find("as many entries"),
+            std::string::npos);
+  EXPECT_NE(inline_complaint("file = \"a.csv\"\nvalue = \"1 g\"", 0).find("remove one of the two"),
+            std::string::npos);
+  EXPECT_NE(
+      inline_complaint("value = \"heavy\"\ndeviation = \"1 g\"", 0).find("does not begin with a number"),
+      std::string::npos);
+}
+
+TEST(UnitConversion, TakesPlainNumbersPercentAndAngles) {
+  EXPECT_NEAR(unit_factor("kg", "g"), 1000, 1e-9);
+  EXPECT_NEAR(unit_factor("%", "1"), 0.01, 1e-15);
+  EXPECT_NEAR(unit_factor("1", "%"), 100, 1e-12);
+  EXPECT_EQ(unit_factor("", "-"), 1);
+  EXPECT_NEAR(unit_factor("deg", "rad"), 3.14159265358979 / 180, 1e-12);
+  EXPECT_NEAR(unit_factor("g/mm", "kg/m"), 1, 1e-12);
+  EXPECT_THROW(unit_factor("g", "mm"), UnitError);
+  EXPECT_THROW(unit_factor("Hz", "s"), UnitError);
+  EXPECT_THROW(unit_factor("deg", "1"), UnitError);
+  EXPECT_THROW(unit_factor("stone of York", "g"), UnitError);
+  EXPECT_EQ(number_with_unit("0.31").unit, "1");
+  EXPECT_EQ(number_with_unit(" 12.1 g/mm").number, 12.1);
+  EXPECT_EQ(number_with_unit("12.1 g/mm").unit, "g/mm");
+  EXPECT_THROW(number_with_unit("g"), UnitError);
+}
+
+}  // namespace
+}  // namespace diefill::process::calibration

@@ -1,0 +1,64 @@
+// Ranges of parameters.
+#include "process/calibration/parameter_range.h"
+
+#include <gtest/gtest.h>
+#include <toml++/toml.h>
+
+#include "process/input/scene_error.h"
+
+namespace diefill::process::calibration {
+namespace {
+
+std::vector<ParameterRange> read(const std::string& text) {
+  const toml::table parsed = toml::parse(text);
+  TableReader document(parsed, "calibration.toml", "");
+  return read_parameters(document);
+}
+
+std::string complaint(const std::string& text) {
+  try {
+    read(text);
+  } catch (const SceneError& error) {
+    return error.what();
+  }
+  return "no complaint";
+}
+
+const std::string kFriction = "[[parameter]]\nkey = \"powder.friction\"\nfrom = 0.2\nto = 1.0\n";
+
+TEST(ParameterRange, LinearAndLogarithmicRangesRunFromEndToEnd) {
+  const auto all = read(kFriction +
+                        "[[parameter]]\nkey = \"powder.work_of_adhesion\"\nfrom = \"0.001 J/m^2\"\n"
+                        "to = \"100 mJ/m^2\"\nscale = \"logarithmic\"\n");
+  ASSERT_EQ(all.size(), 2U);
+  EXPECT_DOUBLE_EQ(all[0].value_at(0.25), 0.4);
+  EXPECT_DOUBLE_EQ(all[0].place_of(0.4), 0.25);
+  EXPECT_EQ(all[0].assignment(0.25), "powder.friction = 0.4\n");
+  EXPECT_NEAR(all[1].value_at(0.5), 0.01, 1e-15);
+  EXPECT_NEAR(all[1].place_of(0.01), 0.5, 1e-12);
+  EXPECT_EQ(all[1].assignment(0.5), "powder.work_of_adhesion = \"0.01 J/m^2\"\n");
+}
+
+TEST(ParameterRange, FaultsAreNamedWithTheirPlace) {
+  EXPECT_NE(complaint("").find("expected a [[parameter]]"), std::string::npos);
+  EXPECT_NE(complaint(kFriction + kFriction).find("give each key once"), std::string::npos);
+  EXPECT_NE(
+      complaint("[[parameter]]\nkey = \"step.1.velocity\"\nfrom = 1\nto = 2\n").find("a key of [powder]"),
+      std::string::npos);
+  EXPECT_NE(
+      complaint("[[parameter]]\nkey = \"powder.friction\"\nfrom = 1\nto = 1\n").find("more than \"from\""),
+      std::string::npos);
+  EXPECT_NE(complaint("[[parameter]]\nkey = \"powder.friction\"\nfrom = 0\nto = 1\nscale = \"logarithmic\"\n")
+                .find("begins above 0"),
+            std::string::npos);
+  EXPECT_NE(complaint("[[parameter]]\nkey = \"powder.grain_mass\"\nfrom = \"1 mg\"\nto = \"2 mm\"\n")
+                .find("not a unit"),
+            std::string::npos);
+  EXPECT_NE(complaint("[[parameter]]\nkey = \"powder.friction\"\nfrom = 0\nto = 1\nscale = \"logaritmic\"\n")
+                .find("calibration.toml:5"),
+            std::string::npos);
+  EXPECT_NE(complaint("[[parameter]]\nkey = \"powder.friction\"\nfrom = 0\n").find("to"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace diefill::process::calibration
