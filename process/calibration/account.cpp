@@ -146,7 +146,7 @@ std::string in_quotes(const std::string& text) {
   return quoted + '"';
 }
 
-std::string grains_in_words(const Scene& scene) {
+std::string grains_text(const Scene& scene) {
   const char letter = "ABCD"[static_cast<int>(scene.powder.model)];
   return std::string("grain model ") + letter + ", d = " + number_text(1e3 * scene.powder.grain_diameter) +
          " mm, " +
@@ -179,7 +179,7 @@ results::Calibration account_of(const CalibrationPlan& plan, const SimulatedPoin
   if (!fit) return account;
   const std::vector<double> best(fit->region.best.begin(), fit->region.best.end());
   account.grains =
-      grains_in_words(scene_at(plan, plan.measurements[fit->measurement.front()].runs.front(), best));
+      grains_text(scene_at(plan, plan.measurements[fit->measurement.front()].runs.front(), best));
   account.data = fit->likelihood->data();
   account.chi_square = fit->likelihood->chi_square(fit->region.best);
   account.agrees = agrees(account.chi_square, account.data, plan.parameters.size());

@@ -73,7 +73,7 @@ std::string words_of(const AliasString& string, const CalibrationPlan& plan) {
   return words;
 }
 
-std::string source_in_words(ErrorSource source) {
+std::string source_text(ErrorSource source) {
   if (source == ErrorSource::repeats) return "runs with other seeds";
   if (source == ErrorSource::lenth) return "the smaller effects (Lenth 1989); one seed each";
   return "nothing: too few runs; use two seeds or more";
@@ -89,7 +89,7 @@ void add_quantity(results::Screening& screening, const FractionalDesign& design,
   screening.quantities.push_back({name, unit, found.mean, found.error, found.margin,
                                   prediction_error(model, settings, means, false),
                                   prediction_error(model, settings, means, true)});
-  screening.error_source = source_in_words(found.source);
+  screening.error_source = source_text(found.source);
   for (std::size_t k = 0; k < found.effects.size(); ++k)
     screening.effects[k].values.push_back(found.effects[k].value);
 }

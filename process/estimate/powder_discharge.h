@@ -15,7 +15,7 @@ struct PowderDischarge {
   double longest = 0;         ///< t sqrt(g/D) - 1/5 up to which it was measured; the rate is constant beyond
   double grain_diameter = 0;  ///< m, of the grains it was measured with: others change the effective opening
   std::string source;         ///< of the numbers
-  std::string applies;        ///< how well they fit this powder, in words
+  std::string applies;        ///< how well they fit this powder, as text
 };
 
 /// The law for a preset or a powder of one's own.

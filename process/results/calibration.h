@@ -83,7 +83,7 @@ struct ScreenedQuantity {
 struct Screening {
   std::size_t runs = 0, resolution = 0;  ///< resolution 0: full factorial
   std::vector<std::string> letters, generators, words;
-  std::string error_source;  ///< where standard errors come from, in words
+  std::string error_source;  ///< where standard errors come from, as text
   std::vector<ScreenedQuantity> quantities;
   std::vector<ScreenedEffect> effects;
 };
@@ -92,7 +92,7 @@ struct Calibration {
   std::string title, command, program_version;
   std::string powder;        ///< start: name of its file
   std::string finer_grains;  ///< grain size of the check with finer grains; empty: none
-  std::string grains;        ///< grain size and model, walls and stiffness that it was fitted with, in words
+  std::string grains;        ///< grain size and model, walls and stiffness that it was fitted with, as text
   std::vector<CalibratedParameter> parameters;
   std::vector<CalibratedMeasurement> measurements;
   std::vector<CalibrationPoint> points;

@@ -37,8 +37,8 @@ template <class Parameters>
 ChosenPart<Parameters> read_part(const std::string& kind, const ContactTables& tables,
                                  const ContactParts<Parameters>& parts, const PowderSpec& powder) {
   TableReader& contact = *tables.back();
-  const auto holder = std::find_if(tables.begin(), tables.end() - 1,
-                                   [&](TableReader* table) { return table->has(kind); });
+  const auto holder =
+      std::find_if(tables.begin(), tables.end() - 1, [&](TableReader* table) { return table->has(kind); });
   const auto table = (*holder)->table(kind);
   if (!table) return {contact, &parts.front(), {}, false};
   Choices<const ContactPart<Parameters>*> names;

@@ -33,6 +33,8 @@ const std::vector<Rule>& rules() {
        {"engine/", "geometry/", "process/"},
        {"Eigen/", "toml++/", "udunits2.h", "zlib.h", "boost/math/"}},
       {"process/compare/kept_aside.cpp", {"process/"}, {"nlohmann/"}},
+      {"process/plan/kept_pilot.cpp", {"engine/", "geometry/", "process/"}, {"nlohmann/"}},
+      {"process/estimate/powder_discharge.cpp", {"engine/", "geometry/", "process/"}, {"nlohmann/"}},
       {"process/calibration/methods/",
        {"process/results/", "process/calibration/methods/"},
        {"Eigen/", "boost/math/", "boost/random/", "nlopt.h"}},

@@ -43,7 +43,8 @@ TEST(ToolFit, ToolsWithinTwentyMetresAreTaken) {
 
 TEST(ToolFit, AHugeToolIsToldAboutItsUnitAndNotItsDistance) {
   const std::string message = complaint({100, 100, 0}, 200);
-  expect_says(message, "measures 2e+05 x 2e+05 x 2e+05 mm, allowed: up to 2000 mm; check whether length_unit");
+  expect_says(message,
+              "measures 2e+05 x 2e+05 x 2e+05 mm, allowed: up to 2000 mm; check whether length_unit");
   expect_says(message, "200 mm in \"um\"");
   EXPECT_EQ(message.find("origin"), std::string::npos) << message;
 }
