@@ -7,6 +7,7 @@
 
 #include "process/input/scene_error.h"
 #include "process/input/text_file.h"
+#include "process/scene/powder_presets.h"
 
 namespace diefill::process::estimate {
 
@@ -16,6 +17,9 @@ namespace {
 constexpr double kRealGrain = 1e-4;
 /// x of a slit of 10 mm at 0.1 m/s, the slowest and widest that was measured (Bierwisch 2009, section 4.1.1).
 constexpr double kLongestMeasured = 2.9;
+
+/// x of a slit of 10 mm after the 0.3 s that its outflow was recorded for (Bierwisch 2009, section 5.2.1).
+constexpr double kLongestSimulated = 9;
 
 bool one_of(const std::string& name, std::initializer_list<const char*> names) {
   return std::any_of(names.begin(), names.end(), [&](const char* known) { return name == known; });
@@ -33,6 +37,14 @@ double number(const nlohmann::json& json, const char* key, const std::string& fi
 
 PowderDischarge discharge_of(const PowderSpec& powder) {
   PowderDischarge law;
+  if (powder.model == GrainModel::D && powder.name != "ASC100.29 D1") {
+    law.numbers = continuum::kSimulatedDischarge;
+    law.longest = kLongestSimulated;
+    law.grain_diameter = 6 * reference_sphere_radius(GrainModel::D);
+    law.source = "hopper of model D grains, friction 0.5, no cohesion (Bierwisch 2009, Table 5.2)";
+    law.applies = "grains of the same shape; more friction and cohesion let less run in";
+    return law;
+  }
   law.numbers = continuum::kMeasuredDischarge;
   law.longest = kLongestMeasured;
   law.grain_diameter = kRealGrain;

@@ -40,8 +40,7 @@ std::string error_text(const Estimate& estimate) {
   if (!estimate.error.measured)
     return line("not measured for this powder; a factor of %.3g either way is assumed",
                 estimate.error.factor);
-  return line("a factor of %.3g either way in nine cases of ten (", estimate.error.factor) +
-         estimate.error.source + ")";
+  return line("at most a factor of %.3g (", estimate.error.factor) + estimate.error.source + ")";
 }
 
 std::string valid_text(const Estimate& estimate) {

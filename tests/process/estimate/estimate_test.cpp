@@ -50,9 +50,9 @@ TEST(Estimate, OfASlitIsTheFormulaOfTheMovingShoe) {
     ASSERT_EQ(found.openings.size(), 1U);
     EXPECT_FALSE(found.openings[0].is_cavity);
     const double grain = scene.powder.grain_diameter;
-    const continuum::SlitFlow slit{3000, continuum::effective_width(width * kMm, grain - 0.1 * kMm),
+    const continuum::SlitFlow slit{3000, continuum::effective_width(width * kMm, grain - 0.4704 * kMm),
                                    *scene.numerics.period[1]};
-    const double mass = continuum::mass_of_passage(continuum::kMeasuredDischarge, slit, 32 * kMm, 0.18);
+    const double mass = continuum::mass_of_passage(continuum::kSimulatedDischarge, slit, 32 * kMm, 0.18);
     EXPECT_NEAR(found.openings[0].mass.back(), mass, 0.02 * mass);
     EXPECT_NEAR(found.way.speed, 0.18, 0.002);
     EXPECT_NEAR(found.way.length, 32 * kMm, 0.5 * kMm);
