@@ -1,5 +1,6 @@
 #include "process/measure/measured_fields.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 
