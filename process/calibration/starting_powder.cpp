@@ -47,9 +47,8 @@ std::string powder_file_text(const Scene& scene, const std::string& comment, con
   for (const char* key : kTables)
     if (const toml::table* table = document[key].as_table()) kept.insert(key, *table);
   kept["powder"].as_table()->erase("fitted_with");
-  toml::table fitted = parse_scene_text(fitted_with_text(fitted_with_of(scene, program_version)), scene.file);
-  kept["powder"].as_table()->insert("fitted_with", *fitted["powder"]["fitted_with"].as_table());
-  return comment + scene_text_of(kept) + '\n' + account;
+  return comment + scene_text_of(kept) + '\n' + fitted_with_text(fitted_with_of(scene, program_version)) +
+         '\n' + account;
 }
 
 }  // namespace diefill::process::calibration

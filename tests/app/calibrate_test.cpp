@@ -31,7 +31,7 @@ class Calibrated {
            "[[measurement]]\nname = \"filled die\"\nscene = \"scene.toml\"\nfigure = "
            "\"filled_mass_kg\"\nvalue = \"" +
            std::to_string(measured_) +
-           " mg\"\ndeviation = \"2 mg\"\n\n[search]\nseeds = 1\nstart_points = 4\nmost_points = 6\n";
+           " mg\"\ndeviation = \"8 mg\"\n\n[search]\nseeds = 1\nstart_points = 4\nmost_points = 6\n";
   }
   const SmallDie& die() const { return die_; }
   std::filesystem::path out(const std::string& name = "found") const { return die_.folder() / name; }
@@ -170,7 +170,7 @@ TEST(Calibrate, BadFilesEndInOneLineBeforeAnythingRuns) {
   refused("\"2 mg\"", "\"0 mg\"", "the standard deviation is 0");
   refused("filled_mass_kg", "filled_mass_kgg", "did you mean \"filled_mass_kg\"?");
   refused("scene.toml", "none.toml", "none.toml");
-  refused("powder.friction", "powder.frictoin", "powder.friction");
+  refused("powder.friction", "powder.frictoin", "did you mean");
   refused("to = 1.0", "to = 100", "at \"to\"");
   refused("name = \"m\"", "name = \"m\"\nuse = \"check\"", "use = \"fit\"");
   refused("name = \"m\"", "name = \"m\"\nkind = \"figur\"", "figure");
