@@ -117,7 +117,7 @@ TEST(MeshRepair, UnitesOverlappingShells) {
 
 TEST(MeshRepair, RefusesASurfaceThatPassesThroughItself) {
   Mesh mesh = sample::prism({{0, 0}, {0.01, 0.01}, {0.01, 0}, {0, 0.01}}, {0.005, 0.005}, 0.01);
-  expect_refused(mesh, "CAD program");
+  expect_refused(mesh, "a surface that intersects itself");
 }
 
 TEST(MeshRepair, RefusesSolidsThatTouchAlongAnEdge) {

@@ -229,7 +229,7 @@ TEST(WallSpheres, RefuseAPlateThinnerThanASphere) {
   } catch (const MeshError& error) {
     const std::string message = error.what();
     EXPECT_NE(message.find("only 0.285 mm thick"), std::string::npos) << message;
-    EXPECT_NE(message.find("smaller than 0.1425 mm"), std::string::npos) << message;
+    EXPECT_NE(message.find("below 0.1425 mm"), std::string::npos) << message;
   }
 }
 

@@ -10,6 +10,7 @@
 #include "process/input/scene_error.h"
 #include "process/setup/read_tooling.h"
 #include "project_paths.h"
+#include "tests/support/scene_text.h"
 #include "tests/support/temporary_folder.h"
 
 namespace diefill::process::estimate {
@@ -61,7 +62,8 @@ TEST(Estimate, OfASlitIsTheFormulaOfTheMovingShoe) {
 }
 
 TEST(Estimate, OfSeveralCrossingsAddsUpUntilTheCavityIsFull) {
-  const Scene scene = sample("narrow_ring/strategies/passages.toml");
+  const Scene one = sample("narrow_ring/strategies/passages.toml");
+  const Scene scene = parse_scene(support::exchanged(one.text, "passages = 1", "passages = 2"), one.file);
   const Estimate found = estimate(scene, read_tooling(scene));
   const OpeningEstimate& ring = found.openings.at(0);
   ASSERT_GT(ring.offered.size(), 1U);
