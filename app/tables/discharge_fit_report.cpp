@@ -17,6 +17,8 @@ namespace continuum = process::continuum;
 
 /// Deviation over value from which on a number says little.
 constexpr double kVague = 0.5;
+/// chi^2 per degree of freedom from which on errors do not explain the scatter.
+constexpr double kMisfit = 4;
 
 double deviation(const continuum::DischargeFit& fit, std::size_t k) {
   const auto i = static_cast<Eigen::Index>(k);
@@ -44,6 +46,9 @@ std::vector<std::string> remarks(const continuum::DischargeFit& fit) {
         fit.names.back() +
         " is at the end of what is searched: the points do not show how the flow comes to its steady "
         "rate; the fit holds where it was measured and not beyond");
+  if (fit.used.front().error > 0 && fit.fit.chi_square_per_freedom > kMisfit)
+    said.emplace_back(
+        "the points are off by far more than their errors: this law does not describe them; try another");
   for (std::size_t k = 0; k < fit.names.size(); ++k)
     if (deviation(fit, k) > kVague * std::abs(fit.fit.numbers[static_cast<Eigen::Index>(k)]))
       said.push_back(

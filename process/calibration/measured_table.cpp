@@ -61,7 +61,8 @@ void convert(MeasuredColumn& deviation, const MeasuredColumn& value, const std::
     for (double& number : deviation.values) number *= factor;
     deviation.unit = value.unit;
   } catch (const UnitError& error) {
-    throw SceneError(where + ": deviation: " + error.what());
+    throw SceneError(where + ": deviation in \"" + deviation.unit + "\", value in \"" + value.unit +
+                     "\": " + error.what() + "; give both with their unit");
   }
 }
 
