@@ -31,7 +31,7 @@ class Calibrated {
            "[[measurement]]\nname = \"filled die\"\nscene = \"scene.toml\"\nfigure = "
            "\"filled_mass_kg\"\nvalue = \"" +
            std::to_string(measured_) +
-           " mg\"\ndeviation = \"8 mg\"\n\n[search]\nseeds = 1\nstart_points = 4\nmost_points = 6\n";
+           " mg\"\ndeviation = \"20 mg\"\n\n[search]\nseeds = 1\nstart_points = 4\nmost_points = 6\n";
   }
   const SmallDie& die() const { return die_; }
   std::filesystem::path out(const std::string& name = "found") const { return die_.folder() / name; }

@@ -109,7 +109,7 @@ TEST(CadAsItComes, BytesBehindTheLastTriangleAreRemarkedOn) {
   const SmallDie die;
   die.write("die.stl", cad::binary_stl(small_die()) + std::string(317, '\0') + "trailer");
   const auto found = expect_as_plain(die);
-  const std::string remark = "324 bytes behind the last triangle not read";
+  const std::string remark = "324 bytes after the last triangle ignored";
   EXPECT_EQ(found["tools"][0]["file_remarks"], nlohmann::json::array({remark}));
   EXPECT_TRUE(found["tools"][0]["repairs"].empty());
   const Outcome outcome = die.check();
@@ -149,8 +149,8 @@ TEST(CadAsItComes, SolidsAreFoundByTheirWholeNames) {
 TEST(CadAsItComes, AShortNameOfTwoSolidsIsRefusedWithTheList) {
   const SmallDie die;
   write_two_punches(die, "punch");
-  expect_refused(die, {"tool \"lower\"", "part \"punch\" may be one of several: \"punch lower\" round (",
-                       "\"punch upper\" round (", "write the whole name"});
+  expect_refused(die, {"tool \"lower\"", "part \"punch\" matches several: \"punch lower\" around (",
+                       "\"punch upper\" around (", "write the full name"});
 }
 
 TEST(CadAsItComes, MachineCoordinatesNineMetresAwayAreMovedBack) {
@@ -165,11 +165,11 @@ TEST(CadAsItComes, CoordinatesKilometresAwayHaveLostTheirDigits) {
   const SmallDie die;
   const cad::Part far = cad::moved(small_die(), {7502216, 5412342, 0});
   die.write("die.stl", cad::binary_stl(far));
-  expect_refused(die, {"tool \"die\"", "from the origin", "digits of its shape are lost",
+  expect_refused(die, {"tool \"die\"", "from the origin", "which distorts its shape",
                        "move it to the origin in CAD and export it again"});
   die.write("die.stl", in_capitals_with_exponents(far));
   expect_refused(
-      die, {"tool \"die\": lies ", "from the origin, up to 20 m is allowed", "move it to the origin in CAD"});
+      die, {"tool \"die\": is ", "from the origin, allowed: up to 20 m", "move it to the origin in CAD"});
 }
 
 TEST(CadAsItComes, ACornerOnANeighboursEdgeSplitsIt) {
@@ -301,9 +301,9 @@ TEST(CadAsItComes, AProductThatStepPlacesTwiceIsAskedFor) {
   write_step(die.folder() / "press.step", {turned_step_die()},
              {{"press", {{"die", {1, {0, 0, 0}}}, {"die", {1, {40, 0, 0}}}}}});
   die.exchange("file = \"die.stl\"" + kMm, "file = \"press.step\"\npart = \"die\"");
-  expect_refused(die, {"part \"die\" is there more than once: \"die (1)\" round (-4.50, 0.00, -2.50) mm, "
-                       "\"die (2)\" round (35.50, 0.00, -2.50) mm",
-                       "write the whole name"});
+  expect_refused(die, {"part \"die\" occurs more than once: \"die (1)\" around (-4.50, 0.00, -2.50) mm, "
+                       "\"die (2)\" around (35.50, 0.00, -2.50) mm",
+                       "write the full name"});
   die.exchange("part = \"die\"", "part = \"die (1)\"");
   expect_as_plain(die);
 }
