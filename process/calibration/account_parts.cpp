@@ -160,9 +160,9 @@ void add_finer(results::CalibratedMeasurement& row, std::size_t measurement,
 
 /// The axis of a map along a parameter; logarithmic ranges run along their logarithm.
 MapAxis axis_of(const ParameterRange& range, int nodes) {
-  MapAxis axis{range.logarithmic ? "log10 of " + range.key + " in " + range.unit : range.key,
-               range.logarithmic ? "" : range.unit,
-               {}};
+  constexpr std::size_t kRoom = 20;  // letters that a label has room for
+  const std::string name = range.key.size() > kRoom ? range.key.substr(range.key.rfind('.') + 1) : range.key;
+  MapAxis axis{range.logarithmic ? "log10 of " + name : name, range.unit, {}};
   for (int k = 0; k < nodes; ++k) {
     const double value = range.value_at(static_cast<double>(k) / (nodes - 1));
     axis.nodes.push_back(range.logarithmic ? std::log10(value) : value);
