@@ -61,7 +61,7 @@ TEST(Estimate, OfASlitIsTheFormulaOfTheMovingShoe) {
 }
 
 TEST(Estimate, OfSeveralCrossingsAddsUpUntilTheCavityIsFull) {
-  const Scene scene = sample("narrow_ring/strategies/passages.toml");
+  const Scene scene = sample("wide_ring/strategies/passages.toml");
   const Estimate found = estimate(scene, read_tooling(scene));
   const OpeningEstimate& ring = found.openings.at(0);
   ASSERT_GT(ring.offered.size(), 1U);
