@@ -68,9 +68,12 @@ void print_fit(const continuum::DischargeFit& fit, const continuum::DischargeDat
     std::printf(
         "%s = %s\n", fit.names[k].c_str(),
         results::with_scatter(fit.fit.numbers[static_cast<Eigen::Index>(k)], deviation(fit, k)).c_str());
-  std::printf("%zu points; they scatter by %.2g %% about the fit, chi^2 per degree of freedom %.2g%s\n",
-              fit.used.size(), 100 * fit.relative_scatter, fit.fit.chi_square_per_freedom,
-              fit.used.front().error > 0 ? "" : " (no errors given: the scatter sets the deviations)");
+  std::printf("%zu points; they scatter by %.2g %% about the fit, ", fit.used.size(),
+              100 * fit.relative_scatter);
+  if (fit.used.front().error > 0)
+    std::printf("chi^2 per degree of freedom %.2g\n", fit.fit.chi_square_per_freedom);
+  else
+    std::printf("which sets the deviations, as no errors are given\n");
   if (data.grain_diameter > 0)
     std::printf("openings count as D - 1.4 d with d = %.4g mm\n", 1e3 * data.grain_diameter);
   for (const auto& remark : remarks(fit)) std::printf("note: %s\n", remark.c_str());
