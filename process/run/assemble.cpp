@@ -242,7 +242,7 @@ results::FillResult assemble(const Scene& scene, const Tooling& tooling, const F
   }
   result.cavity = cavity_now(scene, tooling, run);
   result.instants = instants_of(run);
-  for (auto& instant : result.instants) add_images(tooling, instant);
+  for (auto& instant : result.instants) add_images(tooling, result.powder, instant);
   result.probes = run.probes();
   result.solid_fraction = measure_solid_fraction(result.powder, result.tools, result.cavity);
   result.summary = summarise(result.powder, result.solid_fraction, result.cavity);

@@ -1,5 +1,6 @@
 #include <cmath>
 
+#include "process/machine/powder_change.h"
 #include "process/machine/powder_inflow.h"
 #include "process/scene/contact_spec.h"
 #include "process/scene/sections.h"
@@ -39,8 +40,22 @@ void refuse_lopsided(TableReader& table, const Eigen::Vector3d& lower, const Eig
                              "; a half model needs the same extent on both sides of 0");
 }
 
+void refuse_gravity_across(TableReader& table, const Scene& scene, int axis) {
+  const auto refuse = [&](const Eigen::Vector3d& gravity, const std::string& whose) {
+    if (gravity[axis] != 0)
+      table.reject("mirror", "gravity" + whose + " has a component across the mirror plane (" +
+                                 number_text(gravity[axis]) +
+                                 " m/s^2), so the two halves would not be mirror images; remove the key");
+  };
+  refuse(scene.gravity, "");
+  for (const auto& step : scene.steps)
+    if (const PowderChange* change = step->change(); change != nullptr && change->gravity)
+      refuse(*change->gravity, " of the step \"" + step->description() + "\"");
+}
+
 void check_mirror(TableReader& table, Scene& scene) {
   const int axis = *scene.economy.mirror;
+  refuse_gravity_across(table, scene, axis);
   refuse_period_across(table, scene, axis);
   refuse_lopsided(table, scene.pour.lower, scene.pour.upper, axis, "the box of [pour]");
   for (const auto& step : scene.steps) {

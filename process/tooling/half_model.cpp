@@ -1,8 +1,10 @@
 #include "process/tooling/half_model.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <optional>
 
 #include "geometry/solid/symmetry.h"
 #include "process/machine/force_control.h"
@@ -13,6 +15,7 @@ namespace {
 
 constexpr double kSymmetryOverRadius = 0.2;  // as process/tooling/diagnosis
 constexpr std::uint64_t kFirstImage = std::uint64_t{1} << 32;
+constexpr double kSameSphere = 1e-6;  // m per m of the grain, distance of two places that count as one
 constexpr double kOutOfPlane = 1e-9;  // m, m/s, rad/s or none, what rounding makes of zero
 
 Eigen::Vector3d image_of(Eigen::Vector3d place, int axis) {
@@ -25,11 +28,38 @@ Eigen::Vector3d image_of_spin(const Eigen::Vector3d& spin, int axis) {
   return -image_of(spin, axis);
 }
 
-/// Grains of all models are mirror images of themselves across the planes of their body frame, so that the
-/// image of a turned grain is a turned grain again: turned about the image of the axis the other way round.
-Eigen::Vector4d image_of_turn(const Eigen::Vector4d& turn, int axis) {
-  const Eigen::Vector3d vector = image_of_spin(turn.tail<3>(), axis);
-  return {turn[0], vector[0], vector[1], vector[2]};
+/// Orientation of the image, whose spheres stand where M R o does for each offset o: with the grain's own
+/// mirror plane N (offsets are a set that N leaves as it is) M R N is a rotation again. M is the rotation by
+/// 180 degrees about `axis` times -1, and so is N about `own_axis`, so that M R N is a product of rotations.
+Eigen::Vector4d image_of_turn(const Eigen::Vector4d& turn, int axis, int own_axis) {
+  const auto half_turn = [](int about) {
+    Eigen::Quaterniond half(0, 0, 0, 0);
+    half.vec()[about] = 1;
+    return half;
+  };
+  const Eigen::Quaterniond image =
+      half_turn(axis) * Eigen::Quaterniond(turn[0], turn[1], turn[2], turn[3]) * half_turn(own_axis);
+  return {-image.w(), -image.x(), -image.y(), -image.z()};
+}
+
+/// Axis of the body frame across which the spheres are mirror images of each other, `preferred` if it is one.
+std::optional<int> own_mirror_axis(const std::vector<Eigen::Vector3d>& offsets,
+                                   const std::vector<double>& radii, int preferred) {
+  const auto is_mirrored = [&](int axis) {
+    double size = 0;
+    for (const auto& offset : offsets) size = std::max(size, offset.norm());
+    for (std::size_t i = 0; i < offsets.size(); ++i) {
+      const Eigen::Vector3d image = image_of(offsets[i], axis);
+      bool found = false;
+      for (std::size_t j = 0; j < offsets.size() && !found; ++j)
+        found = (offsets[j] - image).norm() <= kSameSphere * size && (radii.empty() || radii[i] == radii[j]);
+      if (!found) return false;
+    }
+    return true;
+  };
+  for (const int axis : {preferred, (preferred + 1) % 3, (preferred + 2) % 3})
+    if (is_mirrored(axis)) return axis;
+  return std::nullopt;
 }
 
 std::string plane_text(int axis) {
@@ -79,6 +109,12 @@ bool step_lies_in_plane(const Step& step, int axis) {
 void refuse_asymmetry(const Scene& scene, const Tooling& tooling) {
   if (!tooling.mirror) return;
   const int axis = *tooling.mirror;
+  if (const auto& clump = scene.powder.clump;
+      clump && !own_mirror_axis(clump->sphere_offsets, clump->sphere_radii, axis))
+    throw SceneError(
+        scene.economy.mirror_place +
+        ": the grain of powder.spheres is not symmetric across a plane of its principal axes, so "
+        "the other half would be filled with its mirror image, another grain; remove the key");
   for (const Tool& tool : tooling.tools) refuse_asymmetric_tool(scene, tool, axis);
   for (const auto& step : scene.steps) {
     if (step->tools().empty() || step_lies_in_plane(*step, axis)) continue;
@@ -116,10 +152,12 @@ void add_images(const Tooling& tooling, results::PowderState& powder) {
   if (!tooling.mirror) return;
   const int axis = *tooling.mirror;
   const std::size_t grains = powder.id.size();
+  const int own_axis = own_mirror_axis(powder.sphere_offsets, powder.sphere_radii, axis).value_or(axis);
   for (std::size_t k = 0; k < grains; ++k) {
     powder.id.push_back(kFirstImage + powder.id[k]);
+    if (!powder.monodisperse()) powder.kind.push_back(powder.kind[k]);
     powder.position.push_back(image_of(powder.position[k], axis));
-    powder.orientation.push_back(image_of_turn(powder.orientation[k], axis));
+    powder.orientation.push_back(image_of_turn(powder.orientation[k], axis, own_axis));
     powder.velocity.push_back(image_of(powder.velocity[k], axis));
     powder.angular_velocity.push_back(image_of_spin(powder.angular_velocity[k], axis));
   }
@@ -138,14 +176,17 @@ void add_images(const Tooling& tooling, results::ContactStress& stress) {
   }
 }
 
-void add_images(const Tooling& tooling, results::Instant& instant) {
+void add_images(const Tooling& tooling, const results::PowderState& powder, results::Instant& instant) {
   if (!tooling.mirror) return;
   const int axis = *tooling.mirror;
+  const int own_axis = own_mirror_axis(powder.sphere_offsets, powder.sphere_radii, axis).value_or(axis);
   const std::size_t grains = instant.id.size();
+  const bool several = !instant.kind.empty();
   for (std::size_t k = 0; k < grains; ++k) {
     instant.id.push_back(kFirstImage + instant.id[k]);
+    if (several) instant.kind.push_back(instant.kind[k]);
     instant.position.push_back(image_of(instant.position[k], axis));
-    instant.orientation.push_back(image_of_turn(instant.orientation[k], axis));
+    instant.orientation.push_back(image_of_turn(instant.orientation[k], axis, own_axis));
     instant.velocity.push_back(image_of(instant.velocity[k], axis));
   }
 }

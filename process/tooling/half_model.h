@@ -40,7 +40,8 @@ void visit_images(const Tooling& tooling, const Eigen::Vector3d& place, const Vi
 /// Images follow the grains; their ids are those of the grains and 2^32.
 void add_images(const Tooling& tooling, results::PowderState& powder);
 void add_images(const Tooling& tooling, results::ContactStress& stress);
-void add_images(const Tooling& tooling, results::Instant& instant);
+/// `powder`: as it is at the end, for the shape of its grains.
+void add_images(const Tooling& tooling, const results::PowderState& powder, results::Instant& instant);
 void add_images(const Tooling& tooling, std::vector<Eigen::Vector3d>& centres);
 
 }  // namespace diefill::process

@@ -103,7 +103,7 @@ TEST(Documents, NameCommandsThatTheProgramHas) {
   const std::string source = text_of("app/commands/commands.cpp");
   const std::regex registration(R"(add_(\w+)\(program)");
   for (std::sregex_iterator match(source.begin(), source.end(), registration), end; match != end; ++match)
-    commands.insert((*match)[1].str());
+    commands.insert(std::regex_replace((*match)[1].str(), std::regex("_"), "-"));
   ASSERT_FALSE(commands.empty());
   std::vector<std::string> unknown;
   for_each_match(std::regex(R"(`(?:build/bin/)?diefill ([a-z_-]*[a-z]))"),

@@ -65,7 +65,7 @@ TEST(Estimate, OfSeveralCrossingsAddsUpUntilTheCavityIsFull) {
   const Estimate found = estimate(scene, read_tooling(scene));
   const OpeningEstimate& ring = found.openings.at(0);
   ASSERT_GT(ring.offered.size(), 1U);
-  EXPECT_NEAR(ring.offered[1], ring.offered[0], 0.02 * ring.offered[0]);  // to and fro alike
+  EXPECT_NEAR(ring.offered[1], ring.offered[0], 0.02 * ring.offered[0]);  // back and forth alike
   EXPECT_LE(ring.mass.back(), ring.full_mass * (1 + 1e-9));
   EXPECT_NEAR(ring.mass[0], std::min(ring.offered[0], ring.full_mass), 1e-9);
 }
