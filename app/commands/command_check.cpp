@@ -12,6 +12,7 @@
 #include "app/tables/estimate_report.h"
 #include "process/powder/law_terms.h"
 #include "process/powder/material.h"
+#include "process/powder/powder_mixture.h"
 #include "process/run/fill_run.h"
 #include "process/setup/impact_speed.h"
 #include "process/setup/pour.h"
@@ -87,7 +88,7 @@ void refuse_unusable(const CheckArguments& arguments, const process::Scene& scen
 
 /// What is to be simulated.
 struct Predicted {
-  std::size_t grains = 0;
+  std::size_t grains = 0, spheres = 0;
   engine::SimulationSettings settings;
   double critical_step = 0, seconds = 0;
   std::vector<std::string> warnings;
@@ -109,7 +110,7 @@ Predicted counted(const process::Scene& scene, const process::Tooling& tooling) 
   const double impact = process::predicted_impact_speed(scene, tooling);
   Predicted predicted;
   predicted.settings = process::engine_settings(scene, impact);
-  predicted.grains = process::grains_to_pour(scene, process::mean_grain(scene));
+  predicted.grains = process::grains_to_pour(scene);
   predicted.critical_step = process::critical_time_step(predicted.settings, impact);
   for (const auto& state : process::predicted(process::Stages(scene), 0))
     predicted.seconds = std::max(predicted.seconds, state.ended);
@@ -120,15 +121,16 @@ Predicted counted(const process::Scene& scene, const process::Tooling& tooling) 
 }
 
 Predicted predicted_of(const process::Scene& scene, const process::Tooling& tooling) {
-  constexpr std::size_t kMostPlaced = 1000000;  // spheres
-  const auto shape = process::mean_grain(scene);
-  const bool few = process::grains_to_pour(scene, shape) * shape.spheres() <= kMostPlaced;
+  constexpr double kMostPlaced = 1e6;  // spheres
+  const double spheres =
+      static_cast<double>(process::grains_to_pour(scene)) * process::mean_of_poured(scene).spheres;
+  const bool few = spheres <= kMostPlaced;
   return few ? placed(scene, tooling) : counted(scene, tooling);
 }
 
 nlohmann::ordered_json as_json(const Predicted& predicted) {
   return {{"grains", predicted.grains},
-          {"spheres", predicted.grains * predicted.settings.shape().spheres()},
+          {"spheres", predicted.spheres},
           {"time_step_s", predicted.settings.time_step},
           {"critical_time_step_s", predicted.critical_step}};
 }
@@ -137,10 +139,12 @@ void print_simulation(const process::Scene& scene, const process::Tooling& tooli
                       const Predicted& predicted) {
   const auto& settings = predicted.settings;
   std::printf("powder: %s, %zu grains of d = %.4g mm, %zu spheres; %zu wall spheres\n",
-              scene.powder.name.c_str(), predicted.grains, 1e3 * scene.powder.grain_diameter,
-              predicted.grains * settings.shape().spheres(), tooling.wall_spheres());
+              scene.powder.label.c_str(), predicted.grains, 1e3 * scene.powder.grain_diameter,
+              predicted.spheres, tooling.wall_spheres());
   if (!scene.powder.sizes.empty())
     std::printf("sizes: %s; d is the size of the mean mass\n", scene.powder.sizes_text.c_str());
+  for (const auto& other : scene.other_powders)
+    std::printf("with %s: %s\n", other.powder.label.c_str(), process::amount_text(scene, other).c_str());
   std::printf("time step: %.3g s, %.2f of the critical %.3g s\n", settings.time_step,
               settings.time_step / predicted.critical_step, predicted.critical_step);
   std::printf("laws in use: %s\n", process::joined(process::law_terms(scene, settings).used).c_str());

@@ -24,7 +24,7 @@ constexpr double kFineWalls = 12, kUsualWalls = 5;
 
 /// What to say before tools are covered with spheres far finer than the powder.
 std::optional<std::string> fine_walls(const process::Scene& scene) {
-  const double grain = 0.5 * process::largest_grain(scene.powder), wall = scene.walls.sphere_radius;
+  const double grain = 0.5 * process::largest_grain(scene), wall = scene.walls.sphere_radius;
   if (scene.walls.kind == process::WallKind::mesh || grain < kFineWalls * wall) return std::nullopt;
   char text[300];
   std::snprintf(text, sizeof text,
@@ -112,7 +112,7 @@ process::Tooling prepared_tooling(const process::Scene& scene, bool show_progres
   if (const auto remark = fine_walls(scene)) progress.say(*remark);
   Ticker ticker(progress, show_progress);
   const double sphere = process::smallest_sphere(process::engine_settings(scene, 1.0));
-  return process::build_tooling(scene, sphere, process::largest_grain(scene.powder),
+  return process::build_tooling(scene, sphere, process::largest_grain(scene),
                                 [&](double share, const std::string& doing) { ticker.tell(share, doing); });
 }
 

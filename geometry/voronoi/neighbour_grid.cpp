@@ -26,11 +26,11 @@ void add_images_along(PointImages& images, int axis, double period, double margi
 }  // namespace
 
 PointImages with_periodic_images(const std::vector<Eigen::Vector3d>& points,
-                                 const std::array<std::optional<double>, 2>& period, double margin) {
+                                 const std::array<std::optional<double>, 3>& period, double margin) {
   PointImages images{points, {}};
   images.source.resize(points.size());
   for (std::size_t n = 0; n < points.size(); ++n) images.source[n] = static_cast<std::uint32_t>(n);
-  for (int axis = 0; axis < 2; ++axis) {
+  for (int axis = 0; axis < 3; ++axis) {
     if (!period[axis]) continue;
     const double length = *period[axis];
     if (!(length > 0)) throw std::invalid_argument("a periodic length must be positive");

@@ -17,11 +17,11 @@ struct PointImages {
   std::vector<std::uint32_t> source;
 };
 
-/// The points wrapped into the periodic box (centred on the origin, periodic along x and/or y) followed by
-/// all their periodic images within `margin` (m) of that box. Throws std::invalid_argument for a period that
-/// is not positive.
+/// The points wrapped into the periodic box (centred on the origin, periodic along any of its axes) followed
+/// by all their periodic images within `margin` (m) of that box. Throws std::invalid_argument for a period
+/// that is not positive.
 PointImages with_periodic_images(const std::vector<Eigen::Vector3d>& points,
-                                 const std::array<std::optional<double>, 2>& period, double margin);
+                                 const std::array<std::optional<double>, 3>& period, double margin);
 
 /// Finds points within a distance of a place. Questions may be asked from several threads at once.
 class NeighbourGrid {

@@ -73,12 +73,29 @@ double smallest_radius(const VoronoiRequest& request) {
   return radii.empty() ? request.sphere_radius : *std::min_element(radii.begin(), radii.end());
 }
 
+std::vector<std::uint32_t> grains_of(const VoronoiRequest& request) {
+  if (!request.grains_of_spheres.empty()) return request.grains_of_spheres;
+  std::vector<std::uint32_t> grains(request.sphere_centres.size());
+  for (std::size_t s = 0; s < grains.size(); ++s)
+    grains[s] = static_cast<std::uint32_t>(s / request.spheres_per_grain);
+  return grains;
+}
+
+/// The first sphere of every grain, and the number of spheres at the end.
+std::vector<std::size_t> first_spheres(const std::vector<std::uint32_t>& grains) {
+  std::vector<std::size_t> first;
+  for (std::size_t s = 0; s < grains.size(); ++s)
+    if (s == 0 || grains[s] != grains[s - 1]) first.push_back(s);
+  first.push_back(grains.size());
+  return first;
+}
+
 /// Spheres and wall spheres in units of the smallest sphere's radius, ready for neighbour questions.
 class Surroundings {
  public:
   explicit Surroundings(const VoronoiRequest& request)
       : unit_(smallest_radius(request)),
-        spheres_per_grain_(request.spheres_per_grain),
+        grain_(grains_of(request)),
         reach_(request.largest_reach / unit_),
         radius_(scaled(request.sphere_radii)),
         largest_radius_(radius_.empty() ? 1 : *std::max_element(radius_.begin(), radius_.end())),
@@ -123,7 +140,7 @@ class Surroundings {
   bool cut_by_walls(std::uint32_t sphere, Workshop& workshop) const;
 
   double unit_;
-  std::size_t spheres_per_grain_;
+  std::vector<std::uint32_t> grain_;  ///< of every sphere
   double reach_;
   std::vector<double> radius_;  ///< of the spheres; empty: all are 1
   double largest_radius_;
@@ -152,12 +169,12 @@ double farthest_vertex(voro::voronoicell_neighbor& cell) {
 
 Surroundings::Twin Surroundings::twin_of(std::uint32_t sphere) const {
   Twin twin = Twin::none;
-  const std::size_t grain = sphere / spheres_per_grain_;
+  const std::uint32_t grain = grain_[sphere];
   sphere_grid_.for_each_within(spheres_.points[sphere], kSameCentre,
                                [&](std::uint32_t n, const auto&, double) {
                                  const std::uint32_t other = spheres_.source[n];
                                  if (n == sphere) return;
-                                 if (other / spheres_per_grain_ != grain)
+                                 if (grain_[other] != grain)
                                    twin = Twin::other_grain;
                                  else if (other < sphere && twin == Twin::none)
                                    twin = Twin::earlier_sphere_of_grain;
@@ -221,9 +238,19 @@ void check(const VoronoiRequest& request) {
     throw std::invalid_argument("Voronoi cells: every sphere needs one radius, or all have one together");
   if (!(request.largest_reach > 0))
     throw std::invalid_argument("Voronoi cells need a positive largest reach");
-  if (request.spheres_per_grain == 0 || request.sphere_centres.size() % request.spheres_per_grain != 0)
+  const auto& grains = request.grains_of_spheres;
+  if (!grains.empty()) {
+    bool follow = grains.size() == request.sphere_centres.size() && grains.front() == 0;
+    for (std::size_t s = 1; s < grains.size(); ++s)
+      follow = follow && (grains[s] == grains[s - 1] || grains[s] == grains[s - 1] + 1);
+    if (!follow)
+      throw std::invalid_argument(
+          "Voronoi cells: grains of spheres must be counted from 0, one after the other");
+  } else if (request.spheres_per_grain == 0 ||
+             request.sphere_centres.size() % request.spheres_per_grain != 0) {
     throw std::invalid_argument(
         "Voronoi cells: the number of spheres is no multiple of the spheres per grain");
+  }
   if (request.wall_centres.size() != request.wall_radii.size())
     throw std::invalid_argument("Voronoi cells: every wall sphere needs one radius");
 }
@@ -234,8 +261,8 @@ VoronoiCells voronoi_cells(const VoronoiRequest& request) {
   constexpr std::size_t kGrainsAtOnce = 64;
   check(request);
   const Surroundings surroundings(request);
-  const std::size_t per_grain = request.spheres_per_grain;
-  const std::size_t grains = request.sphere_centres.size() / per_grain;
+  const auto first = first_spheres(grains_of(request));
+  const std::size_t grains = first.size() - 1;
   VoronoiCells cells{std::vector<double>(grains), std::vector<std::uint8_t>(grains)};
   tbb::enumerable_thread_specific<Workshop> workshops(surroundings.reach());
   // Tells the thread sanitizer the order that oneTBB guarantees: what is done before the loop is visible
@@ -246,7 +273,7 @@ VoronoiCells voronoi_cells(const VoronoiRequest& request) {
     begun.load(std::memory_order_acquire);
     Workshop& workshop = workshops.local();
     for (std::size_t grain = range.begin(); grain < range.end(); ++grain) {
-      for (std::size_t s = grain * per_grain; s < (grain + 1) * per_grain; ++s) {
+      for (std::size_t s = first[grain]; s < first[grain + 1]; ++s) {
         const SphereCell cell = surroundings.cell_of(static_cast<std::uint32_t>(s), workshop);
         cells.volume[grain] += cell.volume;
         if (cell.open) cells.open[grain] = 1;

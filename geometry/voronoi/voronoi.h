@@ -18,11 +18,13 @@ namespace diefill::geometry {
 struct VoronoiRequest {
   std::vector<Eigen::Vector3d> sphere_centres;  ///< grain after grain
   std::size_t spheres_per_grain = 1;
+  /// Place of each sphere's grain, rising, where grains have different numbers of spheres; otherwise empty.
+  std::vector<std::uint32_t> grains_of_spheres;
   double sphere_radius = 0;          ///< of all spheres
   std::vector<double> sphere_radii;  ///< one a sphere, in place of sphere_radius; empty: all are equal
   std::vector<Eigen::Vector3d> wall_centres;    ///< wall spheres; they have no cells
   std::vector<double> wall_radii;               ///< one a wall sphere
-  std::array<std::optional<double>, 2> period;  ///< along x and y, box centred on the origin
+  std::array<std::optional<double>, 3> period;  ///< box centred on the origin
   double largest_reach = 0;  ///< m, no part of a cell is farther than this from its sphere's centre
 };
 

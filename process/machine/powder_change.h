@@ -14,6 +14,7 @@
 namespace diefill::process {
 
 struct ContactSpec;
+struct PairLawSpec;
 
 /// What is different from the instant on; nothing: as it was.
 struct PowderChange {
@@ -22,6 +23,9 @@ struct PowderChange {
   std::optional<double> work_of_adhesion, wall_work_of_adhesion;  ///< J/m^2
   /// [contact] with the parts that the step names in place of the scene's.
   std::shared_ptr<const ContactSpec> contact;
+  /// The same of [[other_powder]] and of pairs of powders, where `contact` is there.
+  std::vector<std::shared_ptr<const ContactSpec>> contact_of_others;
+  std::vector<std::shared_ptr<const PairLawSpec>> contact_of_pairs;
   double random_velocity = 0;  ///< m/s, standard deviation along each axis, added once to every grain
 
   bool changes_laws() const {

@@ -11,8 +11,8 @@ constexpr QuantityRule kVelocity = {Dimension::velocity, "-0.3 m/s", "-10 m/s", 
 }  // namespace
 
 std::string Inflow::description() const {
-  const std::string amount =
-      inflow_.mass ? number_text(1e3 * *inflow_.mass) + " g of powder" : std::string("powder");
+  const std::string powder = inflow_.powder.empty() ? "powder" : inflow_.powder;
+  const std::string amount = inflow_.mass ? number_text(1e3 * *inflow_.mass) + " g of " + powder : powder;
   return amount + (inflow_.rate ? " fed at " + number_text(1e3 * *inflow_.rate) + " g/s"
                                 : " fed as space becomes free");
 }
@@ -27,6 +27,7 @@ std::shared_ptr<Step> read_inflow(TableReader& table, const std::vector<ToolSpec
   inflow.velocity = table.point("velocity", kVelocity).value_or(inflow.velocity);
   inflow.mass = table.quantity("mass", kMass);
   inflow.rate = table.quantity("rate", kRate);
+  inflow.powder = table.text("powder").value_or("");
   Choices<std::string> names;
   for (const ToolSpec& tool : tools) names.emplace_back(tool.name, tool.name);
   inflow.with = table.choice("with", names).value_or("");

@@ -19,6 +19,7 @@ struct PowderInflow {
   std::optional<double> mass;                          ///< kg in all; nothing: until the step is told to stop
   std::optional<double> rate;  ///< kg/s; nothing: as fast as room comes free, as out of a full hopper
   std::string with;            ///< name of the tool that the box goes along with; empty: it stands
+  std::string powder;          ///< name of the powder; empty: the mixture of all by their shares
   std::string where;           ///< place in the scene file, for messages
 };
 

@@ -178,11 +178,12 @@ results::Field2D fill_level_map(const results::FillResult& result) {
   map.quantity = std::string("fill level");
   map.value.assign(map.first.size() * map.second.size(), kNone);
   const auto centres = powder.sphere_centres();
-  const std::size_t spheres = powder.sphere_offsets.size();
+  const auto radii = powder.radii_of_spheres();
+  const auto grains = powder.grains_of_spheres();
   for (std::size_t n = 0; n < centres.size(); ++n) {
-    const std::size_t grain = n / spheres;
+    const std::size_t grain = grains[n];
     if (!lies_in_cavity(cavity, powder.position[grain])) continue;
-    const double top = centres[n].z() + powder.radius_of_sphere(n) - cavity.lower_corner.z();
+    const double top = centres[n].z() + radii[n] - cavity.lower_corner.z();
     raise(map, centres[n] / kMillimetre, powder.diameter_of(grain) / kMillimetre, top / kMillimetre);
   }
   const auto solids = solids_of(result.tools);

@@ -8,21 +8,23 @@ namespace diefill::process {
 
 std::vector<int> coordination_numbers(const results::PowderState& powder, double tolerance) {
   const auto centres = powder.sphere_centres();
-  const std::size_t spheres = powder.sphere_offsets.size();
+  const auto radii = powder.radii_of_spheres();
+  const auto grain_of = powder.grains_of_spheres();
   const double reach = 2 * powder.largest_sphere_radius() * (1 + tolerance);
   const geometry::NeighbourGrid grid(centres, reach);
   std::vector<int> numbers;
   std::vector<std::size_t> touched;
-  const bool equal = powder.monodisperse() && powder.sphere_radii.empty();
+  const bool equal = powder.equal_spheres();
   const auto touches = [&](std::size_t sphere, std::size_t other, double squared) {
-    const double apart = (powder.radius_of_sphere(sphere) + powder.radius_of_sphere(other)) * (1 + tolerance);
+    const double apart = (radii[sphere] + radii[other]) * (1 + tolerance);
     return equal || squared <= apart * apart;
   };
+  std::size_t s = 0;
   for (std::size_t grain = 0; grain < powder.position.size(); ++grain) {
     touched.clear();
-    for (std::size_t s = grain * spheres; s < (grain + 1) * spheres; ++s)
+    for (const std::size_t end = s + powder.spheres_of(grain); s < end; ++s)
       grid.for_each_within(centres[s], reach, [&](std::uint32_t other, const auto&, double squared) {
-        if (other / spheres != grain && touches(s, other, squared)) touched.push_back(other / spheres);
+        if (grain_of[other] != grain && touches(s, other, squared)) touched.push_back(grain_of[other]);
       });
     std::sort(touched.begin(), touched.end());
     const auto last = std::unique(touched.begin(), touched.end());

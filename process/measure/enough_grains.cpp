@@ -37,7 +37,11 @@ const std::vector<Rule>& rules() {
                                         {"mean_grain_diameter_top_minus_bottom_mm", false, kThirds},
                                         {"mixing_index_height", false, kThirds},
                                         {"mixing_index_azimuth", false, kSectors},
-                                        {"mixing_index_travel", false, kThirds}};
+                                        {"mixing_index_travel", false, kThirds},
+                                        {"first_powder_mass_share_filled", false, 1},
+                                        {"powder_mixing_index_height", false, kThirds},
+                                        {"powder_mixing_index_azimuth", false, kSectors},
+                                        {"powder_mixing_index_travel", false, kThirds}};
   return all;
 }
 

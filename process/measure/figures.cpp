@@ -4,7 +4,8 @@ namespace diefill::process {
 
 const std::vector<FigureMeasure>& figure_measures() {
   static const std::vector<FigureMeasure> all = {
-      top_to_bottom, azimuthal_harmonics, travel_harmonics, field_evenness, fill_height, size_segregation,
+      top_to_bottom, azimuthal_harmonics, travel_harmonics,   field_evenness,
+      fill_height,   size_segregation,    powder_segregation,
   };
   return all;
 }

@@ -56,5 +56,8 @@ void fill_height(const results::FillResult& result, Figures& figures);
 /// `mixing_index_azimuth` (rings) or `mixing_index_travel`: about 1 for powder as well mixed as by chance, 0
 /// where each size lies on its own.
 void size_segregation(const results::FillResult& result, Figures& figures);
+/// Of several powders: share of the first one's mass in the cavity and in all; mixing indices as above, with
+/// 0 where powders lie apart.
+void powder_segregation(const results::FillResult& result, Figures& figures);
 
 }  // namespace diefill::process

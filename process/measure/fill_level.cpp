@@ -16,13 +16,14 @@ results::Profile fill_level(const results::PowderState& powder, const results::C
   for (int bin = 0; bin < bins; ++bin) level.x.push_back((bin + 0.5) * 360 / bins);
   level.y.assign(level.x.size(), std::numeric_limits<double>::quiet_NaN());
   const auto centres = powder.sphere_centres();
+  const auto radii = powder.radii_of_spheres();
   for (std::size_t n = 0; n < centres.size(); ++n) {
     const auto& centre = centres[n];
     const RingPosition place = ring_position(cavity, centre);
     if (place.radius < cavity.inner_radius || place.radius > cavity.outer_radius || place.height < 0)
       continue;
     const int bin = std::min(static_cast<int>(place.azimuth / 360 * bins), bins - 1);
-    const double top = (place.height + powder.radius_of_sphere(n)) * 1e3;
+    const double top = (place.height + radii[n]) * 1e3;
     if (!(level.y[bin] >= top)) level.y[bin] = top;  // also where there was none (NaN)
   }
   return level;
@@ -36,6 +37,7 @@ results::Profile level_along_travel(const results::PowderState& powder, const re
   for (int slice = 0; slice < slices; ++slice) level.x.push_back(1e3 * (slice + 0.5) * length / slices);
   level.y.assign(level.x.size(), std::numeric_limits<double>::quiet_NaN());
   const auto centres = powder.sphere_centres();
+  const auto radii = powder.radii_of_spheres();
   for (std::size_t n = 0; n < centres.size(); ++n) {
     const auto& centre = centres[n];
     const double height = centre.z() - cavity.lower_corner.z();
@@ -43,7 +45,7 @@ results::Profile level_along_travel(const results::PowderState& powder, const re
                         (centre.head<2>().array() <= cavity.upper_corner.head<2>().array()).all();
     if (!within || height < 0) continue;
     const int slice = std::clamp(static_cast<int>(along_travel(cavity, centre) * slices), 0, slices - 1);
-    const double top = (height + powder.radius_of_sphere(n)) * 1e3;
+    const double top = (height + radii[n]) * 1e3;
     double& highest = level.y[static_cast<std::size_t>(slice)];
     if (!(highest >= top)) highest = top;  // also where there was none (NaN)
   }

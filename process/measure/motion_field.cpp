@@ -65,9 +65,9 @@ Eigen::Vector3d ring_mean(const VectorField& field, const results::CavityState& 
 /// m, the shortest way from one place to another in a box with these periods: grains that have left it come
 /// back at the other side.
 Eigen::Vector3d way_between(const Eigen::Vector3d& from, const Eigen::Vector3d& to,
-                            const std::array<double, 2>& period) {
+                            const std::array<double, 3>& period) {
   Eigen::Vector3d way = to - from;
-  for (int axis = 0; axis < 2; ++axis) {
+  for (int axis = 0; axis < 3; ++axis) {
     const double length = period[static_cast<std::size_t>(axis)];
     if (length > 0) way[axis] -= length * std::round(way[axis] / length);
   }

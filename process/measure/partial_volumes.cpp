@@ -24,13 +24,18 @@ results::CellField empty_field(const std::array<std::vector<double>, 3>& edges) 
   return field;
 }
 
-/// What a basic sphere counts for its own volume: 1, or less where the grain's spheres overlap.
-double sphere_weight(const results::PowderState& powder) {
-  double cubes = 0;
-  for (std::size_t s = 0; s < powder.sphere_offsets.size(); ++s)
-    cubes += std::pow(powder.sphere_radii.empty() ? powder.sphere_radius : powder.sphere_radii[s], 3);
-  const double spheres = 4 * std::numbers::pi / 3 * cubes;
-  return powder.grain_solid_volume > 0 ? powder.grain_solid_volume / spheres : 1;
+/// What each sphere counts for its own volume: 1, or less where the spheres of its grain overlap.
+std::vector<double> sphere_weights(const results::PowderState& powder, const std::vector<double>& radii) {
+  const auto grains = powder.grains_of_spheres();
+  std::vector<double> volumes(powder.position.size(), 0.0);
+  for (std::size_t n = 0; n < radii.size(); ++n)
+    volumes[grains[n]] += 4 * std::numbers::pi / 3 * std::pow(radii[n], 3);
+  std::vector<double> weights;
+  for (const std::uint32_t grain : grains) {
+    const double solid = powder.solid_volume_of(grain);
+    weights.push_back(solid > 0 ? solid / volumes[grain] : 1);
+  }
+  return weights;
 }
 
 double cell_volume(const results::CellField& field, std::size_t i, std::size_t j, std::size_t k) {
@@ -53,10 +58,11 @@ std::vector<double> even_edges(double lower, double upper, int cells) {
 results::CellField cartesian_volumes(const results::PowderState& powder,
                                      const std::array<std::vector<double>, 3>& edges) {
   results::CellField field = empty_field(edges);
-  const double weight = sphere_weight(powder);
+  const auto radii = powder.radii_of_spheres();
+  const auto weights = sphere_weights(powder, radii);
   const auto centres = powder.sphere_centres();
   for (std::size_t n = 0; n < centres.size(); ++n)
-    share_sphere(field, {centres[n].x(), centres[n].y(), centres[n].z()}, powder.radius_of_sphere(n), weight);
+    share_sphere(field, {centres[n].x(), centres[n].y(), centres[n].z()}, radii[n], weights[n]);
   return field;
 }
 
@@ -67,12 +73,12 @@ results::CellField cylindrical_volumes(const results::PowderState& powder, const
     throw std::invalid_argument("cylindrical cells need radii from 0 and at most 360 degrees of azimuth");
   field.cylindrical = true;
   for (double& angle : field.edges[1]) angle *= kRadians;
-  const double weight = sphere_weight(powder);
+  const auto radii = powder.radii_of_spheres();
+  const auto weights = sphere_weights(powder, radii);
   const auto centres = powder.sphere_centres();
   for (std::size_t n = 0; n < centres.size(); ++n) {
     const RingPosition place = ring_position(cavity, centres[n]);
-    share_sphere_round(field, place.radius, place.azimuth * kRadians, place.height,
-                       powder.radius_of_sphere(n), weight);
+    share_sphere_round(field, place.radius, place.azimuth * kRadians, place.height, radii[n], weights[n]);
   }
   field.edges = edges;
   return field;

@@ -8,12 +8,12 @@
 
 namespace diefill::process {
 
-/// Periodic lengths along x and y in m, box centred on the origin.
-using Period = std::array<std::optional<double>, 2>;
+/// Periodic lengths in m, box centred on the origin.
+using Period = std::array<std::optional<double>, 3>;
 
 inline Period period_of(const results::PowderState& powder) {
   Period period;
-  for (std::size_t axis = 0; axis < 2; ++axis)
+  for (std::size_t axis = 0; axis < 3; ++axis)
     if (powder.period[axis] > 0) period[axis] = powder.period[axis];
   return period;
 }

@@ -89,12 +89,13 @@ results::Profile profile_over(const results::FillResult& result, const std::vect
   return profile;
 }
 
-double index_over(const results::FillResult& result, const std::vector<std::size_t>& grains,
-                  const Bins& bins) {
+/// `value`: of grain k.
+double index_over(const results::FillResult& result, const std::vector<std::size_t>& grains, const Bins& bins,
+                  const std::function<double(std::size_t)>& value) {
   std::vector<double> values, weights;
   std::vector<std::size_t> numbers;
   for (const std::size_t k : grains) {
-    values.push_back(result.powder.diameter_of(k));
+    values.push_back(value(k));
     weights.push_back(result.powder.mass_of(k));
     numbers.push_back(bins.of(result.powder.position[k]));
   }
@@ -186,8 +187,26 @@ void size_segregation(const results::FillResult& result, Figures& figures) {
   figures["mean_grain_diameter_all_mm"] = mean_diameter(powder, all);
   figures["mean_grain_diameter_top_minus_bottom_mm"] = top_minus_bottom(powder, grains);
   const Bins sideways = across(result);
-  figures["mixing_index_height"] = index_over(result, grains, over_height(result));
-  figures["mixing_index_" + sideways.x_name] = index_over(result, grains, sideways);
+  const auto size = [&](std::size_t k) { return powder.diameter_of(k); };
+  figures["mixing_index_height"] = index_over(result, grains, over_height(result), size);
+  figures["mixing_index_" + sideways.x_name] = index_over(result, grains, sideways, size);
+}
+
+void powder_segregation(const results::FillResult& result, Figures& figures) {
+  const auto grains = filled_grains(result);
+  const auto& powder = result.powder;
+  const auto& materials = powder.kinds.material;
+  if (grains.empty() || std::ranges::all_of(materials, [&](const auto& one) { return one == materials[0]; }))
+    return;
+  const auto is_first = [&](std::size_t k) { return materials[powder.kind[k]] == materials[0] ? 1.0 : 0.0; };
+  Sums filled, all;
+  for (const std::size_t k : grains) filled.add(is_first(k), powder.mass_of(k));
+  for (std::size_t k = 0; k < powder.position.size(); ++k) all.add(is_first(k), powder.mass_of(k));
+  figures["first_powder_mass_share_filled"] = filled.mean();
+  figures["first_powder_mass_share_all"] = all.mean();
+  const Bins sideways = across(result);
+  figures["powder_mixing_index_height"] = index_over(result, grains, over_height(result), is_first);
+  figures["powder_mixing_index_" + sideways.x_name] = index_over(result, grains, sideways, is_first);
 }
 
 }  // namespace diefill::process

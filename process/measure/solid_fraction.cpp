@@ -15,10 +15,9 @@ geometry::VoronoiRequest voronoi_request(const results::PowderState& powder,
   geometry::VoronoiRequest request;
   request.sphere_centres = powder.sphere_centres();
   request.spheres_per_grain = powder.sphere_offsets.size();
+  if (!powder.kinds.spheres.empty()) request.grains_of_spheres = powder.grains_of_spheres();
   request.sphere_radius = powder.sphere_radius;
-  if (!powder.monodisperse() || !powder.sphere_radii.empty())
-    for (std::size_t n = 0; n < request.sphere_centres.size(); ++n)
-      request.sphere_radii.push_back(powder.radius_of_sphere(n));
+  if (!powder.equal_spheres()) request.sphere_radii = powder.radii_of_spheres();
   request.period = period_of(powder);
   request.largest_reach = kReachOverDiameter * powder.largest_diameter();
   for (const auto& tool : tools) {

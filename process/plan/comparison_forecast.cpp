@@ -23,8 +23,8 @@ struct Prepared {
 
   Prepared(const Variant& variant, const TellProgress& tell)
       : scene(settled_scene(variant.scene, std::nullopt)),
-        tooling(build_tooling(scene, smallest_sphere(engine_settings(scene, 1.0)),
-                              largest_grain(scene.powder), tell)) {
+        tooling(
+            build_tooling(scene, smallest_sphere(engine_settings(scene, 1.0)), largest_grain(scene), tell)) {
     scene = with_prepared_steps(std::move(scene), tooling);
   }
 };

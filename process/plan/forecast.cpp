@@ -5,6 +5,7 @@
 
 #include "process/plan/pilot.h"
 #include "process/powder/material.h"
+#include "process/powder/powder_mixture.h"
 #include "process/setup/impact_speed.h"
 #include "process/setup/pour.h"
 #include "process/tooling/predicted_memory.h"
@@ -59,8 +60,9 @@ Forecast forecast(const Scene& scene, const Tooling& tooling, const RestTimes& r
   forecast.fill_height = scene.pour.fill_height;
   forecast.time_step = settings.time_step;
   forecast.critical_step = critical_time_step(settings, impact);
-  forecast.grains = grains_to_pour(scene, mean_grain(scene));
-  forecast.spheres = forecast.grains * settings.shape().spheres();
+  forecast.grains = grains_to_pour(scene);
+  forecast.spheres = static_cast<std::size_t>(
+      std::llround(static_cast<double>(forecast.grains) * mean_of_poured(scene).spheres));
   forecast.wall_spheres = tooling.wall_spheres();
   double largest_share = 1;
   for (const Phase& phase : timeline(scene, tooling, rest)) {

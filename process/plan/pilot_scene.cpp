@@ -51,10 +51,10 @@ Scene pilot_scene(const Scene& scene, const Tooling& tooling, double sphere_step
   const auto coarsen_until = [&](double limit) {
     const double largest = largest_diameter(scene, tooling);
     while (!costs_at_most(limit) && pilot.powder.grain_diameter * kFiner <= largest) {
-      const PowderSpec before = pilot.powder;
-      enlarge(pilot.powder, kFiner);
+      const Scene before = pilot;
+      enlarge(pilot, kFiner);
       if (forecast(pilot, tooling).grains >= kFewestGrains) continue;
-      pilot.powder = before;
+      pilot = before;
       break;
     }
   };

@@ -66,7 +66,7 @@ Plan make_plan(const Scene& scene, const PlanOptions& options) {
   SettledScene settled = settle(scene, std::nullopt);
   plan.scene = std::move(settled.scene);
   const double sphere = smallest_sphere(engine_settings(plan.scene, 1.0));
-  const double grain = largest_grain(plan.scene.powder);
+  const double grain = largest_grain(plan.scene);
   if (settled.tooling) refuse_endless(plan.scene);
   plan.tooling = settled.tooling
                      ? cover_tooling(plan.scene, std::move(*settled.tooling), sphere, grain, options.tell)

@@ -37,7 +37,7 @@ struct Bound {
 
 /// Size of the largest grain over that of mean mass, which settings choose.
 double largest_over_mean(const Scene& scene) {
-  return largest_grain(scene.powder) / scene.powder.grain_diameter;
+  return largest_grain(scene) / scene.powder.grain_diameter;
 }
 
 /// Grains must fit between periods and into the pour box (process/scene/plausibility).

@@ -6,6 +6,7 @@
 #include "process/machine/clear.h"
 #include "process/machine/powder_inflow.h"
 #include "process/powder/material.h"
+#include "process/powder/powder_mixture.h"
 #include "process/setup/pour.h"
 
 namespace diefill::process::plan {
@@ -27,14 +28,15 @@ double grains_in_cavity(const Scene& scene, const Tooling& tooling, const engine
 double share_at(double time, const Scene& scene, const Tooling& tooling, const Stages& stages,
                 const std::vector<StepState>& states) {
   const auto shape = mean_grain(scene);
-  const auto poured = static_cast<double>(grains_to_pour(scene, shape));
+  const auto poured = static_cast<double>(grains_to_pour(scene));
   double grains = poured;
   for (std::size_t k = 0; k < stages.size(); ++k) {
     if (states[k].waits() || states[k].started > time) continue;
     const PowderInflow* inflow = stages.steps[k]->inflow();
     const double lasted = std::max(1e-12, states[k].ended - states[k].started);
     if (inflow != nullptr && inflow->mass)
-      grains += *inflow->mass / shape.mass * std::min(1.0, (time - states[k].started) / lasted);
+      grains += *inflow->mass / mean_of_inflow(scene, *inflow).mass *
+                std::min(1.0, (time - states[k].started) / lasted);
     if (stages.steps[k]->removal() != nullptr)
       grains = std::min(grains, grains_in_cavity(scene, tooling, shape));
   }

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "process/powder/changed_scene.h"
+#include "process/powder/powder_mixture.h"
 #include "process/scene/contact_spec.h"
 
 namespace diefill::process {
@@ -47,25 +48,26 @@ engine::SimulationSettings engine_settings(const Scene& scene, double impact_spe
   settings.air_viscosity = scene.contact && scene.contact->coarse_graining == kUnscaled
                                ? scene.powder.air_viscosity
                                : coarse_material(scene).air_viscosity;
-  for (std::size_t axis = 0; axis < 2; ++axis) settings.period[axis] = scene.numerics.period[axis];
+  for (std::size_t axis = 0; axis < 3; ++axis) settings.period[axis] = scene.numerics.period[axis];
   settings.skip_far_walls = scene.economy.skip_far_walls;
   settings.sleep = sleep_settings(scene.economy);
   settings.skin = scene.numerics.skin;
   constexpr double kAnyStep = 1e-30;  // s: laws that refuse steps too long are asked for their limit first
-  settings.contact = contact_laws(scene, scene_laws(scene, kAnyStep));
+  settings.contact = contact_laws(scene, kAnyStep);
   settings.time_step = chosen_time_step(scene, settings, critical_time_step(settings, impact_speed));
   for (const Scene& later : changed_scenes(scene)) {
     engine::SimulationSettings changed = settings;
-    changed.contact = contact_laws(later, scene_laws(later, kAnyStep));
+    changed.contact = contact_laws(later, kAnyStep);
     settings.time_step = std::min(
         settings.time_step, chosen_time_step(later, changed, critical_time_step(changed, impact_speed)));
   }
-  settings.contact = contact_laws(scene, scene_laws(scene, settings.time_step));
+  settings.contact = contact_laws(scene, settings.time_step);
   return settings;
 }
 
-double mean_grain_mass(const Scene& scene, const engine::Simulation& simulation) {
-  return simulation.types().monodisperse() ? simulation.settings().shape().mass : mean_grain(scene).mass;
+double mean_grain_mass(const Scene& scene, const PowderInflow& inflow, const engine::Simulation& simulation) {
+  return simulation.types().monodisperse() ? simulation.settings().shape().mass
+                                           : mean_of_inflow(scene, inflow).mass;
 }
 
 double smallest_sphere(const engine::SimulationSettings& settings) {

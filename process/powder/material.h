@@ -9,14 +9,16 @@
 
 namespace diefill::process {
 
+struct PowderInflow;
+
 /// Engine settings of a scene without walls and threads: particle types at the wanted size, contact laws
 /// after coarse graining, options, and the time step. `impact_speed` (m/s) is the fastest collision to be
 /// expected; the critical step is taken at it. Throws SceneError when a given time step is above the critical
 /// one.
 engine::SimulationSettings engine_settings(const Scene& scene, double impact_speed);
 
-/// kg, mean of all grains that the scene lets in; those of `simulation` where they are alike.
-double mean_grain_mass(const Scene& scene, const engine::Simulation& simulation);
+/// kg, mean of all grains that the step lets in; those of `simulation` where they are alike.
+double mean_grain_mass(const Scene& scene, const PowderInflow& inflow, const engine::Simulation& simulation);
 
 /// m, radius of the smallest spheres of the powder with these settings.
 double smallest_sphere(const engine::SimulationSettings& settings);

@@ -1,5 +1,5 @@
-// A scene's powder in the engine's terms: a particle type for each class of grain sizes, and a law for each
-// pair of types and of types with tools.
+// A scene's powders in the engine's terms: a particle type for each class of grain sizes of each powder, and
+// a law for each pair of types and of types with tools.
 //
 // What the powder's parameters mean where sizes differ. All grains are made of one material, coarsened by one
 // factor, that of the grain of mean mass. Moduli, coefficients of friction, restitution and work of adhesion
@@ -16,12 +16,17 @@
 
 namespace diefill::process {
 
-/// The shape of the grain of mean mass at the wanted size, which no grain need have where sizes differ.
-engine::GrainShape mean_grain(const Scene& scene);
+/// The shape of the grain of mean mass at the wanted size, which no grain need have where sizes differ; of
+/// [powder] where the scene has several.
+engine::GrainShape mean_grain(const PowderSpec& powder, CoarseGraining rule);
+inline engine::GrainShape mean_grain(const Scene& scene) {
+  return mean_grain(scene.powder, scene.coarse_graining);
+}
 
-/// Types of the scene's grains, by ascending size, and the laws between them and with the tools' materials.
+/// Types of the scene's grains, powder after powder and by ascending size.
 std::vector<engine::ParticleType> particle_types(const Scene& scene);
-engine::ContactLaws contact_laws(const Scene& scene, const SceneLaws& of_mean_grain);
+/// The laws between them and with the tools' materials, for steps of `time_step` (s).
+engine::ContactLaws contact_laws(const Scene& scene, double time_step);
 
 /// The shape enlarged by `factor`: mass with its cube, moments of inertia with its fifth power.
 engine::GrainShape enlarged(const engine::GrainShape& shape, double factor);

@@ -34,11 +34,6 @@ class Columns {
   std::size_t next_ = 0;
 };
 
-std::vector<std::uint16_t> kinds_of_grains(const Scene& scene, std::size_t count) {
-  // Any other seed than that of the grains' offsets.
-  return engine::drawn_classes(scene.powder.sizes, count, scene.seed ^ 0x9e3779b97f4a7c15ULL);
-}
-
 }  // namespace
 
 double column_height(const Scene& scene, const PourColumns& columns, double diameter, double solid_volume) {
@@ -48,13 +43,13 @@ double column_height(const Scene& scene, const PourColumns& columns, double diam
 
 std::vector<engine::NewGrain> pour_sizes(
     const Scene& scene, const std::vector<engine::ParticleType>& kinds, const PourColumns& columns,
-    std::size_t count,
+    const std::vector<std::uint16_t>& types,
     const std::function<engine::NewGrain(const Eigen::Vector3d&, const engine::GrainShape&, Random&)>& place,
     const std::function<bool(const engine::NewGrain&, const engine::GrainShape&)>& has_room) {
   Random random(scene.seed);
   Columns filling(columns);
   std::vector<engine::NewGrain> grains;
-  for (const std::uint16_t kind : kinds_of_grains(scene, count)) {
+  for (const std::uint16_t kind : types) {
     const engine::GrainShape& shape = kinds[kind].shape;
     const double height = column_height(scene, columns, 2 * shape.bounding_radius(), shape.solid_volume);
     for (;;) {
@@ -69,9 +64,9 @@ std::vector<engine::NewGrain> pour_sizes(
 }
 
 double height_of_columns(const Scene& scene, const std::vector<engine::ParticleType>& kinds,
-                         const PourColumns& columns, std::size_t count) {
+                         const PourColumns& columns, const std::vector<std::uint16_t>& types) {
   Columns filling(columns);
-  for (const std::uint16_t kind : kinds_of_grains(scene, count)) {
+  for (const std::uint16_t kind : types) {
     const engine::GrainShape& shape = kinds[kind].shape;
     filling.take(column_height(scene, columns, 2 * shape.bounding_radius(), shape.solid_volume));
   }

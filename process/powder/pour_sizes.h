@@ -22,17 +22,17 @@ struct PourColumns {
 /// scene leaves the lattice to the program and that is more.
 double column_height(const Scene& scene, const PourColumns& columns, double diameter, double solid_volume);
 
-/// `count` grains of `kinds` from the floor upwards, their sizes by the shares of the scene and in an order
-/// drawn from its seed, one column after the other. `place` makes the grain of `kind` in a cell whose middle
+/// Grains of `kinds` from the floor upwards in the order of `types` (types_to_pour), one column after the
+/// other. `place` makes the grain of `kind` in a cell whose middle
 /// is given; where `has_room` says no, the cell stays empty and the grain takes the next one.
 std::vector<engine::NewGrain> pour_sizes(
     const Scene& scene, const std::vector<engine::ParticleType>& kinds, const PourColumns& columns,
-    std::size_t count,
+    const std::vector<std::uint16_t>& types,
     const std::function<engine::NewGrain(const Eigen::Vector3d&, const engine::GrainShape&, Random&)>& place,
     const std::function<bool(const engine::NewGrain&, const engine::GrainShape&)>& has_room);
 
 /// m, how high those columns reach where no tool takes up room.
 double height_of_columns(const Scene& scene, const std::vector<engine::ParticleType>& kinds,
-                         const PourColumns& columns, std::size_t count);
+                         const PourColumns& columns, const std::vector<std::uint16_t>& types);
 
 }  // namespace diefill::process

@@ -67,10 +67,10 @@ SceneLaws named_laws(const Scene& scene) {
 
 }  // namespace
 
-engine::coarse_graining::Material coarse_material(const Scene& scene) {
-  const auto fine = reference_material(scene.powder);
-  const double scale = coarse_graining_factor(scene.powder);
-  switch (scene.coarse_graining) {
+engine::coarse_graining::Material coarse_material(const PowderSpec& powder, CoarseGraining rule) {
+  const auto fine = reference_material(powder);
+  const double scale = coarse_graining_factor(powder);
+  switch (rule) {
     case CoarseGraining::bierwisch:
       return engine::coarse_graining::bierwisch(fine, scale);
   }
@@ -92,6 +92,15 @@ SceneLaws scene_laws(const Scene& scene, double time_step) {
   for (auto& [material, law] : found.surfaces) scaled(law);
   if (!rule) found.scaling = engine::coarse_graining::force_scaling(rule_name, scale);
   return found;
+}
+
+engine::laws::LawParameters pair_law(const Scene& scene, const PowderPair& pair, double time_step) {
+  Scene alone = scene;
+  alone.powder = pair.powder;
+  if (pair.contact)
+    alone.contact = std::make_shared<const ContactSpec>(
+        ContactSpec{*pair.contact, *pair.contact, scene.contact->coarse_graining});
+  return scene_laws(alone, time_step).grains;
 }
 
 }  // namespace diefill::process

@@ -20,9 +20,15 @@ struct SceneLaws {
 };
 
 /// The powder's own parameters at the wanted grain size, after coarse graining.
-engine::coarse_graining::Material coarse_material(const Scene& scene);
+engine::coarse_graining::Material coarse_material(const PowderSpec& powder, CoarseGraining rule);
+inline engine::coarse_graining::Material coarse_material(const Scene& scene) {
+  return coarse_material(scene.powder, scene.coarse_graining);
+}
 
 /// The laws for steps of `time_step` (s), which some rolling laws depend on.
 SceneLaws scene_laws(const Scene& scene, double time_step);
+
+/// The law between grains of two powders at the size to which the pair's factor of coarse graining takes it.
+engine::laws::LawParameters pair_law(const Scene& scene, const PowderPair& pair, double time_step);
 
 }  // namespace diefill::process

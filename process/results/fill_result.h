@@ -12,14 +12,19 @@
 
 namespace diefill::results {
 
-/// Particle types of a powder of several sizes; arrays over types. Grains of all types are of
-/// one shape.
+/// Particle types of a powder of several sizes, or of several powders; arrays over types. Grains of all types
+/// are of one shape, that of PowderState, unless `spheres` says otherwise.
 struct ParticleTypes {
   std::vector<double> diameter;       ///< m, d
   std::vector<double> sphere_radius;  ///< m, R
   std::vector<double> mass;           ///< kg
   std::vector<double> solid_volume;   ///< m^3
-  std::vector<std::string> material;
+  std::vector<std::string> material;  ///< name of the powder
+  /// Where shapes differ: spheres of a grain of each type, and of all types one after the other their centres
+  /// in the body frame (m) and their radii (m). Otherwise empty.
+  std::vector<std::uint32_t> spheres;
+  std::vector<Eigen::Vector3d> sphere_offsets;
+  std::vector<double> sphere_radii;
   std::size_t size() const { return diameter.size(); }
 };
 
@@ -33,9 +38,9 @@ struct PowderState {
   double grain_solid_volume = 0;  ///< m^3, true solid volume (union of the spheres)
   std::vector<Eigen::Vector3d> sphere_offsets;  ///< m, sphere centres in the grain's body frame
   std::vector<double> sphere_radii;  ///< m, of the grain's spheres; empty where all are sphere_radius
-  /// m, lengths along x and y of a box centred on the origin beyond which the same grains follow again; 0
-  /// where the powder ends.
-  std::array<double, 2> period = {};
+  /// m, lengths of a box centred on the origin beyond which the same grains follow again; 0 where the powder
+  /// ends.
+  std::array<double, 3> period = {};
   std::vector<std::uint64_t> id;             ///< identity of the grain, kept through sorting and restarts
   std::vector<Eigen::Vector3d> position;     ///< m, grain centres, laboratory frame
   std::vector<Eigen::Vector4d> orientation;  ///< unit quaternion (w, x, y, z), body to laboratory
@@ -51,12 +56,17 @@ struct PowderState {
   double sphere_radius_of(std::size_t k) const {
     return monodisperse() ? sphere_radius : kinds.sphere_radius[kind[k]];
   }
-  /// m, of sphere n of sphere_centres().
-  double radius_of_sphere(std::size_t n) const {
-    const std::size_t spheres = sphere_offsets.size();
-    const double basic = sphere_radius_of(n / spheres);
-    return sphere_radii.empty() ? basic : basic / sphere_radius * sphere_radii[n % spheres];
+  /// Spheres of grain k, and of all grains.
+  std::size_t spheres_of(std::size_t k) const {
+    return kinds.spheres.empty() ? sphere_offsets.size() : kinds.spheres[kind[k]];
   }
+  std::size_t sphere_count() const;
+  /// m, of all spheres, in the order of sphere_centres().
+  std::vector<double> radii_of_spheres() const;
+  /// Place of the grain of every sphere, in the same order.
+  std::vector<std::uint32_t> grains_of_spheres() const;
+  /// Whether all spheres are of radius `sphere_radius`.
+  bool equal_spheres() const { return monodisperse() && sphere_radii.empty(); }
   /// m, the largest of all.
   double largest_sphere_radius() const;
   double mass_of(std::size_t k) const { return monodisperse() ? grain_mass : kinds.mass[kind[k]]; }
@@ -67,7 +77,7 @@ struct PowderState {
   /// "1.88 mm", or "1.5 to 2.1 mm".
   std::string sizes_text() const;
 
-  /// Lab-frame centres of all basic spheres, grain after grain: sphere s of grain k is entry k * spheres + s.
+  /// Centres of all spheres in the laboratory frame, grain after grain.
   std::vector<Eigen::Vector3d> sphere_centres() const;
 };
 

@@ -60,6 +60,9 @@ inline NumberType number_type(int) {
 inline NumberType number_type(std::uint64_t) {
   return {H5T_NATIVE_UINT64, H5T_STD_U64LE};
 }
+inline NumberType number_type(std::uint32_t) {
+  return {H5T_NATIVE_UINT32, H5T_STD_U32LE};
+}
 inline NumberType number_type(std::uint8_t) {
   return {H5T_NATIVE_UINT8, H5T_STD_U8LE};
 }

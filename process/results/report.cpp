@@ -36,7 +36,7 @@ std::map<std::string, double> all_figures(const FillResult& result) {
   for (const ToolState& tool : result.tools) wall_spheres += tool.wall_sphere_centres.size();
   const std::size_t grains = result.powder.position.size();
   figures.emplace("grains", count(grains));
-  figures.emplace("spheres", count(grains * result.powder.sphere_offsets.size()));
+  figures.emplace("spheres", count(result.powder.sphere_count()));
   figures.emplace("wall_spheres", count(wall_spheres));
   figures.emplace("simulated_s", result.powder.time);
   for (const char* name : {"filled_mass_kg", "steps", "time_step_s", "wall_seconds",

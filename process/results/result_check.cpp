@@ -17,6 +17,11 @@ void check_kinds(const ParticleTypes& kinds, const std::vector<std::uint8_t>& ki
   if (kinds.sphere_radius.size() != count || kinds.mass.size() != count ||
       kinds.solid_volume.size() != count || kinds.material.size() != count)
     throw ResultError("the table of particle types has columns of unequal lengths");
+  std::size_t spheres = 0;
+  for (const std::uint32_t own : kinds.spheres) spheres += own;
+  if ((!kinds.spheres.empty() && kinds.spheres.size() != count) || kinds.sphere_offsets.size() != spheres ||
+      kinds.sphere_radii.size() != spheres)
+    throw ResultError("the spheres of particle types do not add up to the lists of centres and radii");
   for (const std::uint8_t number : kind)
     if (number >= count)
       throw ResultError("a grain is of kind " + std::to_string(number) + ", but there are " +

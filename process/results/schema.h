@@ -12,7 +12,7 @@
 namespace diefill::results {
 
 inline constexpr const char* kFormat = "diefill results";
-inline constexpr int kSchemaVersion = 5, kOldestSchemaVersion = 1;
+inline constexpr int kSchemaVersion = 6, kOldestSchemaVersion = 1;
 
 template <class Archive, class Powder>
 void describe_kinds(Archive& archive, Powder& powder) {
@@ -24,6 +24,11 @@ void describe_kinds(Archive& archive, Powder& powder) {
     archive.field("grain_solid_volume", kinds.solid_volume, "m^3", "solid volume of one grain of each type");
     archive.field("material", kinds.material, "text", "material of each type");
     archive.field("of_grain", powder.kind, "1", "number of every grain's type, from 0");
+    archive.optional_group("shapes", "spheres of each type where shapes differ", !kinds.spheres.empty(), [&] {
+      archive.field("spheres", kinds.spheres, "1", "spheres of one grain of each type");
+      archive.field("offsets", kinds.sphere_offsets, "m", "centres in the body frame, type after type");
+      archive.field("radius", kinds.sphere_radii, "m", "radii in the same order");
+    });
   });
 }
 
@@ -45,6 +50,8 @@ void describe_powder(Archive& archive, Powder& powder) {
                              archive.field("x", powder.period[0], "m", "period along x");
                              archive.field("y", powder.period[1], "m", "period along y");
                            });
+    archive.optional_group("vertical_period", "the same along z", powder.period[2] > 0,
+                           [&] { archive.field("z", powder.period[2], "m", "period along z"); });
     archive.field("id", powder.id, "1", "identity of the grain, kept through restarts");
     archive.field("position", powder.position, "m", "grain centres, laboratory frame, z up");
     archive.field("orientation", powder.orientation, "1", "unit quaternion (w, x, y, z), body to laboratory");

@@ -95,8 +95,7 @@ std::string xdmf_text(const FillResult& result, const std::string& hdf5_name) {
       <Time Value=")"
               << result.powder.time << "\"/>\n";
   const bool placed = result.powder.orientation.size() == result.powder.position.size();
-  const std::size_t spheres =
-      placed ? result.powder.position.size() * result.powder.sphere_offsets.size() : 0;
+  const std::size_t spheres = placed ? result.powder.sphere_count() : 0;
   if (spheres > 0) xdmf.spheres(spheres);
   std::vector<std::string> names;
   for (const ToolState& tool : result.tools) names.push_back(tool.name);

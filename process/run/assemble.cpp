@@ -167,16 +167,15 @@ void add_figures(const Scene& scene, results::FillResult& result, const Tooling&
   figures["energy_error_limit"] = engine::HealthLimits{}.energy_error;
   figures["grain_diameter_m"] = result.powder.grain_diameter;
   if (!monodisperse) {
-    figures["smallest_grain_diameter_m"] = smallest_grain(scene.powder);
-    figures["largest_grain_diameter_m"] = largest_grain(scene.powder);
+    figures["smallest_grain_diameter_m"] = smallest_grain(scene);
+    figures["largest_grain_diameter_m"] = largest_grain(scene);
   }
   figures["bulk_solid_fraction"] = bulk_solid_fraction(result.powder, result.solid_fraction);
   if (result.cavity.volume > 0) {
     figures["cavity_volume_m3"] = result.cavity.volume;
     figures["cavity_narrowest_width_m"] = result.cavity.narrowest_width;
     if (result.cavity.narrowest_width > 0)
-      figures["grain_diameter_over_cavity_width"] =
-          largest_grain(scene.powder) / result.cavity.narrowest_width;
+      figures["grain_diameter_over_cavity_width"] = largest_grain(scene) / result.cavity.narrowest_width;
   }
   for (std::size_t phase = 0; phase < engine::kPhaseNames.size(); ++phase)
     result.phase_seconds[engine::kPhaseNames[phase]] = simulation.timers().seconds()[phase];
@@ -223,7 +222,7 @@ results::FillResult assemble(const Scene& scene, const Tooling& tooling, const F
   const std::string mark = unfinished_mark(run);
   result.title = scene.title + mark;
   result.strategy = strategy_text(scene) + mark;
-  result.powder_name = scene.powder.name;
+  result.powder_name = powder_names(scene);
   result.scene_text = scene.text;
   result.program_version = program_version();
   result.seed = scene.seed;

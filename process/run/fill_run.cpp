@@ -52,8 +52,8 @@ FillRun::FillRun(const Scene& scene, const Tooling& tooling, const RunOptions& o
       source_(scene, tooling),
       probes_(scene, tooling),
       snapshots_(scene),
-      lost_grains_(tooling, grain_diameters(scene.powder)),
-      leak_watch_(tooling, largest_grain(scene.powder)),
+      lost_grains_(tooling, grain_diameters(scene)),
+      leak_watch_(tooling, largest_grain(scene)),
       progress_(options.show_progress) {
   const auto grains = pour(scene, engine_settings(scene, 1.0), tooling);
   if (setting_of(scene)) throw std::logic_error("a setting must be turned into numbers before a scene runs");
@@ -66,7 +66,7 @@ FillRun::FillRun(const Scene& scene, const Tooling& tooling, const RunOptions& o
   simulation_ = std::make_unique<engine::Simulation>(settings, wall_bodies(scene, tooling));
 
   domain_ = powder_domain(scene, tooling, schedule_);
-  const double largest = largest_grain(scene.powder);
+  const double largest = largest_grain(scene);
   const double width = tooling.all_cavities().narrowest_width;
   if (tooling.cavity.found && width > 0 && largest > width / 3) {
     char text[240];
@@ -200,7 +200,7 @@ void FillRun::put_changed_laws() {
   }
   if (!changed) return;
   simulation_->set_gravity(now.gravity);
-  if (laws) simulation_->set_contact(contact_laws(now, scene_laws(now, simulation_->settings().time_step)));
+  if (laws) simulation_->set_contact(contact_laws(now, simulation_->settings().time_step));
 }
 
 void FillRun::add_random_velocities(double deviation, std::size_t step) {

@@ -12,7 +12,7 @@ constexpr double kLongFall =
 
 geometry::Box powder_domain(const Scene& scene, const Tooling& tooling, const Schedule& schedule) {
   geometry::Box domain = schedule.swept();
-  const double margin = 2 * largest_grain(scene.powder);
+  const double margin = 2 * largest_grain(scene);
   domain.lower = domain.lower.cwiseMax(tooling.standing.lower - Eigen::Vector3d::Constant(margin));
   domain.upper = domain.upper.cwiseMin(tooling.standing.upper + Eigen::Vector3d::Constant(margin));
   domain.lower[2] = tooling.standing.lower[2] - margin;
@@ -22,7 +22,7 @@ geometry::Box powder_domain(const Scene& scene, const Tooling& tooling, const Sc
     domain.upper.head<2>().setConstant(kFarAway);
     domain.lower[2] -= kLongFall;
   }
-  for (Eigen::Index axis = 0; axis < 2; ++axis)
+  for (Eigen::Index axis = 0; axis < 3; ++axis)
     if (scene.numerics.period[static_cast<std::size_t>(axis)]) {
       domain.lower[axis] = -kFarAway;
       domain.upper[axis] = kFarAway;

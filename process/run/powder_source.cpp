@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "process/powder/material.h"
+#include "process/powder/powder_mixture.h"
 #include "process/powder/random.h"
 
 namespace diefill::process {
@@ -13,6 +14,21 @@ namespace {
 /// m/s, the body that a box goes along with carries its grains.
 Eigen::Vector3d velocity_of(const engine::BodyMotion* body, const Eigen::Vector3d& place) {
   return body != nullptr ? body->velocity_at(place) : Eigen::Vector3d(Eigen::Vector3d::Zero());
+}
+
+/// Of the grain of that number among those that a step lets in: multiples of the golden ratio fill the range
+/// of shares evenly.
+engine::TypeNumber type_of(const std::vector<engine::CutClass>& shares, std::size_t number) {
+  constexpr double kGoldenRatio = 0.6180339887498949;
+  const double place = std::fmod((static_cast<double>(number) + 0.5) * kGoldenRatio, 1.0);
+  double below = 0;
+  std::size_t last = 0;
+  for (std::size_t k = 0; k < shares.size(); ++k) {
+    below += shares[k].number_share;
+    if (shares[k].number_share > 0) last = k;
+    if (place < below) return static_cast<engine::TypeNumber>(k);
+  }
+  return static_cast<engine::TypeNumber>(last);
 }
 
 }  // namespace
@@ -45,8 +61,10 @@ std::size_t PowderSource::feed(engine::Simulation& simulation, Schedule& schedul
 
 std::size_t PowderSource::owed(const PowderInflow& inflow, const StepState& state,
                                const engine::Simulation& simulation) const {
-  const engine::GrainShape shape = mean_grain(scene_);
-  const double mass = mean_grain_mass(scene_, simulation);
+  const PowderSpec& powder =
+      inflow.powder.empty() ? scene_.powder : powder_of(scene_, *powder_named(scene_, inflow.powder));
+  const engine::GrainShape shape = mean_grain(powder, scene_.coarse_graining);
+  const double mass = mean_grain_mass(scene_, inflow, simulation);
   const double room = (inflow.upper - inflow.lower).cwiseMax(2 * shape.bounding_radius()).prod();
   double wanted = room / std::pow(2 * shape.bounding_radius(), 3);
   const auto come = static_cast<double>(state.grains_come);
@@ -54,20 +72,6 @@ std::size_t PowderSource::owed(const PowderInflow& inflow, const StepState& stat
     wanted = std::min(wanted, *inflow.rate * (simulation.time() - state.started) / mass - come);
   if (inflow.mass) wanted = std::min(wanted, std::ceil(*inflow.mass / mass) - come);
   return static_cast<std::size_t>(std::max(0.0, std::floor(wanted)));
-}
-
-/// Of the grain of that number among those that a step lets in: multiples of the golden ratio fill the range
-/// of shares evenly.
-engine::TypeNumber PowderSource::type_of(std::size_t number) const {
-  constexpr double kGoldenRatio = 0.6180339887498949;
-  const auto& sizes = scene_.powder.sizes;
-  const double place = std::fmod((static_cast<double>(number) + 0.5) * kGoldenRatio, 1.0);
-  double below = 0;
-  for (std::size_t k = 0; k < sizes.size(); ++k) {
-    below += sizes[k].number_share;
-    if (place < below) return static_cast<engine::TypeNumber>(k);
-  }
-  return static_cast<engine::TypeNumber>(sizes.empty() ? 0 : sizes.size() - 1);
 }
 
 std::vector<engine::NewGrain> PowderSource::placed(const PowderInflow& inflow, std::size_t wanted,
@@ -83,6 +87,7 @@ std::vector<engine::NewGrain> PowderSource::placed(const PowderInflow& inflow, s
   for (std::size_t k = 0; k < there.size(); ++k)
     if ((there.position[k] - middle).norm() < half.norm() + apart)
       near.emplace_back(there.position[k], simulation.shape_of(k).bounding_radius());
+  const auto shares = number_shares(scene_, inflow);
   Random random(seed);
   std::vector<engine::NewGrain> grains;
   const std::size_t tries = 10 * wanted + 20;
@@ -90,7 +95,7 @@ std::vector<engine::NewGrain> PowderSource::placed(const PowderInflow& inflow, s
     const Eigen::Vector3d offset(random.symmetric(), random.symmetric(), random.symmetric());
     const Eigen::Vector3d in_body = own + offset.cwiseProduct(half);
     const Eigen::Vector3d place = body != nullptr ? body->point(in_body) : in_body;
-    const engine::TypeNumber kind = type_of(come + grains.size());
+    const engine::TypeNumber kind = type_of(shares, come + grains.size());
     const double radius = simulation.types().shape(kind).bounding_radius();
     const auto touches = [&](const std::pair<Eigen::Vector3d, double>& other) {
       return (other.first - place).norm() < radius + other.second;

@@ -13,8 +13,8 @@
 namespace diefill::process {
 
 /// All the steps of a scene that feed powder. Randomness depends on the scene's seed and the number of the
-/// time step alone, so a restart needs no history. Sizes of grains follow the scene's shares as evenly as
-/// possible, one grain after the other, so that masses are met.
+/// time step alone, so a restart needs no history. Powders and sizes of grains follow the scene's shares as
+/// evenly as possible, one grain after the other, so that masses are met.
 class PowderSource {
  public:
   /// Keeps references to both.
@@ -29,7 +29,6 @@ class PowderSource {
                    const engine::Simulation& simulation) const;
   std::vector<engine::NewGrain> placed(const PowderInflow& inflow, std::size_t wanted, std::size_t come,
                                        std::uint64_t seed, const engine::Simulation& simulation) const;
-  engine::TypeNumber type_of(std::size_t number) const;
   bool free_of_tools(const Eigen::Vector3d& place, double radius, const engine::Simulation& simulation) const;
 
   const Scene& scene_;

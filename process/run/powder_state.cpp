@@ -2,6 +2,7 @@
 
 #include "engine/observe/contact_stress.h"
 #include "process/powder/material.h"
+#include "process/powder/powder_mixture.h"
 
 namespace diefill::process {
 
@@ -11,13 +12,21 @@ namespace {
 void add_kinds(const Scene& scene, const engine::Simulation& simulation, results::PowderState& powder) {
   const engine::ParticleTypes& kinds = simulation.types();
   if (kinds.monodisperse()) return;
-  powder.kinds.diameter = grain_diameters(scene.powder);
+  powder.kinds.diameter = grain_diameters(scene);
+  for (std::size_t k = 0; k <= scene.other_powders.size(); ++k)
+    powder.kinds.material.resize(types_of_powder(scene, k).last, powder_of(scene, k).label);
+  const bool one_shape = scene.other_powders.empty();
   for (std::size_t k = 0; k < kinds.size(); ++k) {
     const engine::GrainShape& shape = kinds.shape(static_cast<engine::TypeNumber>(k));
     powder.kinds.sphere_radius.push_back(shape.sphere_radius);
     powder.kinds.mass.push_back(shape.mass);
     powder.kinds.solid_volume.push_back(shape.solid_volume);
-    powder.kinds.material.push_back(scene.powder.name);
+    if (one_shape) continue;
+    powder.kinds.spheres.push_back(static_cast<std::uint32_t>(shape.spheres()));
+    for (std::size_t s = 0; s < shape.spheres(); ++s) {
+      powder.kinds.sphere_offsets.push_back(shape.sphere_offsets[s]);
+      powder.kinds.sphere_radii.push_back(shape.radius_of(s));
+    }
   }
   powder.kind.assign(simulation.grains().kind.begin(), simulation.grains().kind.end());
 }
@@ -35,7 +44,7 @@ results::PowderState powder_state(const engine::Simulation& simulation, const en
   powder.grain_solid_volume = shape.solid_volume;
   powder.sphere_offsets = shape.sphere_offsets;
   powder.sphere_radii = shape.sphere_radii;
-  for (std::size_t axis = 0; axis < 2; ++axis)
+  for (std::size_t axis = 0; axis < 3; ++axis)
     powder.period[axis] = simulation.settings().period[axis].value_or(0);
   powder.id = grains.id;
   powder.position = grains.position;

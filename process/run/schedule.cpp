@@ -95,7 +95,7 @@ bool Schedule::stops(std::size_t k, const engine::Simulation& simulation) {
   const Step& step = *stages_.steps[k];
   StepState& state = state_.steps[k];
   if (const PowderInflow* inflow = step.inflow(); inflow != nullptr && inflow->mass) {
-    const double come = static_cast<double>(state.grains_come) * mean_grain_mass(scene_, simulation);
+    const double come = static_cast<double>(state.grains_come) * mean_grain_mass(scene_, *inflow, simulation);
     if (come >= *inflow->mass) return true;
   }
   if (step.plan.until) return holds(*step.plan.until, state.until, simulation);

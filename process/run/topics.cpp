@@ -51,7 +51,12 @@ results::Topic powder_topic(const Scene& scene) {
   const PowderSpec& powder = scene.powder;
   const double fine = powder.grain_diameter / coarse_graining_factor(powder);
   results::Topic topic{"powder", {}, {}};
-  state(topic, "Powder", powder.name);
+  state(topic, "Powder",
+        powder.label.empty() || powder.label == powder.name ? powder.name
+                                                            : powder.label + " (" + powder.name + ")");
+  for (const auto& other : scene.other_powders)
+    state(topic, "With " + other.powder.label,
+          other.powder.name + ", " + amount_text(scene, other) + ", " + model_text(other.powder));
   if (powder.apparent_density > 0)
     state(topic, "Apparent density of the real powder",
           with_number("%.4g kg/m\u00b3", powder.apparent_density));
@@ -157,9 +162,9 @@ results::Topic numerics_topic(const Scene& scene, const FillRun& run) {
   state(topic, "Critical time step", with_number("%.4g s", run.critical_time_step()));
   state(topic, "Threads", with_number("%.0f; results do not depend on the number", settings.threads));
   state(topic, "Gravity", with_number("%.4g m/s\u00b2", scene.gravity.norm()));
-  for (std::size_t axis = 0; axis < 2; ++axis)
+  for (std::size_t axis = 0; axis < 3; ++axis)
     if (scene.numerics.period[axis])
-      state(topic, axis == 0 ? "Period along x" : "Period along y",
+      state(topic, std::string("Period along ") + "xyz"[axis],
             with_number("%.4g mm", 1e3 * *scene.numerics.period[axis]));
   return topic;
 }
@@ -167,11 +172,12 @@ results::Topic numerics_topic(const Scene& scene, const FillRun& run) {
 results::Topic assumptions_topic(const Scene& scene, const engine::SimulationSettings& settings) {
   results::Topic topic{"assumptions", {}, {}};
   state(topic, "Omitted terms (zero coefficient)", joined(law_terms(scene, settings).left_out));
-  const bool monodisperse = scene.powder.sizes.empty();
+  const bool monodisperse = scene.powder.sizes.empty() && scene.other_powders.empty();
   state(topic, "Grain size",
-        !monodisperse ? "grains have a few sizes, one shape, one material and one density"
-                      : "all grains have one size and shape; the calibrated parameters stand in for size "
-                        "distribution and lubricant");
+        !scene.other_powders.empty() ? "each powder has its own shape, density, sizes and laws"
+        : !monodisperse              ? "grains have a few sizes, one shape, one material and one density"
+                        : "all grains have one size and shape; the calibrated parameters stand in for size "
+                          "distribution and lubricant");
   state(topic, "Stiffness",
         "grains are deliberately softer than metal to allow longer time steps; the effect on packing and "
         "flow is small");
@@ -181,7 +187,7 @@ results::Topic assumptions_topic(const Scene& scene, const engine::SimulationSet
   state(topic, "Tools", "rigid, without wear; they follow the schedule whatever the force");
   state(topic, "Segregation",
         monodisperse ? "cannot occur with grains of one size"
-                     : "by size is simulated, with the sizes of the model grains; see the mixing indices");
+                     : "is simulated, with the sizes of the model grains; see the mixing indices");
   if (coarse_graining_factor(scene.powder) > 1)
     state(topic, "Narrow places",
           "an opening acts narrower by 1.4 times the increase in grain size (Bierwisch 2009, section 3.2.2)");

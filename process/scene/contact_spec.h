@@ -46,6 +46,16 @@ std::shared_ptr<const PairLawSpec> read_tool_contact(TableReader& document, Tabl
                                                      const ToolSpec& tool, const PowderSpec& powder,
                                                      const WallSpec& walls);
 
+/// Laws of [[other_powder]] and of the scene's pairs of powders under [contact].
+struct OtherContacts {
+  std::vector<std::shared_ptr<const ContactSpec>> powders;  ///< null: the scene has no [contact]
+  std::vector<std::shared_ptr<const PairLawSpec>> pairs;    ///< the same
+};
+
+/// The parts that `step_contact` (null: none) names, otherwise those of the powder's or the pair's own
+/// `contact`, otherwise those of [contact]. `scene` has its powders and pairs. Throws SceneError.
+OtherContacts read_other_contacts(TableReader& document, TableReader* step_contact, const Scene& scene);
+
 /// The step with the laws of its [step.contact], where it is of kind "change": the parts that the table names
 /// in place of those of [contact]; otherwise the step itself. Throws SceneError, also for coefficients that
 /// the laws in use have not.

@@ -63,8 +63,8 @@ void check_box(const TableReader& table, const PourSpec& pour, const PowderSpec&
 }
 
 void check_box_within_period(const TableReader& table, const PourSpec& pour, const NumericsSpec& numerics) {
-  static const std::array<const char*, 2> axes = {"x", "y"};
-  for (std::size_t axis = 0; axis < 2; ++axis) {
+  static const std::array<const char*, 3> axes = {"x", "y", "z"};
+  for (std::size_t axis = 0; axis < 3; ++axis) {
     if (!numerics.period[axis]) continue;
     const double half = *numerics.period[axis] / 2, slack = 1e-9 * half;
     const auto index = static_cast<Eigen::Index>(axis);

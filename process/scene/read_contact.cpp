@@ -1,188 +1,21 @@
 // [contact]: which laws act between grains, and between grains and tools.
 #include <algorithm>
-#include <cmath>
-#include <limits>
-#include <stdexcept>
+#include <deque>
 
 #include "engine/coarse_graining/methods.h"
 #include "process/machine/powder_change.h"
-#include "process/scene/contact_parts.h"
+#include "process/scene/chosen_law.h"
 #include "process/scene/contact_spec.h"
+#include "process/scene/sections.h"
 
 namespace diefill::process {
 namespace {
-
-using namespace engine::laws;
-
-/// A part as the scene chose it.
-template <class Parameters>
-struct ChosenPart {
-  TableReader table;  ///< that names it; [contact] where it is left out
-  const ContactPart<Parameters>* part;
-  Parameters parameters;
-  bool named;
-
-  /// `line`: the reason of a refusal.
-  [[noreturn]] void refuse(const std::string& line) const {
-    throw SceneError(table.where(named ? "law" : "normal") + ": found \"" + part->name + "\", " + line);
-  }
-  PartDescription description(const std::string& kind) const { return {kind, part->description(parameters)}; }
-};
-
-/// Tables that may name the parts of a law, the most particular one first, [contact] last.
-using ContactTables = std::vector<TableReader*>;
-
-/// Reads `kind` from the first table that names it; otherwise takes the first part.
-template <class Parameters>
-ChosenPart<Parameters> read_part(const std::string& kind, const ContactTables& tables,
-                                 const ContactParts<Parameters>& parts, const PowderSpec& powder) {
-  TableReader& contact = *tables.back();
-  const auto holder =
-      std::find_if(tables.begin(), tables.end() - 1, [&](TableReader* table) { return table->has(kind); });
-  const auto table = (*holder)->table(kind);
-  if (!table) return {contact, &parts.front(), {}, false};
-  Choices<const ContactPart<Parameters>*> names;
-  for (const auto& part : parts) names.emplace_back(part.name, &part);
-  ChosenPart<Parameters> chosen{*table, nullptr, {}, true};
-  chosen.part = chosen.table.required_choice("law", names);
-  chosen.parameters = chosen.part->read(chosen.table, powder);
-  chosen.table.finish();
-  return chosen;
-}
-
-/// The five parts of one law.
-struct ChosenLaw {
-  ChosenPart<AnyNormal::Parameters> normal;
-  ChosenPart<AnyDamping::Parameters> damping;
-  ChosenPart<AnyFriction::Parameters> friction;
-  ChosenPart<AnyRolling::Parameters> rolling;
-  ChosenPart<AnyAttraction::Parameters> attraction;
-  LoadRule load_rule;
-
-  LawParameters law() const {
-    return {normal.parameters,  damping.parameters,    friction.parameters,
-            rolling.parameters, attraction.parameters, load_rule};
-  }
-  PairLawSpec pair() const {
-    return {law(),
-            {normal.description("normal"), damping.description("damping"), friction.description("friction"),
-             rolling.description("rolling"), attraction.description("attraction")}};
-  }
-  /// Calls use(part) for each.
-  template <class Use>
-  void each(const Use& use) const {
-    use(normal), use(damping), use(friction), use(rolling), use(attraction);
-  }
-};
-
-template <class Part, class Chosen>
-auto* parameters_of(Chosen& chosen) {
-  return std::get_if<typename Part::Parameters>(&chosen.parameters.choice);
-}
-
-/// Damping and rolling resistance that belong to a spring take its stiffness.
-void link_to_spring(ChosenLaw& law) {
-  if (auto* given = parameters_of<RestitutionDamping>(law.damping)) {
-    given->modulus = law.normal.parameters.hertzian_modulus();
-    if (given->modulus == 0)
-      law.damping.refuse("which needs a Hertzian spring; with a linear spring use \"linear restitution\"");
-  }
-  if (auto* given = parameters_of<LinearRestitutionDamping>(law.damping)) {
-    given->stiffness = law.normal.parameters.linear_stiffness();
-    if (given->stiffness == 0)
-      law.damping.refuse("which needs a linear spring; with a Hertzian spring use \"restitution\"");
-  }
-  if (auto* given = parameters_of<ElasticRolling>(law.rolling)) {
-    given->stiffness = law.normal.parameters.linear_stiffness();
-    if (given->stiffness == 0)
-      law.rolling.refuse(
-          "which needs k_1 of a linear spring; with a Hertzian spring use \"CDT\" or \"EPSD2\"");
-  }
-}
-
-/// What a part shares with another: given once, it holds for both.
-void link_to_friction(ChosenLaw& law) {
-  if (auto* given = parameters_of<MindlinFriction>(law.friction); given && std::isnan(given->restitution)) {
-    const auto* damping = parameters_of<RestitutionDamping>(law.damping);
-    given->restitution = damping ? damping->restitution : 1;
-  }
-  if (auto* given = parameters_of<Epsd2Rolling>(law.rolling); given && std::isnan(given->shear_modulus)) {
-    const auto* friction = parameters_of<MindlinFriction>(law.friction);
-    if (friction == nullptr) law.rolling.table.require("shear_modulus", "\"2 MPa\"");
-    given->shear_modulus = friction->shear_modulus;
-  }
-  if (auto* given = parameters_of<LudingRolling>(law.rolling)) {
-    given->time_step = std::numeric_limits<double>::min();  // the run's, once it is known
-    if (!std::isnan(given->tangential_stiffness)) return;
-    const auto* friction = parameters_of<LudingFriction>(law.friction);
-    if (friction == nullptr) law.rolling.table.require("tangential_stiffness", "\"60 N/m\"");
-    given->tangential_stiffness = friction->stiffness;
-  }
-}
-
-/// Whether the law is sensible once a part is left out.
-bool sensible(const LawParameters& law) {
-  try {
-    require_sensible(law);
-  } catch (const std::invalid_argument&) {
-    return false;
-  }
-  return true;
-}
-
-/// Refuses parts on their own and together, at the part whose absence would make the law sensible.
-void refuse_nonsense(const ChosenLaw& chosen) {
-  chosen.each([](const auto& part) {
-    try {
-      part.parameters.check();
-    } catch (const std::invalid_argument& reason) {
-      part.refuse(reason.what());
-    }
-  });
-  try {
-    require_sensible(chosen.law());
-  } catch (const std::invalid_argument& reason) {
-    LawParameters without = chosen.law();
-    without.attraction = {};
-    if (sensible(without)) chosen.attraction.refuse(reason.what());
-    without = chosen.law();
-    without.rolling = {};
-    if (sensible(without)) chosen.rolling.refuse(reason.what());
-    chosen.damping.refuse(reason.what());
-  }
-}
-
-const Choices<LoadRule>& load_rules() {
-  static const Choices<LoadRule> rules = {{"with damping", LoadRule::with_damping},
-                                          {"without damping", LoadRule::without},
-                                          {"repulsive only", LoadRule::repulsive_only}};
-  return rules;
-}
 
 Choices<std::string> scaling_rules() {
   Choices<std::string> rules;
   for (const auto& rule : engine::coarse_graining::kParameterRules) rules.emplace_back(rule.name, rule.name);
   for (const auto& method : engine::coarse_graining::kMethods) rules.emplace_back(method.name, method.name);
   return rules;
-}
-
-ChosenLaw read_law(const ContactTables& tables, const PowderSpec& powder) {
-  ChosenLaw law{read_part("normal", tables, normal_parts(), powder),
-                read_part("damping", tables, damping_parts(), powder),
-                read_part("friction", tables, friction_parts(), powder),
-                read_part("rolling", tables, rolling_parts(), powder),
-                read_part("attraction", tables, attraction_parts(), powder),
-                LoadRule::with_damping};
-  if (!law.normal.parameters.damping_in_load()) law.load_rule = LoadRule::without;
-  law.load_rule = tables.back()->choice("load_rule", load_rules()).value_or(law.load_rule);
-  link_to_spring(law);
-  link_to_friction(law);
-  refuse_nonsense(law);
-  if (powder.model == GrainModel::A && law.rolling.part->name != "none")
-    law.rolling.refuse("but grains of model A do not rotate; remove it or choose another powder.model");
-  if (law.rolling.parameters.own_spin_arm() > 0 && powder.model != GrainModel::B)
-    law.rolling.refuse("a law of single rotating spheres; choose another law or powder.model = \"B\"");
-  return law;
 }
 
 /// Keys of [powder] or [walls] that [contact] replaces, and that none of its parts reads.
@@ -231,28 +64,65 @@ void put_surface(TableReader& table, const ToolSpec& tool, ChosenLaw& law) {
                                          "remove the key");
 }
 
-}  // namespace
-
-namespace {
-
-/// The laws that [contact] makes with the parts that `own` names in place of its own; null: none.
-ContactSpec read_laws(TableReader& contact, TableReader* own, const PowderSpec& powder,
+/// The laws that [contact] makes with the parts that `own` tables, the most particular one first, name in
+/// place of its own.
+ContactSpec read_laws(TableReader& contact, ContactTables own, const PowderSpec& powder,
                       const WallSpec& walls) {
-  ContactTables among = {&contact};
-  auto of_walls = contact.table("walls");
-  ContactTables at_walls = {&contact};
-  if (of_walls) at_walls.insert(at_walls.begin(), &*of_walls);
-  std::optional<TableReader> own_walls;
-  if (own != nullptr) {
-    among.insert(among.begin(), own);
-    at_walls.insert(at_walls.begin(), own);
-    own_walls = own->table("walls");
-    if (own_walls) at_walls.insert(at_walls.begin(), &*own_walls);
+  own.push_back(&contact);
+  std::deque<TableReader> of_walls;
+  ContactTables at_walls;
+  for (TableReader* table : own) {
+    if (auto named = table->table("walls")) at_walls.push_back(&of_walls.emplace_back(*named));
+    at_walls.push_back(table);
   }
-  const ChosenLaw among_grains = read_law(among, powder);
+  const ChosenLaw among_grains = read_law(own, powder);
   const ChosenLaw with_walls = read_law(at_walls, against(powder, walls.friction, walls.work_of_adhesion));
-  if (own_walls) own_walls->finish();
+  for (const TableReader& table : of_walls) table.finish();
   return {among_grains.pair(), with_walls.pair(), kBierwischScaling};
+}
+
+/// `contact` of a powder or pair, which needs a [contact] that it replaces parts of.
+std::optional<TableReader> own_contact(const std::optional<TableReader>& contact, TableReader& table) {
+  auto own = table.table("contact");
+  if (own && !contact)
+    table.reject("contact", "it replaces parts of [contact], which this scene does not have; add [contact]");
+  return own;
+}
+
+std::shared_ptr<const ContactSpec> contact_of_powder(std::optional<TableReader>& contact,
+                                                     ContactTables tables, TableReader& table,
+                                                     const OtherPowder& other, WallSpec walls) {
+  auto own = own_contact(contact, table);
+  if (!contact) return nullptr;
+  if (own) tables.push_back(&*own);
+  walls.friction = other.wall_friction.value_or(walls.friction);
+  walls.work_of_adhesion = other.wall_work_of_adhesion.value_or(walls.work_of_adhesion);
+  ContactSpec spec = read_laws(*contact, tables, other.powder, walls);
+  if (own) own->finish();
+  if (other.wall_friction && !spec.walls.law.friction.set_friction(*other.wall_friction))
+    table.reject("wall_friction", "the friction law with walls has no coefficient; remove the key");
+  if (other.wall_work_of_adhesion &&
+      !spec.walls.law.normal.set_work_of_adhesion(*other.wall_work_of_adhesion))
+    table.reject("wall_work_of_adhesion", "the normal law with walls has no adhesion; remove the key");
+  return std::make_shared<const ContactSpec>(std::move(spec));
+}
+
+/// `table`: the [[powder_pair]]; null: there is none.
+std::shared_ptr<const PairLawSpec> contact_of_pair(std::optional<TableReader>& contact, ContactTables tables,
+                                                   TableReader* table, const PowderSpec& powder) {
+  std::optional<TableReader> own;
+  if (table != nullptr) own = own_contact(contact, *table);
+  if (!contact) return nullptr;
+  if (own) tables.push_back(&*own);
+  tables.push_back(&*contact);
+  PairLawSpec pair = read_law(tables, powder).pair();
+  if (own) own->finish();
+  if (table == nullptr) return std::make_shared<const PairLawSpec>(std::move(pair));
+  if (table->has("friction") && !pair.law.friction.set_friction(powder.friction))
+    table->reject("friction", "the friction law has no coefficient; name another law in contact.friction");
+  if (table->has("work_of_adhesion") && !pair.law.normal.set_work_of_adhesion(powder.work_of_adhesion))
+    table->reject("work_of_adhesion", "the normal law has no adhesion; name another law in contact.normal");
+  return std::make_shared<const PairLawSpec>(std::move(pair));
 }
 
 void refuse_without_coefficient(TableReader& step, const std::string& key, bool given, bool taken) {
@@ -277,6 +147,23 @@ void refuse_coefficients(TableReader& step, const PowderChange& change, ContactS
 
 }  // namespace
 
+OtherContacts read_other_contacts(TableReader& document, TableReader* step_contact, const Scene& scene) {
+  OtherContacts found;
+  auto contact = document.table("contact");
+  const ContactTables of_step = step_contact ? ContactTables{step_contact} : ContactTables{};
+  auto powders = document.tables("other_powder");
+  for (std::size_t k = 0; k < powders.size(); ++k)
+    found.powders.push_back(
+        contact_of_powder(contact, of_step, powders[k], scene.other_powders[k], scene.walls));
+  auto named = document.tables("powder_pair");
+  for (std::size_t k = 0; k < scene.powder_pairs.size(); ++k) {
+    const auto own = std::ranges::find_if(named, [&](auto& table) { return named_pair(table, scene) == k; });
+    found.pairs.push_back(contact_of_pair(contact, of_step, own == named.end() ? nullptr : &*own,
+                                          scene.powder_pairs[k].powder));
+  }
+  return found;
+}
+
 std::shared_ptr<const Step> with_contact_of(TableReader& document, TableReader& step_table,
                                             std::shared_ptr<const Step> step, const Scene& scene) {
   const PowderChange* change = step->change();
@@ -289,12 +176,16 @@ std::shared_ptr<const Step> with_contact_of(TableReader& document, TableReader& 
                       "[contact], or set friction and work_of_adhesion of the step");
   if (!contact) return step;
   PowderChange changed = *change;
-  ContactSpec spec = read_laws(*contact, own ? &*own : nullptr, scene.powder, scene.walls);
+  const ContactTables of_step = own ? ContactTables{&*own} : ContactTables{};
+  ContactSpec spec = read_laws(*contact, of_step, scene.powder, scene.walls);
   spec.coarse_graining = scene.contact->coarse_graining;
   if (own) own->finish();
   refuse_coefficients(step_table, changed, spec);
   if (!own) return step;
   changed.contact = std::make_shared<const ContactSpec>(std::move(spec));
+  OtherContacts others = read_other_contacts(document, &*own, scene);
+  changed.contact_of_others = std::move(others.powders);
+  changed.contact_of_pairs = std::move(others.pairs);
   const auto with_laws = std::make_shared<Change>(std::move(changed));
   with_laws->plan = step->plan;
   return with_laws;

@@ -32,10 +32,12 @@ void read_pinched_grains(TableReader& table, NumericsSpec& numerics) {
 void read_periods(TableReader& numerics_table, NumericsSpec& numerics, const PowderSpec& powder) {
   auto table = numerics_table.table("periodic");
   if (!table) return;
-  numerics.period = {table->quantity("x", kPeriod), table->quantity("y", kPeriod)};
+  numerics.period = {table->quantity("x", kPeriod), table->quantity("y", kPeriod),
+                     table->quantity("z", kPeriod)};
   table->finish();
   if (numerics.period[0]) check_period(*table, "x", *numerics.period[0], powder);
   if (numerics.period[1]) check_period(*table, "y", *numerics.period[1], powder);
+  if (numerics.period[2]) check_period(*table, "z", *numerics.period[2], powder);
 }
 
 }  // namespace

@@ -13,8 +13,7 @@ constexpr QuantityRule kRimSpeed = {Dimension::velocity, "0.05 m/s", "0 m/s", "1
 constexpr NumberRule kLatticeConstant = {1, 5, false, "1.2"};
 constexpr NumberRule kRandomOffset = {0, 0.5, false, "0.1"};
 
-PourSpec read(TableReader& table, const PowderSpec& powder, const NumericsSpec& numerics,
-              bool height_of_box) {
+PourSpec read(TableReader& table, const Scene& scene, bool height_of_box) {
   PourSpec pour;
   pour.line = table.line();
   pour.lower = table.required_point("from", kCorner);
@@ -26,19 +25,21 @@ PourSpec read(TableReader& table, const PowderSpec& powder, const NumericsSpec& 
   pour.lattice_constant = table.number("lattice_constant", kLatticeConstant).value_or(pour.lattice_constant);
   pour.random_offset = table.number("random_offset", kRandomOffset).value_or(pour.random_offset);
   pour.around_tools = table.flag("around_tools").value_or(pour.around_tools);
+  pour.layers = read_layers(table, scene);
   table.finish();
-  check_pour(table, pour, powder, numerics);
+  for (std::size_t k = 0; k <= scene.other_powders.size(); ++k)
+    check_pour(table, pour, powder_of(scene, k), scene.numerics);
   return pour;
 }
 
 }  // namespace
 
-PourSpec read_pour(TableReader table, const PowderSpec& powder, const NumericsSpec& numerics) {
-  return read(table, powder, numerics, false);
+PourSpec read_pour(TableReader table, const Scene& scene) {
+  return read(table, scene, false);
 }
 
-PourSpec read_pour_without_height(TableReader table, const PowderSpec& powder, const NumericsSpec& numerics) {
-  return read(table, powder, numerics, true);
+PourSpec read_pour_without_height(TableReader table, const Scene& scene) {
+  return read(table, scene, true);
 }
 
 }  // namespace diefill::process

@@ -108,6 +108,7 @@ PowderSpec read_powder(TableReader& table) {
   }
   const auto radius = own_clump ? std::nullopt : table.quantity("sphere_radius", kSphereRadius);
   powder.sphere_radius = radius.value_or(powder.sphere_radius);
+  powder.label = table.has("name") ? table.required_name("name", "iron") : powder.name;
   read_overrides(table, powder);
   read_grain_diameter(table, powder, !radius && !own_clump);
   read_sizes(table, powder);

@@ -11,62 +11,17 @@
 #include <string>
 #include <vector>
 
-#include "engine/powder/grain_shape.h"
-#include "engine/powder/size_classes.h"
 #include "process/input/scene_error.h"
 #include "process/machine/step.h"
 #include "process/machine/tool_spec.h"
 #include "process/scene/economy.h"
+#include "process/scene/other_powders.h"
+#include "process/scene/powder_spec.h"
 #include "process/scene/suction.h"
 
 namespace diefill::process {
 
 struct ContactSpec;
-
-/// Grain models of Bierwisch 2009, section 2.2: A sphere without rotation, B rotating sphere, C six
-/// overlapping spheres on an octahedron, D seven touching spheres; or a clump of the user's own.
-enum class GrainModel { A, B, C, D, clump };
-
-struct PowderSpec;
-
-/// d / R of a powder's grains: 2 for models A and B, 4 for C, 6 for D (Bierwisch 2009, Table 4.1); of a clump
-/// the diameter of the sphere about its centre of mass that holds it over its smallest radius.
-double diameter_over_radius(const PowderSpec& powder);
-
-/// Powder as simulated at the reference grain size, before coarse graining. SI units. Defaults: Bierwisch
-/// 2009, Table C.4.
-struct PowderSpec {
-  std::string name;  ///< preset or "custom"
-  GrainModel model = GrainModel::D;
-  std::shared_ptr<const engine::GrainShape> clump;  ///< of model "clump", at the reference size
-  double sphere_radius = 7.84e-5;       ///< m, R at the reference size; of unequal spheres the smallest
-  double grain_mass = 7.63e-8;          ///< kg at the reference size
-  double reduced_modulus = 1e7;         ///< Pa, E~ = E / (1 - nu^2)
-  double damping_over_radius = 1e6;     ///< Pa s/m, gamma_n / R
-  double tangential_over_radius = 1e6;  ///< Pa, kappa_t / R
-  double friction = 0.25;               ///< mu
-  double work_of_adhesion = 0;          ///< J/m^2, w at the reference size
-  double rolling_friction = 0;          ///< m, mu_r at the reference size (model B only)
-  double air_viscosity = 2e-5;          ///< Pa s, mu_a at the reference size
-  double apparent_density = 0;          ///< kg/m^3 of the real powder, as weighed; 0: not known
-  /// m, model grain size d wanted, exactly (d / R) times the wanted R: coarse graining scales the rest to it.
-  /// Where grains are of several sizes, that of the grain of mean mass.
-  double grain_diameter = 6 * 7.84e-5;
-  /// Sizes of the model grains (m), ascending, with their shares by number; empty: one size.
-  std::vector<engine::CutClass> sizes;
-  std::string sizes_text;  ///< for people; empty for one size
-};
-
-/// m, the smallest and the largest grain size wanted.
-double smallest_grain(const PowderSpec& powder);
-double largest_grain(const PowderSpec& powder);
-/// Makes all grains larger by `factor`.
-void enlarge(PowderSpec& powder, double factor);
-/// m, of each particle type, ascending.
-std::vector<double> grain_diameters(const PowderSpec& powder);
-
-/// Wanted over reference grain size: the factor s by which coarse graining enlarges the grains; 1 for none.
-double coarse_graining_factor(const PowderSpec& powder);
 
 /// Which rule of coarse graining takes the reference powder to the wanted grain size.
 enum class CoarseGraining { bierwisch };
@@ -95,8 +50,9 @@ struct PourSpec {
   double rim_speed = 0.05;  ///< m/s of the initial random spin
   /// Over d; 0: 1.2, or wider so that the lattice is at most a tenth solid (Bierwisch 2009, section 3.2.1).
   double lattice_constant = 0;
-  double random_offset = 0.1;  ///< over d, uniform in +- per axis
-  bool around_tools = false;   ///< places that a tool takes up are left out
+  double random_offset = 0.1;     ///< over d, uniform in +- per axis
+  bool around_tools = false;      ///< places that a tool takes up are left out
+  std::vector<PourLayer> layers;  ///< of several powders, from the floor up; empty: mixed by their shares
   int line = 0;
 };
 
@@ -118,7 +74,7 @@ struct NumericsSpec {
   LeverArm lever_arm = LeverArm::contact;
   TangentialSpring tangential_spring = TangentialSpring::cut_back;
   OpeningMeasure opening = OpeningMeasure::surfaces;
-  std::array<std::optional<double>, 2> period;  ///< m, periodic length along x and y, centred on the origin
+  std::array<std::optional<double>, 3> period;  ///< m, periodic lengths, box centred on the origin
   PinchedGrains pinched_grains = PinchedGrains::shear_off;
   double most_sheared = 0.005;  ///< share of all grains poured that may be sheared off before the run stops
   double skin = 0;              ///< m, of the neighbour lists; 0: follows the motion of the powder
@@ -175,6 +131,8 @@ struct Scene {
   std::string title;
   std::uint64_t seed = 1;
   PowderSpec powder;
+  std::vector<OtherPowder> other_powders;  ///< [[other_powder]]
+  std::vector<PowderPair> powder_pairs;    ///< every pair of different powders, [powder] first
   CoarseGraining coarse_graining = CoarseGraining::bierwisch;
   std::shared_ptr<const ContactSpec> contact;  ///< [contact] (contact_spec.h); none: the powder's own law
   WallSpec walls;
@@ -189,6 +147,14 @@ struct Scene {
   std::optional<SuctionSpec> suction;       ///< none: air does not flow
   Eigen::Vector3d gravity = {0, 0, -9.81};  ///< m/s^2
 };
+
+/// m, the smallest and the largest grain size wanted of all powders.
+double smallest_grain(const Scene& scene);
+double largest_grain(const Scene& scene);
+/// m, of each particle type, powder after powder.
+std::vector<double> grain_diameters(const Scene& scene);
+/// Makes all grains of all powders larger by `factor`.
+void enlarge(Scene& scene, double factor);
 
 /// The filling strategy in one line, such as "2 passages at 0.2 m/s, then a wait of 0.05 s"; "no motion"
 /// without steps.

@@ -62,15 +62,16 @@ Scene scene_of(toml::table& parsed, const std::string& text, const std::filesyst
   scene.walls = read_walls(table_or_empty(document, "walls", empty), scene.powder);
   if (auto contact = read_contact(document, scene.powder, scene.walls))
     scene.contact = std::make_shared<const ContactSpec>(std::move(*contact));
+  read_other_powders(document, scene);
   scene.tools = read_tools(document, scene.walls, scene.powder);
   const TableReader numerics = table_or_empty(document, "numerics", empty);
   scene.numerics = read_numerics(numerics, scene.powder);
   check_opening(numerics, scene);
   const TableReader pour = document.required_table("pour");
-  scene.pour = setting ? read_pour_without_height(pour, scene.powder, scene.numerics)
-                       : read_pour(pour, scene.powder, scene.numerics);
+  scene.pour = setting ? read_pour_without_height(pour, scene) : read_pour(pour, scene);
   scene.steps = read_steps(document, scene.tools);
   read_step_contacts(document, scene);
+  check_mixture(document, scene);
   scene.probes = read_probes(document, scene.tools);
   scene.snapshots = read_snapshots(document, scene);
   scene.measure = read_measure(table_or_empty(document, "measure", empty));

@@ -20,14 +20,23 @@ CoarseGraining read_coarse_graining(TableReader& table);
 PowderSpec read_powder(TableReader& table);
 /// [powder.sizes], where it is there, into the powder: its classes and the grain size of mean mass.
 void read_sizes(TableReader& powder_table, PowderSpec& powder);
+/// [[other_powder]] and [[powder_pair]] into a scene that has its powder, walls and contact.
+void read_other_powders(TableReader& document, Scene& scene);
+/// Number of the pair (Scene::powder_pairs) that a [[powder_pair]] names.
+std::size_t named_pair(TableReader& table, const Scene& scene);
+/// `layers` of [pour].
+std::vector<PourLayer> read_layers(TableReader& pour, const Scene& scene);
+/// Refuses powders without a share where they are mixed, and inflow of no powder in particular where they are
+/// not. The scene has its pour and steps.
+void check_mixture(TableReader& document, const Scene& scene);
 /// [walls]; the powder must not fit through the holes between wall spheres.
 WallSpec read_walls(TableReader table, const PowderSpec& powder);
 /// All [[tool]] tables.
 std::vector<ToolSpec> read_tools(TableReader& document, const WallSpec& walls, const PowderSpec& powder);
 /// [numerics].
 NumericsSpec read_numerics(TableReader table, const PowderSpec& powder);
-/// [pour].
-PourSpec read_pour(TableReader table, const PowderSpec& powder, const NumericsSpec& numerics);
+/// [pour], of a scene that has its powders and numerics.
+PourSpec read_pour(TableReader table, const Scene& scene);
 /// All [[step]] tables.
 std::vector<std::shared_ptr<const Step>> read_steps(TableReader& document,
                                                     const std::vector<ToolSpec>& tools);

@@ -22,7 +22,7 @@ Setting setting_named(const std::string& name);
 std::optional<Setting> read_setting(TableReader& document);
 /// [pour] of a scene with a setting, which has no fill height: until the setting is turned into numbers it is
 /// the whole height of the box.
-PourSpec read_pour_without_height(TableReader table, const PowderSpec& powder, const NumericsSpec& numerics);
+PourSpec read_pour_without_height(TableReader table, const Scene& scene);
 
 /// The setting that the scene's text names. It is to be turned into numbers before anything runs.
 std::optional<Setting> setting_of(const Scene& scene);

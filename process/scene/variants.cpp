@@ -231,15 +231,16 @@ std::string scene_text_with(const Scene& scene, std::uint64_t seed,
                             const std::function<std::string(const std::filesystem::path&)>& elsewhere) {
   toml::table document = parse_scene_text(scene.text, scene.file);
   document.insert_or_assign("seed", static_cast<std::int64_t>(seed));
-  for (const char* list : {"tool", "step"})
+  const auto move_file = [&](toml::table* table, const char* key) {
+    if (table == nullptr) return;
+    if (const auto file = (*table)[key].value_exact<std::string>())
+      table->insert_or_assign(key, elsewhere(scene.file.parent_path() / *file));
+  };
+  for (const auto& [list, key] :
+       {std::pair{"tool", "file"}, {"step", "file"}, {"other_powder", "spheres_file"}})
     if (toml::array* entries = document[list].as_array())
-      for (toml::node& entry : *entries)
-        if (toml::table* table = entry.as_table())
-          if (const auto file = (*table)["file"].value_exact<std::string>())
-            table->insert_or_assign("file", elsewhere(scene.file.parent_path() / *file));
-  if (toml::table* powder = document["powder"].as_table())
-    if (const auto file = (*powder)["spheres_file"].value_exact<std::string>())
-      powder->insert_or_assign("spheres_file", elsewhere(scene.file.parent_path() / *file));
+      for (toml::node& entry : *entries) move_file(entry.as_table(), key);
+  move_file(document["powder"].as_table(), "spheres_file");
   return as_comment(chosen_in(scene.text)) + scene_text_of(document);
 }
 

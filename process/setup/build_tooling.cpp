@@ -44,7 +44,7 @@ geometry::WallSpheres spheres_of(const Scene& scene, const Tool& tool, double gr
   constexpr int kHalvings = 3;
   const auto& period = scene.numerics.period;
   const auto make = [&] {
-    return period[0] || period[1]
+    return period[0] || period[1] || period[2]
                ? make_periodic_wall_spheres(tool.mesh, options, period, 2 * grain_diameter, where)
                : geometry::make_wall_spheres(tool.mesh, tool.solid(), options);
   };

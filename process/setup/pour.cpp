@@ -7,6 +7,7 @@
 #include "geometry/solid/solid_query.h"
 #include "process/powder/material.h"
 #include "process/powder/pour_sizes.h"
+#include "process/powder/powder_mixture.h"
 #include "process/powder/random.h"
 #include "process/setup/pour_fit.h"
 
@@ -65,10 +66,17 @@ Lattice lattice_of(const Scene& scene, const engine::GrainShape& shape) {
   return lattice_of(scene, d, d * (given > 0 ? given : loose_lattice(shape)));
 }
 
+const engine::GrainShape& largest_shape(const engine::SimulationSettings& settings) {
+  return std::ranges::max_element(
+             settings.types, {},
+             [](const engine::ParticleType& type) { return type.shape.bounding_radius(); })
+      ->shape;
+}
+
 /// As wide as the largest grain needs, or so that grains of mean mass in cubes are a tenth solid.
 PourColumns columns_of(const Scene& scene, const engine::SimulationSettings& settings) {
   constexpr double kClosest = 1.2;
-  const double largest = 2 * settings.types.back().shape.bounding_radius();
+  const double largest = 2 * largest_shape(settings).bounding_radius();
   const engine::GrainShape mean_shape = mean_grain(scene);
   const double mean = 2 * mean_shape.bounding_radius(), given = scene.pour.lattice_constant;
   const double constant =
@@ -140,10 +148,10 @@ std::vector<engine::NewGrain> pour_kinds(const Scene& scene, const engine::Simul
     return !around || room.at(grain.position, shape.bounding_radius());
   };
   const PourColumns columns = columns_of(scene, settings);
-  auto grains = pour_sizes(scene, kinds, columns, count, place, has_room);
+  auto grains = pour_sizes(scene, kinds, columns, types_to_pour(scene, count), place, has_room);
   std::vector<double> radii;
   for (const auto& kind : kinds) radii.push_back(kind.shape.bounding_radius());
-  const engine::GrainShape& largest = kinds.back().shape;
+  const engine::GrainShape& largest = largest_shape(settings);
   if (around)
     refuse_lid(scene, tooling, grains,
                column_height(scene, columns, 2 * largest.bounding_radius(), largest.solid_volume));
@@ -152,19 +160,9 @@ std::vector<engine::NewGrain> pour_kinds(const Scene& scene, const engine::Simul
   return grains;
 }
 
-}  // namespace
-
-std::size_t grains_to_pour(const Scene& scene, const engine::GrainShape& shape) {
-  const Eigen::Vector3d size = scene.pour.upper - scene.pour.lower;
-  const double powder = size[0] * size[1] * scene.pour.fill_height * expected_solid_fraction(scene);
-  return static_cast<std::size_t>(std::llround(powder / shape.solid_volume));
-}
-
-std::vector<engine::NewGrain> pour(const Scene& scene, const engine::SimulationSettings& settings,
-                                   const Tooling& tooling) {
-  const engine::GrainShape shape = mean_grain(scene);
-  refuse_powder_over_nothing(scene, tooling.standing);
-  const std::size_t count = grains_to_pour(scene, shape);
+std::vector<engine::NewGrain> poured(const Scene& scene, const engine::SimulationSettings& settings,
+                                     const Tooling& tooling, const engine::GrainShape& shape) {
+  const std::size_t count = grains_to_pour(scene);
   if (count == 0)
     throw SceneError(scene.file.string() + ":" + std::to_string(scene.pour.line) +
                      ": pour.fill_height: the box does not hold a single grain at this height; raise it");
@@ -178,14 +176,25 @@ std::vector<engine::NewGrain> pour(const Scene& scene, const engine::SimulationS
   return grains;
 }
 
+}  // namespace
+
+std::vector<engine::NewGrain> pour(const Scene& scene, const engine::SimulationSettings& settings,
+                                   const Tooling& tooling) {
+  const engine::GrainShape shape = mean_grain(scene);
+  refuse_powder_over_nothing(scene, tooling.standing);
+  auto grains = poured(scene, settings, tooling, shape);
+  refuse_beyond_period(scene, grains, largest_shape(settings).bounding_radius());
+  return grains;
+}
+
 double pour_height(const Scene& scene, const engine::SimulationSettings& settings) {
   const engine::GrainShape shape = mean_grain(scene);
   if (settings.types.size() > 1)
     return height_of_columns(scene, settings.types, columns_of(scene, settings),
-                             grains_to_pour(scene, shape));
+                             types_to_pour(scene, grains_to_pour(scene)));
   const Lattice lattice = lattice_of(scene, shape);
   const std::size_t layer = lattice.across[0] * lattice.across[1];
-  const std::size_t layers = (grains_to_pour(scene, shape) + layer - 1) / layer;
+  const std::size_t layers = (grains_to_pour(scene) + layer - 1) / layer;
   return static_cast<double>(layers) * lattice.constant;
 }
 

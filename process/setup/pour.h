@@ -11,15 +11,12 @@
 namespace diefill::process {
 
 /// As many grains as the fill height needs at the expected solid fraction, stacked from the box's floor
-/// upwards, higher than the box if need be; grains of several sizes in columns (pour_sizes.h). Deterministic
+/// upwards, higher than the box if need be; grains of several types in columns (pour_sizes.h). Deterministic
 /// in the scene's seed. Throws SceneError when the box holds no grain, or a tool stands where powder is to be
 /// poured and the scene does not say to pour around it. `settings`: those of the scene (material.h), with the
 /// grains' shape or kinds.
 std::vector<engine::NewGrain> pour(const Scene& scene, const engine::SimulationSettings& settings,
                                    const Tooling& tooling);
-
-/// How many grains that is; none are made. `shape`: that of the grain of mean mass.
-std::size_t grains_to_pour(const Scene& scene, const engine::GrainShape& shape);
 
 /// m, height of the lattice's top over the box's floor where no tool takes up room: how deep the last grain
 /// falls.

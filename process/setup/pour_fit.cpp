@@ -45,7 +45,7 @@ const Tool& tool_at(const Tooling& tooling, const Eigen::Vector3d& place) {
 void refuse_powder_over_nothing(const Scene& scene, const geometry::Box& standing) {
   static const char* const kAxes[] = {"x", "y", "z"};
   for (Eigen::Index axis = 0; axis < 3; ++axis) {
-    if (axis < 2 && scene.numerics.period[static_cast<std::size_t>(axis)]) continue;
+    if (scene.numerics.period[static_cast<std::size_t>(axis)]) continue;
     const double from = scene.pour.lower[axis], to = scene.pour.upper[axis];
     const double lower = standing.lower[axis],
                  upper = axis < 2 ? standing.upper[axis] : std::max(to, standing.upper[2]);
@@ -57,6 +57,21 @@ void refuse_powder_over_nothing(const Scene& scene, const geometry::Box& standin
                   1e3 * from, 1e3 * to, kAxes[axis], 1e3 * lower, 1e3 * upper);
     refuse(scene, text);
   }
+}
+
+void refuse_beyond_period(const Scene& scene, const std::vector<engine::NewGrain>& grains, double radius) {
+  const auto& period = scene.numerics.period[2];
+  if (!period) return;
+  double highest = -0.5 * *period;
+  for (const auto& grain : grains) highest = std::max(highest, grain.position[2]);
+  if (highest + radius <= 0.5 * *period) return;
+  char text[240];
+  std::snprintf(
+      text, sizeof text,
+      "loosely poured, the powder reaches %.4g mm, beyond the period along z, which ends at %.4g mm; "
+      "reduce fill_height or lattice_constant",
+      1e3 * (highest + radius), 0.5e3 * *period);
+  refuse(scene, text);
 }
 
 void refuse_overlap(const Scene& scene, const Tooling& tooling, const std::vector<engine::NewGrain>& grains,

@@ -25,4 +25,8 @@ void refuse_overlap(const Scene& scene, const Tooling& tooling, const std::vecto
 void refuse_lid(const Scene& scene, const Tooling& tooling, const std::vector<engine::NewGrain>& grains,
                 double layer);
 
+/// Throws SceneError where the loose lattice reaches beyond a period along z. `radius`: m, of the largest
+/// grain.
+void refuse_beyond_period(const Scene& scene, const std::vector<engine::NewGrain>& grains, double radius);
+
 }  // namespace diefill::process

@@ -7,6 +7,7 @@
 
 #include "process/machine/powder_inflow.h"
 #include "process/powder/material.h"
+#include "process/powder/powder_mixture.h"
 #include "process/scene/setting.h"
 #include "process/setup/impact_speed.h"
 #include "process/setup/pour.h"
@@ -31,13 +32,17 @@ std::string place(const Scene& scene) {
 }
 
 /// Grains poured, and those that steps let in.
-double all_grains(const Scene& scene, const engine::GrainShape& shape) {
+double all_grains(const Scene& scene) {
   const Eigen::Vector3d size = scene.pour.upper - scene.pour.lower;
-  double volume = size[0] * size[1] * scene.pour.fill_height * expected_solid_fraction(scene);
+  // As many as can be said even where a whole number cannot.
+  double grains = scene.other_powders.empty()
+                      ? size[0] * size[1] * scene.pour.fill_height * expected_solid_fraction(scene) /
+                            mean_grain(scene).solid_volume
+                      : static_cast<double>(grains_to_pour(scene));
   for (const auto& step : scene.steps)
     if (const PowderInflow* inflow = step->inflow(); inflow != nullptr && inflow->mass)
-      volume += *inflow->mass / shape.mass * shape.solid_volume;
-  return volume / shape.solid_volume;
+      grains += *inflow->mass / mean_of_inflow(scene, *inflow).mass;
+  return grains;
 }
 
 /// s of simulated time after which the run ends in any case.
@@ -114,8 +119,8 @@ void refuse_memory(const std::string& what, double spheres, double wall_spheres,
 void refuse_endless(const Scene& scene) {
   if (setting_of(scene)) return;  // its grains are not chosen yet
   const auto settings = engine_settings(scene, 1.0);
-  const double grains = all_grains(scene, mean_grain(scene));
-  const double spheres = grains * static_cast<double>(settings.shape().spheres());
+  const double grains = all_grains(scene);
+  const double spheres = grains * mean_of_poured(scene).spheres;
   double longest = kSettlingGuess;
   for (const auto& step : scene.steps)
     if (!step->needs_cavity()) longest = std::max(longest, step->duration().value_or(0));
@@ -134,8 +139,8 @@ void refuse_endless_schedule(const Scene& scene, const Tooling& tooling) {
   refuse_endless_motion(scene, end);
   const auto still = engine_settings(scene, 1.0);
   // Where a setting has still to choose them, grains are not what they will be.
-  const double grains = setting_of(scene) ? 0 : all_grains(scene, mean_grain(scene));
-  const double spheres = grains * static_cast<double>(still.shape().spheres());
+  const double grains = setting_of(scene) ? 0 : all_grains(scene);
+  const double spheres = grains * mean_of_poured(scene).spheres;
   refuse_steps(scene, end, still.time_step, spheres);  // before motions are asked for such times
   refuse_steps(scene, end, engine_settings(scene, predicted_impact_speed(scene, tooling)).time_step, spheres);
   refuse_snapshots(scene, end);

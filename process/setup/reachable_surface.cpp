@@ -162,7 +162,7 @@ ReachableSurface::ReachableSurface(const Scene& scene, const Tooling& tooling, d
   // Wide enough to join the frayed borders of what was flooded: a strip of wall too many costs little, a gap
   // grains.
   margin_ = 2 * request.voxel + 0.5 * grain_diameter;
-  for (std::size_t axis = 0; axis < 2; ++axis) {
+  for (std::size_t axis = 0; axis < 3; ++axis) {
     const auto& period = scene.numerics.period[axis];
     period_half_[axis] = period ? 0.5 * *period : std::numeric_limits<double>::infinity();
     if (!period) continue;
@@ -199,7 +199,7 @@ bool ReachableSurface::operator()(std::size_t tool, const Eigen::Vector3d& point
   if (falls_here_.contains(point)) return true;
   // Along a period every place is like every other: ask well inside the flooded box.
   Eigen::Vector3d asked = point;
-  for (Eigen::Index axis = 0; axis < 2; ++axis) {
+  for (Eigen::Index axis = 0; axis < 3; ++axis) {
     const double inside = 0.9 * period_half_[axis];
     asked[axis] = std::clamp(point[axis], -inside, inside);
   }

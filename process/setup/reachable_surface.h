@@ -21,7 +21,7 @@ class ReachableSurface {
 
  private:
   std::unique_ptr<geometry::Reach> reach_;
-  double period_half_[2];
+  double period_half_[3];
   double margin_ = 0;
   geometry::Box falls_here_;  ///< m, where powder is poured round tools; empty where none is in its way
 };

@@ -5,6 +5,7 @@
 
 #include "process/machine/powder_inflow.h"
 #include "process/powder/material.h"
+#include "process/powder/powder_mixture.h"
 #include "process/tooling/plan_view.h"
 #include "process/tooling/stages.h"
 #include "process/tooling/tool_paths.h"
@@ -102,7 +103,7 @@ void find_little_powder(const Scene& scene, const Tooling& tooling, std::vector<
   const auto settings = engine_settings(scene, 1.0);
   const double fraction = scene.pour.solid_fraction > 0 ? scene.pour.solid_fraction : 0.35;
   const double cavity = tooling.all_cavities().volume;
-  const double grains = cavity * fraction / mean_grain(scene).solid_volume;
+  const double grains = cavity * fraction / mean_of_poured(scene).solid_volume;
   char text[300];
   if (grains < kFewGrains) {
     std::snprintf(text, sizeof text,
@@ -112,7 +113,7 @@ void find_little_powder(const Scene& scene, const Tooling& tooling, std::vector<
     findings.push_back({text, {}});
   }
   const double bulk =
-      bulk_of_powder(scene, fraction, mean_grain(scene).mass / mean_grain(scene).solid_volume);
+      bulk_of_powder(scene, fraction, mean_of_poured(scene).mass / mean_of_poured(scene).solid_volume);
   if (!shoe_moves(scene) || bulk > kTooLittle * cavity) return;
   std::snprintf(
       text, sizeof text,

@@ -180,7 +180,7 @@ void look_at_shoe(const Scene& scene, const Tooling& tooling, const Tool& shoe,
 
 std::vector<SetupFinding> shoe_findings(const Scene& scene, const Tooling& tooling) {
   std::vector<SetupFinding> findings;
-  if (scene.numerics.period[0] || scene.numerics.period[1])
+  if (scene.numerics.period[0] || scene.numerics.period[1] || scene.numerics.period[2])
     return findings;  // walls of such shoes are plates
   const Stages stages(scene);
   const bool die_moves = stages.moves(tooling.tools[tooling.die].spec.name);

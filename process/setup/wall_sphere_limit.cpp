@@ -63,7 +63,7 @@ class SpreadPoints {
 };
 
 bool beyond_period(const Scene& scene, const Eigen::Vector3d& point) {
-  for (std::size_t axis = 0; axis < 2; ++axis)
+  for (std::size_t axis = 0; axis < 3; ++axis)
     if (const auto& period = scene.numerics.period[axis];
         period && std::abs(point[static_cast<Eigen::Index>(axis)]) > 0.5 * *period)
       return true;

@@ -66,6 +66,25 @@ std::string plane_text(int axis) {
   return axis == 0 ? "x = 0" : "y = 0";
 }
 
+/// The same for each particle type; one for powder of one type.
+std::vector<int> own_mirror_axes(const results::PowderState& powder, int preferred) {
+  const results::ParticleTypes& kinds = powder.kinds;
+  if (kinds.spheres.empty()) {
+    const int axis =
+        own_mirror_axis(powder.sphere_offsets, powder.sphere_radii, preferred).value_or(preferred);
+    return std::vector<int>(std::max<std::size_t>(1, kinds.size()), axis);
+  }
+  std::vector<int> axes;
+  auto offset = kinds.sphere_offsets.begin();
+  auto radius = kinds.sphere_radii.begin();
+  for (const std::uint32_t spheres : kinds.spheres) {
+    axes.push_back(own_mirror_axis({offset, offset + spheres}, {radius, radius + spheres}, preferred)
+                       .value_or(preferred));
+    offset += spheres, radius += spheres;
+  }
+  return axes;
+}
+
 void refuse_asymmetric_tool(const Scene& scene, const Tool& tool, int axis) {
   const double tolerance = kSymmetryOverRadius * tool.spec.sphere_radius.value_or(scene.walls.sphere_radius);
   const auto symmetry = geometry::find_symmetry(tool.solid(), tolerance);
@@ -109,12 +128,13 @@ bool step_lies_in_plane(const Step& step, int axis) {
 void refuse_asymmetry(const Scene& scene, const Tooling& tooling) {
   if (!tooling.mirror) return;
   const int axis = *tooling.mirror;
-  if (const auto& clump = scene.powder.clump;
-      clump && !own_mirror_axis(clump->sphere_offsets, clump->sphere_radii, axis))
-    throw SceneError(
-        scene.economy.mirror_place +
-        ": the grain of powder.spheres is not symmetric across a plane of its principal axes, so "
-        "the other half would be filled with its mirror image, another grain; remove the key");
+  for (std::size_t k = 0; k <= scene.other_powders.size(); ++k)
+    if (const auto& clump = powder_of(scene, k).clump;
+        clump && !own_mirror_axis(clump->sphere_offsets, clump->sphere_radii, axis))
+      throw SceneError(scene.economy.mirror_place + ": the grain of " +
+                       (k == 0 ? "powder.spheres" : "powder \"" + powder_of(scene, k).label + "\"") +
+                       " is not symmetric across a plane of its principal axes, so the other half would be "
+                       "filled with its mirror image, another grain; remove the key");
   for (const Tool& tool : tooling.tools) refuse_asymmetric_tool(scene, tool, axis);
   for (const auto& step : scene.steps) {
     if (step->tools().empty() || step_lies_in_plane(*step, axis)) continue;
@@ -152,12 +172,14 @@ void add_images(const Tooling& tooling, results::PowderState& powder) {
   if (!tooling.mirror) return;
   const int axis = *tooling.mirror;
   const std::size_t grains = powder.id.size();
-  const int own_axis = own_mirror_axis(powder.sphere_offsets, powder.sphere_radii, axis).value_or(axis);
+  const bool several = !powder.monodisperse();
+  const auto own_axis = own_mirror_axes(powder, axis);
   for (std::size_t k = 0; k < grains; ++k) {
     powder.id.push_back(kFirstImage + powder.id[k]);
-    if (!powder.monodisperse()) powder.kind.push_back(powder.kind[k]);
+    const std::size_t type = several ? powder.kind[k] : 0;
+    if (several) powder.kind.push_back(powder.kind[k]);
     powder.position.push_back(image_of(powder.position[k], axis));
-    powder.orientation.push_back(image_of_turn(powder.orientation[k], axis, own_axis));
+    powder.orientation.push_back(image_of_turn(powder.orientation[k], axis, own_axis[type]));
     powder.velocity.push_back(image_of(powder.velocity[k], axis));
     powder.angular_velocity.push_back(image_of_spin(powder.angular_velocity[k], axis));
   }
@@ -179,14 +201,15 @@ void add_images(const Tooling& tooling, results::ContactStress& stress) {
 void add_images(const Tooling& tooling, const results::PowderState& powder, results::Instant& instant) {
   if (!tooling.mirror) return;
   const int axis = *tooling.mirror;
-  const int own_axis = own_mirror_axis(powder.sphere_offsets, powder.sphere_radii, axis).value_or(axis);
+  const auto own_axis = own_mirror_axes(powder, axis);
   const std::size_t grains = instant.id.size();
   const bool several = !instant.kind.empty();
   for (std::size_t k = 0; k < grains; ++k) {
     instant.id.push_back(kFirstImage + instant.id[k]);
     if (several) instant.kind.push_back(instant.kind[k]);
     instant.position.push_back(image_of(instant.position[k], axis));
-    instant.orientation.push_back(image_of_turn(instant.orientation[k], axis, own_axis));
+    instant.orientation.push_back(
+        image_of_turn(instant.orientation[k], axis, own_axis[several ? instant.kind[k] : 0]));
     instant.velocity.push_back(image_of(instant.velocity[k], axis));
   }
 }

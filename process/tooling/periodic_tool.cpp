@@ -11,7 +11,7 @@ void fit_to_period(geometry::Mesh& mesh, Eigen::Index axis, double period, doubl
                    const std::string& where) {
   const geometry::Box box = mesh.bounding_box();
   const double lower = box.lower[axis], upper = box.upper[axis], tolerance = 1e-6 * (upper - lower);
-  const std::string name = axis == 0 ? "x" : "y";
+  const std::string name = axis == 0 ? "x" : axis == 1 ? "y" : "z";
   if (lower > -0.5 * period || upper < 0.5 * period)
     throw SceneError(where + ": shorter along " + name +
                      " than the period; extend the tool over the whole period");
@@ -45,22 +45,22 @@ std::vector<Eigen::Vector3d> repeated(const std::vector<Eigen::Vector3d>& centre
 }  // namespace
 
 geometry::Mesh periodic_wall_mesh(const geometry::Mesh& mesh,
-                                  const std::array<std::optional<double>, 2>& period, double margin,
+                                  const std::array<std::optional<double>, 3>& period, double margin,
                                   const std::string& where) {
   geometry::Mesh fitted = mesh;
-  for (std::size_t axis = 0; axis < 2; ++axis)
+  for (std::size_t axis = 0; axis < 3; ++axis)
     if (period[axis]) fit_to_period(fitted, static_cast<Eigen::Index>(axis), *period[axis], margin, where);
   return fitted;
 }
 
 geometry::WallSpheres make_periodic_wall_spheres(const geometry::Mesh& mesh,
                                                  const geometry::WallSphereOptions& options,
-                                                 const std::array<std::optional<double>, 2>& period,
+                                                 const std::array<std::optional<double>, 3>& period,
                                                  double margin, const std::string& where) {
   // Wall spheres lie R_w deep: the outermost rows come to stand exactly on the borders.
   const geometry::Mesh fitted = periodic_wall_mesh(mesh, period, options.radius, where);
   geometry::WallSpheres spheres = geometry::make_wall_spheres(fitted, options);
-  for (std::size_t axis = 0; axis < 2; ++axis)
+  for (std::size_t axis = 0; axis < 3; ++axis)
     if (period[axis])
       spheres.centres = repeated(spheres.centres, static_cast<Eigen::Index>(axis), *period[axis], margin);
   return spheres;

@@ -13,14 +13,14 @@ namespace diefill::process {
 /// when the tool is not prismatic along a periodic axis or shorter than the period.
 geometry::WallSpheres make_periodic_wall_spheres(const geometry::Mesh& mesh,
                                                  const geometry::WallSphereOptions& options,
-                                                 const std::array<std::optional<double>, 2>& period,
+                                                 const std::array<std::optional<double>, 3>& period,
                                                  double margin, const std::string& where);
 
 /// The mesh as a wall of its own: in a periodic direction a prism is stretched to `margin` (m) beyond the
 /// box. Without periods the mesh as it is. Throws SceneError (beginning with `where`) for tools that are no
 /// prisms.
 geometry::Mesh periodic_wall_mesh(const geometry::Mesh& mesh,
-                                  const std::array<std::optional<double>, 2>& period, double margin,
+                                  const std::array<std::optional<double>, 3>& period, double margin,
                                   const std::string& where);
 
 }  // namespace diefill::process

@@ -41,16 +41,14 @@ vtkSmartPointer<vtkPolyData> spheres_behind_cut(const results::PowderState& powd
   const auto radii = vtkSmartPointer<vtkFloatArray>::New();
   radii->SetName(kRadius);
   const auto centres = powder.sphere_centres();
-  const std::size_t spheres = powder.sphere_offsets.size();
-  for (std::size_t grain = 0; grain < powder.position.size(); ++grain) {
-    if (powder.position[grain].y() < cut_y) continue;
-    const Rgb& colour = grain_colours[grain];
-    for (std::size_t s = 0; s < spheres; ++s) {
-      const Eigen::Vector3d centre = kMillimetres * centres[grain * spheres + s];
-      points->InsertNextPoint(centre.data());
-      colours->InsertNextTypedTuple(&colour.red);
-      radii->InsertNextValue(static_cast<float>(kMillimetres * powder.radius_of_sphere(grain * spheres + s)));
-    }
+  const auto sphere_radii = powder.radii_of_spheres();
+  const auto grains = powder.grains_of_spheres();
+  for (std::size_t n = 0; n < centres.size(); ++n) {
+    if (powder.position[grains[n]].y() < cut_y) continue;
+    const Eigen::Vector3d centre = kMillimetres * centres[n];
+    points->InsertNextPoint(centre.data());
+    colours->InsertNextTypedTuple(&grain_colours[grains[n]].red);
+    radii->InsertNextValue(static_cast<float>(kMillimetres * sphere_radii[n]));
   }
   auto data = vtkSmartPointer<vtkPolyData>::New();
   data->SetPoints(points);
@@ -70,7 +68,7 @@ void add_powder(vtkRenderer* renderer, const results::PowderState& powder,
   if (data->GetNumberOfPoints() == 0) return;
   const auto mapper = vtkSmartPointer<vtkOpenGLSphereMapper>::New();
   mapper->SetInputData(data);
-  if (powder.monodisperse() && powder.sphere_radii.empty())
+  if (powder.equal_spheres())
     mapper->SetRadius(static_cast<float>(kMillimetres * powder.sphere_radius));
   else
     mapper->SetScaleArray(kRadius);

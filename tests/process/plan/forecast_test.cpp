@@ -7,6 +7,7 @@
 #include "process/plan/pilot.h"
 #include "process/plan/pilot_scene.h"
 #include "process/powder/material.h"
+#include "process/powder/powder_mixture.h"
 #include "process/setup/pour.h"
 #include "process/tooling/predicted_memory.h"
 #include "tests/process/plan/plan_sample.h"
@@ -65,7 +66,7 @@ duration = "0.5 s"
   EXPECT_EQ(phases[1].kind, PhaseKind::motion);
   EXPECT_NEAR(phases[1].seconds, 0.1 + 0.01, 1e-9);
   EXPECT_EQ(phases[1].share, 1);
-  const auto poured = static_cast<double>(grains_to_pour(planned.scene, mean_grain(planned.scene)));
+  const auto poured = static_cast<double>(grains_to_pour(planned.scene));
   const double kept = 5e-6 * 0.32 / solid_volume(planned.scene.powder.grain_diameter);
   EXPECT_EQ(phases[2].kind, PhaseKind::rest);
   EXPECT_NEAR(phases[2].share, kept / poured, 1e-3);

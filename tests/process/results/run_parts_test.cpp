@@ -8,6 +8,7 @@
 
 #include "geometry/solid/solid_query.h"
 #include "process/powder/material.h"
+#include "process/powder/powder_mixture.h"
 #include "process/results/result_file.h"
 #include "process/run/checkpoint.h"
 #include "process/run/suction.h"
@@ -144,7 +145,7 @@ TEST(Pour, GoesAroundToolsOnlyWhereAsked) {
   EXPECT_THROW(pour(scene, settings, tooling), SceneError);
   scene.pour.around_tools = true;
   const auto grains = pour(scene, settings, tooling);
-  EXPECT_EQ(grains.size(), grains_to_pour(scene, shape));
+  EXPECT_EQ(grains.size(), grains_to_pour(scene));
   const geometry::SolidQuery solid(stirrer.mesh);
   for (const auto& grain : grains)
     EXPECT_GT(solid.signed_distance(grain.position), 0.9 * shape.bounding_radius());
