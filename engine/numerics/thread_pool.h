@@ -24,7 +24,7 @@ class ThreadPool {
   }
 
   /// Calls action(k, worker) in the same way. `worker`, in [0, threads()), is that of the calling thread: no
-  /// other has it at the same time. Not to be called from within an action.
+  /// other has it at the same time. Not to be called from within an action of the same pool.
   template <class Action>
   void for_each_by_worker(std::size_t count, const Action& action) {
     if (threads_ == 1 || count < 2) {
