@@ -3,6 +3,7 @@
 #include <cstdio>
 #include <string>
 
+#include "engine/observe/energy_balance.h"
 #include "process/results/atomic_file.h"
 
 namespace diefill::app {
@@ -10,7 +11,7 @@ namespace diefill::app {
 namespace {
 
 std::string energy_row(const engine::Simulation& simulation) {
-  const auto energy = simulation.energy();
+  const auto energy = engine::energy_of(simulation);
   char row[120];
   std::snprintf(row, sizeof row, "%.9g,%.9g,%.9g\n", simulation.time(), energy.translation, energy.rotation);
   return row;

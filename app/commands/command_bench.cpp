@@ -12,6 +12,7 @@
 #include "app/exit_code.h"
 #include "app/freed_memory.h"
 #include "app/tables/finite_number.h"
+#include "engine/observe/memory_traffic.h"
 #include "process/input/scene_error.h"
 #include "process/input/units.h"
 #include "process/laboratory/race_bed.h"
@@ -89,7 +90,7 @@ nlohmann::ordered_json timed(engine::Simulation& simulation, int steps, double b
   figures["steps_per_search"] =
       static_cast<double>(steps) / std::max(1.0, static_cast<double>(simulation.searches() - searches));
   figures["bytes_per_sphere"] = bytes / spheres;
-  figures["bytes_moved_per_sphere_step"] = simulation.bytes_moved_per_step() / spheres;
+  figures["bytes_moved_per_sphere_step"] = engine::bytes_moved_per_step(simulation) / spheres;
   char hash[32];
   std::snprintf(hash, sizeof hash, "%016llx", static_cast<unsigned long long>(simulation.hash()));
   figures["state_hash"] = hash;

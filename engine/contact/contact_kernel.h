@@ -2,7 +2,6 @@
 // that a scene asks for.
 #pragma once
 
-#include <memory>
 #include <type_traits>
 
 #include "engine/contact/contact_batch.h"
@@ -42,14 +41,6 @@ std::vector<std::uint32_t> touching_pairs(const PairTable<Pair>& table, std::siz
   for (std::size_t p = begin; p < end; ++p)
     if (table.touching[p]) touching.push_back(static_cast<std::uint32_t>(p));
   return touching;
-}
-
-/// The batch that a thread works with. On the heap: a thread's own static storage would have to hold the
-/// batches of all laws there are, and does not.
-template <class Batch>
-Batch& batch_of_thread() {
-  thread_local const auto batch = std::make_unique<Batch>();
-  return *batch;
 }
 
 /// Sums over the lanes of all batches of a block.

@@ -6,16 +6,10 @@
 
 #include "engine/contact/contact_batch.h"
 #include "engine/contact/local_spheres.h"
+#include "engine/contact/touching_pair.h"
 #include "engine/numerics/transpose.h"
-#include "engine/search/pair_table.h"
 
 namespace diefill::engine {
-
-/// A touching pair, and where the table has what it remembered before this step.
-struct TouchingPair {
-  GrainPair pair;
-  std::uint32_t history;
-};
 
 /// A batch of pairs between grains. `kWide`, here and below: by way of records; otherwise number by number.
 template <class Law>

@@ -1,6 +1,7 @@
 #include <bit>
 
 #include "engine/contact/contact_kernel.h"
+#include "engine/contact/contact_workspace.h"
 #include "engine/contact/grain_batch.h"
 #include "engine/contact/pair_distances.h"
 #include "engine/contact/pair_laws.h"
@@ -45,11 +46,11 @@ class GrainLoop final : public PairLoop {
  public:
   explicit GrainLoop(Pairs pairs) : pairs_(std::move(pairs)) {}
 
-  void add_forces(Block& block, const ContactScene& scene, std::vector<ContactSum>& sums,
+  void add_forces(Block& block, const ContactScene& scene, ContactWorkspace& workspace,
                   BlockTally& tally) const override {
     // Contacts begin and end: what pairs remember is written anew in every step, closely packed.
-    thread_local std::vector<double> remembered;
-    thread_local std::vector<TouchingPair> touching;
+    std::vector<double>& remembered = workspace.remembered;
+    std::vector<TouchingPair>& touching = workspace.touching;
     GrainPairTable& table = block.grain_pairs;
     touching.resize(table.size());
     std::size_t count = 0;
@@ -57,7 +58,7 @@ class GrainLoop final : public PairLoop {
       count = find_touching<decltype(wide)::value>(block, scene.spheres, touching.data());
     });
     table.make_room_to_remember(remembered, count);
-    Batch& batch = batch_of_thread<Batch>();
+    Batch batch;
     BatchTally<Law> batches;
     for (std::size_t done = 0; done < count; done += batch.count) {
       batch.count = std::min(count - done, Batch::kLanes);
@@ -67,7 +68,7 @@ class GrainLoop final : public PairLoop {
         constexpr bool kWide = decltype(wide)::value;
         pack<kWide>(block, scene.spheres, batch);
         react_all(batch, scene.instructions, scene.time_step);
-        hand_out<kWide>(batch, block, sums);
+        hand_out<kWide>(batch, block, workspace.sums);
         batch.template write_history<kWide>(history);
         batches.add(batch);
       });
@@ -84,7 +85,7 @@ class GrainLoop final : public PairLoop {
 
   void visit_forces(const Block& block, const ContactScene& scene,
                     const PairForceVisitor& visit) const override {
-    Batch& batch = batch_of_thread<Batch>();
+    Batch batch;
     const GrainPairTable& table = block.grain_pairs;
     std::uint32_t place = GrainPairTable::kNothing;
     batch.count = 0;

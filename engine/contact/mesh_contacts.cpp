@@ -25,6 +25,8 @@ bool same_direction(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
 /// The triangles that one sphere overlaps, and which of them it touches in their own right.
 class SphereOnMesh {
  public:
+  explicit SphereOnMesh(MeshWorkspace& workspace) : feet_(workspace.feet), kept_(workspace.kept) {}
+
   /// `distance`: of the pairs when the list was made (Block::wall_distance), of which only those below
   /// `within` (m) can be overlapped.
   void look(const WallBody& body, const Eigen::Vector3d& place, std::uint32_t sphere_class, double radius,
@@ -74,12 +76,7 @@ class SphereOnMesh {
   }
 
  private:
-  struct Foot {
-    std::uint32_t near, part;
-    NearestPoint point;
-    double distance;  ///< m, from the sphere's centre
-    double height;    ///< m, of the centre over the triangle's plane
-  };
+  using Foot = TriangleFoot;
 
   Eigen::Vector3d separation(const Foot& foot) const {
     return separation_from_triangle(*body_, foot.part, place_, radius_);
@@ -117,8 +114,8 @@ class SphereOnMesh {
   Eigen::Vector3d place_ = Eigen::Vector3d::Zero();
   std::uint32_t class_ = 0;
   double radius_ = 0, tolerance_ = 0;
-  std::vector<Foot> feet_;
-  std::vector<const Foot*> kept_;
+  std::vector<Foot>& feet_;
+  std::vector<const Foot*>& kept_;
 };
 
 /// The end of the run of pairs of one sphere that begins at `p`.
@@ -162,8 +159,9 @@ Eigen::Vector3d separation_from_triangle(const WallBody& body, std::uint32_t par
   return nearest.inside ? Eigen::Vector3d(height * normal) : Eigen::Vector3d(place - nearest.point);
 }
 
-DeepestOnMesh find_mesh_touches(const MeshPairs& near, std::vector<WallTouch>& touches) {
-  thread_local SphereOnMesh sphere;
+DeepestOnMesh find_mesh_touches(const MeshPairs& near, MeshWorkspace& workspace,
+                                std::vector<WallTouch>& touches) {
+  SphereOnMesh sphere(workspace);
   const Block& block = near.block;
   DeepestOnMesh deepest;
   for (std::uint32_t r = block.wall_run_first[near.number]; r < block.wall_run_first[near.number + 1]; ++r) {
@@ -182,8 +180,8 @@ DeepestOnMesh find_mesh_touches(const MeshPairs& near, std::vector<WallTouch>& t
 }
 
 void note_mesh_touches(PairTable<WallPair>& table, const MeshPairs& near,
-                       const std::vector<WallTouch>& touches) {
-  thread_local std::vector<std::uint8_t> now;
+                       const std::vector<WallTouch>& touches, MeshWorkspace& workspace) {
+  std::vector<std::uint8_t>& now = workspace.touches_now;
   now.assign(near.end() - near.begin(), 0);
   for (const auto& touch : touches) now[touch.pair - near.begin()] = 1;
   for (const auto& touch : touches) {

@@ -46,6 +46,21 @@ struct MeshPairs {
   }
 };
 
+/// Where a triangle that a sphere overlaps comes nearest to its centre.
+struct TriangleFoot {
+  std::uint32_t near, part;  ///< numbers of the pair in its run and of the triangle
+  NearestPoint point;
+  double distance;  ///< m, from the sphere's centre
+  double height;    ///< m, of the centre over the triangle's plane
+};
+
+/// Memory to work in, whatever it holds.
+struct MeshWorkspace {
+  std::vector<TriangleFoot> feet;         ///< of one sphere
+  std::vector<const TriangleFoot*> kept;  ///< those where it touches
+  std::vector<std::uint8_t> touches_now;  ///< of the body's pairs
+};
+
 /// Deepest overlap of spheres with a body.
 struct DeepestOnMesh {
   double overlap = 0;      ///< m; beyond the radius where a centre has come behind the surface
@@ -56,12 +71,13 @@ struct DeepestOnMesh {
 ///
 /// Facets of one curved surface meet at angles below 15 degrees: of contacts whose normals differ by less
 /// only the deepest counts, or every seam of a hollow would push twice.
-DeepestOnMesh find_mesh_touches(const MeshPairs& near, std::vector<WallTouch>& touches);
+DeepestOnMesh find_mesh_touches(const MeshPairs& near, MeshWorkspace& workspace,
+                                std::vector<WallTouch>& touches);
 
 /// Notes in the block's `table` which pairs touch now. What a contact remembers follows it from triangle to
 /// triangle: one that begins while another of the same sphere ends, in about the same direction, goes on from
 /// there.
 void note_mesh_touches(PairTable<WallPair>& table, const MeshPairs& near,
-                       const std::vector<WallTouch>& touches);
+                       const std::vector<WallTouch>& touches, MeshWorkspace& workspace);
 
 }  // namespace diefill::engine

@@ -14,7 +14,8 @@
 
 namespace diefill::engine {
 
-// Only the loop at walls looks into these; the other one, which compiles for minutes, does not know them.
+// Not included here: the loop of grains, which compiles for minutes, need not know walls.
+struct ContactWorkspace;
 class WallBody;
 struct BodyMotion;
 
@@ -29,9 +30,8 @@ struct BlockTally {
   std::uint64_t touching = 0;  ///< pairs
   /// s, of computing the block's pairs and of finishing what was ready then; where the two take turns.
   double computing_time = 0, finishing_time = 0;
-  Eigen::Vector3d held_force = Eigen::Vector3d::Zero();  ///< N, on all grains that are carried asleep
-  std::vector<Eigen::Vector3d> body_force;               ///< N on each wall body
-  std::vector<Eigen::Vector3d> body_torque;              ///< N m about the origin of each body's frame
+  std::vector<Eigen::Vector3d> body_force;   ///< N on each wall body
+  std::vector<Eigen::Vector3d> body_torque;  ///< N m about the origin of each body's frame
 
   void start(std::size_t bodies);
 };
@@ -58,9 +58,9 @@ using PairForceVisitor = std::function<void(const PairForce&)>;
 class PairLoop {
  public:
   virtual ~PairLoop() = default;
-  /// Adds the forces of the block's touching pairs to `sums`, one for each of Block::sums, and advances what
-  /// pairs remember.
-  virtual void add_forces(Block& block, const ContactScene& scene, std::vector<ContactSum>& sums,
+  /// Adds the forces of the block's touching pairs to the sums of `workspace`, which is the calling thread's
+  /// own, and advances what pairs remember.
+  virtual void add_forces(Block& block, const ContactScene& scene, ContactWorkspace& workspace,
                           BlockTally& tally) const = 0;
   /// Visits the forces of the pairs that touched in the last step, in the order of the table, as they stand:
   /// nothing is advanced.

@@ -3,6 +3,7 @@
 #include <stdexcept>
 
 #include "engine/contact/contact_kernel.h"
+#include "engine/contact/contact_workspace.h"
 #include "engine/contact/mesh_contacts.h"
 #include "engine/contact/pair_laws.h"
 
@@ -20,16 +21,18 @@ class WallLoop final : public PairLoop {
   WallLoop(std::vector<Law> laws, std::vector<double> radii, std::vector<WallSurface> surfaces)
       : radii_(std::move(radii)), laws_(std::move(laws)), surfaces_(std::move(surfaces)) {}
 
-  void add_forces(Block& block, const ContactScene& scene, std::vector<ContactSum>& sums,
+  void add_forces(Block& block, const ContactScene& scene, ContactWorkspace& workspace,
                   BlockTally& tally) const override {
     if (block.wall_pairs.size() == 0) return;
+    Batch batch;
     for (std::size_t body = 0; body < scene.bodies.size(); ++body)
-      if (block.wall_first[body] < block.wall_first[body + 1]) add_body(block, body, scene, sums, tally);
+      if (block.wall_first[body] < block.wall_first[body + 1])
+        add_body(block, body, scene, batch, workspace, tally);
   }
 
   void visit_forces(const Block& block, const ContactScene& scene,
                     const PairForceVisitor& visit) const override {
-    Batch& batch = batch_of_thread<Batch>();
+    Batch batch;
     batch.count = 1;
     for (std::size_t body = 0; body + 1 < block.wall_first.size(); ++body) {
       for (const std::uint32_t p :
@@ -49,10 +52,11 @@ class WallLoop final : public PairLoop {
   double stored_energy(const Block& block, const ContactScene& scene) const override {
     double energy = 0;
     std::vector<WallTouch> touches;
+    MeshWorkspace mesh;
     for (std::size_t body = 0; body + 1 < block.wall_first.size(); ++body) {
       if (scene.bodies[body].meshed()) {
         touches.clear();
-        find_mesh_touches(mesh_pairs(block, body, scene), touches);
+        find_mesh_touches(mesh_pairs(block, body, scene), mesh, touches);
         for (const auto& touch : touches)
           energy += law(body, touch.sphere_class)
                         .energy(reach(scene, body, touch.sphere_class) - length(touch.separation),
@@ -132,15 +136,17 @@ class WallLoop final : public PairLoop {
     return separation_from_part(body, pair.wall, place_in_body(pair.own, body, scene), scene);
   }
 
-  void find_touching(Block& block, std::size_t body, const ContactScene& scene,
-                     std::vector<WallTouch>& touching, BlockTally& tally) const {
+  /// Into `workspace`.
+  void find_touching(Block& block, std::size_t body, const ContactScene& scene, ContactWorkspace& workspace,
+                     BlockTally& tally) const {
+    std::vector<WallTouch>& touching = workspace.wall_touching;
     touching.clear();
     if (scene.bodies[body].meshed()) {
       const MeshPairs near = mesh_pairs(block, body, scene);
-      const DeepestOnMesh deepest = find_mesh_touches(near, touching);
+      const DeepestOnMesh deepest = find_mesh_touches(near, workspace.mesh, touching);
       tally.overlap.walls = std::max(tally.overlap.walls, deepest.overlap);
       tally.overlap.walls_over_radius = std::max(tally.overlap.walls_over_radius, deepest.over_radius);
-      return note_mesh_touches(block.wall_pairs, near, touching);
+      return note_mesh_touches(block.wall_pairs, near, touching, workspace.mesh);
     }
     for (std::uint32_t r = block.wall_run_first[body]; r < block.wall_run_first[body + 1]; ++r)
       find_touching_of_sphere(block, block.wall_runs[r], block.wall_runs[r + 1].first, body, scene, touching);
@@ -163,11 +169,10 @@ class WallLoop final : public PairLoop {
     std::fill(block.wall_pairs.touching.data() + p, block.wall_pairs.touching.data() + end, std::uint8_t{0});
   }
 
-  void add_body(Block& block, std::size_t body, const ContactScene& scene, std::vector<ContactSum>& sums,
-                BlockTally& tally) const {
-    thread_local std::vector<WallTouch> touching;
-    find_touching(block, body, scene, touching, tally);
-    Batch& batch = batch_of_thread<Batch>();
+  void add_body(Block& block, std::size_t body, const ContactScene& scene, Batch& batch,
+                ContactWorkspace& workspace, BlockTally& tally) const {
+    find_touching(block, body, scene, workspace, tally);
+    const std::vector<WallTouch>& touching = workspace.wall_touching;
     BatchTally<Law> batches;
     for (std::size_t done = 0; done < touching.size(); done += batch.count) {
       batch.count = std::min(touching.size() - done, Batch::kLanes);
@@ -177,7 +182,7 @@ class WallLoop final : public PairLoop {
       batch.fill_last_group();
       with_instructions(scene.instructions, [&] { react_all(batch, body, scene, scene.time_step); });
       for (std::size_t lane = 0; lane < batch.count; ++lane)
-        hand_out(batch, lane, block, body, pairs[lane], scene, sums, tally);
+        hand_out(batch, lane, block, body, pairs[lane], scene, workspace.sums, tally);
       batches.add(batch);
       if constexpr (kSeveralClasses)
         batches.add_over_radius(batch, [&](std::size_t lane) { return radii_[batch.classes[lane]]; });

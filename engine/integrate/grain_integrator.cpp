@@ -219,15 +219,15 @@ double GrainIntegrator::advance(Grains& grains, std::size_t begin, std::size_t e
     AlikeBodies bodies(bodies_.front());
     return advance_with(bodies, grains, begin, end, drifted, spheres);
   }
-  thread_local BodyLanes bodies;
+  BodyLanes bodies;
   return advance_with(bodies, grains, begin, end, drifted, spheres);
 }
 
 template <class Bodies>
 double GrainIntegrator::advance_with(Bodies& bodies, Grains& grains, std::size_t begin, std::size_t end,
                                      const Vector3& drifted, SphereField& spheres) const {
-  thread_local GrainLanes lanes;
-  thread_local Advanced out;
+  GrainLanes lanes;
+  Advanced out;
   LaneMost farthest;
   for (std::size_t first = begin; first < end; first += kGrains) {
     lanes.load(grains, first, end, rotates_);
@@ -255,16 +255,16 @@ StepWork GrainIntegrator::finish(Grains& grains, std::size_t begin, std::size_t 
     AlikeBodies bodies(bodies_.front());
     return finish_with(bodies, grains, begin, end, contacts, first_sum);
   }
-  thread_local BodyLanes bodies;
+  BodyLanes bodies;
   return finish_with(bodies, grains, begin, end, contacts, first_sum);
 }
 
 template <class Bodies>
 StepWork GrainIntegrator::finish_with(Bodies& bodies, Grains& grains, std::size_t begin, std::size_t end,
                                       const ContactSums& contacts, std::size_t first_sum) const {
-  thread_local GrainLanes lanes;
-  thread_local Vectors force, moment;
-  thread_local Scalars drag_power;
+  GrainLanes lanes;
+  Vectors force, moment;
+  Scalars drag_power;
   LaneSum drag_sum;
   for (std::size_t first = begin; first < end; first += kGrains) {
     lanes.load(grains, first, end, rotates_);

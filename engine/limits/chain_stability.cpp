@@ -6,6 +6,7 @@
 
 #include "engine/limits/normal_springs.h"
 #include "engine/observe/block_contacts.h"
+#include "engine/observe/contact_forces.h"
 #include "engine/powder/rigid_motion.h"
 
 namespace diefill::engine {

@@ -47,7 +47,7 @@ std::vector<DeepContact> deep_contacts(const Simulation& simulation, double thre
   std::vector<DeepContact> deep;
   const auto& blocks = simulation.neighbours().blocks();
   for (std::size_t b = 0; b < blocks.size(); ++b)
-    if (simulation.overlaps_in_block(b).any_over_radius() > threshold)
+    if (simulation.state().tallies[b].overlap.any_over_radius() > threshold)
       find_deep_contacts(simulation, blocks[b], threshold, deep);
   return deep;
 }

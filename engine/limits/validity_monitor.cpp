@@ -5,6 +5,8 @@
 
 #include "engine/limits/time_step.h"
 #include "engine/limits/worst_places.h"
+#include "engine/observe/energy_balance.h"
+#include "engine/observe/powder_figures.h"
 
 namespace diefill::engine {
 
@@ -137,7 +139,7 @@ void ValidityMonitor::check_speed(const Simulation& simulation) {
 }
 
 void ValidityMonitor::check_contacts(const Simulation& simulation) {
-  const auto spheres = static_cast<double>(simulation.sphere_count());
+  const auto spheres = static_cast<double>(sphere_count(simulation));
   if (spheres <= 0) return;
   const double contacts = static_cast<double>(simulation.touching_pairs()) / spheres;
   if (contacts > limits_.forbidden_contacts)
@@ -156,7 +158,7 @@ void ValidityMonitor::check_contacts(const Simulation& simulation) {
 }
 
 void ValidityMonitor::check_energy(const Simulation& simulation) {
-  const double error = simulation.energy_balance_error();
+  const double error = energy_balance_error(simulation);
   if (error > limits_.energy_error)
     throw OutOfRange(
         line("energy grew by %.1f %% of what was turned over with no work to explain it at t = %.6g s "

@@ -52,7 +52,8 @@ ThreadPool::~ThreadPool() = default;
 ThreadPool::ThreadPool(ThreadPool&&) noexcept = default;
 ThreadPool& ThreadPool::operator=(ThreadPool&&) noexcept = default;
 
-void ThreadPool::share_out(std::size_t count, void (*call)(const void* action, std::size_t k),
+void ThreadPool::share_out(std::size_t count,
+                           void (*call)(const void* action, std::size_t k, std::size_t worker),
                            const void* action) {
   LoopOrder order;
   order.begin();
@@ -61,7 +62,8 @@ void ThreadPool::share_out(std::size_t count, void (*call)(const void* action, s
         oneapi::tbb::blocked_range<std::size_t>(0, count, 1),
         [&](const auto& range) {
           order.enter();
-          for (std::size_t k = range.begin(); k != range.end(); ++k) call(action, k);
+          const auto worker = static_cast<std::size_t>(oneapi::tbb::this_task_arena::current_thread_index());
+          for (std::size_t k = range.begin(); k != range.end(); ++k) call(action, k, worker);
           order.leave();
         },
         oneapi::tbb::simple_partitioner());

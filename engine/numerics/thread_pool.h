@@ -20,19 +20,31 @@ class ThreadPool {
   /// throws.
   template <class Action>
   void for_each(std::size_t count, const Action& action) {
+    for_each_by_worker(count, [&action](std::size_t k, std::size_t) { action(k); });
+  }
+
+  /// Calls action(k, worker) in the same way. `worker`, in [0, threads()), is that of the calling thread: no
+  /// other has it at the same time. Not to be called from within an action of the same pool.
+  template <class Action>
+  void for_each_by_worker(std::size_t count, const Action& action) {
     if (threads_ == 1 || count < 2) {
-      for (std::size_t k = 0; k < count; ++k) action(k);
+      for (std::size_t k = 0; k < count; ++k) action(k, std::size_t{0});
       return;
     }
     share_out(
-        count, [](const void* any, std::size_t k) { (*static_cast<const Action*>(any))(k); }, &action);
+        count,
+        [](const void* any, std::size_t k, std::size_t worker) {
+          (*static_cast<const Action*>(any))(k, worker);
+        },
+        &action);
   }
 
  private:
   class Arena;
 
-  /// Calls call(action, k), as for_each() does.
-  void share_out(std::size_t count, void (*call)(const void* action, std::size_t k), const void* action);
+  /// Calls call(action, k, worker), as for_each_by_worker() does.
+  void share_out(std::size_t count, void (*call)(const void* action, std::size_t k, std::size_t worker),
+                 const void* action);
 
   int threads_;
   std::unique_ptr<Arena> arena_;

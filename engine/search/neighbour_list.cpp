@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "engine/numerics/out_of_range.h"
+#include "engine/numerics/per_worker.h"
 
 namespace diefill::engine {
 
@@ -57,14 +58,16 @@ void NeighbourList::build(const SphereField& spheres, const std::vector<WallBody
   cut_into_blocks(reference.awake_grains, spheres.grains, kSpheresPerSleepingBlock / per_grain + 1);
   blocks_.resize(count_);
   for (auto& block : blocks_) block.spheres_per_grain = per_grain;
-  pool.for_each(blocks_.size(), [&](std::size_t b) {
+  PerWorker<SearchWorkspace> workspaces(pool.threads());
+  pool.for_each_by_worker(blocks_.size(), [&](std::size_t b, std::size_t worker) {
     Block& block = blocks_[b];
+    SearchWorkspace& workspace = workspaces[worker];
     block.reference = reference.position[(block.begin + block.end) / 2];
     if (one_class())
-      find_grain_pairs<true>(block, spheres, reference, history);
+      find_grain_pairs<true>(block, spheres, reference, history, workspace);
     else
-      find_grain_pairs<false>(block, spheres, reference, history);
-    find_wall_pairs(block, spheres, bodies, reference, wall_history);
+      find_grain_pairs<false>(block, spheres, reference, history, workspace);
+    find_wall_pairs(block, spheres, bodies, reference, wall_history, workspace);
     block.sums.start(block.grains() + block.foreign.size(), settings_.sum_numbers);
   });
   index_foreign_sums();
@@ -139,7 +142,7 @@ void NeighbourList::number_spheres(Block& block, const SphereField& spheres) con
 
 template <bool kAlike>
 void NeighbourList::find_grain_pairs(Block& block, const SphereField& spheres, const ListReference& reference,
-                                     const ContactHistory& history) const {
+                                     const ContactHistory& history, SearchWorkspace& workspace) const {
   struct Found {
     std::uint32_t own, other;
   };
@@ -157,7 +160,7 @@ void NeighbourList::find_grain_pairs(Block& block, const SphereField& spheres, c
     for (const SizeLevel& level : levels_) {
       const double touching = radius + level.largest + settings_.law_range;
       const double farthest = touching + 2 * reference.allowance(grain);
-      level.cells.visit_nearer(here, farthest, [&](const SphereCells::Near& near) {
+      level.cells.visit_nearer(here, farthest, workspace.candidates, [&](const SphereCells::Near& near) {
         // Every pair once: by the faster grain, which searches farther, else by the first; an image counts
         // for its owner.
         const auto [j, other] = near.member;

@@ -8,6 +8,7 @@
 #include "engine/numerics/thread_pool.h"
 #include "engine/powder/sphere_field.h"
 #include "engine/search/contact_history.h"
+#include "engine/search/search_workspace.h"
 #include "engine/search/sphere_cells.h"
 #include "engine/walls/walls.h"
 
@@ -97,9 +98,10 @@ class NeighbourList {
   void cut_into_blocks(std::size_t begin, std::size_t end, std::size_t grains_per_block);
   template <bool kAlike>
   void find_grain_pairs(Block& block, const SphereField& spheres, const ListReference& reference,
-                        const ContactHistory& history) const;
+                        const ContactHistory& history, SearchWorkspace& workspace) const;
   void find_wall_pairs(Block& block, const SphereField& spheres, const std::vector<WallBody>& bodies,
-                       const ListReference& reference, const ContactHistory& history) const;
+                       const ListReference& reference, const ContactHistory& history,
+                       SearchWorkspace& workspace) const;
   void fill_wall_table(Block& block, const std::vector<std::uint32_t>& parts,
                        const ContactHistory& history) const;
   void number_spheres(Block& block, const SphereField& spheres) const;

@@ -32,11 +32,18 @@ class SphereCells {
   /// The same for some of them only, given by their numbers.
   void build(const SphereField& spheres, std::vector<std::uint32_t> members, double cell, ThreadPool& pool);
 
+  /// A member that may be near.
+  struct Candidate {
+    std::uint32_t place;
+    double square;  ///< m^2
+  };
+
   /// Calls visit(Near) for every member nearer to `point` than `distance` (m), in a fixed order.
+  /// `candidates`: room to work in, whatever it holds.
   template <class Visit>
-  void visit_nearer(Vector3 point, double distance, const Visit& visit) const {
+  void visit_nearer(Vector3 point, double distance, std::vector<Candidate>& candidates,
+                    const Visit& visit) const {
     std::size_t count = 0;
-    thread_local std::vector<Candidate> candidates;
     for_runs(point, distance, [&](std::uint32_t begin, std::uint32_t end) {
       if (candidates.size() < count + (end - begin)) candidates.resize(2 * (count + (end - begin)));
       // Whether one is near cannot be predicted: all are written, and those too far are overwritten.
@@ -53,11 +60,6 @@ class SphereCells {
   }
 
  private:
-  struct Candidate {
-    std::uint32_t place;
-    double square;  ///< m^2
-  };
-
   /// Calls use(begin, end) for runs of places that hold all points in the cells that the cube of half edge
   /// `reach` (m) about `point` meets.
   template <class Use>

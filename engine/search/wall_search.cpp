@@ -8,16 +8,6 @@ namespace diefill::engine {
 
 namespace {
 
-/// A part of a body that is near a sphere, and how far away, m, rounded down; 0 where that is not known.
-struct NearPart {
-  float distance;
-  std::uint32_t part;
-
-  bool operator<(const NearPart& other) const {
-    return distance != other.distance ? distance < other.distance : part < other.part;
-  }
-};
-
 float rounded_down(double value) {
   return std::nextafter(static_cast<float>(value), 0.0F);
 }
@@ -33,8 +23,7 @@ float distance_of(const WallBody& body, std::uint32_t part, const Eigen::Vector3
 /// The parts of `body` no farther than `reach` (m) from `place` (m, body frame): wall spheres by rising
 /// distance, planes and triangles in their own order.
 void find_parts(const WallBody& body, const Eigen::Vector3d& place, double reach,
-                std::vector<NearPart>& parts) {
-  thread_local std::vector<std::uint32_t> found;
+                std::vector<std::uint32_t>& found, std::vector<NearPart>& parts) {
   found.clear();
   parts.clear();
   body.find(place, reach, found);
@@ -46,10 +35,10 @@ void find_parts(const WallBody& body, const Eigen::Vector3d& place, double reach
 
 void NeighbourList::find_wall_pairs(Block& block, const SphereField& spheres,
                                     const std::vector<WallBody>& bodies, const ListReference& reference,
-                                    const ContactHistory& history) const {
+                                    const ContactHistory& history, SearchWorkspace& workspace) const {
   const std::uint32_t per_grain = block.spheres_per_grain, own = block.own_spheres();
-  thread_local std::vector<NearPart> parts;
-  thread_local std::vector<std::uint32_t> found;
+  std::vector<NearPart>& parts = workspace.near_parts;
+  std::vector<std::uint32_t>& found = workspace.parts;
   found.clear();
   block.wall_first.assign(1, 0);
   block.wall_run_first.assign(1, 0);
@@ -66,7 +55,7 @@ void NeighbourList::find_wall_pairs(Block& block, const SphereField& spheres,
                  radius_of(settings_, spheres, sphere) + bodies[b].sphere_radius() +
                      (bodies[b].mirror() ? settings_.law_range : 0) + reference.body_allowance[b] +
                      reference.allowance(grain),
-                 parts);
+                 workspace.found, parts);
       if (parts.empty()) continue;
       block.wall_runs.push_back(
           {plain(place), static_cast<std::uint32_t>(found.size()), static_cast<LocalSphere>(k)});

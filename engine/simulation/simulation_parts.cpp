@@ -40,6 +40,7 @@ SimulationSettings checked(SimulationSettings settings, const ParticleTypes& typ
     throw std::invalid_argument("grains cannot sleep where air is drawn through the powder");
   if (settings.air_flow && settings.air_flow->resistance.size() != types.size())
     throw std::invalid_argument("drawn air needs a resistance for each particle type");
+  if (settings.sleep) check(*settings.sleep);
   settings.lever_arm = arm_for(types, settings.lever_arm);
   for (TypeNumber type = 0; type < types.size(); ++type) settings.types[type].shape = types.shape(type);
   return settings;
@@ -52,6 +53,16 @@ std::unique_ptr<PairLoop> grain_loop_for(const SimulationSettings& settings, con
 std::unique_ptr<PairLoop> wall_loop_for(const SimulationSettings& settings, const ParticleTypes& types,
                                         const std::vector<WallBodySpec>& walls) {
   return make_wall_loop(types, settings.contact, settings.lever_arm, surfaces_of(walls));
+}
+
+GrainIntegrator integrator_for(const SimulationSettings& settings, const ParticleTypes& types,
+                               const PairLoop& grain_loop, const PairLoop& wall_loop) {
+  return {types,
+          settings.gravity,
+          settings.air_viscosity,
+          grain_loop.rolls() || wall_loop.rolls(),
+          settings.time_step,
+          settings.instructions};
 }
 
 std::vector<WallSurface> surfaces_of(const std::vector<WallBody>& bodies) {

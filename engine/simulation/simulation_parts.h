@@ -4,10 +4,11 @@
 
 #include "engine/contact/pair_laws.h"
 #include "engine/contact/pair_loop.h"
+#include "engine/integrate/grain_integrator.h"
 #include "engine/powder/particle_types.h"
 #include "engine/search/adaptive_skin.h"
 #include "engine/search/neighbour_list.h"
-#include "engine/simulation/simulation.h"
+#include "engine/simulation/settings.h"
 
 namespace diefill::engine {
 
@@ -18,6 +19,9 @@ SimulationSettings checked(SimulationSettings settings, const ParticleTypes& typ
 std::unique_ptr<PairLoop> grain_loop_for(const SimulationSettings& settings, const ParticleTypes& types);
 std::unique_ptr<PairLoop> wall_loop_for(const SimulationSettings& settings, const ParticleTypes& types,
                                         const std::vector<WallBodySpec>& walls);
+
+GrainIntegrator integrator_for(const SimulationSettings& settings, const ParticleTypes& types,
+                               const PairLoop& grain_loop, const PairLoop& wall_loop);
 
 /// The surfaces of bodies, as the laws of their contacts need them.
 std::vector<WallSurface> surfaces_of(const std::vector<WallBody>& bodies);

@@ -16,9 +16,6 @@
 #include <optional>
 #include <vector>
 
-#include "engine/powder/particle_types.h"
-#include "engine/search/neighbour_list.h"
-
 namespace diefill::engine {
 
 /// When grains fall asleep, and when they wake.
@@ -40,7 +37,11 @@ struct SleepSettings {
 /// that must be free to flow is for SleepSettings::awake to name.
 SleepSettings riding_on(std::size_t carrier);
 
-/// All that a restart needs; entry k of every array belongs to grain k.
+/// Throws std::invalid_argument for limits that are not positive.
+void check(const SleepSettings& settings);
+
+/// Who sleeps, and all that a restart needs to know of it; entry k of every array belongs to grain k. Empty
+/// where no grains are put to sleep.
 struct SleepState {
   std::vector<std::uint8_t> asleep;
   /// Looks in a row: of an awake grain those at which it was slow, of a sleeping one those since it fell
@@ -50,86 +51,31 @@ struct SleepState {
   /// m, of an awake grain against its carrier when it began to be slow; empty where it may stray.
   std::vector<Eigen::Vector3d> place;
   std::uint64_t sphere_steps_left_out = 0;  ///< spheres of blocks at rest, summed over steps
-};
 
-/// Who sleeps, and which blocks rest.
-class Sleeping {
- public:
-  /// Sleepers are looked at every so many steps.
-  static constexpr std::uint64_t kStepsPerLook = 10;
-
-  /// Throws std::invalid_argument for limits that are not positive. `gravity` in m/s^2, `time_step` in s.
-  Sleeping(const SleepSettings& settings, ParticleTypes kinds, const Eigen::Vector3d& gravity,
-           double time_step);
-
-  /// Limits follow the weight of the grains.
-  void set_gravity(const SleepSettings& settings, const Eigen::Vector3d& gravity);
-
-  const SleepState& state() const { return state_; }
-  void restore(const SleepState& state) { state_ = state; }
-  bool asleep(std::size_t grain) const { return state_.asleep[grain] != 0; }
+  bool sleeps(std::size_t grain) const { return !asleep.empty() && asleep[grain] != 0; }
   std::size_t sleepers() const;
-
-  /// Sorts `order` so that awake grains come first, and follows it: entry k becomes the former entry
-  /// order[k] of `grains`, of which the last ones may be new. Returns how many are awake.
-  std::size_t reorder(std::vector<std::uint32_t>& order, std::size_t grains);
-  /// Finds out which blocks rest.
-  void sort_blocks(const NeighbourList& list);
-  /// Whether neither pairs nor grains of block b need work.
-  bool rests(std::size_t b) const { return rests_[b] != 0; }
-  void count_step(const NeighbourList& list);
+  /// Makes room for `grains`, of which the new ones are awake.
+  void resize(std::size_t grains, const SleepSettings& settings);
+  /// Entry k becomes the former entry order[k]; others are lost.
+  void reorder(const std::vector<std::uint32_t>& order);
+  void put_to_sleep(const std::vector<std::uint32_t>& grains);
+  void wake(std::size_t grain);
+  void wake_all();
 
   /// Calls action(first, last) for each run of awake grains [first, last) within [begin, end).
   template <class Action>
   void for_awake(std::size_t begin, std::size_t end, const Action& action) const {
     for (std::size_t first = begin; first < end;) {
-      if (asleep(first)) {
+      if (sleeps(first)) {
         ++first;
         continue;
       }
       std::size_t last = first + 1;
-      while (last < end && !asleep(last)) ++last;
+      while (last < end && !sleeps(last)) ++last;
       action(first, last);
       first = last;
     }
   }
-
-  /// J, of grain k against sleepers, which move with `carried` (m/s).
-  double kinetic_energy(const Grains& grains, std::size_t k, const Eigen::Vector3d& carried) const;
-  /// Takes down how slow every grain is against `carrier`; `grains.force` must be up to date for sleepers as
-  /// well.
-  void look(const Grains& grains, const BodyMotion& carrier);
-  /// Sleepers that forces or fast neighbours wake now.
-  std::vector<std::uint32_t> disturbed(const Grains& grains, const Eigen::Vector3d& carried,
-                                       const NeighbourList& list, const SphereField& spheres) const;
-  /// Sleepers in any of the boxes.
-  std::vector<std::uint32_t> within(const std::vector<Eigen::AlignedBox3d>& boxes,
-                                    const Grains& grains) const;
-  /// Wakes these sleepers, and those that they touch.
-  void wake(const std::vector<std::uint32_t>& sleepers, const NeighbourList& list,
-            const SphereField& spheres);
-  /// Grains that fall asleep now, none of them in any of the boxes: nobody while they are too few to be worth
-  /// a search of contacts.
-  std::vector<std::uint32_t> tired(const Grains& grains, const std::vector<Eigen::AlignedBox3d>& moving,
-                                   const NeighbourList& list, const SphereField& spheres) const;
-  void put_to_sleep(const std::vector<std::uint32_t>& grains);
-  void wake_all(const NeighbourList& list);
-
- private:
-  void watch(const Grains& grains, std::size_t k, const BodyMotion& carrier);
-  std::vector<std::uint8_t> calm(const Grains& grains, const std::vector<Eigen::AlignedBox3d>& moving) const;
-
-  /// When a grain of one kind is slow, and what wakes it or those it touches.
-  struct Limits {
-    double slow_energy, waking_energy;  ///< J
-    double waking_force;                ///< N
-    double stray;                       ///< m; 0: none
-  };
-  ParticleTypes types_;
-  std::vector<Limits> limits_;  ///< one a kind
-  std::uint32_t looks_needed_;
-  SleepState state_;
-  std::vector<std::uint8_t> rests_;  ///< one a block
 };
 
 }  // namespace diefill::engine

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "engine/observe/energy_balance.h"
 #include "process/laboratory/bed_contacts.h"
 #include "process/measure/measure.h"
 #include "process/powder/material.h"
@@ -185,7 +186,7 @@ BedFigures settle_bed(const BedSpec& spec) {
   figures.grains = simulation.grains().size();
   figures.simulated = simulation.time();
   figures.sphere_steps = simulation.steps() * figures.grains * shape.spheres();
-  figures.energy_balance_error = simulation.energy_balance_error();
+  figures.energy_balance_error = engine::energy_balance_error(simulation);
   fraction_figures(spec, simulation, walls, figures);
   contact_figures(simulation, d, figures);
   return figures;

@@ -7,6 +7,8 @@
 #include <limits>
 #include <numbers>
 
+#include "engine/observe/energy_balance.h"
+#include "engine/observe/powder_figures.h"
 #include "process/measure/heap_slope.h"
 #include "process/measure/measure.h"
 #include "process/measure/measured_fields.h"
@@ -147,10 +149,10 @@ void add_figures(const Scene& scene, results::FillResult& result, const Tooling&
   figures["simulated_s"] = simulation.time();
   figures["wall_seconds"] = run.wall_seconds();
   figures["sphere_steps"] = static_cast<double>(run.sphere_steps());
-  figures["sphere_steps_left_out"] = static_cast<double>(simulation.sphere_steps_left_out());
+  figures["sphere_steps_left_out"] = static_cast<double>(engine::sphere_steps_left_out(simulation));
   figures["sphere_steps_per_second"] = static_cast<double>(run.sphere_steps()) / run.wall_seconds();
   figures["threads"] = settings.threads;
-  figures["energy_balance_error"] = simulation.energy_balance_error();
+  figures["energy_balance_error"] = engine::energy_balance_error(simulation);
   const engine::DeepestOverlap& deepest = simulation.overlaps_of_run();
   const bool monodisperse = simulation.types().monodisperse();
   figures["deepest_overlap_ratio"] =

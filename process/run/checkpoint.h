@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <optional>
 
-#include "engine/simulation/state.h"
+#include "engine/simulation/snapshot.h"
 #include "process/results/fill_result.h"
 #include "process/run/probes.h"
 #include "process/run/schedule.h"

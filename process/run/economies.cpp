@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdio>
 
+#include "engine/observe/powder_figures.h"
 #include "process/input/units.h"
 #include "process/scene/powder_file.h"
 #include "process/scene/powder_presets.h"
@@ -13,7 +14,7 @@ namespace {
 
 std::string left_out(const engine::Simulation& simulation, std::uint64_t sphere_steps) {
   char text[80];
-  const double share = static_cast<double>(simulation.sphere_steps_left_out()) /
+  const double share = static_cast<double>(engine::sphere_steps_left_out(simulation)) /
                        static_cast<double>(std::max<std::uint64_t>(1, sphere_steps));
   std::snprintf(text, sizeof text, "%.1f %% of all sphere-steps were skipped", 100 * share);
   return text;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/observe/energy_balance.h"
 #include "process/measure/cavity_position.h"
 #include "process/tooling/die_frame.h"
 #include "process/tooling/grain_tally.h"
@@ -109,10 +110,10 @@ void Probes::add_row(std::size_t k, const engine::Simulation& simulation) {
       return append({level[0], level[1]});
     }
     case ProbeQuantity::energy: {
-      const engine::Energy energy = simulation.energy();
+      const engine::Energy energy = engine::energy_of(simulation);
       const double all = copies(tooling_);
       return append({all * energy.kinetic(), all * energy.height, all * energy.contacts,
-                     simulation.energy_balance_error()});
+                     engine::energy_balance_error(simulation)});
     }
   }
 }

@@ -1,5 +1,7 @@
 #include "process/tooling/rest.h"
 
+#include "engine/observe/powder_figures.h"
+
 namespace diefill::process {
 
 namespace {
@@ -17,7 +19,7 @@ Eigen::Vector3d centre_of_mass(const engine::Grains& grains) {
 double mean_mass(const engine::Simulation& simulation) {
   if (simulation.types().monodisperse()) return simulation.settings().shape().mass;
   const std::size_t grains = simulation.grains().size();
-  return simulation.mass_of(0, grains) / static_cast<double>(grains);
+  return engine::powder_mass(simulation) / static_cast<double>(grains);
 }
 
 /// J per grain.

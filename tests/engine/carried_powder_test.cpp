@@ -1,6 +1,9 @@
 // Grains that sleep in the frame of a tool that moves: they ride along as a block.
 #include <gtest/gtest.h>
 
+#include "engine/observe/energy_balance.h"
+#include "engine/observe/powder_figures.h"
+#include "engine/simulation/sleep_rules.h"
 #include "engine_test_support.h"
 #include "touching_pairs.h"
 
@@ -74,7 +77,7 @@ class CoMovingPowder : public ::testing::TestWithParam<Model> {};
 TEST_P(CoMovingPowder, RidesAlongAndStaysAsItIs) {
   auto simulation = tray_under_way(GetParam(), true);
   const std::size_t grains = simulation.grains().size();
-  ASSERT_GT(simulation.sleepers(), grains * 9 / 10);
+  ASSERT_GT(sleepers(simulation), grains * 9 / 10);
   const Snapshot before = simulation.snapshot();
   const Eigen::Vector3d place = mean_place(simulation);
   constexpr int kSteps = 2500;
@@ -82,11 +85,11 @@ TEST_P(CoMovingPowder, RidesAlongAndStaysAsItIs) {
   const Eigen::Vector3d way = mean_place(simulation) - place;
   EXPECT_NEAR(way.x(), kSpeed * kSteps * kStep, 0.01 * grain_size(GetParam()));
   EXPECT_NEAR(way.tail<2>().norm(), 0, 0.02 * grain_size(GetParam()));
-  EXPECT_GT(simulation.sphere_steps_left_out() - before.sleep.sphere_steps_left_out,
+  EXPECT_GT(sphere_steps_left_out(simulation) - before.sleep.sphere_steps_left_out,
             kSteps * grains * simulation.settings().shape().spheres() / 2);
   const auto& velocity = simulation.grains().velocity;
   for (std::size_t k = 0; k < grains; ++k) {
-    if (!simulation.asleep(k)) continue;
+    if (!asleep(simulation, k)) continue;
     EXPECT_EQ(velocity[k], Eigen::Vector3d(kSpeed, 0, 0));
   }
 }
@@ -95,7 +98,7 @@ TEST_P(CoMovingPowder, RidesAlongAndStaysAsItIs) {
 /// searched.
 SpherePairs of_the_awake(const Simulation& simulation, SpherePairs pairs) {
   const auto sleeps = [&](const SphereName& sphere) {
-    return simulation.asleep(place_of(simulation, sphere.first));
+    return asleep(simulation, place_of(simulation, sphere.first));
   };
   std::erase_if(pairs, [&](const auto& pair) { return sleeps(pair.first) && sleeps(pair.second); });
   return pairs;
@@ -121,7 +124,7 @@ TEST_P(CoMovingPowder, MissesNoTouchOfThoseWhoAreAwake) {
     const auto expected = of_the_awake(simulation, all_touching_pairs(simulation));
     ASSERT_EQ(of_the_awake(simulation, found_pairs(simulation)), expected)
         << "after " << simulation.steps() << " steps";
-    if (simulation.sleepers() > 0) seen_while_some_sleep += expected.size();
+    if (sleepers(simulation) > 0) seen_while_some_sleep += expected.size();
   }
   EXPECT_GT(seen_while_some_sleep, 500U);
 }
@@ -146,12 +149,12 @@ TEST_P(CoMovingPowder, IsOnAverageWhereItWouldBeAwake) {
 TEST_P(CoMovingPowder, KeepsItsAccounts) {
   auto simulation = tray_under_way(GetParam(), true);
   const Ledger before = simulation.ledger();
-  const double error_before = simulation.energy_balance_error();
+  const double error_before = energy_balance_error(simulation);
   run_steps(simulation, 5000);
-  EXPECT_GT(simulation.sleepers(), simulation.grains().size() / 2);
+  EXPECT_GT(sleepers(simulation), simulation.grains().size() / 2);
   EXPECT_LT(simulation.ledger().tangential_work, before.tangential_work);
   EXPECT_LT(std::abs(error_before), 5e-3);
-  EXPECT_LT(std::abs(simulation.energy_balance_error()), 5e-3);
+  EXPECT_LT(std::abs(energy_balance_error(simulation)), 5e-3);
 }
 
 TEST_P(CoMovingPowder, WakesWhenItsCarrierStops) {
@@ -163,7 +166,7 @@ TEST_P(CoMovingPowder, WakesWhenItsCarrierStops) {
     return stopped;
   });
   simulation.step();
-  EXPECT_EQ(simulation.sleepers(), 0U);
+  EXPECT_EQ(sleepers(simulation), 0U);
   double speed = 0;
   for (const auto& velocity : simulation.grains().velocity) speed += velocity.x();
   EXPECT_GT(speed / static_cast<double>(simulation.grains().size()), 0.9 * kSpeed)
@@ -180,12 +183,12 @@ TEST_P(CoMovingPowder, StopsAndGoesOnBitForBit) {
     resumed.restore(broken.snapshot());
     run_steps(resumed, 1500 - stop);
     EXPECT_EQ(resumed.hash(), unbroken.hash()) << stop;
-    EXPECT_EQ(resumed.sleepers(), unbroken.sleepers());
+    EXPECT_EQ(sleepers(resumed), sleepers(unbroken));
     EXPECT_EQ(resumed.wall_load(kTray).force, unbroken.wall_load(kTray).force);
     EXPECT_EQ(resumed.wall_load(kTray).torque, unbroken.wall_load(kTray).torque);
     EXPECT_EQ(resumed.ledger().expected(), unbroken.ledger().expected());
   }
-  EXPECT_GT(unbroken.sleepers(), unbroken.grains().size() / 2);
+  EXPECT_GT(sleepers(unbroken), unbroken.grains().size() / 2);
 }
 
 TEST_P(CoMovingPowder, IsTheSameOnAnyNumberOfThreads) {
@@ -204,12 +207,12 @@ TEST(CoMovingPowder, WakesWhereItIsToBeAwake) {
   Simulation simulation(settings, tray_on_floor(3.5 * size));
   simulation.restore(tray_under_way(Model::a, true).snapshot());
   for (int look = 0; look < 100; ++look) {
-    run_steps(simulation, static_cast<int>(Sleeping::kStepsPerLook));
+    run_steps(simulation, static_cast<int>(kStepsPerLook));
     for (std::size_t k = 0; k < simulation.grains().size(); ++k)
-      ASSERT_FALSE(simulation.asleep(k) && simulation.grains().position[k].x() > from) << "at look " << look;
+      ASSERT_FALSE(asleep(simulation, k) && simulation.grains().position[k].x() > from) << "at look " << look;
   }
-  EXPECT_GT(simulation.sleepers(), simulation.grains().size() / 4) << "behind, it rides on";
-  EXPECT_LT(simulation.sleepers(), simulation.grains().size() * 3 / 4);
+  EXPECT_GT(sleepers(simulation), simulation.grains().size() / 4) << "behind, it rides on";
+  EXPECT_LT(sleepers(simulation), simulation.grains().size() * 3 / 4);
 }
 
 }  // namespace

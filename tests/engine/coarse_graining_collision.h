@@ -7,6 +7,7 @@
 
 #include "contact_energy.h"
 #include "engine/coarse_graining/bierwisch.h"
+#include "engine/observe/energy_balance.h"
 #include "engine_test_support.h"
 
 namespace diefill::engine {
@@ -77,7 +78,7 @@ inline CollisionCurve collide(const coarse_graining::Material& material, Encount
   for (int k = 0; k < steps; ++k) {
     simulation.step();
     curve.time_over_size.push_back(simulation.time() / size);
-    curve.energy_density.push_back((simulation.energy().contacts + tangential_energy(simulation)) /
+    curve.energy_density.push_back((energy_of(simulation).contacts + tangential_energy(simulation)) /
                                    settings.shape().solid_volume);
     curve.overlap_over_size.push_back(simulation.deepest_overlap() / size);
   }

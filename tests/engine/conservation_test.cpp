@@ -1,6 +1,7 @@
 // What nature keeps: momentum, angular momentum, energy; in clouds of colliding grains and in free tops.
 #include <gtest/gtest.h>
 
+#include "engine/observe/energy_balance.h"
 #include "engine_test_support.h"
 
 namespace diefill::engine {
@@ -69,7 +70,7 @@ TEST_P(LedgerOfCloud, ClosesAndClosesBetterWithShorterSteps) {
         colliding_cloud(time_step, {.friction = 0.5, .work_of_adhesion = 0.01, .rolling_friction = 3.75e-5},
                         GetParam().arm, GetParam().model);
     run_for(simulation, kDuration);
-    return std::abs(simulation.energy_balance_error());
+    return std::abs(energy_balance_error(simulation));
   };
   const double coarse = error(1e-6), fine = error(1e-7);
   EXPECT_LT(fine, 1e-3);
@@ -95,7 +96,7 @@ TEST(Ledger, AirAndGravityAreBooked) {
   simulation.add_grains({grain});
   run_steps(simulation, 20000);
   EXPECT_LT(simulation.ledger().drag_work, 0);
-  EXPECT_LT(std::abs(simulation.energy_balance_error()), 1e-4);
+  EXPECT_LT(std::abs(energy_balance_error(simulation)), 1e-4);
 }
 
 TEST(Ledger, StokesDragHasItsRelaxationTime) {
@@ -126,7 +127,7 @@ TEST(Ledger, AddedAndRemovedGrainsAreBooked) {
     simulation.remove_grains([](const Eigen::Vector3d& place) { return place.x() > 0; });
     EXPECT_EQ(simulation.grains().size(), 6U);
     run_for(simulation, 2e-4);
-    return std::abs(simulation.energy_balance_error());
+    return std::abs(energy_balance_error(simulation));
   };
   const double coarse = error(1e-6), fine = error(1e-7);
   EXPECT_LT(fine, 1e-3);
@@ -150,14 +151,14 @@ FreeTop spin_freely(double time_step, int steps) {
   grain.orientation = {0.5, 0.1, -0.7, 0.3};
   grain.angular_velocity = {90, -60, 120};
   simulation.add_grains({grain});
-  const double energy = simulation.energy().rotation;
+  const double energy = energy_of(simulation).rotation;
   const Eigen::Vector3d before = angular_momentum(simulation);
   FreeTop top{0, 0, 0};
   for (int k = 0; k < steps; ++k) {
     simulation.step();
     top.worst_norm = std::max(top.worst_norm, std::abs(simulation.grains().orientation_of(0).norm() - 1));
   }
-  top.energy_change = std::abs(simulation.energy().rotation - energy) / energy;
+  top.energy_change = std::abs(energy_of(simulation).rotation - energy) / energy;
   top.momentum_change = (angular_momentum(simulation) - before).norm() / before.norm();
   return top;
 }

@@ -4,6 +4,7 @@
 
 #include <cctype>
 
+#include "engine/observe/energy_balance.h"
 #include "engine_test_support.h"
 #include "tests/engine/laws/source_laws.h"
 
@@ -47,7 +48,7 @@ Simulation falling_bed(const laws::LawParameters& law, double time_step) {
 double error_after(const laws::LawParameters& law, double time_step, double duration) {
   Simulation simulation = falling_bed(law, time_step);
   run_steps(simulation, static_cast<int>(std::lround(duration / time_step)));
-  return std::abs(simulation.energy_balance_error());
+  return std::abs(energy_balance_error(simulation));
 }
 
 /// All laws of the sources but the first, Bierwisch's.

@@ -1,6 +1,8 @@
 // Grains put to sleep: what they save, what they leave as it was, and what wakes them.
 #include <gtest/gtest.h>
 
+#include "engine/observe/energy_balance.h"
+#include "engine/observe/powder_figures.h"
 #include "engine_test_support.h"
 
 namespace diefill::engine {
@@ -72,18 +74,18 @@ double mean_height(const Simulation& simulation) {
 TEST(Sleeping, SettledBedSleepsAndStands) {
   auto simulation = sleeping_bed();
   const std::size_t grains = simulation.grains().size();
-  EXPECT_GT(simulation.sleepers(), grains * 9 / 10);
+  EXPECT_GT(sleepers(simulation), grains * 9 / 10);
   simulation.step();
   // The tool still carries all of it.
   EXPECT_NEAR(simulation.wall_load(0).force.z(), -weight(simulation), 0.02 * weight(simulation));
-  EXPECT_LT(std::abs(simulation.energy_balance_error()), 1e-2);
+  EXPECT_LT(std::abs(energy_balance_error(simulation)), 1e-2);
   EXPECT_LT(simulation.ledger().sleep_work, 0);
   const Snapshot before = simulation.snapshot();
   run_steps(simulation, 2000);
-  EXPECT_GT(simulation.sphere_steps_left_out() - before.sleep.sphere_steps_left_out, 2000 * grains / 2);
+  EXPECT_GT(sphere_steps_left_out(simulation) - before.sleep.sphere_steps_left_out, 2000 * grains / 2);
   for (std::size_t k = 0; k < grains; ++k) {
     const std::size_t now = place_of(simulation, before.grains.id[k]);
-    if (!before.sleep.asleep[k] || !simulation.asleep(now)) continue;
+    if (!before.sleep.asleep[k] || !asleep(simulation, now)) continue;
     EXPECT_LT((before.grains.position[k] - simulation.grains().position[now]).norm(), 0.01 * grain_size());
   }
 }
@@ -101,9 +103,9 @@ struct Beds {
 
 TEST(Sleeping, BedIsTheOneThatStaysAwake) {
   const Beds beds;
-  EXPECT_GT(beds.asleep.sleepers(), beds.asleep.grains().size() * 8 / 10);
-  EXPECT_EQ(beds.awake.sleepers(), 0U);
-  EXPECT_EQ(beds.awake.sphere_steps_left_out(), 0U);
+  EXPECT_GT(sleepers(beds.asleep), beds.asleep.grains().size() * 8 / 10);
+  EXPECT_EQ(sleepers(beds.awake), 0U);
+  EXPECT_EQ(sphere_steps_left_out(beds.awake), 0U);
   EXPECT_NEAR(mean_height(beds.asleep), mean_height(beds.awake), 1e-3 * grain_size());
   std::size_t elsewhere = 0;
   for (std::uint64_t id = 0; id < beds.asleep.grains().size(); ++id)
@@ -118,16 +120,16 @@ TEST(Sleeping, BedIsTheOneThatStaysAwake) {
 
 TEST(Sleeping, FallingGrainsWakeWhatTheyHit) {
   Beds beds;
-  const std::size_t grains = beds.asleep.grains().size(), sleepers = beds.asleep.sleepers();
+  const std::size_t grains = beds.asleep.grains().size(), at_first = sleepers(beds.asleep);
   for (Simulation* bed : {&beds.asleep, &beds.awake}) drop_heap(*bed, 0);
-  std::size_t fewest = sleepers;
+  std::size_t fewest = at_first;
   for (int k = 0; k < 10000; ++k) {
     beds.asleep.step();
     beds.awake.step();
-    fewest = std::min(fewest, beds.asleep.sleepers());
+    fewest = std::min(fewest, sleepers(beds.asleep));
   }
-  EXPECT_LT(fewest, sleepers - 20);
-  EXPECT_GT(fewest, sleepers / 10) << "far from the impact some sleep on";
+  EXPECT_LT(fewest, at_first - 20);
+  EXPECT_GT(fewest, at_first / 10) << "far from the impact some sleep on";
   // The heap lies on the bed, as high as on the one that is awake.
   double heap_asleep = 0, heap_awake = 0;
   for (std::uint64_t id = grains; id < grains + 27; ++id) {
@@ -137,9 +139,9 @@ TEST(Sleeping, FallingGrainsWakeWhatTheyHit) {
   EXPECT_NEAR(heap_asleep, heap_awake, 0.5 * grain_size());
   EXPECT_NEAR(mean_height(beds.asleep), mean_height(beds.awake), 0.02 * grain_size());
   EXPECT_LT(beds.asleep.overlaps_of_run().grains, 0.2 * beds.asleep.settings().shape().sphere_radius);
-  EXPECT_LT(std::abs(beds.asleep.energy_balance_error()), 1e-2);
+  EXPECT_LT(std::abs(energy_balance_error(beds.asleep)), 1e-2);
   run_steps(beds.asleep, 20000);
-  EXPECT_GT(beds.asleep.sleepers(), sleepers * 8 / 10) << "in the end they sleep again";
+  EXPECT_GT(sleepers(beds.asleep), at_first * 8 / 10) << "in the end they sleep again";
 }
 
 TEST(Sleeping, ToolThatSetsOutWakesThePowder) {
@@ -153,12 +155,12 @@ TEST(Sleeping, ToolThatSetsOutWakesThePowder) {
   };
   auto simulation = sleeping_bed(1, lower);
   run_steps(simulation, 200);
-  EXPECT_GT(simulation.sleepers(), simulation.grains().size() * 8 / 10) << "the plate still stands";
+  EXPECT_GT(sleepers(simulation), simulation.grains().size() * 8 / 10) << "the plate still stands";
   const double height = mean_height(simulation);
   run_steps(simulation, 5000);
-  EXPECT_EQ(simulation.sleepers(), 0U);
+  EXPECT_EQ(sleepers(simulation), 0U);
   // The bed falls with the plate, the upper layers a look later than those that carried them.
-  const double since = 5200 * kStep - 1e-3, look = static_cast<double>(Sleeping::kStepsPerLook) * kStep;
+  const double since = 5200 * kStep - 1e-3, look = static_cast<double>(kStepsPerLook) * kStep;
   const double fallen = 0.5 * 9.81 * since * since;
   EXPECT_NEAR(height - mean_height(simulation), fallen, 9 * look * 9.81 * since);
 }
@@ -170,7 +172,7 @@ TEST(Sleeping, GrainsTakenAwayWakeTheirNeighbours) {
   const auto in_pit = [&](const Eigen::Vector3d& place) { return place.head<2>().norm() < pit; };
   simulation.remove_grains(in_pit);
   run_steps(simulation, 2000);
-  EXPECT_LT(simulation.sleepers(), simulation.grains().size());
+  EXPECT_LT(sleepers(simulation), simulation.grains().size());
   run_steps(simulation, 8000);
   std::size_t inside = 0;
   for (const auto& place : simulation.grains().position) inside += in_pit(place) ? 1U : 0U;
@@ -190,16 +192,16 @@ TEST(Sleeping, StopsAndGoesOnBitForBit) {
     run_steps(broken, stop);
     auto resumed = empty_box(true);
     resumed.restore(broken.snapshot());
-    EXPECT_EQ(resumed.sleepers(), broken.sleepers());
+    EXPECT_EQ(sleepers(resumed), sleepers(broken));
     run_steps(resumed, 6000 - stop);
     EXPECT_EQ(resumed.hash(), unbroken.hash()) << stop;
-    EXPECT_EQ(resumed.sleepers(), unbroken.sleepers());
+    EXPECT_EQ(sleepers(resumed), sleepers(unbroken));
     EXPECT_EQ(resumed.wall_load(0).force, unbroken.wall_load(0).force);
     EXPECT_EQ(resumed.ledger().expected(), unbroken.ledger().expected());
-    EXPECT_EQ(resumed.sphere_steps_left_out(), unbroken.sphere_steps_left_out());
+    EXPECT_EQ(sphere_steps_left_out(resumed), sphere_steps_left_out(unbroken));
   }
-  EXPECT_GT(unbroken.sleepers(), 0U);
-  EXPECT_LT(unbroken.sleepers(), unbroken.grains().size());
+  EXPECT_GT(sleepers(unbroken), 0U);
+  EXPECT_LT(sleepers(unbroken), unbroken.grains().size());
 }
 
 TEST(Sleeping, IsTheSameOnAnyNumberOfThreads) {
@@ -209,7 +211,7 @@ TEST(Sleeping, IsTheSameOnAnyNumberOfThreads) {
     drop_heap(simulation, 0.3);
     run_steps(simulation, 4000);
     hashes.push_back(simulation.hash());
-    saved.push_back(simulation.sphere_steps_left_out());
+    saved.push_back(sphere_steps_left_out(simulation));
   }
   EXPECT_EQ(hashes, std::vector<std::uint64_t>(3, hashes.front()));
   EXPECT_EQ(saved, std::vector<std::uint64_t>(3, saved.front()));
@@ -227,9 +229,9 @@ TEST(Sleeping, ComposedGrainsSleepToo) {
   Simulation simulation(settings, {plate(4 * size, kWallRadius)});
   simulation.add_grains(converging_cloud({4, 4, 4}, 1.1 * size, 0.05, 4, {0, 0, 2.6 * size}));
   run_steps(simulation, 40000);
-  EXPECT_GT(simulation.sleepers(), simulation.grains().size() / 2);
+  EXPECT_GT(sleepers(simulation), simulation.grains().size() / 2);
   EXPECT_NEAR(simulation.wall_load(0).force.z(), -weight(simulation), 0.02 * weight(simulation));
-  EXPECT_LT(std::abs(simulation.energy_balance_error()), 1e-2);
+  EXPECT_LT(std::abs(energy_balance_error(simulation)), 1e-2);
 }
 
 TEST(Sleeping, RefusesLimitsThatAreNone) {

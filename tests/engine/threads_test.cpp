@@ -2,6 +2,7 @@
 // finished one by one, as soon as no other needs them, or all together when all pairs are computed.
 #include <gtest/gtest.h>
 
+#include "engine/observe/powder_figures.h"
 #include "engine_test_support.h"
 
 namespace diefill::engine {
@@ -47,7 +48,7 @@ Outcome run_bed(const Bed& bed, int threads, bool periodic, bool may_sleep) {
   EXPECT_GT(simulation.touching_pairs(), bed.least_touching);
   EXPECT_GT(simulation.searches(), bed.least_searches);
   EXPECT_GT(simulation.wall_load(0).force.norm(), 0);
-  EXPECT_EQ(simulation.sleepers(), 0U);
+  EXPECT_EQ(sleepers(simulation), 0U);
   const auto& seconds = simulation.timers().seconds();
   for (const Phase phase : {Phase::contacts, Phase::gather})
     EXPECT_GT(seconds[static_cast<std::size_t>(phase)], 0);

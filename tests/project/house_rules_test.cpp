@@ -55,6 +55,17 @@ TEST(HouseRules, NothingIsLeftHalfDone) {
   EXPECT_TRUE(wrong.empty()) << in_lines(wrong);
 }
 
+// Working memory of the engine is passed to whoever works with it (engine/README.md, Threads).
+TEST(HouseRules, TheEngineKeepsNoBuffersPerThread) {
+  std::vector<std::string> wrong;
+  for (const auto& file : source_files()) {
+    if (!file.starts_with("engine/")) continue;
+    for (const auto& line : lines_of(text_of(file)))
+      if (line.find("thread_local") != std::string::npos) wrong.push_back(file + ": " + line);
+  }
+  EXPECT_TRUE(wrong.empty()) << in_lines(wrong);
+}
+
 TEST(HouseRules, SourceFilesEndInOneLineEndAndHoldNoTabs) {
   std::vector<std::string> wrong;
   for (const auto& file : source_files()) {

@@ -6,6 +6,7 @@
 #include <random>
 
 #include "engine/limits/validity_monitor.h"
+#include "engine/observe/energy_balance.h"
 #include "engine/simulation/simulation.h"
 #include "process/powder/material.h"
 
@@ -81,7 +82,7 @@ inline EnergyGained gained_by(engine::SimulationSettings settings, const BedWork
   const auto until = [&](double time) {
     while (simulation.time() < time) simulation.step();
     monitor.check(simulation);
-    return simulation.energy_balance_error();
+    return energy_balance_error(simulation);
   };
   EnergyGained gained;
   const double settled = until(2 * work.pour / 3);

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "engine/observe/energy_balance.h"
 #include "engine/observe/grain_contacts.h"
 
 namespace diefill::process::laboratory {
@@ -26,7 +27,7 @@ double kinetic_per_sphere(const engine::Simulation& simulation) {
   const auto& first = simulation.shape_of(0);
   const double mass = weight / (count * simulation.settings().gravity.norm());
   const double diameter = 2 * first.sphere_radius * std::cbrt(mass / first.mass);
-  return simulation.energy().kinetic() / (weight * diameter);
+  return engine::energy_of(simulation).kinetic() / (weight * diameter);
 }
 
 SphereBedFigures figures_of_bed(const engine::Simulation& simulation, const BedWindow& window) {

@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "engine/laws/contact_law.h"
+#include "engine/observe/energy_balance.h"
 #include "process/laboratory/stability/registry.h"
 #include "process/laboratory/stability/trial.h"
 
@@ -61,11 +62,11 @@ engine::Simulation started(engine::SimulationSettings settings, double time_step
 /// for `periods` oscillations, which take it to the edge of the well every time.
 bool keeps_its_energy(const BoundPair& pair, double time_step, double periods) {
   auto simulation = started(pair.settings, time_step, 1e-3 * pair.rest, 0);
-  const double before = simulation.energy().total();
+  const double before = engine::energy_of(simulation).total();
   const auto steps = std::lround(periods * pair.period / time_step);
   for (long k = 0; k < steps; ++k) {
     simulation.step();
-    if (simulation.energy().total() - before > 0.1 * pair.depth) return false;
+    if (engine::energy_of(simulation).total() - before > 0.1 * pair.depth) return false;
   }
   return true;
 }

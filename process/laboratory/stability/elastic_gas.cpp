@@ -3,6 +3,8 @@
 #include <cmath>
 #include <random>
 
+#include "engine/observe/energy_balance.h"
+
 namespace diefill::process::laboratory {
 
 namespace {
@@ -46,7 +48,7 @@ double energy_growth(const ElasticGas& gas, double time_step, double duration) {
   settings.time_step = time_step;
   engine::Simulation simulation(settings, gas.walls);
   simulation.add_grains(gas.grains);
-  const double start = simulation.energy().kinetic();
+  const double start = engine::energy_of(simulation).kinetic();
   return energy_from_nowhere(simulation, std::lround(duration / time_step), start);
 }
 

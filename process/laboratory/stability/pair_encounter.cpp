@@ -1,5 +1,7 @@
 #include "process/laboratory/stability/pair_encounter.h"
 
+#include "engine/observe/energy_balance.h"
+
 namespace diefill::process::laboratory {
 
 Encounter meet_head_on(const engine::SimulationSettings& settings, double speed, double phase, long steps,
@@ -23,7 +25,7 @@ Encounter meet_head_on(const engine::SimulationSettings& settings, double speed,
     end.parted = along(simulation.grains().position) > 2 * half + range && closing > 0;
     end.rebound = end.parted ? closing : 0;
   }
-  const auto energy = simulation.energy();
+  const auto energy = engine::energy_of(simulation);
   end.energy = energy.kinetic() + energy.contacts;
   end.deepest = simulation.deepest_overlap_of_run();
   return end;

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "engine/observe/energy_balance.h"
 #include "engine/powder/rigid_motion.h"
 #include "process/laboratory/stability/registry.h"
 #include "process/laboratory/stability/trial.h"
@@ -40,11 +41,12 @@ Tumble tumble(const engine::GrainShape& shape, double angle, double turns) {
     return engine::rotation_matrix(simulation.grains().orientation_of(0)) *
            shape.inertia.cwiseProduct(simulation.grains().spin[0]);
   };
-  const double energy = simulation.energy().rotation;
+  const double energy = engine::energy_of(simulation).rotation;
   const Eigen::Vector3d before = momentum();
   const auto steps = std::lround(2 * std::numbers::pi * turns / angle);
   for (long k = 0; k < steps; ++k) simulation.step();
-  return {std::abs(simulation.energy().rotation / energy - 1), (momentum() - before).norm() / before.norm(),
+  return {std::abs(engine::energy_of(simulation).rotation / energy - 1),
+          (momentum() - before).norm() / before.norm(),
           std::abs(simulation.grains().orientation_of(0).norm() - 1)};
 }
 

@@ -4,6 +4,7 @@
 #include <random>
 
 #include "engine/limits/time_step.h"
+#include "engine/observe/energy_balance.h"
 #include "process/laboratory/stability/contact_network.h"
 
 namespace diefill::process::laboratory {
@@ -76,7 +77,7 @@ double pile_energy_growth(const SettledPile& pile, double time_step, long steps)
   std::normal_distribution<double> normal(0, 1e-3);
   for (auto& grain : grains) grain.velocity = {normal(random), normal(random), normal(random)};
   simulation.add_grains(grains);
-  const auto energy = simulation.energy();
+  const auto energy = engine::energy_of(simulation);
   return energy_from_nowhere(simulation, steps, energy.kinetic() + energy.contacts);
 }
 

@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "engine/numerics/out_of_range.h"
+#include "engine/observe/energy_balance.h"
 
 namespace diefill::process::laboratory {
 
@@ -87,7 +88,7 @@ double energy_from_nowhere(engine::Simulation& simulation, long steps, double sc
     for (long k = 1; k <= steps; ++k) {
       simulation.step();
       if (k % every != 0) continue;
-      gained.push_back((simulation.energy().total() - simulation.ledger().expected()) / scale);
+      gained.push_back((engine::energy_of(simulation).total() - simulation.ledger().expected()) / scale);
       if (!(gained.back() < 1)) return std::numeric_limits<double>::infinity();
     }
   } catch (const engine::OutOfRange&) {

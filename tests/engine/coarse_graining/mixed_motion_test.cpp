@@ -8,7 +8,10 @@
 #include "engine/coarse_graining/methods.h"
 #include "engine/limits/pinched_grains.h"
 #include "engine/limits/validity_monitor.h"
+#include "engine/observe/contact_forces.h"
 #include "engine/observe/contact_stress.h"
+#include "engine/observe/energy_balance.h"
+#include "engine/observe/powder_figures.h"
 #include "tests/engine/laws/source_laws.h"
 #include "tests/engine/mixed_support.h"
 
@@ -148,7 +151,7 @@ TEST_P(MixedBed, ThreadsRestartAndInstructionsChangeNoBit) {
   EXPECT_EQ(resumed.hash(), broken.hash());
   run_steps(resumed, 400);
   EXPECT_EQ(resumed.hash(), alone.hash());
-  EXPECT_EQ(resumed.energy().total(), alone.energy().total());
+  EXPECT_EQ(energy_of(resumed).total(), energy_of(alone).total());
   EXPECT_LT(alone.wall_load(0).force.z(), 0);
 }
 
@@ -191,7 +194,7 @@ TEST(MixedCloud, KeepsMomentumAndAngularMomentumAndBooksItsEnergy) {
     // Single spheres: forces act at full radii, as far apart as the overlap; clumped grains meet in a point.
     const double lost = (angular_momentum_of_mix(simulation) - turning).norm() / (scale * kMixRadius);
     EXPECT_LT(lost, model == Model::d ? 1e-12 : 0.05);
-    EXPECT_NEAR(simulation.energy_balance_error(), 0, 2e-3);
+    EXPECT_NEAR(energy_balance_error(simulation), 0, 2e-3);
     EXPECT_NE(simulation.ledger().rolling_work, 0);
   }
 }
@@ -204,7 +207,7 @@ TEST(MixedCloud, ForcesOfContactsSumUpToThoseOnGrains) {
   const Grains& grains = simulation.grains();
   std::vector<Eigen::Vector3d> sum(grains.size(), Eigen::Vector3d::Zero());
   double largest = 0;
-  simulation.visit_contact_forces([&](const ContactForce& contact) {
+  visit_contact_forces(simulation, [&](const ContactForce& contact) {
     sum[contact.grain] += contact.force;
     EXPECT_LE(contact.arm.norm(), simulation.shape_of(contact.grain).sphere_radius);
     largest = std::max(largest, contact.force.norm());
@@ -279,11 +282,11 @@ TEST(MixedSleep, SettledGrainsOfAllSizesSleepAndARestartChangesNoBit) {
   auto grains = mixed_cloud({4, 4, 4}, 2.2 * kMixRadius, 0.02, 3, 12);
   for (auto& grain : grains) grain.position.z() += 5 * kMixRadius;
   simulation.add_grains(grains);
-  for (int round = 0; round < 60 && simulation.sleepers() < 40; ++round) run_steps(simulation, 2000);
-  ASSERT_GE(simulation.sleepers(), 40U);
+  for (int round = 0; round < 60 && sleepers(simulation) < 40; ++round) run_steps(simulation, 2000);
+  ASSERT_GE(sleepers(simulation), 40U);
   std::set<TypeNumber> kinds;
   for (std::size_t k = 0; k < simulation.grains().size(); ++k)
-    if (simulation.asleep(k)) kinds.insert(simulation.grains().kind[k]);
+    if (asleep(simulation, k)) kinds.insert(simulation.grains().kind[k]);
   EXPECT_EQ(kinds.size(), 3U);
   Simulation resumed(settings, {steel_floor()});
   resumed.restore(simulation.snapshot());

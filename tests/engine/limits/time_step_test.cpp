@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "engine/numerics/out_of_range.h"
+#include "engine/observe/energy_balance.h"
 #include "tests/engine/engine_test_support.h"
 
 namespace diefill::engine {
@@ -87,9 +88,9 @@ double energy_ratio(double fraction) {
   Simulation simulation(settings, {});
   auto cloud = converging_cloud({4, 4, 4}, 2 * half_size(settings.shape()), 0.5, 12);
   simulation.add_grains(cloud);
-  const double before = simulation.energy().total();
+  const double before = energy_of(simulation).total();
   run_steps(simulation, static_cast<int>(4e-3 / settings.time_step));
-  return simulation.energy().total() / before;
+  return energy_of(simulation).total() / before;
 }
 
 TEST(TimeStep, DefaultFractionKeepsEnergyAndTwiceTheCriticalExplodes) {

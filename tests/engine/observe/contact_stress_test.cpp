@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 
+#include "engine/observe/contact_forces.h"
 #include "tests/engine/engine_test_support.h"
 
 namespace diefill::engine {
@@ -53,7 +54,7 @@ TEST_P(ContactForces, SumUpToTheForceOnEveryGrain) {
   std::vector<Eigen::Vector3d> sum(grains.size(), Eigen::Vector3d::Zero());
   double largest = 0;
   std::size_t at_walls = 0;
-  simulation.visit_contact_forces([&](const ContactForce& contact) {
+  visit_contact_forces(simulation, [&](const ContactForce& contact) {
     sum[contact.grain] += contact.force;
     if (contact.other != kNoGrain) sum[contact.other] -= contact.force;
     at_walls += contact.other == kNoGrain;
@@ -114,7 +115,7 @@ TEST(TwoGrains, PushEachOtherByTheVelocitiesThatTheyHaveNow) {
     for (int step = 0; step < 2000 && touched < 50; ++step) {
       simulation.step();
       Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-      simulation.visit_contact_forces([&](const ContactForce& contact) {
+      visit_contact_forces(simulation, [&](const ContactForce& contact) {
         sum += contact.grain == 0 ? contact.force : Eigen::Vector3d(-contact.force);
       });
       const Eigen::Vector3d expected = smooth_force(simulation);

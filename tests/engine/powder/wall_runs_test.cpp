@@ -1,6 +1,7 @@
 // Near pairs with walls are looked at only as far as their sphere has moved: no contact may be missed for it.
 #include <gtest/gtest.h>
 
+#include "engine/observe/contact_forces.h"
 #include "engine/powder/rigid_motion.h"
 #include "tests/engine/engine_test_support.h"
 
@@ -52,7 +53,8 @@ TEST(WallRuns, MissNoContactWhileGrainsAndToolsMove) {
     simulation.step();
     if (step % 40 != 0) continue;
     std::size_t found = 0;
-    simulation.visit_contact_forces([&](const ContactForce& contact) { found += contact.other == kNoGrain; });
+    visit_contact_forces(simulation,
+                         [&](const ContactForce& contact) { found += contact.other == kNoGrain; });
     ASSERT_EQ(found, overlapping_pairs(simulation, wall)) << step;
     contacts += found;
   }

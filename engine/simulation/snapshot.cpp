@@ -1,4 +1,4 @@
-#include "engine/simulation/state.h"
+#include "engine/simulation/snapshot.h"
 
 #include <algorithm>
 #include <numeric>

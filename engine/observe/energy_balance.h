@@ -1,0 +1,15 @@
+// The energy of the powder, held against what was done to it.
+#pragma once
+
+#include "engine/simulation/simulation.h"
+
+namespace diefill::engine {
+
+/// Energy of the powder now, summed in a fixed order.
+Energy energy_of(const Simulation& simulation);
+
+/// Difference between the energy there is and the energy the ledger expects, over the energy turned over so
+/// far.
+double energy_balance_error(const Simulation& simulation);
+
+}  // namespace diefill::engine

@@ -1,0 +1,12 @@
+// What a step moves through memory.
+#pragma once
+
+#include "engine/simulation/simulation.h"
+
+namespace diefill::engine {
+
+/// Bytes that one step reads and writes at least: state of grains and spheres, near pairs and what touching
+/// ones remember, each counted once a pass.
+double bytes_moved_per_step(const Simulation& simulation);
+
+}  // namespace diefill::engine

@@ -1,0 +1,194 @@
+#include "engine/simulation/contact_search.h"
+
+#include <algorithm>
+#include <string>
+
+#include "engine/numerics/out_of_range.h"
+#include "engine/search/spatial_order.h"
+#include "engine/simulation/sleep_rules.h"
+
+namespace diefill::engine {
+
+namespace {
+
+/// m; a grain farther out than this has been thrown there by an unstable run.
+constexpr double kFarthestPlace = 1e6;
+
+/// How far (m) body and powder are apart at least, beyond `reach`; 0 when near. Coarse: the powder's box as a
+/// ball.
+double clearance_of(const WallBody& body, const BodyMotion& pose, const Eigen::AlignedBox3d& powder,
+                    double reach) {
+  const Eigen::Vector3d &lower = powder.min(), &upper = powder.max();
+  const Eigen::Vector3d middle = pose.rotation.transpose() * (0.5 * (lower + upper) - pose.translation);
+  const Eigen::Vector3d beyond = (body.lower() - middle).cwiseMax(middle - body.upper()).cwiseMax(0.0);
+  return std::max(0.0, beyond.norm() - 0.5 * (upper - lower).norm() - reach);
+}
+
+/// A search sorts grains into cells: there must be a place to sort them to.
+void check_places(const SimulationState& state) {
+  const Grains& grains = state.grains;
+  for (std::size_t k = 0; k < grains.size(); ++k) {
+    if (grains.position[k].norm() < kFarthestPlace && grains.orientation_of(k).allFinite()) continue;
+    throw OutOfRange("grain " + std::to_string(grains.id[k]) +
+                     " has no finite position any more at t = " + std::to_string(state.time) +
+                     " s: the run is unstable; take a shorter time step, and add no grain where another is");
+  }
+}
+
+/// `order`: of the grains in space, which the policy may change.
+NewOrder remember_contacts(SimulationState& state, StepPolicy& policy, std::vector<std::uint32_t> order) {
+  NewOrder sorted{std::move(order), 0, {}};
+  sorted.awake = policy.sort(state, sorted.order);
+  const NeighbourList& list = state.list;
+  std::vector<std::uint32_t> owners;
+  for (const auto& image : state.spheres.images) owners.push_back(image.owner);
+  const PairNaming naming{state.spheres.spheres_per_grain, state.spheres.grains, &owners, &list.body_first()};
+  std::vector<std::uint32_t> new_place(state.grains.size(), kGone);
+  for (std::uint32_t k = 0; k < sorted.order.size(); ++k) new_place[sorted.order[k]] = k;
+  const std::size_t spheres = sorted.order.size() * state.types.spheres();
+  const auto signs = state.grain_loop->history_signs();
+  sorted.histories = {remember_grain_contacts(list.blocks(), naming, new_place, signs, spheres, state.pool),
+                      remember_wall_contacts(list.blocks(), naming, new_place, list.settings().wall_history,
+                                             spheres, state.pool)};
+  return sorted;
+}
+
+/// How far grains and bodies may move before the next search, by how fast they are now.
+void allow_motion(SimulationState& state) {
+  ListReference& reference = state.reference;
+  const Grains& grains = state.grains;
+  const auto doublings = [&](double speed) {
+    return state.skin.doublings(reference.skin, speed * state.settings.time_step);
+  };
+  const double rim = state.list.settings().farthest_sphere;
+  reference.doublings.resize(grains.size());
+  for (std::size_t k = 0; k < grains.size(); ++k)
+    reference.doublings[k] =
+        doublings((grains.velocity[k] - reference.drift).norm() + rim * grains.spin[k].norm());
+  reference.body_allowance.resize(state.bodies.size());
+  for (std::size_t b = 0; b < state.bodies.size(); ++b) {
+    const BodyMotion& motion = state.body_motion[b];
+    const double speed = (motion.velocity - reference.drift).norm() +
+                         state.bodies[b].extent() * motion.angular_velocity.norm();
+    reference.body_allowance[b] = reference.allowance_of(doublings(speed));
+  }
+}
+
+/// Takes down where all is now, of which the first `awake` grains move.
+void remember_reference(SimulationState& state, std::size_t awake) {
+  ListReference& reference = state.reference;
+  const Grains& grains = state.grains;
+  reference.position = grains.position;
+  if (state.types.clumps()) reference.orientation = grains.orientation;
+  reference.bodies = state.body_motion;
+  reference.time = state.time;
+  reference.step = state.step;
+  reference.awake_grains = awake;
+  reference.drift.setZero();
+  // Where grains sleep, motion is measured against them: they are never the swifter ones, so that every pair
+  // of both kinds is an awake grain's.
+  if (awake < grains.size()) {
+    reference.drift = carrier_motion(state).velocity;
+  } else if (awake > 0) {
+    for (const auto& velocity : grains.velocity) reference.drift += velocity;
+    reference.drift /= static_cast<double>(grains.size());
+  }
+  allow_motion(state);
+}
+
+/// m, of any grain of the present list.
+double farthest_allowance(const ListReference& reference) {
+  double farthest = 0;
+  for (std::size_t k = 0; k < reference.doublings.size(); ++k)
+    farthest = std::max(farthest, reference.allowance(k));
+  return farthest;
+}
+
+void find_images(SimulationState& state) {
+  auto& images = state.spheres.images;
+  images.clear();
+  if (!state.box.any()) return;
+  // A grain on the border meets others whose centre is up to two grain radii and what both may move beyond
+  // it.
+  const double margin =
+      2 * state.types.largest_grain() + state.grain_loop->range() + 2 * farthest_allowance(state.reference);
+  for (std::uint32_t k = 0; k < state.reference.position.size(); ++k)
+    state.box.add_images(k, state.reference.position[k], margin, images);
+  images.shrink_to_fit();
+}
+
+/// Notes how far every body stands from the powder.
+void measure_clearances(SimulationState& state) {
+  const SphereField& spheres = state.spheres;
+  Eigen::AlignedBox3d powder;
+  for (std::size_t k = 0; k < spheres.size(); ++k) powder.extend(eigen(spheres.position(k)));
+  const double sphere_reach = state.types.largest_sphere() + farthest_allowance(state.reference);
+  for (std::size_t b = 0; b < state.bodies.size(); ++b) {
+    const WallBody& body = state.bodies[b];
+    state.clearance[b] =
+        spheres.grains == 0 || !state.settings.skip_far_walls
+            ? 0
+            : clearance_of(body, state.reference.bodies[b], powder, sphere_reach + body.sphere_radius());
+  }
+}
+
+}  // namespace
+
+void wrap_grains(SimulationState& state) {
+  if (!state.box.any()) return;
+  for (std::size_t k = 0; k < state.grains.size(); ++k) {
+    Eigen::Vector3d& position = state.grains.position[k];
+    const Eigen::Vector3d before = position;
+    position = state.box.wrapped(before);
+    state.ledger.added_energy -= state.shape_of(k).mass * state.settings.gravity.dot(position - before);
+  }
+}
+
+NewOrder sort_in_space(SimulationState& state, StepPolicy& policy) {
+  check_places(state);
+  wrap_grains(state);
+  // Where sizes differ, no two grains have room in one cell: the order does not depend on the one before.
+  const double cell =
+      state.types.monodisperse() ? 2 * state.types.largest_grain() : state.types.smallest_sphere();
+  return remember_contacts(state, policy, spatial_order(state.grains.position, cell, state.pool));
+}
+
+void sort_and_search(SimulationState& state, StepPolicy& policy) {
+  search_again(state, policy, sort_in_space(state, policy));
+}
+
+void search_in_order(SimulationState& state, StepPolicy& policy, std::vector<std::uint32_t> order) {
+  search_again(state, policy, remember_contacts(state, policy, std::move(order)));
+}
+
+void search_again(SimulationState& state, StepPolicy& policy, const NewOrder& sorted) {
+  state.grains.reorder(sorted.order);
+  state.spheres.reorder_motion(sorted.order);
+  remember_reference(state, sorted.awake);
+  search_at_reference(state, sorted.histories);
+  state.spheres.stand_at(state.grains.position, state.grains.orientation);
+  policy.after_search(state);
+}
+
+void search_at_reference(SimulationState& state, const ContactHistories& histories) {
+  ++state.searches;
+  SphereField& spheres = state.spheres;
+  const ListReference& reference = state.reference;
+  spheres.grains = reference.position.size();
+  find_images(state);
+  if (!state.types.monodisperse()) spheres.kind = state.grains.kind;
+  if (state.types.clumps()) {
+    spheres.velocity.resize(spheres.grains);
+    spheres.spin.resize(spheres.grains);
+  }
+  spheres.move_at(state.grains.velocity, state.grains.spin);
+  spheres.stand_at(reference.position, reference.orientation);
+  spheres.hold_places(state.pool);
+  state.list.build(spheres, state.bodies, reference, histories.grains, histories.walls, state.pool);
+  state.tallies.resize(state.list.blocks().size());
+  state.remaining_skin.assign(state.list.blocks().size(), 0);
+  measure_clearances(state);
+  spheres.drop_places();
+}
+
+}  // namespace diefill::engine
