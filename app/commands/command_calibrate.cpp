@@ -22,7 +22,7 @@ namespace {
 namespace calibration = process::calibration;
 
 struct CalibrateArguments {
-  std::string file, out;
+  std::string file, out, export_to, collect_from;
   double budget = 0;
   int jobs = 1, threads = 1;
   bool resume = false, screen = false, pdf = false, quiet = false;
@@ -30,7 +30,8 @@ struct CalibrateArguments {
 
 /// out/<folder of the file>_<name of the file>, with _screening behind it for a screening.
 std::filesystem::path directory_of(const CalibrateArguments& arguments) {
-  if (!arguments.out.empty()) return arguments.out;
+  for (const std::string& given : {arguments.export_to, arguments.collect_from, arguments.out})
+    if (!given.empty()) return given;
   const std::filesystem::path file = arguments.file;
   const auto folder = std::filesystem::absolute(file).parent_path().filename().string();
   return std::filesystem::path("out") /
@@ -56,6 +57,8 @@ calibration::CalibrateOptions options_of(const CalibrateArguments& arguments,
                                          const std::filesystem::path& directory) {
   calibration::CalibrateOptions options;
   options.command = command_text(arguments);
+  if (!arguments.export_to.empty()) options.open_runs = calibration::OpenRuns::write;
+  if (!arguments.collect_from.empty()) options.open_runs = calibration::OpenRuns::leave_out;
   options.points.directory = directory;
   options.points.say = say_note;
   options.points.jobs.program = std::filesystem::read_symlink("/proc/self/exe");
@@ -88,16 +91,34 @@ std::vector<std::string> write_all(const CalibrateArguments& arguments,
   return written;
 }
 
+int say_exported(const std::filesystem::path& directory, const results::Calibration& account) {
+  const std::string where = directory.string();
+  if (account.open_runs == 0)
+    std::printf("no runs are left to do (%s); diefill calibrate FILE --collect %s writes the powder\n",
+                account.stopped.c_str(), where.c_str());
+  else
+    std::printf(
+        "%zu runs in %s; copy it to where they should run and start them there:\n"
+        "  sbatch slurm.sh                                 on a Slurm cluster\n"
+        "  xargs -d '\\n' -n 1 -P 4 sh -c < jobs.txt        on one machine (or ./run_here.sh 4)\n"
+        "then run diefill calibrate FILE --export-jobs %s for the next round, until no runs are left,\n"
+        "and diefill calibrate FILE --collect %s\n",
+        account.open_runs, where.c_str(), where.c_str(), where.c_str());
+  return kDone;
+}
+
 int calibrate(const CalibrateArguments& arguments) {
   const auto plan = calibration::read_calibration(arguments.file);
   if (!arguments.screen) calibration::check_enough_data(plan);
   const std::filesystem::path directory = directory_of(arguments);
-  refuse_earlier(directory, arguments.resume);
+  refuse_earlier(directory,
+                 arguments.resume || !arguments.export_to.empty() || !arguments.collect_from.empty());
   const OutputDirectory output(directory, {"tools"});
   auto options = options_of(arguments, directory);
   options.points.jobs.stop = &heed_stop_signals();
   const auto account =
       arguments.screen ? calibration::screen(plan, options) : calibration::calibrate(plan, options);
+  if (!arguments.export_to.empty()) return say_exported(directory, account);
   const auto written = write_all(arguments, directory, account);
   std::printf("%sin %s:", calibration_table(account).c_str(), directory.string().c_str());
   for (const auto& file : written) std::printf(" %s", file.c_str());
@@ -121,6 +142,15 @@ void add_options(CLI::App& command, CalibrateArguments& arguments) {
       ->check(finite_number());
   command.add_flag("--resume", arguments.resume,
                    "continue in a directory that holds runs; finished ones are kept");
+  auto* exporting =
+      command.add_option("--export-jobs", arguments.export_to,
+                         "do not run: write the scenes and job scripts of the next round to this directory");
+  command
+      .add_option("--collect", arguments.collect_from,
+                  "do not run: find the powder from the finished runs of such a directory")
+      ->excludes(exporting)
+      ->excludes("--screen");
+  exporting->excludes("--screen");
   command.add_option("--out", arguments.out, "directory for results (default: out/<folder>_<file>)");
   command.add_flag("--pdf", arguments.pdf, "write the report as a PDF too");
   command.add_flag("--quiet", arguments.quiet, "print no progress");
@@ -139,6 +169,8 @@ void add_calibrate(CLI::App& program, Action& chosen) {
       "  diefill calibrate my_powder.toml --jobs 2 --budget 60\n"
       "  diefill calibrate my_powder.toml --resume                 go on after a stop or with more budget\n"
       "  diefill calibrate my_powder.toml --screen                 which parameters matter\n"
+      "  diefill calibrate my_powder.toml --export-jobs jobs       the next round of runs, for a cluster\n"
+      "  diefill calibrate my_powder.toml --collect jobs\n"
       "The file is explained in process/calibration/README.md. Writes powder.toml, which scenes use with\n"
       "powder.file = \"powder.toml\", calibration.html, calibration.json and CSV. Exit codes: 0 done, 1 too "
       "few runs\n"

@@ -13,6 +13,7 @@
 #include "process/compare/job_folder.h"
 #include "process/compare/kept_aside.h"
 #include "process/compare/run_jobs.h"
+#include "process/measured_data/hold_against.h"
 
 namespace diefill::app {
 
@@ -20,6 +21,7 @@ namespace {
 
 struct CompareArguments {
   std::string scene, setting, out, export_to, collect_from;
+  std::vector<std::string> measured;
   int jobs = 1, seeds = 1;
   bool quiet = false;
 };
@@ -42,8 +44,31 @@ ExitCode exit_code_of(const results::Comparison& comparison) {
   return worst;
 }
 
-int gather(const std::filesystem::path& directory) {
-  const auto comparison = process::collect(directory);
+/// Difference from measured data as measures of the comparison.
+std::vector<process::FurtherMeasure> measures_against(const std::vector<process::MeasuredFile>& files) {
+  std::vector<process::FurtherMeasure> measures;
+  for (const auto& file : files) {
+    const auto add = [&](const std::string& key, const std::string& name, const std::string& unit,
+                         auto value) {
+      measures.push_back({{"measured_" + file.file.stem().string() + '_' + key,
+                           name + " " + file.file.stem().string(), unit, 1, 0},
+                          [file, value](const results::FillResult& result) -> double {
+                            return value(process::hold_against(file, result).zones.front());
+                          }});
+    };
+    const std::string unit = file.table.value.unit;
+    add("difference", "mean difference from measured", unit,
+        [](const results::MeasuredZone& all) { return all.simulated - all.measured; });
+    add("rms", "rms difference from measured", unit,
+        [](const results::MeasuredZone& all) { return all.rms; });
+    add("correlation", "correlation with measured", "1",
+        [](const results::MeasuredZone& all) { return all.correlation; });
+  }
+  return measures;
+}
+
+int gather(const std::filesystem::path& directory, const std::vector<process::MeasuredFile>& measured) {
+  const auto comparison = process::collect(directory, measures_against(measured));
   std::vector<std::filesystem::path> written = {"comparison.json", "comparison.csv"};
   write_output([&] {
     say_what_is_kept(process::keep_earlier_tables(directory, comparison));
@@ -93,7 +118,8 @@ int export_jobs(const CompareArguments& arguments) {
 }
 
 int compare(const CompareArguments& arguments) {
-  if (!arguments.collect_from.empty()) return gather(arguments.collect_from);
+  const auto measured = process::read_measured_files(arguments.measured);
+  if (!arguments.collect_from.empty()) return gather(arguments.collect_from, measured);
   if (!arguments.export_to.empty()) return export_jobs(arguments);
   const auto variants = checked_variants(arguments);
   const std::filesystem::path directory =
@@ -108,7 +134,7 @@ int compare(const CompareArguments& arguments) {
   options.show_progress = !arguments.quiet;
   options.stop = &heed_stop_signals();
   process::run_jobs(directory, list, options);
-  return gather(directory);
+  return gather(directory, measured);
 }
 
 }  // namespace
@@ -123,6 +149,10 @@ void add_compare(CLI::App& program, Action& chosen) {
   command->add_option("--jobs", arguments->jobs, "runs at a time, sharing the cores (default: 1)")
       ->check(CLI::Range(1, 1024));
   add_setting(*command, arguments->setting);
+  command
+      ->add_option("--measured", arguments->measured,
+                   "CSV of a measured profile or map; its difference from each run is compared too")
+      ->allow_extra_args(false);
   command->add_option("--out", arguments->out, "directory for results (default: out/<folder>_<scene>)");
   command->add_flag("--quiet", arguments->quiet, "print no progress");
   auto* exporting =

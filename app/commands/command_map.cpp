@@ -15,14 +15,17 @@
 #include "process/measure/choose_cavity.h"
 #include "process/measure/measured_fields.h"
 #include "process/measure/time_average.h"
+#include "process/measured_data/hold_against.h"
+#include "process/results/atomic_file.h"
 #include "process/results/result_file.h"
+#include "render/report/measured_section.h"
 
 namespace diefill::app {
 
 namespace {
 
 struct MapArguments {
-  std::vector<std::string> directories, pictures, origin;
+  std::vector<std::string> directories, pictures, origin, measured;
   std::string out, averaging_width, normal, from, to, colour_by = "solid-fraction", tools = "cut",
                                                       camera = "front";
   std::vector<double> range;
@@ -207,14 +210,37 @@ int standard_pictures(PictureRequest& request) {
   return kDone;
 }
 
+/// Pictures and tables of the result beside what was measured, and the statistics on the terminal.
+int against_measured(const PictureRequest& request, const std::vector<process::MeasuredFile>& measured) {
+  set_up_drawing();
+  for (const auto& file : measured) {
+    const auto comparison = process::hold_against(file, request.sources.front().result);
+    std::printf("%s", render::report::measured_text(comparison).c_str());
+    write_output([&] {
+      for (const auto& name : results::write_measured_comparison(request.out, comparison))
+        std::printf("%s\n", (request.out / name).string().c_str());
+      for (const auto& picture : render::report::measured_pictures(comparison)) {
+        const auto png = request.out / ("measured_" + comparison.name + picture.suffix + ".png");
+        results::write_text_atomically(png, picture.figure.png.toStdString());
+        std::printf("%s\n", png.string().c_str());
+      }
+    });
+  }
+  return kDone;
+}
+
 int map(const MapArguments& arguments) {
   for (const auto& name : arguments.pictures)
     picture_kind(name);  // says what is wrong before anything is read
   require_averages(arguments);
+  const auto measured = process::read_measured_files(arguments.measured);
+  if (!measured.empty() && (arguments.directories.size() > 1 || !arguments.pictures.empty()))
+    throw process::SceneError("--measured: holds one results directory against data, without --picture");
   if (arguments.pictures.empty() && arguments.directories.size() > 1)
     throw process::SceneError("several results directories: add --picture to choose what to draw");
   PictureRequest request = request_of(arguments);
   make_output_directory(request.out);
+  if (!arguments.measured.empty()) return against_measured(request, measured);
   if (arguments.pictures.empty()) return standard_pictures(request);
   set_up_drawing();
   for (const auto& name : arguments.pictures) {
@@ -273,6 +299,11 @@ void add_map(CLI::App& program, Action& chosen) {
       ->required();
   command->add_option("--picture", arguments->pictures,
                       "kinds of picture, see below (default: those of a run)");
+  command
+      ->add_option("--measured", arguments->measured,
+                   "CSV of a measured profile or map: draw it beside the result, with difference and "
+                   "correlation zone by zone")
+      ->allow_extra_args(false);
   command->add_option("--out", arguments->out, "directory for the pictures (default: the first DIR)");
   command
       ->add_option(
@@ -299,6 +330,7 @@ void add_map(CLI::App& program, Action& chosen) {
       "Examples:\n"
       "  diefill map out/narrow_ring --averaging-width '1 mm'\n"
       "  diefill map out/narrow_ring --picture section --normal z --origin '0 mm' '0 mm' '-10 mm'\n"
+      "  diefill map out/narrow_ring --measured fill_level.csv\n"
       "  diefill map out/twin_die --cavity 2 --out out/twin_die/cavity_2\n"
       "  diefill map out/one out/two --picture difference --picture height-profile --pdf --out out/compared\n"
       "  diefill map out/narrow_ring --picture displacement --from '0.2 s' --to '0.4 s'\n"

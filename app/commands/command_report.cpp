@@ -7,6 +7,7 @@
 #include "app/output.h"
 #include "app/pictures/drawing.h"
 #include "process/input/scene_error.h"
+#include "process/measured_data/hold_against.h"
 #include "process/results/atomic_file.h"
 #include "process/results/result_file.h"
 #include "render/report/html.h"
@@ -20,7 +21,7 @@ namespace {
 namespace fs = std::filesystem;
 
 struct ReportArguments {
-  std::vector<std::string> directories;
+  std::vector<std::string> directories, measured;
   std::string out;
   bool pdf = false;
 };
@@ -63,9 +64,12 @@ double averaging_width_of(const results::FillResult& result) {
 }
 
 int report(const ReportArguments& arguments) {
+  const auto measured = process::read_measured_files(arguments.measured);
   std::vector<render::report::Run> runs;
   for (const auto& directory : arguments.directories) add_runs(runs, directory);
   for (auto& run : runs) run.other_cavities = of_other_cavities(run.result, averaging_width_of(run.result));
+  for (auto& run : runs)
+    for (const auto& file : measured) run.measured.push_back(process::hold_against(file, run.result));
   const fs::path html = arguments.out.empty() ? fs::path(arguments.directories.front()) / "report.html"
                                               : fs::path(arguments.out);
   if (html.extension() == ".pdf")
@@ -96,6 +100,10 @@ void add_report(CLI::App& program, Action& chosen) {
       ->add_option("DIR", arguments->directories,
                    "results directories of runs, or of a comparison; the first is the reference")
       ->required();
+  command
+      ->add_option("--measured", arguments->measured,
+                   "CSV of a measured profile or map to hold the results against")
+      ->allow_extra_args(false);
   command->add_flag("--pdf", arguments->pdf, "also write a PDF next to the HTML page");
   command->add_option("--out", arguments->out,
                       "file of the HTML page (default: report.html in the first DIR)");
@@ -103,6 +111,7 @@ void add_report(CLI::App& program, Action& chosen) {
       "Runs whose scenes differ only in the seed count as one strategy; the report gives their scatter.\n"
       "Examples:\n"
       "  diefill report out/narrow_ring --pdf\n"
+      "  diefill report out/narrow_ring --measured fill_level.csv --measured ct_density.csv\n"
       "  diefill report out/slow out/fast out/fast_seed_2 --out out/strategies.html");
   command->callback([arguments, &chosen] { chosen = [arguments] { return report(*arguments); }; });
 }

@@ -4,6 +4,7 @@
 
 #include "app/commands/commands.h"
 #include "app/commands/earlier_run.h"
+#include "app/commands/powder_sample_runs.h"
 #include "app/commands/scene_choice.h"
 #include "app/exit_code.h"
 #include "app/freed_memory.h"
@@ -29,6 +30,7 @@ struct RunArguments {
   std::string scene, directory, setting, shared_starts;
   int threads = 0;
   bool resume = false, quiet = false, no_pictures = false;
+  PowderSampleArguments samples;
 };
 
 /// out/<folder of the scene>, or out/<name of the scene> where its file name says more than "fill".
@@ -81,6 +83,14 @@ int unfinished(const process::FillRun& fill) {
 int run(const RunArguments& arguments) {
   process::Scene scene = wanted_scene(arguments.scene, arguments.setting);
   process::RunOptions options = options_of(arguments, scene);
+  if (arguments.samples.powders > 0) {
+    PowderSampleArguments samples = arguments.samples;
+    samples.quiet = arguments.quiet;
+    return run_powder_samples(
+        scene,
+        arguments.directory.empty() ? options.directory.string() + "_powder_samples" : arguments.directory,
+        samples);
+  }
   std::optional<OutputDirectory> output;
   // Before work that would be lost if a second run were refused.
   if (std::filesystem::exists(options.directory)) output.emplace(options.directory);
@@ -127,6 +137,22 @@ int run(const RunArguments& arguments) {
   return finished ? kDone : unfinished(fill);
 }
 
+void add_powder_samples(CLI::App& command, PowderSampleArguments& samples) {
+  auto* powders =
+      command
+          .add_option(
+              "--powder-samples", samples.powders,
+              "run the scene with so many powders that agree with the data of its powder.file, beside "
+              "the best one with several seeds")
+          ->check(CLI::Range(2, 1000));
+  command.add_option("--seeds", samples.seeds, "with --powder-samples: runs of the best powder (default: 4)")
+      ->check(CLI::Range(2, 1000))
+      ->needs(powders);
+  command.add_option("--jobs", samples.jobs, "with --powder-samples: runs at a time (default: 1)")
+      ->check(CLI::Range(1, 1024))
+      ->needs(powders);
+}
+
 }  // namespace
 
 void add_run(CLI::App& program, Action& chosen) {
@@ -146,12 +172,15 @@ void add_run(CLI::App& program, Action& chosen) {
                       "directory where runs with the same start share it");
   command->add_flag("--no-pictures", arguments->no_pictures, "draw nothing; use diefill map later");
   command->add_flag("--quiet", arguments->quiet, "print no progress");
+  add_powder_samples(*command, arguments->samples);
   command->footer(
       "Examples:\n"
       "  diefill run sample_tools/narrow_ring/fill.toml\n"
       "  diefill run my_die.toml --out results/my_die --threads 8\n"
       "  diefill run my_die.toml --setting quick                   a first look (diefill plan describes it)\n"
       "  diefill run my_die.toml --out results/my_die --resume     after Ctrl-C or a crash\n"
+      "  diefill run my_die.toml --powder-samples 12 --jobs 2      what the powder's uncertainty does to the "
+      "filling\n"
       "Files of an earlier run in the directory are moved to its folder previous-1, previous-2, ...\n"
       "Exit codes: 0 done, 1 failed, 2 bad input, 3 valid range of the method exceeded, 4 unfinished: "
       "numerics.max_time\nended before the scene (results cover the simulated time; resume with a larger "

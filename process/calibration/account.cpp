@@ -2,6 +2,7 @@
 
 #include <boost/math/distributions/chi_squared.hpp>
 #include <cmath>
+#include <cstdio>
 #include <limits>
 
 #include "process/calibration/methods/insight.h"
@@ -136,6 +137,14 @@ void add_words(results::Calibration& account, const CalibrationPlan& plan, const
         " values; the ranges are too narrow, the deviations too small, or the model cannot do this");
 }
 
+/// A number that TOML reads as one with a fraction.
+std::string with_point(double value) {
+  char text[40];
+  std::snprintf(text, sizeof text, "%.6g", value);
+  std::string number = text;
+  return number.find_first_of(".e") == std::string::npos ? number + ".0" : number;
+}
+
 /// As a text of TOML; names hold no control characters.
 std::string in_quotes(const std::string& text) {
   std::string quoted = "\"";
@@ -156,6 +165,17 @@ std::string grains_text(const Scene& scene) {
                     number_text(scene.walls.spacing)) +
          (scene.contact ? ", [contact] of the powder file"
                         : ", reduced modulus " + number_text(1e-6 * scene.powder.reduced_modulus) + " MPa");
+}
+
+/// Powders that agree, each with the values of the parameters below in their order.
+std::string samples_text(const results::Calibration& account) {
+  std::string text = "samples = [\n";
+  for (const auto& sample : account.samples) {
+    text += "  [";
+    for (std::size_t k = 0; k < sample.size(); ++k) text += (k == 0 ? "" : ", ") + with_point(sample[k]);
+    text += "],\n";
+  }
+  return text + "]\n";
 }
 
 }  // namespace
@@ -199,7 +219,7 @@ std::string powder_account(const results::Calibration& account) {
   const auto number = [](double value) { return number_text(value); };
   std::string text = "[calibration]\nagrees = " + std::string(account.agrees ? "true" : "false") +
                      "\nchi_square = " + number(account.chi_square) +
-                     "\nfitted_values = " + std::to_string(account.data) + "\n";
+                     "\nfitted_values = " + std::to_string(account.data) + "\n" + samples_text(account);
   for (const auto& parameter : account.parameters)
     text += "\n[[calibration.parameter]]\nkey = \"" + parameter.key + "\"\nunit = \"" + parameter.unit +
             "\"\nbest = " + number(parameter.best) + "\nlower_90 = " + number(parameter.lower) +

@@ -16,7 +16,6 @@
 namespace diefill::process::calibration {
 namespace {
 
-constexpr std::size_t kAtOnce = 2;      // points of a round; not --jobs, on which no result is to depend
 constexpr std::size_t kEdgePoints = 4;  // at most, for checks
 
 std::vector<double> plain(const Eigen::VectorXd& place) {
@@ -39,20 +38,24 @@ class Search {
     simulated_.points = start_points(plan);
   }
 
-  /// Until nothing helps any more; says why it ended.
+  /// Until nothing helps any more, or runs are to be done elsewhere; says why it ended.
   std::string go() {
     for (;;) {
       simulate();
       fit_ = fit_points(plan_, simulated_);
+      if (!options_.points.run && !runs_.open_jobs().jobs.empty()) return open_text();
       if (runs_.over_budget()) return "the budget is used";
       if (!fit_) return "too few runs gave values";
-      const NextPoints next = next_points(*fit_->likelihood, fit_->region, taken(), kAtOnce,
-                                          plan_.seed + simulated_.points.size());
+      const NextPoints next =
+          next_points(*fit_->likelihood, fit_->region, taken(),
+                      static_cast<std::size_t>(plan_.points_at_once), plan_.seed + simulated_.points.size());
       tell(next);
       if (!next.worthwhile()) return reason(next);
       if (simulated_.points.size() + next.places.size() > static_cast<std::size_t>(plan_.most_points))
         return "the search reached its most points (" + std::to_string(plan_.most_points) + ")";
-      for (const auto& place : next.places) simulated_.points.push_back({"search", plain(place)});
+      if (!take({{"search", plain(next.places.front())}})) return elsewhere_text();
+      for (std::size_t k = 1; k < next.places.size(); ++k)
+        simulated_.points.push_back({"search", plain(next.places[k])});
     }
   }
 
@@ -60,8 +63,8 @@ class Search {
   void check() {
     bool checks = false;
     for (const Measurement& measurement : plan_.measurements) checks = checks || !measurement.fitted;
-    if (!fit_ || runs_.over_budget()) return;
-    simulated_.points.push_back({"best", plain(fit_->region.best), true, true});
+    if (!fit_ || runs_.over_budget() || !runs_.open_jobs().jobs.empty()) return;
+    if (!take({{"best", plain(fit_->region.best), true, true}})) return;
     if (checks)
       for (const auto& place : edge_of(fit_->region, std::min(kEdgePoints, 2 * plan_.parameters.size())))
         simulated_.points.push_back({"edge", plain(place), false, true});
@@ -79,8 +82,27 @@ class Search {
   }
 
   const std::optional<Fit>& fit() const { return fit_; }
+  const results::JobList& open_jobs() const { return runs_.open_jobs(); }
 
  private:
+  /// Takes points on, unless they would be new and only finished runs count.
+  bool take(const std::vector<Point>& points) {
+    for (std::size_t k = 0; k < points.size(); ++k)
+      if (options_.open_runs == OpenRuns::leave_out &&
+          !runs_.is_written(points[k], simulated_.points.size() + k))
+        return false;
+    simulated_.points.insert(simulated_.points.end(), points.begin(), points.end());
+    return true;
+  }
+
+  std::string open_text() const {
+    return std::to_string(runs_.open_jobs().jobs.size()) + " runs are not finished";
+  }
+
+  static std::string elsewhere_text() {
+    return "all runs are collected; --export-jobs writes those of the next round";
+  }
+
   void simulate() {
     runs_.run(simulated_.points);
     for (std::size_t k = simulated_.outcomes.size(); k < simulated_.points.size(); ++k)
@@ -149,11 +171,18 @@ void write_powder(const CalibrationPlan& plan, const Fit& fit, const results::Ca
 
 }  // namespace
 
-results::Calibration calibrate(const CalibrationPlan& plan, const CalibrateOptions& options) {
+results::Calibration calibrate(const CalibrationPlan& plan, const CalibrateOptions& given) {
+  CalibrateOptions options = given;
+  options.points.run = given.open_runs == OpenRuns::run;
   Search search(plan, options);
   const std::string stopped = search.go();
   search.check();
   results::Calibration account = search.account(stopped);
+  account.open_runs = search.open_jobs().jobs.size();
+  if (options.open_runs == OpenRuns::write) {
+    write_job_scripts(options.points.directory, search.open_jobs(), options.points.say);
+    return account;
+  }
   if (search.fit()) write_powder(plan, *search.fit(), account, options.points);
   return account;
 }

@@ -11,8 +11,16 @@
 
 namespace diefill::process::calibration {
 
+/// What to do about runs that are not finished.
+enum class OpenRuns {
+  run,       ///< here and now
+  write,     ///< their scenes and job scripts, to be run elsewhere
+  leave_out  ///< go by those that are finished
+};
+
 struct CalibrateOptions {
   PointOptions points;  ///< directory, jobs and budget (jobs.cpu_seconds)
+  OpenRuns open_runs = OpenRuns::run;
   std::string command;  ///< for the account
   /// Told what has been found so far, a line at a time.
   std::function<void(const std::string&)> tell;

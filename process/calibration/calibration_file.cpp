@@ -48,6 +48,8 @@ void read_search(TableReader& document, CalibrationPlan& plan) {
         static_cast<int>(search->integer("start_points", count + 2, kMostPoints).value_or(plan.start_points));
     plan.most_points = static_cast<int>(search->integer("most_points", plan.start_points, kMostPoints)
                                             .value_or(std::max(plan.most_points, plan.start_points)));
+    plan.points_at_once =
+        static_cast<int>(search->integer("points_at_once", 1, kMostPoints).value_or(plan.points_at_once));
     search->finish();
   }
   if (auto check = document.table("check")) {

@@ -22,6 +22,7 @@ struct CalibrationPlan {
   int seeds = 2;             ///< runs of each set of parameters
   int start_points = 0;      ///< of the space-filling start
   int most_points = 0;       ///< at which the search ends in any case
+  int points_at_once = 2;    ///< of a round of the search
   std::string finer_grains;  ///< grain_diameter of a last check with finer grains; empty: none
   int resolution = 4;        ///< of a screening
 };

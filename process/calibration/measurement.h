@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "process/calibration/measured_table.h"
 #include "process/input/table_reader.h"
+#include "process/measured_data/measured_table.h"
 #include "process/results/fill_result.h"
 #include "process/scene/scene.h"
 

@@ -82,7 +82,7 @@ void PointRuns::run(const std::vector<Point>& points) {
   double of_others = 0;
   for (const results::Job& job : all.jobs) {
     const JobState state = state_of(options_.directory, job);
-    const bool again = state.stage == JobState::Stage::failed && !tried_.contains(job.folder);
+    const bool again = options_.run && state.stage == JobState::Stage::failed && !tried_.contains(job.folder);
     if (state.stage == JobState::Stage::open || again)
       open.jobs.push_back(job);
     else
@@ -90,12 +90,22 @@ void PointRuns::run(const std::vector<Point>& points) {
   }
   JobOptions jobs = options_.jobs;
   jobs.cpu_seconds -= of_others;
-  if (!open.jobs.empty() && jobs.cpu_seconds > 0) run_jobs(options_.directory, open, jobs);
+  if (options_.run && !open.jobs.empty() && jobs.cpu_seconds > 0) run_jobs(options_.directory, open, jobs);
   spent_ = 0;
+  open_ = open;
+  open_.jobs.clear();
   for (const results::Job& job : all.jobs) {
     tried_.insert(job.folder);
     spent_ += results::read_job_cost(options_.directory / job.folder).cpu_seconds;
+    if (state_of(options_.directory, job).stage == JobState::Stage::open) open_.jobs.push_back(job);
   }
+}
+
+bool PointRuns::is_written(const Point& point, std::size_t number) const {
+  const auto runs = runs_of(point);
+  return std::all_of(runs.begin(), runs.end(), [&](std::size_t run) {
+    return std::filesystem::exists(options_.directory / folder_of(number, run));
+  });
 }
 
 std::vector<std::vector<double>> PointRuns::values_of(std::size_t measurement, std::size_t number) {

@@ -35,6 +35,7 @@ struct PointOptions {
   std::filesystem::path directory;
   JobOptions jobs;
   Say say;
+  bool run = true;  ///< false: only the scenes are written
 };
 
 class PointRuns {
@@ -49,6 +50,10 @@ class PointRuns {
   /// Whether the budget of processor time is spent.
   bool over_budget() const { return spent_ >= options_.jobs.cpu_seconds; }
   double spent() const { return spent_; }
+  /// Jobs of the latest run() that are neither finished nor failed.
+  const results::JobList& open_jobs() const { return open_; }
+  /// Whether scenes of this point have been written before.
+  bool is_written(const Point& point, std::size_t number) const;
 
  private:
   std::vector<std::size_t> runs_of(const Point& point) const;
@@ -63,7 +68,8 @@ class PointRuns {
   std::map<std::pair<std::size_t, std::size_t>, std::vector<Variant>> scenes_;
   std::map<std::size_t, std::string> refused_;  ///< points that a scene cannot have, and why
   std::set<std::string> tried_;                 ///< folders run in this session
-  double spent_ = 0;                            ///< s of processor time of all jobs
+  results::JobList open_;
+  double spent_ = 0;  ///< s of processor time of all jobs
 };
 
 }  // namespace diefill::process::calibration

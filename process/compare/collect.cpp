@@ -15,16 +15,26 @@ namespace {
 
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
-void take_values(results::ComparedRun& run, const results::FillResult& result) {
+void take_values(results::ComparedRun& run, const results::FillResult& result,
+                 const std::vector<FurtherMeasure>& further) {
   run.state_hash = result.state_hash;
   for (const auto& measure : compared_measures()) {
     const double value = value_of(measure, result);
     if (std::isfinite(value)) run.values[measure.key] = value;
   }
+  std::set<std::string> keys;
+  for (const auto& [key, value] : result.figures)
+    if (std::isfinite(value)) keys.insert(key);
+  for (const auto& measure : measures_of_named(keys)) run.values[measure.key] = value_of(measure, result);
+  for (const FurtherMeasure& measure : further) {
+    const double value = measure.value(result);
+    if (std::isfinite(value)) run.values[measure.about.key] = value;
+  }
 }
 
 /// The run as it stands; adds its field to `fields` if it is finished.
 results::ComparedRun compared_run(const std::filesystem::path& directory, const results::Job& job,
+                                  const std::vector<FurtherMeasure>& further,
                                   std::vector<results::Field2D>& fields) {
   results::ComparedRun run;
   run.variant = job.variant;
@@ -39,7 +49,7 @@ results::ComparedRun compared_run(const std::filesystem::path& directory, const 
   if (state.stage != JobState::Stage::finished) return run;
   try {
     const auto result = results::read_results(directory / job.folder);
-    take_values(run, result);
+    take_values(run, result, further);
     run.state = "finished";
     if (const auto* field = compared_field(result)) fields.push_back(*field);
   } catch (const results::ResultError& error) {
@@ -81,9 +91,16 @@ std::vector<double> values_of(const std::string& key, const std::string& variant
 }  // namespace
 
 std::vector<results::ComparedMeasure> compare_runs(const std::vector<std::string>& variants,
-                                                   const std::vector<results::ComparedRun>& runs) {
+                                                   const std::vector<results::ComparedRun>& runs,
+                                                   const std::vector<FurtherMeasure>& further) {
+  std::set<std::string> keys;
+  for (const auto& run : runs)
+    for (const auto& [key, value] : run.values) keys.insert(key);
+  std::vector<MeasureOfComparison> measures = compared_measures();
+  for (auto& named : measures_of_named(keys)) measures.push_back(std::move(named));
+  for (const FurtherMeasure& measure : further) measures.push_back(measure.about);
   std::vector<results::ComparedMeasure> all;
-  for (const auto& measure : compared_measures()) {
+  for (const auto& measure : measures) {
     std::vector<Sample> samples;
     for (const auto& variant : variants)
       samples.push_back(sample_of(values_of(measure.key, variant, runs), measure.period));
@@ -97,15 +114,16 @@ std::vector<results::ComparedMeasure> compare_runs(const std::vector<std::string
   return all;
 }
 
-results::Comparison collect(const std::filesystem::path& directory) {
+results::Comparison collect(const std::filesystem::path& directory,
+                            const std::vector<FurtherMeasure>& further) {
   const results::JobList list = results::read_job_list(directory);
   results::Comparison comparison;
   comparison.title = list.title;
   comparison.variants = list.variants;
   std::map<std::string, std::vector<results::Field2D>> fields;
   for (const auto& job : list.jobs)
-    comparison.runs.push_back(compared_run(directory, job, fields[job.variant]));
-  comparison.measures = compare_runs(comparison.variants, comparison.runs);
+    comparison.runs.push_back(compared_run(directory, job, further, fields[job.variant]));
+  comparison.measures = compare_runs(comparison.variants, comparison.runs, further);
   for (const auto& variant : comparison.variants) comparison.fields.push_back(mean_field(fields[variant]));
   return comparison;
 }

@@ -1,6 +1,7 @@
 #include "process/compare/compared_measures.h"
 
 #include "process/results/figure_table.h"
+#include "process/results/figure_thing.h"
 
 namespace diefill::process {
 
@@ -14,6 +15,18 @@ const std::vector<MeasureOfComparison>& compared_measures() {
     return measures;
   }();
   return all;
+}
+
+std::vector<MeasureOfComparison> measures_of_named(const std::set<std::string>& keys) {
+  std::vector<MeasureOfComparison> measures;
+  for (const results::Figure& figure : results::figure_table()) {
+    if (!results::is_of_things(figure)) continue;
+    for (const std::string& key : keys)
+      if (results::find_figure(key) == &figure)
+        measures.push_back({key, results::label_of(figure, results::thing_of(figure, key)), figure.shown.unit,
+                            figure.shown.factor, figure.shown.period});
+  }
+  return measures;
 }
 
 double value_of(const MeasureOfComparison& measure, const results::FillResult& result) {

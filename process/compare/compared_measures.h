@@ -1,6 +1,7 @@
 // The measures by which variants are compared.
 #pragma once
 
+#include <set>
 #include <string>
 #include <vector>
 
@@ -8,7 +9,8 @@
 
 namespace diefill::process {
 
-/// A number of a result: a figure of which results/figure_table says that it is compared.
+/// A number of a result: a figure of which results/figure_table says that it is compared, or one that belongs
+/// to a thing of the scene, such as a zone.
 struct MeasureOfComparison {
   std::string key;   ///< name of the figure
   std::string name;  ///< for people
@@ -17,7 +19,11 @@ struct MeasureOfComparison {
   double period = 0;  ///< in `unit`, for angles that come round again; 0: none
 };
 
+/// Those that any result can have.
 const std::vector<MeasureOfComparison>& compared_measures();
+
+/// Figures among `keys` that belong to a thing of the scene, such as "solid_fraction_in_flange".
+std::vector<MeasureOfComparison> measures_of_named(const std::set<std::string>& keys);
 
 /// The value in its unit; NaN where the result has none.
 double value_of(const MeasureOfComparison& measure, const results::FillResult& result);

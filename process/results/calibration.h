@@ -106,6 +106,7 @@ struct Calibration {
   bool agrees = false;                           ///< chi^2 is one that chance explains (1 %)
   bool fitted = false;                           ///< false: too few runs, or a screening alone
   std::string stopped;                           ///< why the search ended, in a sentence
+  std::size_t open_runs = 0;                     ///< that are wanted but not finished
   std::vector<std::string> insights, remarks;
   Screening screening;  ///< runs 0: none
 };

@@ -92,6 +92,13 @@ constexpr std::array kFigures = {
            "solid fraction of the powder", kRatio},
     Figure{"slope_of_*_deg", "deg", "slope of the heap's surface to the horizontal", "slope of *",
            ShownAs{"deg", 1, 3}},
+    // Zones of [measure].
+    Figure{"filled_mass_in_*_kg", "kg", "mass of the grains whose centre lies in the zone of the cavity",
+           "filled mass of model powder in *", kGrams},
+    Figure{"mass_share_in_*", "1", "mass in the zone over that in the cavity", "share of the powder in *",
+           kPercent},
+    Figure{"solid_fraction_in_*", "1", "solid over cell volume of the zone's grains below the surface",
+           "solid fraction in *", kRatio},
     // The model powder and its grains.
     Figure{"fill_density_kg_m3", "kg/m^3", "mass of model powder in the cavity over the cavity's volume",
            "fill density of model powder", kModelDensity},

@@ -12,11 +12,13 @@
 #include "process/measure/heap_slope.h"
 #include "process/measure/measure.h"
 #include "process/measure/measured_fields.h"
+#include "process/measure/zone.h"
 #include "process/run/margin_warnings.h"
 #include "process/run/measure_cavities.h"
 #include "process/run/outcome.h"
 #include "process/run/powder_state.h"
 #include "process/run/topics.h"
+#include "process/scene/zones.h"
 #include "process/setup/setup_findings.h"
 #include "process/tooling/die_frame.h"
 #include "process/tooling/half_model.h"
@@ -264,6 +266,7 @@ results::FillResult assemble(const Scene& scene, const Tooling& tooling, const F
     const double slope = heap_slope(result.powder, heap.from, heap.to);
     if (std::isfinite(slope)) result.figures[heap_figure(heap.name)] = slope;
   }
+  add_zone_figures(result, zones_in(scene.text));
   return result;
 }
 

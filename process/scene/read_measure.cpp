@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include "process/scene/sections.h"
+#include "process/scene/zones.h"
 
 namespace diefill::process {
 namespace {
@@ -62,6 +63,7 @@ MeasureSpec read_measure(TableReader table) {
     refuse_same_name(heap_table, measure.heaps, heap, "heap");
     measure.heaps.push_back(std::move(heap));
   }
+  read_zones(table);
   table.finish();
   return measure;
 }

@@ -6,6 +6,7 @@
 
 #include "process/measure/heap_slope.h"
 #include "process/results/figure_table.h"
+#include "process/scene/zones.h"
 
 namespace diefill::process {
 namespace {
@@ -86,7 +87,6 @@ void add_flows(std::vector<MeasuredQuantity>& all, const Scene& scene) {
   }
 }
 
-/// Figures that other measures of the result add by name.
 void add_heaps(std::vector<MeasuredQuantity>& all, const Scene& scene) {
   for (const HeapSpec& heap : scene.measure.heaps) {
     const std::string key = heap_figure(heap.name);
@@ -94,6 +94,16 @@ void add_heaps(std::vector<MeasuredQuantity>& all, const Scene& scene) {
     all.push_back({{.key = key, .name = results::label_of(slope, heap.name), .unit = slope.shown.unit},
                    [key](const results::FillResult& result) { return value_of(result, key); }});
   }
+}
+
+void add_zones(std::vector<MeasuredQuantity>& all, const Scene& scene) {
+  for (const Zone& zone : zones_in(scene.text))
+    for (const std::string& key :
+         {zone_mass_figure(zone.name), zone_share_figure(zone.name), zone_solid_fraction_figure(zone.name)}) {
+      const results::Figure& figure = figure_called(key);
+      all.push_back({{.key = key, .name = results::label_of(figure, zone.name), .unit = figure.shown.unit},
+                     [key](const results::FillResult& result) { return value_of(result, key); }});
+    }
 }
 
 }  // namespace
@@ -140,6 +150,7 @@ std::vector<MeasuredQuantity> measured_quantities(const Scene& scene) {
   };
   add_flows(all, scene);
   add_heaps(all, scene);
+  add_zones(all, scene);
   return all;
 }
 

@@ -5,6 +5,7 @@
 
 #include "process/results/cavity_rows.h"
 #include "process/results/figure_table.h"
+#include "process/results/figure_thing.h"
 #include "process/results/no_value.h"
 #include "process/results/rounding.h"
 #include "render/report/figure_text.h"
@@ -86,6 +87,20 @@ Table model_table(const FillResult& result) {
   return table;
 }
 
+/// Figures that belong to things of the scene: zones and heaps.
+Table thing_table(const FillResult& result) {
+  Table table{"Zones and heaps of the scene", {}, {}};
+  for (const results::Figure& figure : results::figure_table()) {
+    if (!results::is_of_things(figure)) continue;
+    for (const auto& [name, value] : result.figures)
+      if (results::find_figure(name) == &figure && std::isfinite(value))
+        table.rows.push_back(
+            {results::capitalised(results::label_of(figure, results::thing_of(figure, name))),
+             with_unit(figure.shown.factor * value, figure.shown.unit, figure.shown.digits)});
+  }
+  return table;
+}
+
 Table cavity_table(const std::vector<CavityRow>& rows) {
   Table table{"All cavities",
               {"Cavity", "Middle [mm]", column_title("cavity_volume_m3"), short_title("expected_mass_kg"),
@@ -123,6 +138,7 @@ Section filling_section(const FillResult& result) {
     add_table(section, mass_table(result, first));
     add_table(section, evenness_table(result));
   }
+  add_table(section, thing_table(result));
   add_table(section, model_table(result));
   if (!rows.empty())
     section.blocks.emplace_back(

@@ -8,9 +8,11 @@
 #include <cmath>
 #include <filesystem>
 #include <functional>
+#include <limits>
 #include <stdexcept>
 
 #include "render/fields/density_map.h"
+#include "render/fields/difference_map.h"
 #include "render/fields/field_places.h"
 #include "render/report/timeline.h"
 #include "render/scene3d/snapshot.h"
@@ -137,6 +139,12 @@ std::vector<Figure> timeline_of(const results::FillResult& result) {
 Figure field_picture(const results::Field2D& field, const std::string& title, const std::string& subtitle,
                      const ColourRange& range, const std::string& caption, const FieldStyle& style) {
   return {png_of(compose_field(field, title, subtitle, range, style).image), caption};
+}
+
+Figure difference_picture(const results::Field2D& difference, const std::string& title,
+                          const std::string& subtitle, const std::string& caption, const FieldStyle& style) {
+  const double from_data = std::numeric_limits<double>::quiet_NaN();
+  return {png_of(compose_difference(difference, title, subtitle, from_data, style).image), caption};
 }
 
 Figure chart_picture(const Chart& chart, const std::string& caption) {

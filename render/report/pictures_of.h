@@ -32,6 +32,11 @@ std::vector<Figure> timeline_of(const results::FillResult& result);
 Figure field_picture(const results::Field2D& field, const std::string& title, const std::string& subtitle,
                      const ColourRange& range, const std::string& caption, const FieldStyle& style = {});
 
+/// One difference, in colours about zero; its scale from the data.
+Figure difference_picture(const results::Field2D& difference, const std::string& title,
+                          const std::string& subtitle, const std::string& caption,
+                          const FieldStyle& style = {});
+
 /// One chart.
 Figure chart_picture(const Chart& chart, const std::string& caption);
 

@@ -1,8 +1,11 @@
 #include "render/report/report.h"
 
+#include <algorithm>
+#include <iterator>
 #include <stdexcept>
 
 #include "render/report/comparison.h"
+#include "render/report/measured_section.h"
 #include "render/report/run_sections.h"
 
 namespace diefill::render::report {
@@ -18,6 +21,13 @@ ColourRange range_of(const std::vector<const Run*>& runs) {
   return solid_fraction_range(results);
 }
 
+/// Behind the results, where it has been measured.
+void add_measured(std::vector<Section>& sections, const Run& run, int level) {
+  if (!run.measured.empty())
+    sections.insert(sections.begin() + std::min<std::ptrdiff_t>(1, std::ssize(sections)),
+                    measured_section(run.measured, level));
+}
+
 Document single(const Run& run) {
   const auto& result = run.result;
   Document document;
@@ -25,6 +35,7 @@ Document single(const Run& run) {
   document.subtitle = "Die filling: " + result.powder_name + ", " + result.strategy + ". diefill " +
                       result.program_version + ", results in " + run.name;
   document.sections = run_sections(result, 1, {range_of({&run}), &run.other_cavities});
+  add_measured(document.sections, run, 1);
   return document;
 }
 
@@ -49,7 +60,9 @@ Document several(const std::vector<Run>& runs) {
       chapter.blocks.emplace_back(Paragraph{"The following sections show the first of these runs."});
     document.sections.push_back(chapter);
     const SharedPictures shared{range, &strategy.runs.front()->other_cavities};
-    for (auto& section : run_sections(strategy.first(), 2, shared)) document.sections.push_back(section);
+    auto sections = run_sections(strategy.first(), 2, shared);
+    add_measured(sections, *strategy.runs.front(), 2);
+    for (auto& section : sections) document.sections.push_back(section);
   }
   return document;
 }

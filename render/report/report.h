@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "process/results/fill_result.h"
+#include "process/results/measured_comparison.h"
 #include "render/report/document.h"
 
 namespace diefill::render::report {
@@ -16,6 +17,7 @@ struct Run {
   std::string strategy;  ///< that it is a run of, where a comparison says so; empty: told from the scene
   /// The same result as of each further cavity of the die, for maps of their own; empty where there is one.
   std::vector<results::FillResult> other_cavities = {};
+  std::vector<results::MeasuredComparison> measured = {};  ///< what the result is held against
 };
 
 /// The report as content: of one run all that is known about it; of several first the comparison, then every

@@ -1,8 +1,11 @@
 // Calibration through the real program: a small planted powder is found again from its filled die.
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <csignal>
+#include <cstdlib>
 #include <fstream>
+#include <map>
 #include <thread>
 
 #include "tests/app/small_die.h"
@@ -77,7 +80,8 @@ TEST(Calibrate, FindsAPlantedFrictionAndWritesAPowderThatScenesUse) {
   const Outcome run = die.run({"--no-pictures"});
   ASSERT_EQ(run.exit_code, 0) << run.err;
   std::string warnings;
-  for (const auto& warning : die.report().at("warnings")) warnings += warning.get<std::string>() + '\n';
+  const auto report = die.report();
+  for (const auto& warning : report.at("warnings")) warnings += warning.get<std::string>() + '\n';
   EXPECT_NE(warnings.find("reduced modulus 4 MPa instead of 3 MPa"), std::string::npos) << warnings;
 }
 
@@ -152,6 +156,96 @@ TEST(Calibrate, AScreeningChartsEffectsWithTheirErrors) {
   EXPECT_EQ(contents(calibrated.out() / "screening.csv").substr(0, 6), "effect");
 }
 
+TEST(Calibrate, RunsDoneElsewhereAreCollectedRoundByRound) {
+  const Calibrated calibrated;
+  const std::string jobs = calibrated.out("jobs").string();
+  const std::string file = (calibrated.die().folder() / "calibration.toml").string();
+  const std::string run = "cd '" + jobs + "' && DIEFILL='" DIEFILL_PROGRAM "' sh run_here.sh 2 > /dev/null 2>&1";
+  int rounds = 0;
+  for (; rounds < 6; ++rounds) {
+    const Outcome exported = run_program({"calibrate", file, "--export-jobs", jobs, "--quiet"});
+    ASSERT_EQ(exported.exit_code, 0) << exported.err;
+    if (exported.out.find("no runs are left") != std::string::npos) break;
+    if (rounds == 0) {
+      const Outcome early = run_program({"calibrate", file, "--collect", jobs, "--quiet"});
+      EXPECT_EQ(early.exit_code, 1) << early.err;
+      EXPECT_NE(early.out.find("4 runs are not finished"), std::string::npos) << early.out;
+    }
+    ASSERT_EQ(std::system(run.c_str()), 0);
+  }
+  EXPECT_GE(rounds, 2);
+  EXPECT_LT(rounds, 6);
+  const Outcome collected = run_program({"calibrate", file, "--collect", jobs, "--quiet"});
+  ASSERT_EQ(collected.exit_code, 0) << collected.err;
+  ASSERT_EQ(run_program(calibrated.arguments({"--quiet"}, "here")).exit_code, 0);
+  EXPECT_EQ(contents(calibrated.out("jobs") / "powder.toml"), contents(calibrated.out("here") / "powder.toml"));
+}
+
+TEST(Calibrate, ProfilesMapsChecksAndFinerGrainsGoThrough) {
+  const Calibrated calibrated;
+  const auto& die = calibrated.die();
+  die.write("level.csv",
+            "way along the shoe's travel [mm], level [mm], deviation [mm]\n1, 3.2, 0.3\n3, 3.7, 0.3\n");
+  die.write("map.csv", "x [mm], y [mm], level [mm], deviation [mm]\n-4, 0, 3.3, 0.5\n-2, 0, 3.5, 0.5\n");
+  const auto more = [](const std::string& name, const std::string& kind, const std::string& quantity) {
+    return "\n[[measurement]]\nname = \"" + name + "\"\nkind = \"" + kind + "\"\n" + quantity +
+           "\nscene = \"scene.toml\"\n";
+  };
+  die.write("calibration.toml", calibrated.text() + more("ruler", "profile", "profile = \"fill level\"") +
+                                    "file = \"level.csv\"\n" + more("photograph", "map", "map = \"fill level\"") +
+                                    "file = \"map.csv\"\nuse = \"check\"\n[check]\ngrain_diameter = \"0.9 mm\"\n");
+  const Outcome outcome = run_program(calibrated.arguments({"--quiet"}));
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  const auto account = account_in(calibrated.out());
+  const auto& measurements = account.at("measurements");
+  ASSERT_EQ(measurements.size(), 3U);
+  EXPECT_EQ(measurements[1].at("data").size(), 2U);
+  EXPECT_TRUE(measurements[1].at("data")[0].at("simulated").is_number());
+  // Kept for checking: at the best parameters and over the edge of the region, and at finer grains.
+  const auto& checked = measurements[2];
+  EXPECT_EQ(checked.at("use"), "check");
+  for (const auto& datum : checked.at("data"))
+    for (const char* key : {"simulated", "lower_90", "upper_90", "simulated_with_finer_grains"})
+      EXPECT_TRUE(datum.at(key).is_number()) << key;
+  std::map<std::string, int> roles;
+  for (const auto& point : account.at("points")) ++roles[point.at("role").get<std::string>()];
+  EXPECT_EQ(roles["best"], 1);
+  EXPECT_EQ(roles["edge"], 2);
+  EXPECT_EQ(roles["finer"], 1);
+}
+
+TEST(Calibrate, PowdersOfItsRegionShowWhatTheirUncertaintyDoes) {
+  const Calibrated calibrated;
+  ASSERT_EQ(run_program(calibrated.arguments({"--quiet"})).exit_code, 0);
+  const auto& die = calibrated.die();
+  const auto samples = [&](const std::string& number) {
+    return run_program({"run", die.scene().string(), "--powder-samples", number, "--seeds", "2", "--out",
+                        (die.folder() / "spread").string(), "--quiet"});
+  };
+  const Outcome without = samples("3");
+  EXPECT_EQ(without.exit_code, 2);
+  EXPECT_EQ(without.complaints(), 1U) << without.err;
+  EXPECT_NE(without.err.find("no powder.file"), std::string::npos) << without.err;
+  std::filesystem::copy_file(calibrated.out() / "powder.toml", die.folder() / "powder.toml");
+  die.exchange("preset = \"ASC100.29 A2\"\ngrain_diameter = \"1 mm\"\nfriction = 0.3\nreduced_modulus = \"3 MPa\"\n"
+               "damping_over_radius = \"3e5 Pa s/m\"\n",
+               "file = \"powder.toml\"\n");
+  const Outcome with = samples("3");
+  ASSERT_EQ(with.exit_code, 0) << with.err;
+  EXPECT_NE(with.out.find("by the powder"), std::string::npos) << with.out;
+  const auto spread = nlohmann::json::parse(contents(die.folder() / "spread" / "powder_samples.json"));
+  EXPECT_EQ(spread.at("powders").size(), 3U);
+  for (const auto& figure : spread.at("figures")) {
+    if (figure.at("key") != "filled_mass_kg") continue;
+    EXPECT_EQ(figure.at("of_seeds").size(), 2U);
+    EXPECT_EQ(figure.at("of_powders").size(), 3U);
+    const double all = figure.at("spread_over_powders"), seeds = figure.at("scatter_over_seeds");
+    EXPECT_NEAR(figure.at("share_of_the_powder").get<double>(), std::sqrt(std::max(0.0, all * all - seeds * seeds)),
+                1e-9);
+  }
+  EXPECT_GT(contents(die.folder() / "spread" / "powder_samples.html").size(), 1000U);
+}
+
 TEST(Calibrate, BadFilesEndInOneLineBeforeAnythingRuns) {
   const SmallDie die;
   const std::string good =
@@ -177,6 +271,16 @@ TEST(Calibrate, BadFilesEndInOneLineBeforeAnythingRuns) {
   refused("", "\n[serch]\nseeds = 2\n", "search");
   refused("", "\n[[parameter]]\nkey = \"walls.friction\"\nfrom = 0.1\nto = 0.5\n",
           "found 1 measured values to fit 2 parameters");
+  // Curves: places out of order, given twice, too few deviations.
+  const auto curve = [](const std::string& at, const std::string& deviations) {
+    return "over = \"step.1.velocity\"\nat = [" + at + "]\nvalues = [\"90 mg\", \"80 mg\"]\ndeviations = [" +
+           deviations + "]";
+  };
+  const std::string single = "value = \"90 mg\"\ndeviation = \"2 mg\"";
+  refused(single, curve("\"0.2 m/s\", \"0.1 m/s\"", "\"2 mg\""), "sort the points in rising order");
+  refused(single, curve("\"0.1 m/s\", \"0.1 m/s\"", "\"2 mg\""), "this place is given twice");
+  refused(single, curve("\"0.1 m/s\", \"0.2\"", "\"2 mg\""), "0.2");
+  refused(single, curve("\"0.1 m/s\", \"0.2 m/s\"", "\"2 mg\", \"2 mg\", \"2 mg\""), "as many entries as");
   EXPECT_FALSE(std::filesystem::exists(die.out()));
 }
 

@@ -2,13 +2,17 @@
 """Planted powders: draws powder parameters, simulates the measurements of a plant with them and other seeds, adds
 noise, hides the parameters, and lets `diefill calibrate` find them again.
 
-    tests/calibration/planted_powders.py --trials 3 --out /tmp/planted
+    tests/calibration/planted_powders.py --trials 10 --out /tmp/planted --csv tests/calibration/planted_two.csv
+    tests/calibration/planted_powders.py --parameters 3 --trials 8 --out /tmp/planted --csv ...
 
-Two parameters (friction, work of adhesion); discharge through a slit at three shoe speeds and the solid fraction
-of the powder, from the coarse scene sample_tools/tradeoff/slit_discharge.toml with still coarser grains. Prints for
-each trial the truth, the intervals, whether the truth lies in the 90 % region (normal approximation of the samples)
-and the core minutes; then how many of all did."""
+Two parameters (friction, work of adhesion) from the discharge through a slit at three shoe speeds and the slope of a
+heap; with `--parameters 3` also the damping, and the solid fraction of the powder at rest as a further measurement.
+Scenes: slit_discharge and angle_of_repose of sample_tools/tradeoff with coarser, softer grains and less powder. A
+truth lies in the 90 % region where the density of the region's samples (Gaussian kernels, Scott's width) is above the
+tenth of the samples with the least. One row a draw is added to the CSV as soon as it is known; draws that stand there
+are not repeated."""
 import argparse
+import csv
 import json
 import math
 import os
@@ -19,28 +23,75 @@ import sys
 
 ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 SCENES = os.path.join(ROOT, "sample_tools", "tradeoff")
-SPEEDS = [0.2, 0.4, 0.8]  # m/s
+SPEEDS = [0.3, 0.5, 0.8]  # m/s
 WIDTH = 9.6  # mm, periodic length of the slit
 FIRST_SEED = 1000  # of the hidden simulations
-FRICTION, ADHESION = (0.1, 1.0), (0.001, 0.1)  # ranges; the second logarithmic, J/m^2
-NORMAL_REGION = 4.605  # chi^2 that holds 90 % with two parameters
-COARSE = ["powder.grain_diameter = '2.35 mm'", "pour.fill_height = '9 mm'"]
+HEAP = "slope_of_heap_on_the_slider_deg"
+COARSE = ["powder.grain_diameter = '2.35 mm'", "powder.reduced_modulus = '4 MPa'"]
+LESS = {"slit_discharge": ["pour.fill_height = '8 mm'"], "angle_of_repose": ["pour.fill_height = '12 mm'"]}
+
+
+class Parameter:
+    """Key, unit, range of the calibration and of the draws; all but friction are spread over their logarithm."""
+
+    def __init__(self, key, unit, search, drawn, logarithmic):
+        self.key, self.unit, self.search, self.drawn, self.logarithmic = key, unit, search, drawn, logarithmic
+
+    def place(self, value):
+        return math.log(value) if self.logarithmic else value
+
+    def draw(self, generator):
+        value = generator.uniform(*(self.place(end) for end in self.drawn))
+        return math.exp(value) if self.logarithmic else value
+
+    def text(self, value):
+        return "%.8g" % value if not self.unit else "'%.8g %s'" % (value, self.unit)
+
+
+PARAMETERS = [
+    Parameter("powder.friction", "", (0.1, 1.0), (0.2, 0.9), False),
+    Parameter("powder.work_of_adhesion", "J/m^2", (0.001, 0.1), (0.002, 0.05), True),
+    Parameter("powder.damping_over_radius", "Pa s/m", (2e5, 2e6), (3e5, 1.5e6), True),
+]
 
 
 def run(arguments):
     result = subprocess.run(arguments, capture_output=True, text=True)
     if result.returncode != 0:
-        sys.exit(" ".join(arguments) + "\n" + result.stdout + result.stderr)
+        raise RuntimeError(" ".join(arguments) + "\n" + result.stdout[-2000:] + result.stderr[-2000:])
     return result.stdout
 
 
-def simulated(options, folder, name, speed, truth):
-    """Folders of repeats of the slit with the planted powder, at seeds that the calibration does not use."""
-    scene = os.path.join(folder, name + ".toml")
-    with open(scene, "w") as file:
-        file.write(planted_scene(speed, truth))
-    out = os.path.join(folder, name)
-    run([options.program, "compare", scene, "--seeds", str(options.repeats), "--jobs", str(options.jobs), "--out", out,
+def planted_scene(name, settings):
+    """The scene's text with absolute files and settings such as "powder.friction = 0.4", table by table."""
+    wanted = {}
+    for setting in settings:
+        path, value = setting.split(" = ", 1)
+        table, key = path.rsplit(".", 1)
+        wanted.setdefault(table.replace("step.1", "step"), {})[key] = value
+    lines, table, left = [], "", {}
+    for line in open(os.path.join(SCENES, name + ".toml")).read().splitlines() + ["[end]"]:
+        if line.startswith("["):
+            lines += ["%s = %s" % item for item in left.items()]
+            table = line.split("#")[0].strip().strip("[]")
+            left = dict(wanted.pop(table, {}))
+        key = line.split("=")[0].strip()
+        if key in left:
+            line = "%s = %s" % (key, left.pop(key))
+        if key == "seed":
+            line = "seed = %d" % FIRST_SEED
+        if key == "file":
+            line = 'file = "%s"' % os.path.normpath(os.path.join(SCENES, line.split('"')[1]))
+        lines.append(line)
+    return "\n".join(lines[:-1]) + "\n"
+
+
+def simulated(options, folder, name, scene, settings):
+    """Folders of repeats of a scene with the planted powder, at seeds that the calibration does not use."""
+    path, out = os.path.join(folder, name + ".toml"), os.path.join(folder, name)
+    with open(path, "w") as file:
+        file.write(planted_scene(scene, COARSE + LESS[scene] + settings))
+    run([options.program, "compare", path, "--seeds", str(options.repeats), "--jobs", str(options.jobs), "--out", out,
          "--quiet"])
     return [os.path.join(out, "as_it_is", "seed-%d" % (FIRST_SEED + k)) for k in range(options.repeats)]
 
@@ -51,107 +102,123 @@ def through_slit(folder):
     return 1e3 * float(last.split(",")[1]) / WIDTH
 
 
-def planted_scene(speed, truth):
-    """The slit's scene with the planted powder and coarser grains, line by line."""
-    new = {"seed": str(FIRST_SEED), "grain_diameter": '"2.35 mm"', "fill_height": '"9 mm"', "velocity": '"%g m/s"' % speed}
-    lines = []
-    for line in open(os.path.join(SCENES, "slit_discharge.toml")).read().splitlines():
-        key = line.split("=")[0].strip()
-        if key in new:
-            line = "%s = %s" % (key, new[key])
-        if key == "file":
-            line = 'file = "%s"' % os.path.normpath(os.path.join(SCENES, line.split('"')[1]))
-        lines.append(line)
-        if key == "preset":
-            lines += ["friction = %.8g" % truth[0], 'work_of_adhesion = "%.8g J/m^2"' % truth[1]]
-    return "\n".join(lines) + "\n"
+def figure(folder, name):
+    return json.load(open(os.path.join(folder, "report.json")))[name]
 
 
-def noisy(values, share, generator):
-    """Mean of simulated repeats with noise of a share of it, and the standard deviation of both."""
+def noisy(values, noise, generator):
+    """Mean of simulated repeats with noise of a plant, and the standard deviation of both."""
     mean = statistics.fmean(values)
-    scatter = statistics.stdev(values) / math.sqrt(len(values))
-    deviation = math.hypot(share * mean, scatter)
-    return mean + share * mean * generator.gauss(0, 1), deviation
+    deviation = math.hypot(noise, statistics.stdev(values) / math.sqrt(len(values)))
+    return mean + noise * generator.gauss(0, 1), deviation
 
 
-def write_calibration(path, masses, fraction):
+def measurement(name, scene, figure_name, settings=()):
+    return '\n[[measurement]]\nname = "%s"\nfigure = "%s"\nscene = "%s"\nset = %s\n' % (
+        name, figure_name, os.path.join(SCENES, scene + ".toml"), json.dumps(COARSE + LESS[scene] + list(settings)))
+
+
+def write_calibration(path, parameters, options, masses, slope, fraction):
     text = 'title = "Planted powder"\nseed = 1\n'
-    text += '\n[[parameter]]\nkey = "powder.friction"\nfrom = %g\nto = %g\n' % FRICTION
-    text += '\n[[parameter]]\nkey = "powder.work_of_adhesion"\nfrom = "%g J/m^2"\nto = "%g J/m^2"\nscale = "logarithmic"\n' % ADHESION
-    head = 'scene = "%s"\nset = %s\n'
-    slit = os.path.join(SCENES, "slit_discharge.toml")
-    text += '\n[[measurement]]\nname = "slit"\nfigure = "mass_through_slit"\nover = "step.1.velocity"\n' + head % (slit, json.dumps(COARSE))
+    for each in parameters:
+        text += "\n[[parameter]]\nkey = \"%s\"\nfrom = %s\nto = %s\n" % (
+            each.key, each.text(each.search[0]), each.text(each.search[1]))
+        text += 'scale = "logarithmic"\n' if each.logarithmic else ""
+    text += measurement("slit", "slit_discharge", "mass_through_slit") + 'over = "step.1.velocity"\n'
     text += "at = [%s]\n" % ", ".join('"%g m/s"' % speed for speed in SPEEDS)
     text += "values = [%s]\n" % ", ".join('"%.6g g/mm"' % mass for mass, _ in masses)
     text += "deviations = [%s]\n" % ", ".join('"%.3g g/mm"' % deviation for _, deviation in masses)
-    text += '\n[[measurement]]\nname = "apparent density"\nfigure = "bulk_solid_fraction"\n'
-    text += head % (slit, json.dumps(COARSE + ["step.1.velocity = '%g m/s'" % SPEEDS[0]]))
-    text += 'value = "%.6g"\ndeviation = "%.3g"\n' % fraction
+    text += measurement("heap", "angle_of_repose", HEAP)
+    text += 'value = "%.6g deg"\ndeviation = "%.3g deg"\n' % slope
+    if fraction:
+        text += measurement("powder at rest", "slit_discharge", "bulk_solid_fraction",
+                            ["step.1.velocity = '%g m/s'" % SPEEDS[0]])
+        text += 'value = "%.6g"\ndeviation = "%.3g"\n' % fraction
+    text += "\n[search]\nseeds = %d\nstart_points = %d\nmost_points = %d\n" % (
+        options.seeds, 4 + 2 * len(parameters), 6 + 5 * len(parameters))
     open(path, "w").write(text)
 
 
-def trial(options, number, generator):
-    truth = (generator.uniform(0.2, 0.9), math.exp(generator.uniform(math.log(0.002), math.log(0.05))))
-    folder = os.path.join(options.out, "trial-%02d" % number)
+def trial(options, parameters, number):
+    generator = random.Random(1000 * options.seed + number)
+    truth = [each.draw(generator) for each in parameters]
+    powder = ["%s = %s" % (each.key, each.text(value)) for each, value in zip(parameters, truth)]
+    folder = os.path.join(options.out, "%d-parameters-trial-%02d" % (len(parameters), number))
     os.makedirs(folder, exist_ok=True)
-    masses, fractions = [], []
+    masses, fraction = [], None
     for k, speed in enumerate(SPEEDS):
-        runs = simulated(options, folder, "truth-%d" % k, speed, truth)
-        masses.append(noisy([through_slit(run) for run in runs], options.noise, generator))
-        if k == 0:
-            reports = [json.load(open(os.path.join(run, "report.json"))) for run in runs]
-            fractions = noisy([report["bulk_solid_fraction"] for report in reports], 0.01, generator)
-    path = os.path.join(folder, "calibration.toml")
-    write_calibration(path, masses, fractions)
-    run([options.program, "calibrate", path, "--out", os.path.join(folder, "found"), "--jobs", str(options.jobs), "--quiet"])
-    account = json.load(open(os.path.join(folder, "found", "calibration.json")))
-    return truth, account
+        runs = simulated(options, folder, "slit-%d" % k, "slit_discharge",
+                         powder + ["step.1.velocity = '%g m/s'" % speed])
+        values = [through_slit(each) for each in runs]
+        masses.append(noisy(values, options.noise * statistics.fmean(values), generator))
+        if k == 0 and len(parameters) > 2:
+            fraction = noisy([figure(each, "bulk_solid_fraction") for each in runs], 0.003, generator)
+    heaps = simulated(options, folder, "heap", "angle_of_repose", powder)
+    slope = noisy([figure(each, HEAP) for each in heaps], options.angle_noise, generator)
+    path, found = os.path.join(folder, "calibration.toml"), os.path.join(folder, "found")
+    write_calibration(path, parameters, options, masses, slope, fraction)
+    again = ["--resume"] if os.path.exists(found) else []
+    run([options.program, "calibrate", path, "--out", found, "--jobs", str(options.jobs), "--quiet"] + again)
+    return truth, json.load(open(os.path.join(found, "calibration.json")))
 
 
-def inside(truth, account):
-    """Whether the truth lies in the region: distance in the samples' covariance, adhesion by its logarithm."""
-    samples = [(a, math.log(b)) for a, b in account["samples"]]
-    place = (truth[0], math.log(truth[1]))
-    mean = [statistics.fmean(column) for column in zip(*samples)]
-    off = [[value - m for value, m in zip(sample, mean)] for sample in samples]
-    count = len(samples) - 1
-    xx = sum(a * a for a, _ in off) / count
-    yy = sum(b * b for _, b in off) / count
-    xy = sum(a * b for a, b in off) / count
-    dx, dy = place[0] - mean[0], place[1] - mean[1]
-    determinant = xx * yy - xy * xy
-    return (dx * dx * yy - 2 * dx * dy * xy + dy * dy * xx) / determinant < NORMAL_REGION
+def inside(truth, account, parameters):
+    """Whether the truth lies in the region that holds 90 % of the samples."""
+    places = [[each.place(value) for each, value in zip(parameters, sample)] for sample in account["samples"]]
+    spread = [statistics.stdev(column) for column in zip(*places)]
+    width = len(places) ** (-1 / (len(spread) + 4))  # Scott 1992
+
+    def density(place):
+        return sum(math.exp(-0.5 * sum(((a - b) / (width * s)) ** 2 for a, b, s in zip(place, other, spread)))
+                   for other in places)
+
+    least = sorted(density(place) for place in places)[len(places) // 10]
+    return density([each.place(value) for each, value in zip(parameters, truth)]) >= least
+
+
+def row_of(number, truth, account, parameters):
+    row = {"trial": number, "in_region": int(inside(truth, account, parameters)),
+           "chi_square": "%.3g" % account["chi_square"], "values": account["fitted_values"],
+           "points": len(account["points"]),
+           "core_minutes": "%.2f" % (sum(point["core_seconds"] or 0 for point in account["points"]) / 60)}
+    for value, found in zip(truth, account["parameters"]):
+        key = found["key"].split(".")[1]
+        for name, number in (("planted", value), ("best", found["best"]), ("lower_90", found["lower_90"]),
+                             ("upper_90", found["upper_90"])):
+            row["%s_%s" % (key, name)] = "%.4g" % number
+    return row
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--program", default=os.path.join(ROOT, "build", "bin", "diefill"))
+    parser.add_argument("--parameters", type=int, default=2, choices=(2, 3))
     parser.add_argument("--trials", type=int, default=10)
     parser.add_argument("--seed", type=int, default=1)
-    parser.add_argument("--repeats", type=int, default=5, help="simulated repeats of each measurement")
+    parser.add_argument("--repeats", type=int, default=3, help="simulated repeats of each measurement")
+    parser.add_argument("--seeds", type=int, default=1, help="runs of each set of parameters in the calibration")
     parser.add_argument("--noise", type=float, default=0.03, help="relative noise added to the masses")
-    parser.add_argument("--jobs", type=int, default=2)
+    parser.add_argument("--angle-noise", type=float, default=1, help="noise of the slope, deg")
+    parser.add_argument("--jobs", type=int, default=1)
     parser.add_argument("--out", required=True)
+    parser.add_argument("--csv", required=True)
     options = parser.parse_args()
-    held = 0
+    parameters = PARAMETERS[:options.parameters]
+    rows = list(csv.DictReader(open(options.csv))) if os.path.exists(options.csv) else []
     for number in range(1, options.trials + 1):
-        generator = random.Random(1000 * options.seed + number)
-        truth, account = trial(options, number, generator)
-        holds = inside(truth, account)
-        held += holds
-        minutes = sum(point["core_seconds"] or 0 for point in account["points"]) / 60
-        print("trial %d: %s, chi^2 %.3g of %d, %d points, %.1f core minutes" %
-              (number, "in the region" if holds else "NOT in the region", account["chi_square"],
-               account["fitted_values"], len(account["points"]), minutes))
-        for value, parameter in zip(truth, account["parameters"]):
-            print("  %-28s planted %.4g, found %.4g, 90 %% interval %.4g to %.4g" %
-                  (parameter["key"], value, parameter["best"], parameter["lower_90"], parameter["upper_90"]))
-        for sentence in account["insights"]:
-            print("  " + sentence)
-        sys.stdout.flush()
-    print("%d of %d planted powders lie in the 90 %% region" % (held, options.trials))
+        if any(int(row["trial"]) == number for row in rows):
+            continue
+        row = row_of(number, *trial(options, parameters, number), parameters)
+        print(", ".join("%s %s" % item for item in row.items()), flush=True)
+        rows.append(row)
+        with open(options.csv, "w", newline="") as file:
+            writer = csv.DictWriter(file, row.keys())
+            writer.writeheader()
+            writer.writerows(rows)
+    held = sum(int(row["in_region"]) for row in rows)
+    print("%d of %d planted powders lie in the 90 %% region; at most %s core minutes" %
+          (held, len(rows), max(row["core_minutes"] for row in rows)))
 
 
 if __name__ == "__main__":
-    main()
+    sys.exit(main())

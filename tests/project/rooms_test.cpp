@@ -19,8 +19,8 @@ const std::map<std::string, std::vector<std::string>>& rooms() {
         "simulation", "observe", "limits"}},
       {"geometry", {"grids", "mesh", "solid", "cad", "voronoi", "reach", "cavity", "wall_spheres"}},
       {"process",
-       {"results", "measure", "input", "machine", "scene", "powder", "tooling", "setup", "run", "plan",
-        "compare", "tradeoff", "laboratory", "calibration", "continuum", "estimate"}},
+       {"results", "measure", "input", "machine", "scene", "measured_data", "powder", "tooling", "setup",
+        "run", "plan", "compare", "tradeoff", "laboratory", "calibration", "continuum", "estimate"}},
       {"render", {"style", "offscreen", "fields", "charts", "scene3d", "report"}},
       {"app", {"tables", "pictures", "commands"}},
   };

@@ -1,5 +1,5 @@
 // Measurements as a plant hands them over, and what is wrong with some.
-#include "process/calibration/measured_table.h"
+#include "process/measured_data/measured_table.h"
 
 #include <gtest/gtest.h>
 #include <toml++/toml.h>
@@ -8,7 +8,7 @@
 #include "process/input/unit_conversion.h"
 #include "tests/support/temporary_folder.h"
 
-namespace diefill::process::calibration {
+namespace diefill::process {
 namespace {
 
 class MeasuredCsv : public testing::Test {
@@ -147,4 +147,4 @@ TEST(UnitConversion, TakesPlainNumbersPercentAndAngles) {
 }
 
 }  // namespace
-}  // namespace diefill::process::calibration
+}  // namespace diefill::process

@@ -8,7 +8,7 @@
 
 #include "process/input/table_reader.h"
 
-namespace diefill::process::calibration {
+namespace diefill::process {
 
 /// One column, all numbers in its unit.
 struct MeasuredColumn {
@@ -30,6 +30,11 @@ struct MeasuredTable {
 /// of columns, a text that is no number, and what check_measured refuses.
 MeasuredTable read_measured_csv(const std::filesystem::path& file, std::size_t places);
 
+/// Reads a profile or map that says itself what it is: one or two columns of places, the value, and the
+/// standard deviation where the last column's name has "deviation" in it, such as
+/// `azimuth [deg], fill level [mm]`. Deviations that are not given are NaN. Throws as read_measured_csv().
+MeasuredTable read_measured_field(const std::filesystem::path& file);
+
 /// What a [[measurement]] says: `file` (a CSV); or `value` and `deviation`; or, for a curve, the lists `at`,
 /// `values` and `deviations` (one deviation serves all values). Throws SceneError.
 MeasuredTable read_measured(TableReader& measurement, std::size_t places);
@@ -38,4 +43,4 @@ MeasuredTable read_measured(TableReader& measurement, std::size_t places);
 /// and places given twice. `where` begins each message; `line` of each point follows it where not empty.
 void check_measured(const MeasuredTable& table, const std::string& where, const std::vector<int>& line);
 
-}  // namespace diefill::process::calibration
+}  // namespace diefill::process

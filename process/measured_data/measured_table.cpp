@@ -1,7 +1,9 @@
-#include "process/calibration/measured_table.h"
+#include "process/measured_data/measured_table.h"
 
 #include <charconv>
 #include <cmath>
+#include <functional>
+#include <limits>
 #include <set>
 #include <sstream>
 
@@ -10,7 +12,7 @@
 #include "process/input/text_file.h"
 #include "process/input/unit_conversion.h"
 
-namespace diefill::process::calibration {
+namespace diefill::process {
 namespace {
 
 constexpr std::size_t kLargest = 16U << 20U;  // bytes of a CSV
@@ -118,6 +120,54 @@ MeasuredTable read_inline(TableReader& measurement, std::size_t places) {
   return table;
 }
 
+/// A CSV of numbers.
+struct Columns {
+  std::vector<MeasuredColumn> columns;
+  std::vector<int> lines;  ///< of each row
+};
+
+/// `expected` says what a number of columns should be instead; empty: it is right.
+Columns columns_in(const std::filesystem::path& file,
+                   const std::function<std::string(std::size_t)>& expected) {
+  std::string text;
+  try {
+    text = load_text_file(file, {"table of measurements", "but measurements are a CSV file", kLargest});
+  } catch (const std::runtime_error& reason) {
+    throw SceneError(file.string() + ": " + reason.what());
+  }
+  std::istringstream lines(text);
+  Columns read;
+  int number = 0;
+  for (std::string line; std::getline(lines, line);) {
+    ++number;
+    if (trimmed(line).empty() || trimmed(line).front() == '#') continue;
+    const std::string where = file.string() + ':' + std::to_string(number);
+    const auto cells = cells_of(line);
+    const bool header = read.columns.empty();
+    const std::string instead = header ? expected(cells.size())
+                                : cells.size() == read.columns.size()
+                                    ? ""
+                                    : std::to_string(read.columns.size()) + ", as the header has";
+    if (!instead.empty())
+      throw SceneError(where + ": found " + std::to_string(cells.size()) + " columns, expected " + instead);
+    if (header) {
+      for (const auto& cell : cells) read.columns.push_back(column_of(cell, where));
+      continue;
+    }
+    for (std::size_t k = 0; k < cells.size(); ++k)
+      read.columns[k].values.push_back(number_in(cells[k], where));
+    read.lines.push_back(number);
+  }
+  if (read.lines.empty()) throw SceneError(file.string() + ": found no measured values");
+  return read;
+}
+
+MeasuredTable checked(MeasuredTable table, const std::filesystem::path& file, const std::vector<int>& lines) {
+  convert(table.deviation, table.value, file.string());
+  check_measured(table, file.string(), lines);
+  return table;
+}
+
 }  // namespace
 
 void check_measured(const MeasuredTable& table, const std::string& where, const std::vector<int>& line) {
@@ -141,36 +191,32 @@ void check_measured(const MeasuredTable& table, const std::string& where, const 
 }
 
 MeasuredTable read_measured_csv(const std::filesystem::path& file, std::size_t places) {
-  std::string text;
-  try {
-    text = load_text_file(file, {"table of measurements", "but measurements are a CSV file", kLargest});
-  } catch (const std::runtime_error& reason) {
-    throw SceneError(file.string() + ": " + reason.what());
-  }
-  std::istringstream lines(text);
-  std::vector<MeasuredColumn> columns;
-  std::vector<int> line_of_point;
-  int number = 0;
-  for (std::string line; std::getline(lines, line);) {
-    ++number;
-    if (trimmed(line).empty() || trimmed(line).front() == '#') continue;
-    const std::string where = file.string() + ':' + std::to_string(number);
-    const auto cells = cells_of(line);
-    if (cells.size() != places + 2)
-      throw SceneError(where + ": found " + std::to_string(cells.size()) + " columns, expected " +
-                       std::to_string(places + 2) + " (" + (places > 0 ? "places, " : "") +
-                       "value, standard deviation), separated by commas");
-    if (columns.empty()) {
-      for (const auto& cell : cells) columns.push_back(column_of(cell, where));
-      continue;
-    }
-    for (std::size_t k = 0; k < cells.size(); ++k) columns[k].values.push_back(number_in(cells[k], where));
-    line_of_point.push_back(number);
-  }
-  if (line_of_point.empty()) throw SceneError(file.string() + ": found no measured values");
-  MeasuredTable table = table_of(std::move(columns));
-  convert(table.deviation, table.value, file.string());
-  check_measured(table, file.string(), line_of_point);
+  const std::string wanted = std::to_string(places + 2) + " (" + (places > 0 ? "places, " : "") +
+                             "value, standard deviation), separated by commas";
+  Columns columns = columns_in(file, [&](std::size_t count) { return count == places + 2 ? "" : wanted; });
+  return checked(table_of(std::move(columns.columns)), file, columns.lines);
+}
+
+MeasuredTable read_measured_field(const std::filesystem::path& file) {
+  Columns columns = columns_in(file, [](std::size_t count) {
+    return count >= 2 && count <= 4
+               ? ""
+               : "2 to 4: one or two places, the value, and its standard deviation where "
+                 "it is known, separated by commas";
+  });
+  const bool with_deviation = columns.columns.back().name.find("deviation") != std::string::npos;
+  if (columns.columns.size() == 4 && !with_deviation)
+    throw SceneError(file.string() + ": found 4 columns, the last of them \"" + columns.columns.back().name +
+                     "\", expected \"deviation\"");
+  if (columns.columns.size() == 2 && with_deviation)
+    throw SceneError(file.string() +
+                     ": found a value with its deviation, expected a place in the first column");
+  if (with_deviation) return checked(table_of(std::move(columns.columns)), file, columns.lines);
+  MeasuredColumn unknown = columns.columns.back();
+  unknown.values.assign(unknown.values.size(), 1);
+  columns.columns.push_back(std::move(unknown));
+  MeasuredTable table = checked(table_of(std::move(columns.columns)), file, columns.lines);
+  table.deviation.values.assign(table.size(), std::numeric_limits<double>::quiet_NaN());
   return table;
 }
 
@@ -182,4 +228,4 @@ MeasuredTable read_measured(TableReader& measurement, std::size_t places) {
   return read_measured_csv(measurement.file().parent_path() / *name, places);
 }
 
-}  // namespace diefill::process::calibration
+}  // namespace diefill::process

@@ -1,0 +1,144 @@
+#include "process/calibration/powder_samples.h"
+
+#include <toml++/toml.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <limits>
+
+#include "process/compare/statistics.h"
+#include "process/scene/scene_text.h"
+
+namespace diefill::process::calibration {
+namespace {
+
+std::vector<std::vector<double>> samples_in(const toml::table& calibration, std::size_t parameters) {
+  std::vector<std::vector<double>> samples;
+  const toml::array* rows = calibration["samples"].as_array();
+  if (rows == nullptr) return samples;
+  for (const toml::node& node : *rows) {
+    const toml::array* row = node.as_array();
+    if (row == nullptr || row->size() != parameters) return {};
+    samples.emplace_back();
+    for (const toml::node& value : *row)
+      samples.back().push_back(value.value<double>().value_or(std::numeric_limits<double>::quiet_NaN()));
+    if (std::any_of(samples.back().begin(), samples.back().end(),
+                    [](double value) { return !std::isfinite(value); }))
+      return {};
+  }
+  return samples;
+}
+
+std::string assignments(const PowderRegion& region, const std::vector<double>& values) {
+  std::string lines;
+  for (std::size_t k = 0; k < values.size(); ++k) {
+    char number[40];
+    std::snprintf(number, sizeof number, "%.8g", values[k]);
+    lines += region.keys[k] + " = " +
+             (region.units[k] == "1" ? std::string(number)
+                                     : '"' + std::string(number) + ' ' + region.units[k] + '"') +
+             '\n';
+  }
+  return lines;
+}
+
+Variant variant_of(const Scene& scene, const std::string& name, const std::string& folder,
+                   const std::string& set, int seeds_later) {
+  SceneChanges changes;
+  changes.set = set;
+  Variant variant{name, folder, changed_scene(scene.text, scene.file, changes)};
+  variant.scene.seed = scene.seed + static_cast<std::uint64_t>(seeds_later);
+  return variant;
+}
+
+/// One measure of the comparison's runs, in their order.
+results::SpreadFigure spread_of(const results::ComparedMeasure& measure,
+                                const std::vector<results::ComparedRun>& runs, std::size_t seeds) {
+  results::SpreadFigure figure{measure.key, measure.name, measure.unit, {}, {}};
+  for (std::size_t k = 0; k < runs.size(); ++k) {
+    const auto found = runs[k].values.find(measure.key);
+    (k < seeds ? figure.of_seeds : figure.of_powders)
+        .push_back(found == runs[k].values.end() ? std::numeric_limits<double>::quiet_NaN() : found->second);
+  }
+  const Sample best = sample_of(figure.of_seeds), powders = sample_of(figure.of_powders);
+  figure.best = best.mean;
+  figure.scatter = best.scatter;
+  figure.mean = powders.mean;
+  figure.spread = powders.scatter;
+  figure.powder = std::sqrt(std::max(0.0, powders.scatter * powders.scatter - best.scatter * best.scatter));
+  if (!std::isfinite(powders.scatter) || !std::isfinite(best.scatter))
+    figure.powder = std::numeric_limits<double>::quiet_NaN();
+  return figure;
+}
+
+}  // namespace
+
+PowderRegion powder_region_of(const std::filesystem::path& scene_file) {
+  const toml::table scene = parse_scene_text(load_scene_text(scene_file), scene_file);
+  const auto name = scene["powder"]["file"].value<std::string>();
+  if (!name)
+    throw SceneError(
+        scene_file.string() +
+        ": --powder-samples: the scene has no powder.file; give one that diefill calibrate wrote");
+  PowderRegion region;
+  region.file = scene_file.parent_path() / *name;
+  const toml::table powder = parse_scene_text(load_scene_text(region.file), region.file);
+  const toml::table* account = powder["calibration"].as_table();
+  if (account != nullptr)
+    if (const toml::array* parameters = (*account)["parameter"].as_array())
+      for (const toml::node& node : *parameters) {
+        const auto& parameter = *node.as_table();
+        region.keys.push_back(parameter["key"].value_or(std::string()));
+        region.units.push_back(parameter["unit"].value_or(std::string("1")));
+        region.best.push_back(parameter["best"].value_or(0.0));
+      }
+  if (account != nullptr && !region.keys.empty()) region.samples = samples_in(*account, region.keys.size());
+  if (region.samples.empty())
+    throw SceneError(region.file.string() +
+                     ": --powder-samples: found no [calibration] with samples of the powder; expected a file "
+                     "that diefill calibrate wrote");
+  return region;
+}
+
+std::vector<std::vector<double>> drawn_samples(const PowderRegion& region, int count, std::uint64_t seed) {
+  const std::size_t all = region.samples.size(), wanted = static_cast<std::size_t>(count);
+  if (wanted > all)
+    throw SceneError("--powder-samples: found " + std::to_string(count) + ", allowed: at most " +
+                     std::to_string(all) + ", as many as " + region.file.string() + " has");
+  std::vector<std::vector<double>> drawn;
+  const std::size_t start = static_cast<std::size_t>(seed % all);
+  for (std::size_t k = 0; k < wanted; ++k) drawn.push_back(region.samples[(start + k * all / wanted) % all]);
+  return drawn;
+}
+
+std::vector<Variant> powder_variants(const Scene& scene, const PowderRegion& region,
+                                     const std::vector<std::vector<double>>& powders, int seeds) {
+  std::vector<Variant> variants;
+  for (int k = 0; k < seeds; ++k)
+    variants.push_back(variant_of(scene, "best powder, run " + std::to_string(k + 1),
+                                  "best_" + std::to_string(k + 1), "", k));
+  for (std::size_t k = 0; k < powders.size(); ++k)
+    variants.push_back(variant_of(scene, "powder " + std::to_string(k + 1), "powder_" + std::to_string(k + 1),
+                                  assignments(region, powders[k]), seeds + static_cast<int>(k)));
+  return variants;
+}
+
+results::PowderSpread powder_spread(const std::filesystem::path& directory, const PowderRegion& region,
+                                    const std::vector<std::vector<double>>& powders, int seeds) {
+  const results::Comparison comparison = collect(directory);
+  results::PowderSpread spread;
+  spread.title = comparison.title;
+  spread.powder_file = region.file.filename().string();
+  spread.keys = region.keys;
+  spread.units = region.units;
+  spread.best = region.best;
+  spread.powders = powders;
+  for (const auto& run : comparison.runs)
+    if (run.state != "finished") spread.failed.push_back(run.variant + ": " + run.state + ", " + run.reason);
+  for (const auto& measure : comparison.measures)
+    spread.figures.push_back(spread_of(measure, comparison.runs, static_cast<std::size_t>(seeds)));
+  return spread;
+}
+
+}  // namespace diefill::process::calibration

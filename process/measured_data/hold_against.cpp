@@ -1,0 +1,184 @@
+#include "process/measured_data/hold_against.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <functional>
+#include <limits>
+
+#include "process/input/scene_error.h"
+#include "process/input/unit_conversion.h"
+#include "process/measured_data/simulated_values.h"
+#include "process/scene/zones.h"
+
+namespace diefill::process {
+namespace {
+
+constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+constexpr std::size_t kFewest = 3;  // points of a correlation
+
+using Chosen = std::function<bool(std::size_t)>;
+
+/// Pearson's correlation; NaN where it is not determined.
+double correlation_of(const std::vector<double>& a, const std::vector<double>& b) {
+  if (a.size() < kFewest) return kNone;
+  double mean_a = 0, mean_b = 0, ab = 0, aa = 0, bb = 0;
+  const auto count = static_cast<double>(a.size());
+  for (std::size_t k = 0; k < a.size(); ++k) {
+    mean_a += a[k] / count;
+    mean_b += b[k] / count;
+  }
+  for (std::size_t k = 0; k < a.size(); ++k) {
+    ab += (a[k] - mean_a) * (b[k] - mean_b);
+    aa += (a[k] - mean_a) * (a[k] - mean_a);
+    bb += (b[k] - mean_b) * (b[k] - mean_b);
+  }
+  return aa > 0 && bb > 0 ? ab / std::sqrt(aa * bb) : kNone;
+}
+
+results::MeasuredZone zone_of(const std::string& name, const results::MeasuredComparison& comparison,
+                              const Chosen& chosen) {
+  std::vector<double> measured, simulated;
+  for (std::size_t k = 0; k < comparison.measured.size(); ++k) {
+    if (!chosen(k) || !std::isfinite(comparison.simulated[k])) continue;
+    measured.push_back(comparison.measured[k]);
+    simulated.push_back(comparison.simulated[k]);
+  }
+  results::MeasuredZone zone{name, measured.size(), kNone, kNone, kNone, correlation_of(measured, simulated)};
+  if (measured.empty()) return zone;
+  const auto count = static_cast<double>(measured.size());
+  zone.measured = zone.simulated = zone.rms = 0;
+  for (std::size_t k = 0; k < measured.size(); ++k) {
+    zone.measured += measured[k] / count;
+    zone.simulated += simulated[k] / count;
+    zone.rms += std::pow(simulated[k] - measured[k], 2) / count;
+  }
+  zone.rms = std::sqrt(zone.rms);
+  return zone;
+}
+
+void add(results::MeasuredComparison& comparison, const std::string& name, const Chosen& chosen) {
+  auto zone = zone_of(name, comparison, chosen);
+  if (zone.points > 0) comparison.zones.push_back(std::move(zone));
+}
+
+/// Quarters of the circle, or thirds of the measured range.
+void add_parts(results::MeasuredComparison& comparison, const std::string& name, const std::string& unit,
+               const std::vector<double>& at) {
+  const bool round = name == "azimuth" && unit == "deg";
+  const int parts = round ? 4 : 3;
+  const auto [least, most] = std::minmax_element(at.begin(), at.end());
+  const double start = round ? 0 : *least, width = (round ? 360 : *most - *least) / parts;
+  if (!(width > 0)) return;
+  for (int part = 0; part < parts; ++part) {
+    char text[160];
+    std::snprintf(text, sizeof text, "%s %.4g to %.4g %s", name.c_str(), start + part * width,
+                  start + (part + 1) * width, unit.c_str());
+    add(comparison, text, [&, part](std::size_t k) {
+      const double place = round ? std::fmod(std::fmod(at[k], 360) + 360, 360) : at[k];
+      return std::clamp(static_cast<int>(std::floor((place - start) / width)), 0, parts - 1) == part;
+    });
+  }
+}
+
+/// Which laboratory coordinate a coordinate of a profile or map is; axis -1: none.
+struct Along {
+  int axis = -1;
+  double offset = 0, scale = 0;  ///< m; m per unit
+};
+
+Along along(const std::string& name, const std::string& unit, const results::FillResult& result) {
+  constexpr double kMillimetre = 1e-3;
+  static const std::vector<std::string> names = {"x", "y", "z"};
+  if (name == "azimuth") return {};
+  const double scale = unit_factor(unit, "mm") * kMillimetre;
+  // Heights of maps and profiles count from the cavity's floor.
+  if (name == "height") return {2, result.cavity.lower_corner.z(), scale};
+  const auto found = std::find(names.begin(), names.end(), name);
+  return found == names.end() ? Along{} : Along{static_cast<int>(found - names.begin()), 0, scale};
+}
+
+/// Zones of the scene whose limits concern only coordinates that the points have.
+void add_zones(results::MeasuredComparison& comparison, const results::FillResult& result) {
+  const Along first = along(comparison.first_name, comparison.first_unit, result),
+              second = comparison.is_map() ? along(comparison.second_name, comparison.second_unit, result)
+                                           : Along{};
+  const auto known = [&](int axis) { return first.axis == axis || second.axis == axis; };
+  const bool plan = known(0) && known(1);
+  for (const Zone& zone : zones_in(result.scene_text)) {
+    const bool round = zone.inner_radius > 0 || std::isfinite(zone.outer_radius);
+    bool told = !round || plan;
+    for (int axis = 0; axis < 3; ++axis)
+      told = told && (known(axis) || (std::isinf(zone.lower[axis]) && std::isinf(zone.upper[axis])));
+    if (!told) continue;
+    add(comparison, zone.name, [&](std::size_t k) {
+      const auto within = [&](const Along& one, double value) {
+        if (one.axis < 0) return true;
+        const double place = one.offset + one.scale * value;
+        return place >= zone.lower[one.axis] && place <= zone.upper[one.axis];
+      };
+      if (!within(first, comparison.first[k])) return false;
+      if (comparison.is_map() && !within(second, comparison.second[k])) return false;
+      if (!round) return true;
+      Eigen::Vector2d point;
+      point[first.axis] = first.scale * comparison.first[k];
+      point[second.axis] = second.scale * comparison.second[k];
+      const double radius = (point - zone.axis).norm();
+      return radius >= zone.inner_radius && radius <= zone.outer_radius;
+    });
+  }
+}
+
+results::MeasuredComparison without_statistics(const MeasuredFile& measured,
+                                               const results::FillResult& result) {
+  const MeasuredTable& table = measured.table;
+  const std::string where = measured.file.string();
+  results::MeasuredComparison comparison;
+  comparison.name = measured.file.stem().string();
+  comparison.quantity = table.value.name;
+  comparison.unit = table.value.unit;
+  comparison.first_name = table.places[0].name;
+  comparison.first_unit = table.places[0].unit;
+  comparison.first = table.places[0].values;
+  if (table.places.size() > 1) {
+    comparison.second_name = table.places[1].name;
+    comparison.second_unit = table.places[1].unit;
+    comparison.second = table.places[1].values;
+  }
+  comparison.measured = table.value.values;
+  comparison.deviation = table.deviation.values;
+  comparison.simulated = table.places.size() > 1 ? map_values(result, comparison.quantity, table, where)
+                                                 : profile_values(result, comparison.quantity, table, where);
+  return comparison;
+}
+
+}  // namespace
+
+std::vector<MeasuredFile> read_measured_files(const std::vector<std::string>& files) {
+  std::vector<MeasuredFile> all;
+  for (const std::string& file : files) {
+    const std::filesystem::path path = file;
+    for (const MeasuredFile& earlier : all)
+      if (earlier.file.stem() == path.stem())
+        throw SceneError("--measured: two files are called \"" + path.stem().string() +
+                         "\"; give each a name of its own");
+    all.push_back({path, read_measured_field(path)});
+  }
+  return all;
+}
+
+results::MeasuredComparison hold_against(const MeasuredFile& measured, const results::FillResult& result) {
+  auto comparison = without_statistics(measured, result);
+  add(comparison, "all", [](std::size_t) { return true; });
+  if (comparison.zones.empty())
+    throw SceneError(measured.file.string() + ": none of its " + std::to_string(comparison.measured.size()) +
+                     " places lies where the result has a value of \"" + comparison.quantity +
+                     "\"; check units and origin");
+  add_zones(comparison, result);
+  add_parts(comparison, comparison.first_name, comparison.first_unit, comparison.first);
+  if (comparison.is_map())
+    add_parts(comparison, comparison.second_name, comparison.second_unit, comparison.second);
+  return comparison;
+}
+
+}  // namespace diefill::process

@@ -1,0 +1,25 @@
+// Values of a result's profiles, maps and sections at the places of measurements.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "process/measured_data/measured_table.h"
+#include "process/results/fill_result.h"
+
+namespace diefill::process {
+
+/// The profile called `quantity` ("fill level", or "fill level over azimuth") at the table's places, in the
+/// unit of its values; NaN where it has none. Azimuths go on behind 360 degrees. `where` begins messages.
+/// Throws SceneError where the result has no such profile, with those it has, and for units that differ.
+std::vector<double> profile_values(const results::FillResult& result, const std::string& quantity,
+                                   const MeasuredTable& data, const std::string& where);
+
+/// The same of a map, by its quantity, or of a section, by the name of its plane.
+std::vector<double> map_values(const results::FillResult& result, const std::string& quantity,
+                               const MeasuredTable& data, const std::string& where);
+
+/// The map or section of that name; null where there is none.
+const results::Field2D* map_called(const results::FillResult& result, const std::string& quantity);
+
+}  // namespace diefill::process

@@ -1,0 +1,120 @@
+// Results held against measured profiles and maps whose differences are known.
+#include "process/measured_data/hold_against.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "process/input/scene_error.h"
+#include "tests/support/temporary_folder.h"
+
+namespace diefill::process {
+namespace {
+
+/// A ring of 20 mm depth whose level rises with the azimuth, and a map that rises with azimuth and height.
+results::FillResult ring() {
+  results::FillResult result;
+  result.cavity.is_ring = true;
+  result.cavity.lower_corner = {-0.01, -0.01, -0.02};
+  result.cavity.upper_corner = {0.01, 0.01, 0};
+  result.scene_text = "[[measure.zone]]\nname = \"flange\"\nheights = [\"-8 mm\", \"0 mm\"]\n"
+                      "[[measure.zone]]\nname = \"hub\"\nouter_radius = \"5 mm\"\n";
+  results::Profile level{"fill level", "mm", "azimuth", "deg", {}, {}};
+  for (int k = 0; k < 36; ++k) {
+    level.x.push_back(5 + 10 * k);
+    level.y.push_back(10 + 0.01 * level.x.back());
+  }
+  result.profiles = {level};
+  results::Field2D map{"solid fraction", "azimuth", "deg", "height", "mm", {0, 180, 360}, {0, 10, 20}, {}, 0};
+  for (const double height : map.second)
+    for (const double azimuth : map.first) map.value.push_back(0.3 + 1e-4 * azimuth + 1e-3 * height);
+  result.maps = {map};
+  return result;
+}
+
+class HoldAgainst : public testing::Test {
+ protected:
+  results::MeasuredComparison against(const std::string& csv, const results::FillResult& result = ring()) const {
+    folder_.write("level.csv", csv);
+    return hold_against(read_measured_files({(folder_.path() / "level.csv").string()}).front(), result);
+  }
+  std::string complaint(const std::string& csv) const {
+    try {
+      against(csv);
+    } catch (const SceneError& error) {
+      return error.what();
+    }
+    return "no complaint";
+  }
+  support::TemporaryFolder folder_;
+};
+
+const results::MeasuredZone& zone(const results::MeasuredComparison& comparison, const std::string& name) {
+  for (const auto& each : comparison.zones)
+    if (each.name == name) return each;
+  throw std::out_of_range("no zone " + name);
+}
+
+TEST_F(HoldAgainst, AProfileGivesDifferenceAndCorrelationInAllAndByQuarters) {
+  // 1 mm below the simulated level in the first half, 2 mm below it in the second; in cm.
+  const auto comparison = against(
+      "azimuth [deg], fill level [cm]\n45, 0.945\n135, 1.035\n225, 1.025\n315, 1.115\n");
+  ASSERT_EQ(comparison.simulated.size(), 4U);
+  EXPECT_NEAR(comparison.simulated[1], 1.135, 1e-9);
+  EXPECT_TRUE(std::isnan(comparison.deviation[0]));
+  const auto& all = zone(comparison, "all");
+  EXPECT_EQ(all.points, 4U);
+  EXPECT_NEAR(all.simulated - all.measured, 0.15, 1e-9);
+  EXPECT_NEAR(all.rms, std::sqrt((0.01 + 0.01 + 0.04 + 0.04) / 4), 1e-9);
+  EXPECT_GT(all.correlation, 0.8);
+  EXPECT_LT(all.correlation, 1);
+  EXPECT_NEAR(zone(comparison, "azimuth 90 to 180 deg").rms, 0.1, 1e-9);
+  EXPECT_NEAR(zone(comparison, "azimuth 270 to 360 deg").rms, 0.2, 1e-9);
+}
+
+TEST_F(HoldAgainst, AMapHasTheZonesOfTheSceneThatItsCoordinatesTellApart) {
+  std::string csv = "azimuth [deg], height [mm], solid fraction [1], deviation [1]\n";
+  for (const double height : {2.0, 10.0, 18.0})
+    for (const double azimuth : {90.0, 270.0})
+      csv += std::to_string(azimuth) + ", " + std::to_string(height) + ", " +
+             std::to_string(0.3 + 1e-4 * azimuth + 1e-3 * height + (height > 12 ? 0.01 : 0)) + ", 0.002\n";
+  const auto comparison = against(csv);
+  EXPECT_TRUE(comparison.is_map());
+  EXPECT_NEAR(comparison.deviation[3], 0.002, 1e-12);
+  // 8 mm below the rim is 12 mm above the floor: the flange holds the two upper places.
+  EXPECT_EQ(zone(comparison, "flange").points, 2U);
+  EXPECT_NEAR(zone(comparison, "flange").rms, 0.01, 1e-6);
+  EXPECT_NEAR(zone(comparison, "height 2 to 7.333 mm").rms, 0, 1e-6);
+  EXPECT_THROW(zone(comparison, "hub"), std::out_of_range);  // a radius, which the map does not have
+}
+
+TEST_F(HoldAgainst, PlacesWithoutASimulatedValueDoNotCount) {
+  const auto comparison =
+      against("azimuth [deg], height [mm], solid fraction [1]\n90, 10, 0.319\n90, 25, 0.5\n180, 10, 0.328\n");
+  EXPECT_TRUE(std::isnan(comparison.simulated[1]));
+  EXPECT_EQ(zone(comparison, "all").points, 2U);
+  EXPECT_TRUE(std::isnan(zone(comparison, "all").correlation));
+}
+
+TEST_F(HoldAgainst, FaultsAreNamedInOneLine) {
+  EXPECT_NE(complaint("azimuth [deg], level [mm]\n45, 9\n").find("it has \"fill level over azimuth\""),
+            std::string::npos);
+  EXPECT_NE(complaint("azimuth [deg], fill level [g]\n45, 9\n").find("level.csv"), std::string::npos);
+  EXPECT_NE(complaint("azimuth [deg], fill level\n45, 9\n").find("has no unit"), std::string::npos);
+  EXPECT_NE(complaint("azimuth [deg], fill level [mm]\n45, 9\n45, 8\n").find("given twice"), std::string::npos);
+  EXPECT_NE(complaint("azimuth [deg], fill level [mm]\n45, 9, 1\n").find("found 3 columns, expected 2"),
+            std::string::npos);
+  EXPECT_NE(complaint("azimuth [deg], fill level [mm], deviation [mm]\n45, 9, 0\n").find("standard deviation is 0"),
+            std::string::npos);
+  EXPECT_NE(complaint("azimuth [deg], height [mm], solid fraction [1]\n90, 30, 0.3\n").find("none of its 1 places"),
+            std::string::npos);
+}
+
+TEST_F(HoldAgainst, TwoFilesOfOneNameAreRefused) {
+  folder_.write("a.csv", "azimuth [deg], fill level [mm]\n45, 9\n");
+  const std::string file = (folder_.path() / "a.csv").string();
+  EXPECT_THROW(read_measured_files({file, file}), SceneError);
+}
+
+}  // namespace
+}  // namespace diefill::process
