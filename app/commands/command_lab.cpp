@@ -7,6 +7,7 @@
 #include "process/input/nearest_key.h"
 #include "process/input/scene_error.h"
 #include "process/laboratory/bulk_density/registry.h"
+#include "process/laboratory/flow/registry.h"
 #include "process/laboratory/stability/registry.h"
 #include "process/laboratory/walls/registry.h"
 #include "render/charts/experiment_chart.h"
@@ -35,6 +36,7 @@ const Family kFamilies[] = {
     {"walls", "Compare wall spheres with the exact surface", process::laboratory::wall_experiments},
     {"bulk_density", "Compare the bulk density of cohesive powders with published values",
      process::laboratory::bulk_density_experiments, true},
+    {"flow", "Compare flow out of a hopper with the kinematic models", process::laboratory::flow_experiments},
 };
 
 /// The experiments that `name` asks for; throws SceneError where there is none.

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <functional>
+#include <vector>
 
 namespace diefill::process::continuum {
 
@@ -21,5 +22,17 @@ struct LengthOfFraction {
   /// m. Throws std::domain_error for fractions at which the formula would not be positive.
   double operator()(double fraction) const;
 };
+
+/// B found at a solid fraction.
+struct LengthPoint {
+  double fraction = 0;
+  double length = 0;  ///< m
+  double weight = 1;
+};
+
+/// The rising branch of Eq. 5.5 (Bierwisch 2009), B_0 / (1 - n / n_div), with the least weighted squares of
+/// log B; `peak` is left as it is by default. Throws std::invalid_argument where fewer than three points have a
+/// positive length.
+LengthOfFraction fit_length(const std::vector<LengthPoint>& points);
 
 }  // namespace diefill::process::continuum

@@ -1,0 +1,145 @@
+// The hopper of Bierwisch 2009, section 5.1: local diffusion length over the solid fraction, kinematic models
+// against DEM at six heights, scaling with the slit's width.
+#include <cmath>
+#include <cstdio>
+
+#include "process/laboratory/flow/hopper_charts.h"
+#include "process/laboratory/flow/registry.h"
+#include "process/laboratory/side_by_side.h"
+#include "process/scene/powder_presets.h"
+
+namespace diefill::process::laboratory {
+
+namespace {
+
+constexpr double kFinest = 4.704e-4;  // m, d of the source's set-ups
+constexpr double kConstant = 1.8e-3;  // m, B of the incompressible model (Bierwisch 2009, section 5.1.2)
+constexpr double kPeakShare = 0.95;   // n_peak over the largest solid fraction (Bierwisch 2009, section 5.1.3)
+
+/// Table 5.1 (Bierwisch 2009) with grains enlarged by `factor`. Slits are wider by 1.4 times what the grains
+/// have grown by (section 3.2.2), so that their effective width is the source's; depths grow with the grains.
+/// Powder of Table C.5: friction 0.5, no cohesion.
+std::vector<HopperSetup> setups(double factor) {
+  HopperSetup first;
+  first.name = "1: D 15 mm";
+  first.powder = powder_preset("ASC100.29 initial D");
+  first.powder.friction = 0.5;
+  first.powder.grain_diameter = factor * kFinest;
+  first.slit += 1.4 * (factor - 1) * kFinest;
+  first.depth = 2.16e-3 * factor;
+  first.averaging_width = std::max(5e-4, 0.5 * first.powder.grain_diameter);
+  std::vector<HopperSetup> all(5, first);
+  all[1].name = "2: D 10 mm";
+  all[1].slit -= 5e-3;
+  all[2].name = "3: g 1.62 m/s2";
+  all[2].gravity = 1.62;
+  all[3].name = "4: grains twice as large, laws not scaled";
+  all[3].powder.grain_diameter *= 2;
+  all[3].powder.damping_over_radius /= 2;
+  all[3].powder.tangential_over_radius /= 2;
+  all[3].depth *= 2;
+  all[3].averaging_width *= 2;
+  all[4].name = "5: hopper 60 mm wide";
+  all[4].width = 60e-3;
+  return all;
+}
+
+/// Runs all packings of all set-ups and averages over them.
+std::vector<HopperFields> run_all(const ExperimentOptions& options, const std::vector<HopperSetup>& setups,
+                                  const std::vector<int>& packings) {
+  std::vector<HopperSetup> runs;
+  for (std::size_t k = 0; k < setups.size(); ++k)
+    for (int seed = 1; seed <= packings[k]; ++seed) {
+      runs.push_back(setups[k]);
+      runs.back().seed = static_cast<std::uint64_t>(seed);
+    }
+  std::vector<HopperFields> found(runs.size());
+  side_by_side(options, runs.size(), "hoppers", [&](std::size_t piece, const TellShare& tell) {
+    found[piece] = run_hopper(runs[piece], tell);
+  });
+  std::vector<HopperFields> means;
+  std::size_t next = 0;
+  for (const int count : packings) {
+    means.push_back(mean_of({found.begin() + static_cast<std::ptrdiff_t>(next),
+                             found.begin() + static_cast<std::ptrdiff_t>(next) + count}));
+    next += static_cast<std::size_t>(count);
+  }
+  return means;
+}
+
+/// m/s, sqrt(g D) of the effective slit.
+double speed_scale(const HopperSetup& setup, double factor) {
+  return std::sqrt(setup.gravity * (setup.slit - 1.4 * (factor - 1) * kFinest));
+}
+
+/// Eq. 5.5 fitted to local lengths of powder no denser than the peak.
+continuum::LengthOfFraction fitted(const std::vector<continuum::LengthPoint>& points, double bulk) {
+  const double peak = kPeakShare * bulk;
+  std::vector<continuum::LengthPoint> rising;
+  for (const auto& point : points)
+    if (point.fraction <= peak) rising.push_back(point);
+  continuum::LengthOfFraction length = continuum::fit_length(rising);
+  length.diverging = std::max(length.diverging, 1.001 * peak);
+  length.peak = std::min(peak, length.diverging * (1 - 1e-6));
+  return length;
+}
+
+void add_limit(results::ExperimentResult& result, const std::string& name, double measured, double published,
+               const std::string& unit, const std::string& source) {
+  result.limits.push_back({name, measured, published, unit, source});
+}
+
+void add_limits(const HopperSetup& setup, const HopperFields& fields, double scale,
+                const continuum::LengthOfFraction& length, results::ExperimentResult& result) {
+  const char* text = "Bierwisch 2009, section 5.1";
+  double fastest_down = 0, fastest_aside = 0;
+  for (const double speed : fields.vertical)
+    if (std::isfinite(speed)) fastest_down = std::max(fastest_down, std::abs(speed));
+  for (const double speed : fields.horizontal)
+    if (std::isfinite(speed)) fastest_aside = std::max(fastest_aside, std::abs(speed));
+  add_limit(result, "bulk solid fraction", fields.bulk_fraction, 0.365, "1", text);
+  add_limit(result, "largest vertical speed", fastest_down, 0.46, "m/s", text);
+  add_limit(result, "largest horizontal speed", fastest_aside, 0.076, "m/s", text);
+  add_limit(result, "outflow over D sqrt(gD)", fields.outflow / (scale * scale * scale / setup.gravity), 0.92,
+            "1", "Bierwisch 2009, Table 5.2");
+  add_limit(result, "B_0", 1e3 * length.smallest, 0.116, "mm", "Bierwisch 2009, Eq. 5.5");
+  add_limit(result, "n_div", length.diverging, 0.353, "1", "Bierwisch 2009, Eq. 5.5");
+}
+
+void add_model_errors(const HopperFields& fields, double slit, const continuum::HopperFlow& incompressible,
+                      const continuum::HopperFlow& compressible, results::ExperimentResult& result) {
+  const ModelError constant = error_of(incompressible, fields, 0.1 * slit, 2 * slit);
+  const ModelError varying = error_of(compressible, fields, 0.1 * slit, 2 * slit);
+  const double none = std::nan("");
+  add_limit(result, "error of v_z, kinematic model", constant.vertical, none, "1", "");
+  add_limit(result, "error of v_x, kinematic model", constant.horizontal, none, "1", "");
+  add_limit(result, "error of v_z, compressible kinematic model", varying.vertical, none, "1", "");
+  add_limit(result, "error of v_x, compressible kinematic model", varying.horizontal, none, "1", "");
+}
+
+}  // namespace
+
+void compare_hopper(const ExperimentOptions& options, results::ExperimentResult& result) {
+  const double factor = options.quick ? 5 : 4;
+  const auto all = setups(factor);
+  const int packings = options.quick ? 1 : 2;
+  const auto fields = run_all(options, all, std::vector<int>(all.size(), packings));
+  const double scale = speed_scale(all[0], factor);
+  const auto points = local_lengths(fields[0], 0.1 * scale);
+  const auto length = fitted(points, fields[0].bulk_fraction);
+  const auto incompressible =
+      solve_for(fields[0], all[0].slit, continuum::constant_length(kConstant), false);
+  const auto compressible = solve_for(fields[0], all[0].slit, length, true);
+  add_limits(all[0], fields[0], scale, length, result);
+  add_model_errors(fields[0], all[0].slit, incompressible, compressible, result);
+  result.charts.push_back(length_chart(points, length));
+  add_profile_charts(fields[0], all[0].slit, {&incompressible, &compressible}, result.charts);
+  std::vector<double> scales, slits;
+  for (const auto& setup : all) {
+    scales.push_back(speed_scale(setup, factor));
+    slits.push_back(setup.slit);
+  }
+  add_scaling_charts(all, fields, slits, scales, result.charts);
+}
+
+}  // namespace diefill::process::laboratory

@@ -1,0 +1,13 @@
+#include "process/laboratory/flow/registry.h"
+
+namespace diefill::process::laboratory {
+
+const std::vector<Experiment>& flow_experiments() {
+  static const std::vector<Experiment> all = {
+      {"hopper", "do kinematic models describe the flow out of a hopper, and does it scale with its slit?",
+       compare_hopper},
+  };
+  return all;
+}
+
+}  // namespace diefill::process::laboratory
