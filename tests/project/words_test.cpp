@@ -25,9 +25,9 @@ const std::vector<Banned>& banned_words() {
       {"dice", "random"},
       {"foreseen|foresees?", "predicted, expected"},
       {"in[_ ]words", "as text, description", {"CHANGELOG.md"}},
-      {"leeway", "remaining skin", {"engine/simulation/"}},
+      {"leeway", "remaining skin"},
       {"lie_apart", "distinct"},
-      {"look_?ahead", "prefetch", {"engine/numerics/prefetch.h"}},  // the distance that it prefetches
+      {"look_?ahead", "prefetch"},
       {"looks? after|looked after", "monitor, manage"},
       {"slip of the pen", "did you mean ...?"},
       {"slots_?in_?space", "spatial cache"},
