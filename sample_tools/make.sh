@@ -35,7 +35,7 @@ make_part narrow_ring/narrow_ring.scad narrow_ring/shoe_low.stl -D 'part="shoe"'
 for part in die punch shoe; do
   make_part rectangular_die/rectangular_die.scad rectangular_die/$part.stl -D "part=\"$part\""
 done
-for slit in 6 10; do
+for slit in 6 10 8.63 12.63; do
   make_part slit_plate/slit_plate.scad slit_plate/slit_${slit}mm.stl -D slit=$slit
 done
 make_part slit_plate/slit_plate.scad slit_plate/shoe_walls.stl -D 'part="shoe"'

@@ -44,10 +44,13 @@ std::string command_text(const CalibrateArguments& arguments) {
   return words;
 }
 
-/// Results that are there are gone on with only where the user says so.
-void refuse_earlier(const std::filesystem::path& directory, bool resume) {
+/// Results that are there are gone on with only where the user says so, and collected only where they are.
+void refuse_directory(const std::filesystem::path& directory, const CalibrateArguments& arguments) {
   const bool there = std::filesystem::exists(results::job_list_file(directory));
-  if (there && !resume)
+  if (!arguments.collect_from.empty() && !there)
+    throw process::SceneError("--collect: found no runs in " + directory.string() +
+                              "; give a directory that --export-jobs wrote");
+  if (there && !arguments.resume && arguments.export_to.empty() && arguments.collect_from.empty())
     throw process::SceneError(
         directory.string() +
         ": holds runs of an earlier call; add --resume to continue, or choose another --out");
@@ -111,8 +114,7 @@ int calibrate(const CalibrateArguments& arguments) {
   const auto plan = calibration::read_calibration(arguments.file);
   if (!arguments.screen) calibration::check_enough_data(plan);
   const std::filesystem::path directory = directory_of(arguments);
-  refuse_earlier(directory,
-                 arguments.resume || !arguments.export_to.empty() || !arguments.collect_from.empty());
+  refuse_directory(directory, arguments);
   const OutputDirectory output(directory, {"tools"});
   auto options = options_of(arguments, directory);
   options.points.jobs.stop = &heed_stop_signals();
@@ -142,18 +144,21 @@ void add_options(CLI::App& command, CalibrateArguments& arguments) {
       ->check(finite_number());
   command.add_flag("--resume", arguments.resume,
                    "continue in a directory that holds runs; finished ones are kept");
-  auto* exporting =
-      command.add_option("--export-jobs", arguments.export_to,
-                         "do not run: write the scenes and job scripts of the next round to this directory");
-  command
-      .add_option("--collect", arguments.collect_from,
-                  "do not run: find the powder from the finished runs of such a directory")
-      ->excludes(exporting)
-      ->excludes("--screen");
-  exporting->excludes("--screen");
   command.add_option("--out", arguments.out, "directory for results (default: out/<folder>_<file>)");
   command.add_flag("--pdf", arguments.pdf, "write the report as a PDF too");
   command.add_flag("--quiet", arguments.quiet, "print no progress");
+  auto* exporting =
+      command.add_option("--export-jobs", arguments.export_to,
+                         "do not run: write the scenes and job scripts of the next round to this directory");
+  auto* collecting = command
+                         .add_option("--collect", arguments.collect_from,
+                                     "do not run: find the powder from the finished runs of such a directory")
+                         ->excludes(exporting);
+  for (const char* other : {"--screen", "--out", "--budget"}) {
+    exporting->excludes(other);
+    collecting->excludes(other);
+  }
+  exporting->excludes("--pdf");
 }
 
 }  // namespace

@@ -149,15 +149,18 @@ void add_compare(CLI::App& program, Action& chosen) {
   command->add_option("--jobs", arguments->jobs, "runs at a time, sharing the cores (default: 1)")
       ->check(CLI::Range(1, 1024));
   add_setting(*command, arguments->setting);
-  command
-      ->add_option("--measured", arguments->measured,
-                   "CSV of a measured profile or map; its difference from each run is compared too")
-      ->allow_extra_args(false);
+  auto* measured =
+      command
+          ->add_option("--measured", arguments->measured,
+                       "CSV of a measured profile or map; its difference from each run is compared too")
+          ->allow_extra_args(false);
   command->add_option("--out", arguments->out, "directory for results (default: out/<folder>_<scene>)");
   command->add_flag("--quiet", arguments->quiet, "print no progress");
   auto* exporting =
-      command->add_option("--export-jobs", arguments->export_to,
-                          "do not run: write scenes, command lines and job scripts to this directory");
+      command
+          ->add_option("--export-jobs", arguments->export_to,
+                       "do not run: write scenes, command lines and job scripts to this directory")
+          ->excludes(measured);
   command
       ->add_option("--collect", arguments->collect_from,
                    "do not run: collect the results of such a directory")

@@ -86,6 +86,7 @@ int run(const RunArguments& arguments) {
   if (arguments.samples.powders > 0) {
     PowderSampleArguments samples = arguments.samples;
     samples.quiet = arguments.quiet;
+    samples.threads = arguments.threads;
     return run_powder_samples(
         scene,
         arguments.directory.empty() ? options.directory.string() + "_powder_samples" : arguments.directory,

@@ -53,6 +53,7 @@ int run_powder_samples(const process::Scene& scene, const std::filesystem::path&
   options.program = std::filesystem::read_symlink("/proc/self/exe");
   options.at_once = arguments.jobs;
   options.cores = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+  options.threads = arguments.threads;
   options.pictures = false;
   options.show_progress = !arguments.quiet;
   options.stop = &heed_stop_signals();

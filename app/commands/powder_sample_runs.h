@@ -12,6 +12,7 @@ struct PowderSampleArguments {
   int powders = 0;  ///< 0: no such runs
   int seeds = 4;    ///< runs of the best powder
   int jobs = 1;
+  int threads = 0;  ///< of each run; 0: the cores shared evenly
   bool quiet = false;
 };
 

@@ -67,7 +67,7 @@ std::vector<MeasurementRun> runs_over(const MeasurementRun& run, const std::stri
 }  // namespace
 
 Measurement read_figure_measurement(TableReader& table, const MeasurementContext& context) {
-  const std::string word = table.required_text("figure", "filled_mass");
+  const std::string word = table.required_text("figure", "expected_mass_kg");
   const auto over = table.text("over");
   Measurement measurement;
   const MeasurementRun run = run_of_scene(table, context);

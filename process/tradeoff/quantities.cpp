@@ -33,7 +33,7 @@ bool has_cavity(const results::FillResult& result) {
 /// What masses are divided by, and the unit they are in then.
 struct Slice {
   double divisor = 1;  ///< mm or mm^2
-  std::string unit = "g", rate = "g/s";
+  std::string unit = "g", rate = "g/s", volume = "mm^3";
 };
 
 Slice slice_of(const Scene& scene) {
@@ -48,6 +48,7 @@ Slice slice_of(const Scene& scene) {
     const std::string per = axes == 1 ? "mm" : "mm^2";
     slice.unit = "g/" + per;
     slice.rate = "g/s/" + per;
+    slice.volume = axes == 1 ? "mm^2" : axes == 2 ? "mm" : "1";
   }
   return slice;
 }
@@ -64,6 +65,36 @@ const results::ProbeSeries* probe_called(const results::FillResult& result, cons
   for (const auto& series : result.probes)
     if (series.name == name && !series.values.empty()) return &series;
   return nullptr;
+}
+
+/// m^3 that so much mass of model powder fills at rest: solid volume over the solid fraction of the powder
+/// that is left (Bierwisch 2009, Eq. 4.2).
+double volume_at_rest(double mass, const results::FillResult& result) {
+  double left = 0, solid = 0;
+  for (std::size_t k = 0; k < result.powder.position.size(); ++k) {
+    left += result.powder.mass_of(k);
+    solid += result.powder.solid_volume_of(k);
+  }
+  const double fraction = results::figure_of(result, "bulk_solid_fraction");
+  return left > 0 && fraction > 0 ? mass / (left / solid) / fraction : kNone;
+}
+
+/// What the mass through a plane is of powder at rest, and what that of the real powder weighs.
+void add_real_flow(std::vector<MeasuredQuantity>& all, const Scene& scene, const std::string& name,
+                   const Slice& slice) {
+  const auto volume = [name](const results::FillResult& result) {
+    const auto* series = probe_called(result, name);
+    return series == nullptr ? kNone : volume_at_rest(column(*series, 1).back(), result);
+  };
+  const auto add = [&](const std::string& key, const std::string& words, const std::string& unit,
+                       double factor) {
+    all.push_back({{.key = key + name, .name = words + name, .unit = unit, .decides = false},
+                   [volume, factor](const results::FillResult& result) { return factor * volume(result); }});
+  };
+  add("volume_through_", "volume at rest through ", slice.volume, 1e9 / slice.divisor);
+  const double apparent = scene.powder.apparent_density;
+  if (apparent > 0)
+    add("real_mass_through_", "mass of the real powder through ", slice.unit, 1e3 * apparent / slice.divisor);
 }
 
 /// Masses through the planes of the scene's flow probes, and their rates.
@@ -84,6 +115,7 @@ void add_flows(std::vector<MeasuredQuantity>& all, const Scene& scene) {
                      return series == nullptr ? kNone
                                               : factor * steady_rate(column(*series, 0), column(*series, 1));
                    }});
+    add_real_flow(all, scene, name, slice);
   }
 }
 

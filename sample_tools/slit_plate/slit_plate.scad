@@ -2,7 +2,7 @@
 // across it, both as prisms along y: what a slice periodic in y needs. The experiment's slit is 33 mm long.
 include <../tooling.scad>
 part = "platen";   // platen or shoe
-slit = 6;          // mm along x: 6 or 10
+slit = 6;          // mm along x: 6 or 10; 8.63 and 12.63 for grains of 2.35 mm
 length_y = 40;
 thickness = 2;
 margin = 34;       // room to reach 0.8 m/s at 10 m/s^2

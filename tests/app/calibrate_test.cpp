@@ -161,6 +161,10 @@ TEST(Calibrate, RunsDoneElsewhereAreCollectedRoundByRound) {
   const std::string jobs = calibrated.out("jobs").string();
   const std::string file = (calibrated.die().folder() / "calibration.toml").string();
   const std::string run = "cd '" + jobs + "' && DIEFILL='" DIEFILL_PROGRAM "' sh run_here.sh 2 > /dev/null 2>&1";
+  const Outcome nothing = run_program({"calibrate", file, "--collect", jobs});
+  EXPECT_EQ(nothing.exit_code, 2);
+  EXPECT_NE(nothing.err.find("found no runs in"), std::string::npos) << nothing.err;
+  EXPECT_FALSE(std::filesystem::exists(jobs));
   int rounds = 0;
   for (; rounds < 6; ++rounds) {
     const Outcome exported = run_program({"calibrate", file, "--export-jobs", jobs, "--quiet"});
