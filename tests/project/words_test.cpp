@@ -20,7 +20,7 @@ const std::vector<Banned>& banned_words() {
   static const std::vector<Banned> all = {
       {"air_?draught|draughts?", "air flow"},
       {"at ease", "at rest"},
-      {"carried_?powder", "co-moving powder", {"tests/engine/"}},
+      {"carried_?powder", "co-moving powder"},
       {"cube_of_space", "cell index"},
       {"dice", "random"},
       {"foreseen|foresees?", "predicted, expected"},
@@ -31,7 +31,7 @@ const std::vector<Banned>& banned_words() {
       {"looks? after|looked after", "monitor, manage"},
       {"slip of the pen", "did you mean ...?"},
       {"slots_?in_?space", "spatial cache"},
-      {"to and fro", "oscillate, back and forth", {"tests/engine/"}},
+      {"to and fro", "oscillate, back and forth"},
   };
   return all;
 }
