@@ -62,7 +62,8 @@ FillResult two_sizes_in(bool ring) {
   }
   result.cavity.volume = 1e-6;
   result.powder = process::powder_of(places, 4e-4);
-  result.powder.kinds = {{4e-4, 3e-4}, {2e-4, 1.5e-4}, {7.6e-8, 3.2e-8}, {3.3e-11, 1.4e-11}, {"a", "b"}};
+  result.powder.kinds = {
+      {4e-4, 3e-4}, {2e-4, 1.5e-4}, {7.6e-8, 3.2e-8}, {3.3e-11, 1.4e-11}, {"a", "b"}, {}, {}, {}};
   for (std::size_t k = 0; k < places.size(); ++k) result.powder.kind.push_back(k % 3 == 0 ? 1 : 0);
   result.solid_fraction = process::fraction_of(result.powder, [](const auto&) { return 0.4; });
   return result;
