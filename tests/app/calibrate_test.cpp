@@ -8,6 +8,7 @@
 #include <map>
 #include <thread>
 
+#include "project_paths.h"
 #include "tests/app/small_die.h"
 #include "tests/support/scene_text.h"
 
@@ -160,7 +161,7 @@ TEST(Calibrate, RunsDoneElsewhereAreCollectedRoundByRound) {
   const Calibrated calibrated;
   const std::string jobs = calibrated.out("jobs").string();
   const std::string file = (calibrated.die().folder() / "calibration.toml").string();
-  const std::string run = "cd '" + jobs + "' && DIEFILL='" DIEFILL_PROGRAM "' sh run_here.sh 2 > /dev/null 2>&1";
+  const std::string run = "cd '" + jobs + "' && DIEFILL='" + DIEFILL_PROGRAM + "' sh run_here.sh 2 > /dev/null 2>&1";
   const Outcome nothing = run_program({"calibrate", file, "--collect", jobs});
   EXPECT_EQ(nothing.exit_code, 2);
   EXPECT_NE(nothing.err.find("found no runs in"), std::string::npos) << nothing.err;
@@ -169,7 +170,7 @@ TEST(Calibrate, RunsDoneElsewhereAreCollectedRoundByRound) {
   for (; rounds < 6; ++rounds) {
     const Outcome exported = run_program({"calibrate", file, "--export-jobs", jobs, "--quiet"});
     ASSERT_EQ(exported.exit_code, 0) << exported.err;
-    if (exported.out.find("no runs are left") != std::string::npos) break;
+    if (exported.out.find("no runs are left to do") != std::string::npos) break;
     if (rounds == 0) {
       const Outcome early = run_program({"calibrate", file, "--collect", jobs, "--quiet"});
       EXPECT_EQ(early.exit_code, 1) << early.err;
