@@ -170,7 +170,7 @@ TEST(Calibrate, RunsDoneElsewhereAreCollectedRoundByRound) {
   for (; rounds < 6; ++rounds) {
     const Outcome exported = run_program({"calibrate", file, "--export-jobs", jobs, "--quiet"});
     ASSERT_EQ(exported.exit_code, 0) << exported.err;
-    if (exported.out.find("no runs are left") != std::string::npos) break;
+    if (exported.out.find("no runs are left to do") != std::string::npos) break;
     if (rounds == 0) {
       const Outcome early = run_program({"calibrate", file, "--collect", jobs, "--quiet"});
       EXPECT_EQ(early.exit_code, 1) << early.err;
