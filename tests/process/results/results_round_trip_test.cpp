@@ -107,7 +107,14 @@ TEST(ResultFile, GivesBackEveryBit) {
 TEST(ResultFile, GivesBackKindsOfGrains) {
   const support::TemporaryFolder scratch;
   FillResult result = sample_result();
-  result.powder.kinds = {{1e-3, 2e-3}, {5e-4, 1e-3}, {1e-6, 8e-6}, {5e-10, 4e-9}, {"fine", "coarse"}};
+  result.powder.kinds = {{1e-3, 2e-3},
+                         {5e-4, 1e-3},
+                         {1e-6, 8e-6},
+                         {5e-10, 4e-9},
+                         {"fine", "coarse"},
+                         {1, 2},
+                         {Eigen::Vector3d::Zero(), {0, 0, 5e-4}, {0, 0, -5e-4}},
+                         {5e-4, 1e-3, 9e-4}};
   result.powder.kind = {0, 1, 1, 0, 1};
   for (auto& instant : result.instants) instant.kind.assign(instant.id.size(), 1);
   write_results(scratch.path(), result);
