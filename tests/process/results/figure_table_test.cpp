@@ -12,6 +12,7 @@
 #include "process/compare/compared_measures.h"
 #include "process/measure/figures.h"
 #include "process/measure/heap_slope.h"
+#include "process/measure/zone.h"
 #include "process/tradeoff/quantities.h"
 #include "project_paths.h"
 #include "tests/process/measure_sample.h"
@@ -78,6 +79,8 @@ std::set<std::string> written_names() {
     for (const auto& [name, value] : result.figures) names.insert(name);
   }
   names.insert(process::heap_figure("the heap"));
+  names.insert({process::zone_mass_figure("flange"), process::zone_share_figure("flange"),
+                process::zone_solid_fraction_figure("flange")});
   names.insert({"solid_fraction_mean", "solid_fraction_std"});  // of the summary
   return names;
 }
@@ -154,7 +157,7 @@ TEST(FigureTable, SaysByWhatVariantsAreCompared) {
     if (figure.compared) marked.emplace_back(figure.name);
   const auto& measures = process::compared_measures();
   ASSERT_EQ(measures.size(), marked.size());
-  EXPECT_EQ(measures.size(), 21U);
+  EXPECT_EQ(measures.size(), 25U);
   for (std::size_t k = 0; k < marked.size(); ++k) {
     EXPECT_EQ(measures[k].key, marked[k]);
     EXPECT_EQ(measures[k].name, figure_called(marked[k]).label);

@@ -263,7 +263,7 @@ TEST(ResultFile, OtherSchemaVersionsAreRefused) {
   std::string text = without_hash(contents(file));
   // An attribute message: name, type and dataspace, 16 + 16 + 8 bytes here, then the number itself.
   const std::size_t number = text.find("schema_version") + 40;
-  ASSERT_EQ(text.substr(number, 4), std::string("\5\0\0\0", 4));
+  ASSERT_EQ(text.substr(number, 4), std::string("\6\0\0\0", 4));
   text[number] = 99;
   put(file, text);
   EXPECT_NE(message_of_reading(scratch.path()).find("schema version 99"), std::string::npos);
