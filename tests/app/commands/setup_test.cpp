@@ -83,17 +83,18 @@ TEST(Inflow, ThatFallsFasterThanItsBoxHasRoomForIsTold) {
   const Outcome checked = fast.check();
   EXPECT_EQ(checked.exit_code, 0) << checked.err;
   expect_says(checked.out,
-              "rate is 400 g/s, but the box from (1, -2, 11) to (5, 2, 20) mm gives at most about ");
-  expect_says(checked.out, "make the box larger, let grains come in with a velocity, or lower the rate");
+              "rate is 400 g/s, but the box from (1, -2, 11) to (5, 2, 20) mm delivers at most about ");
+  expect_says(checked.out, "enlarge the box, give the grains a velocity, or reduce the rate");
   const Outcome as_it_can = slow.check();
   EXPECT_EQ(as_it_can.exit_code, 0) << as_it_can.err;
-  EXPECT_EQ(as_it_can.out.find("gives at most about"), std::string::npos) << as_it_can.out;
+  EXPECT_EQ(as_it_can.out.find("delivers at most about"), std::string::npos) << as_it_can.out;
 }
 
 TEST(Inflow, FromABoxInsideAToolIsRefused) {
   const SmallDie die;
   let_in(die, R"(["-14 mm", "-2 mm", "-4 mm"])", R"(["-8 mm", "2 mm", "-1 mm"])", "0.1 g/s");
-  expect_refused(die, "the box from (-14, -2, -4) to (-8, 2, -1) mm lies in a tool, or leaves no grain room");
+  expect_refused(
+      die, "the box from (-14, -2, -4) to (-8, 2, -1) mm lies inside a tool or leaves no space for a grain");
 }
 
 TEST(FineWalls, AreRemarkedOnFromATwelfthOfTheGrainsRadiusOn) {
@@ -101,7 +102,7 @@ TEST(FineWalls, AreRemarkedOnFromATwelfthOfTheGrainsRadiusOn) {
   // Refused soon afterwards, so that nothing need be covered.
   die.write("die.stl", cad::binary_stl(cad::prism(cad::rectangle(-15, 6, -3.5, 3.5), -5, 0)));
   die.exchange("sphere_radius = \"0.25 mm\"", "sphere_radius = \"0.041 mm\"");
-  const std::string remark = "note: walls.sphere_radius is 0.041 mm, 1/12 of the grains' radius of 0.5 mm";
+  const std::string remark = "note: walls.sphere_radius is 0.041 mm, 1/12 of the grain radius of 0.5 mm";
   expect_says(die.check().err, remark);
   die.exchange("sphere_radius = \"0.041 mm\"", "sphere_radius = \"0.043 mm\"");
   EXPECT_EQ(die.check().err.find("note: walls.sphere_radius"), std::string::npos);

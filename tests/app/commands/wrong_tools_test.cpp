@@ -136,7 +136,7 @@ std::vector<WrongTool> wrong_arrangements() {
       {"no_cavity_and_no_travel", with_die(flat_plate()), {"scene.toml:", "no cavity", "travel = \"60 mm\""}},
       {"shoe_past_the_cavity",
        with_scene("direction = \"-x\"", "direction = \"+x\""),
-       {"\"shoe\" beyond the cavity"}},
+       {"\"shoe\" already beyond the cavity"}},
       {"nothing_stands",
        with_scene("role = \"die\"", "role = \"shoe\""),
        {"no die or plate to pour powder on"}},
