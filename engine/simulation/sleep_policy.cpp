@@ -106,7 +106,7 @@ void SleepPolicy::finish_block(SimulationState& state, std::size_t b, const Cont
 void SleepPolicy::end_step(SimulationState& state) {
   for (std::size_t b = 0; b < rests_.size(); ++b)
     if (rests_[b]) state.sleep.sphere_steps_left_out += state.list.blocks()[b].own_spheres();
-  if (state.step % kStepsPerLook != 0) return;
+  if (state.step % kStepsPerCheck != 0) return;
   weigh_sleepers(state);
   look_at_grains(state);
   wake_these(state, disturbed(state, rests_));

@@ -34,7 +34,7 @@ std::vector<Limits> limits_of_types(const SimulationState& state) {
 
 /// Looks in a row at which a grain must have been slow.
 std::uint32_t looks_needed(const SimulationState& state) {
-  const double between = state.settings.time_step * static_cast<double>(kStepsPerLook);
+  const double between = state.settings.time_step * static_cast<double>(kStepsPerCheck);
   return static_cast<std::uint32_t>(std::clamp(std::ceil(state.settings.sleep->time / between), 1.0, 1e9));
 }
 

@@ -8,7 +8,7 @@
 namespace diefill::engine {
 
 /// Sleepers are looked at every so many steps.
-inline constexpr std::uint64_t kStepsPerLook = 10;
+inline constexpr std::uint64_t kStepsPerCheck = 10;
 
 /// The body that sleepers ride on, at the present time; one at rest where they stand still.
 BodyMotion carrier_motion(const SimulationState& state);

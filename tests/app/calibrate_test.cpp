@@ -161,7 +161,8 @@ TEST(Calibrate, RunsDoneElsewhereAreCollectedRoundByRound) {
   const Calibrated calibrated;
   const std::string jobs = calibrated.out("jobs").string();
   const std::string file = (calibrated.die().folder() / "calibration.toml").string();
-  const std::string run = "cd '" + jobs + "' && DIEFILL='" + DIEFILL_PROGRAM + "' sh run_here.sh 2 > /dev/null 2>&1";
+  const std::string run =
+      "cd '" + jobs + "' && DIEFILL='" + DIEFILL_PROGRAM + "' sh run_here.sh 2 > /dev/null 2>&1";
   const Outcome nothing = run_program({"calibrate", file, "--collect", jobs});
   EXPECT_EQ(nothing.exit_code, 2);
   EXPECT_NE(nothing.err.find("found no runs in"), std::string::npos) << nothing.err;
@@ -183,7 +184,8 @@ TEST(Calibrate, RunsDoneElsewhereAreCollectedRoundByRound) {
   const Outcome collected = run_program({"calibrate", file, "--collect", jobs, "--quiet"});
   ASSERT_EQ(collected.exit_code, 0) << collected.err;
   ASSERT_EQ(run_program(calibrated.arguments({"--quiet"}, "here")).exit_code, 0);
-  EXPECT_EQ(contents(calibrated.out("jobs") / "powder.toml"), contents(calibrated.out("here") / "powder.toml"));
+  EXPECT_EQ(contents(calibrated.out("jobs") / "powder.toml"),
+            contents(calibrated.out("here") / "powder.toml"));
 }
 
 TEST(Calibrate, ProfilesMapsChecksAndFinerGrainsGoThrough) {
@@ -196,9 +198,10 @@ TEST(Calibrate, ProfilesMapsChecksAndFinerGrainsGoThrough) {
     return "\n[[measurement]]\nname = \"" + name + "\"\nkind = \"" + kind + "\"\n" + quantity +
            "\nscene = \"scene.toml\"\n";
   };
-  die.write("calibration.toml", calibrated.text() + more("ruler", "profile", "profile = \"fill level\"") +
-                                    "file = \"level.csv\"\n" + more("photograph", "map", "map = \"fill level\"") +
-                                    "file = \"map.csv\"\nuse = \"check\"\n[check]\ngrain_diameter = \"0.9 mm\"\n");
+  die.write("calibration.toml",
+            calibrated.text() + more("ruler", "profile", "profile = \"fill level\"") +
+                "file = \"level.csv\"\n" + more("photograph", "map", "map = \"fill level\"") +
+                "file = \"map.csv\"\nuse = \"check\"\n[check]\ngrain_diameter = \"0.9 mm\"\n");
   const Outcome outcome = run_program(calibrated.arguments({"--quiet"}));
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
   const auto account = account_in(calibrated.out());
@@ -232,9 +235,10 @@ TEST(Calibrate, PowdersOfItsRegionShowWhatTheirUncertaintyDoes) {
   EXPECT_EQ(without.complaints(), 1U) << without.err;
   EXPECT_NE(without.err.find("no powder.file"), std::string::npos) << without.err;
   std::filesystem::copy_file(calibrated.out() / "powder.toml", die.folder() / "powder.toml");
-  die.exchange("preset = \"ASC100.29 A2\"\ngrain_diameter = \"1 mm\"\nfriction = 0.3\nreduced_modulus = \"3 MPa\"\n"
-               "damping_over_radius = \"3e5 Pa s/m\"\n",
-               "file = \"powder.toml\"\n");
+  die.exchange(
+      "preset = \"ASC100.29 A2\"\ngrain_diameter = \"1 mm\"\nfriction = 0.3\nreduced_modulus = \"3 MPa\"\n"
+      "damping_over_radius = \"3e5 Pa s/m\"\n",
+      "file = \"powder.toml\"\n");
   const Outcome with = samples("3");
   ASSERT_EQ(with.exit_code, 0) << with.err;
   EXPECT_NE(with.out.find("by the powder"), std::string::npos) << with.out;
@@ -245,8 +249,8 @@ TEST(Calibrate, PowdersOfItsRegionShowWhatTheirUncertaintyDoes) {
     EXPECT_EQ(figure.at("of_seeds").size(), 2U);
     EXPECT_EQ(figure.at("of_powders").size(), 3U);
     const double all = figure.at("spread_over_powders"), seeds = figure.at("scatter_over_seeds");
-    EXPECT_NEAR(figure.at("share_of_the_powder").get<double>(), std::sqrt(std::max(0.0, all * all - seeds * seeds)),
-                1e-9);
+    EXPECT_NEAR(figure.at("share_of_the_powder").get<double>(),
+                std::sqrt(std::max(0.0, all * all - seeds * seeds)), 1e-9);
   }
   EXPECT_GT(contents(die.folder() / "spread" / "powder_samples.html").size(), 1000U);
 }

@@ -38,7 +38,8 @@ class ZonedDie {
 TEST(Zones, AreFiguresOfTheReport) {
   const ZonedDie zoned;
   const auto report = zoned.die().report();
-  const double upper = report.at("filled_mass_in_upper_half_kg"), lower = report.at("filled_mass_in_lower_half_kg");
+  const double upper = report.at("filled_mass_in_upper_half_kg"),
+               lower = report.at("filled_mass_in_lower_half_kg");
   EXPECT_GT(lower, upper);
   EXPECT_NEAR(upper + lower, report.at("filled_mass_kg").get<double>(), 1e-12);
   EXPECT_NEAR(report.at("mass_share_in_lower_half").get<double>(), lower / (upper + lower), 1e-9);
@@ -64,8 +65,8 @@ TEST(MeasuredData, AreHeldAgainstAResultByMapReportAndCompare) {
   EXPECT_NE(page.find("Share of the powder in lower half"), std::string::npos);
 
   const std::string compared = (die.folder() / "compared").string();
-  const Outcome compare =
-      run_program({"compare", die.scene().string(), "--out", compared, "--quiet", "--measured", zoned.measured()});
+  const Outcome compare = run_program(
+      {"compare", die.scene().string(), "--out", compared, "--quiet", "--measured", zoned.measured()});
   ASSERT_EQ(compare.exit_code, 0) << compare.err;
   const auto json = nlohmann::json::parse(contents(std::filesystem::path(compared) / "comparison.json"));
   const std::string all = json.dump();

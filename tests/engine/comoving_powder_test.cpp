@@ -207,7 +207,7 @@ TEST(CoMovingPowder, WakesWhereItIsToBeAwake) {
   Simulation simulation(settings, tray_on_floor(3.5 * size));
   simulation.restore(tray_under_way(Model::a, true).snapshot());
   for (int look = 0; look < 100; ++look) {
-    run_steps(simulation, static_cast<int>(kStepsPerLook));
+    run_steps(simulation, static_cast<int>(kStepsPerCheck));
     for (std::size_t k = 0; k < simulation.grains().size(); ++k)
       ASSERT_FALSE(asleep(simulation, k) && simulation.grains().position[k].x() > from) << "at look " << look;
   }

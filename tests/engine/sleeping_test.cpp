@@ -3,6 +3,7 @@
 
 #include "engine/observe/energy_balance.h"
 #include "engine/observe/powder_figures.h"
+#include "engine/simulation/sleep_rules.h"
 #include "engine_test_support.h"
 
 namespace diefill::engine {
@@ -160,7 +161,7 @@ TEST(Sleeping, ToolThatSetsOutWakesThePowder) {
   run_steps(simulation, 5000);
   EXPECT_EQ(sleepers(simulation), 0U);
   // The bed falls with the plate, the upper layers a look later than those that carried them.
-  const double since = 5200 * kStep - 1e-3, look = static_cast<double>(kStepsPerLook) * kStep;
+  const double since = 5200 * kStep - 1e-3, look = static_cast<double>(kStepsPerCheck) * kStep;
   const double fallen = 0.5 * 9.81 * since * since;
   EXPECT_NEAR(height - mean_height(simulation), fallen, 9 * look * 9.81 * since);
 }

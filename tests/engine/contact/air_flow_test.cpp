@@ -1,9 +1,10 @@
 // Air that a moving tool draws through the powder.
+#include "engine/contact/air_flow.h"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "engine/contact/air_flow.h"
 #include "engine/observe/energy_balance.h"
 #include "tests/engine/engine_test_support.h"
 

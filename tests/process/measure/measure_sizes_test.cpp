@@ -129,6 +129,20 @@ TEST(Segregation, FiguresAndProfilesShowLargeGrainsOnTop) {
   EXPECT_EQ(profiles[1].x.size(), 12U);
 }
 
+TEST(Segregation, PowdersThatLieInLayersAreSeparatedOverTheHeightOnly) {
+  auto result = filled_ring([](const RingPosition& place, std::size_t) {
+    return static_cast<std::uint8_t>(place.height > 3e-3 ? 1 : 0);
+  });
+  Figures figures;
+  powder_segregation(result, figures);
+  EXPECT_FALSE(figures.contains("powder_mixing_index_height")) << "both sizes are of one powder";
+  result.powder.kinds.material = {"iron", "copper"};
+  powder_segregation(result, figures);
+  EXPECT_NEAR(figures.at("powder_mixing_index_height"), 0, 0.05);
+  EXPECT_NEAR(figures.at("powder_mixing_index_azimuth"), 1, 0.05);
+  EXPECT_NEAR(figures.at("first_powder_mass_share_all"), 1.0 / 9, 0.02);
+}
+
 TEST(Segregation, IsSeenRoundTheRing) {
   const auto result = filled_ring([](const RingPosition& place, std::size_t) {
     return static_cast<std::uint8_t>(place.azimuth < 180 ? 1 : 0);

@@ -17,8 +17,9 @@ results::FillResult ring() {
   result.cavity.is_ring = true;
   result.cavity.lower_corner = {-0.01, -0.01, -0.02};
   result.cavity.upper_corner = {0.01, 0.01, 0};
-  result.scene_text = "[[measure.zone]]\nname = \"flange\"\nheights = [\"-8 mm\", \"0 mm\"]\n"
-                      "[[measure.zone]]\nname = \"hub\"\nouter_radius = \"5 mm\"\n";
+  result.scene_text =
+      "[[measure.zone]]\nname = \"flange\"\nheights = [\"-8 mm\", \"0 mm\"]\n"
+      "[[measure.zone]]\nname = \"hub\"\nouter_radius = \"5 mm\"\n";
   results::Profile level{"fill level", "mm", "azimuth", "deg", {}, {}};
   for (int k = 0; k < 36; ++k) {
     level.x.push_back(5 + 10 * k);
@@ -34,7 +35,8 @@ results::FillResult ring() {
 
 class HoldAgainst : public testing::Test {
  protected:
-  results::MeasuredComparison against(const std::string& csv, const results::FillResult& result = ring()) const {
+  results::MeasuredComparison against(const std::string& csv,
+                                      const results::FillResult& result = ring()) const {
     folder_.write("level.csv", csv);
     return hold_against(read_measured_files({(folder_.path() / "level.csv").string()}).front(), result);
   }
@@ -57,8 +59,8 @@ const results::MeasuredZone& zone(const results::MeasuredComparison& comparison,
 
 TEST_F(HoldAgainst, AProfileGivesDifferenceAndCorrelationInAllAndByQuarters) {
   // 1 mm below the simulated level in the first half, 2 mm below it in the second; in cm.
-  const auto comparison = against(
-      "azimuth [deg], fill level [cm]\n45, 0.945\n135, 1.035\n225, 1.025\n315, 1.115\n");
+  const auto comparison =
+      against("azimuth [deg], fill level [cm]\n45, 0.945\n135, 1.035\n225, 1.025\n315, 1.115\n");
   ASSERT_EQ(comparison.simulated.size(), 4U);
   EXPECT_NEAR(comparison.simulated[1], 1.135, 1e-9);
   EXPECT_TRUE(std::isnan(comparison.deviation[0]));
@@ -101,13 +103,16 @@ TEST_F(HoldAgainst, FaultsAreNamedInOneLine) {
             std::string::npos);
   EXPECT_NE(complaint("azimuth [deg], fill level [g]\n45, 9\n").find("level.csv"), std::string::npos);
   EXPECT_NE(complaint("azimuth [deg], fill level\n45, 9\n").find("has no unit"), std::string::npos);
-  EXPECT_NE(complaint("azimuth [deg], fill level [mm]\n45, 9\n45, 8\n").find("given twice"), std::string::npos);
+  EXPECT_NE(complaint("azimuth [deg], fill level [mm]\n45, 9\n45, 8\n").find("given twice"),
+            std::string::npos);
   EXPECT_NE(complaint("azimuth [deg], fill level [mm]\n45, 9, 1\n").find("found 3 columns, expected 2"),
             std::string::npos);
-  EXPECT_NE(complaint("azimuth [deg], fill level [mm], deviation [mm]\n45, 9, 0\n").find("standard deviation is 0"),
-            std::string::npos);
-  EXPECT_NE(complaint("azimuth [deg], height [mm], solid fraction [1]\n90, 30, 0.3\n").find("none of its 1 places"),
-            std::string::npos);
+  EXPECT_NE(
+      complaint("azimuth [deg], fill level [mm], deviation [mm]\n45, 9, 0\n").find("standard deviation is 0"),
+      std::string::npos);
+  EXPECT_NE(
+      complaint("azimuth [deg], height [mm], solid fraction [1]\n90, 30, 0.3\n").find("none of its 1 places"),
+      std::string::npos);
 }
 
 TEST_F(HoldAgainst, TwoFilesOfOneNameAreRefused) {

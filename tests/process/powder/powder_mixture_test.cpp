@@ -10,6 +10,7 @@
 #include "process/powder/changed_scene.h"
 #include "process/powder/material.h"
 #include "process/setup/pour.h"
+#include "process/tooling/tooling.h"
 #include "tests/process/scene_files.h"
 #include "tests/process/wrong_scene.h"
 
@@ -41,7 +42,10 @@ TEST(PowderMixture, HasGrainsByTheMassesOfItsPowders) {
                second = shares[1].number_share * types[1].shape.mass;
   EXPECT_NEAR(second / (first + second), 0.25, 1e-12);
   EXPECT_NEAR(mean_of_mixture(scene).mass, first + second, 1e-12 * first);
-  const auto poured = pour(scene, engine_settings(scene, 1.0), {});
+  Tooling everywhere;  // tools below all of the pour box
+  everywhere.standing.include(Eigen::Vector3d::Constant(-1));
+  everywhere.standing.include(Eigen::Vector3d::Constant(1));
+  const auto poured = pour(scene, engine_settings(scene, 1.0), everywhere);
   double mass[2] = {};
   for (const auto& grain : poured) mass[grain.kind] += types[grain.kind].shape.mass;
   EXPECT_EQ(poured.size(), grains_to_pour(scene));

@@ -12,6 +12,7 @@
 #include "process/compare/compared_measures.h"
 #include "process/measure/figures.h"
 #include "process/measure/heap_slope.h"
+#include "process/measure/zone.h"
 #include "process/tradeoff/quantities.h"
 #include "project_paths.h"
 #include "tests/process/measure_sample.h"
@@ -62,7 +63,8 @@ FillResult two_sizes_in(bool ring) {
   }
   result.cavity.volume = 1e-6;
   result.powder = process::powder_of(places, 4e-4);
-  result.powder.kinds = {{4e-4, 3e-4}, {2e-4, 1.5e-4}, {7.6e-8, 3.2e-8}, {3.3e-11, 1.4e-11}, {"a", "b"}};
+  result.powder.kinds = {
+      {4e-4, 3e-4}, {2e-4, 1.5e-4}, {7.6e-8, 3.2e-8}, {3.3e-11, 1.4e-11}, {"a", "b"}, {}, {}, {}};
   for (std::size_t k = 0; k < places.size(); ++k) result.powder.kind.push_back(k % 3 == 0 ? 1 : 0);
   result.solid_fraction = process::fraction_of(result.powder, [](const auto&) { return 0.4; });
   return result;
@@ -77,6 +79,8 @@ std::set<std::string> written_names() {
     for (const auto& [name, value] : result.figures) names.insert(name);
   }
   names.insert(process::heap_figure("the heap"));
+  names.insert({process::zone_mass_figure("flange"), process::zone_share_figure("flange"),
+                process::zone_solid_fraction_figure("flange")});
   names.insert({"solid_fraction_mean", "solid_fraction_std"});  // of the summary
   return names;
 }
@@ -153,7 +157,7 @@ TEST(FigureTable, SaysByWhatVariantsAreCompared) {
     if (figure.compared) marked.emplace_back(figure.name);
   const auto& measures = process::compared_measures();
   ASSERT_EQ(measures.size(), marked.size());
-  EXPECT_EQ(measures.size(), 21U);
+  EXPECT_EQ(measures.size(), 25U);
   for (std::size_t k = 0; k < marked.size(); ++k) {
     EXPECT_EQ(measures[k].key, marked[k]);
     EXPECT_EQ(measures[k].name, figure_called(marked[k]).label);

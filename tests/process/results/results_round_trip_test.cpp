@@ -107,7 +107,14 @@ TEST(ResultFile, GivesBackEveryBit) {
 TEST(ResultFile, GivesBackKindsOfGrains) {
   const support::TemporaryFolder scratch;
   FillResult result = sample_result();
-  result.powder.kinds = {{1e-3, 2e-3}, {5e-4, 1e-3}, {1e-6, 8e-6}, {5e-10, 4e-9}, {"fine", "coarse"}};
+  result.powder.kinds = {{1e-3, 2e-3},
+                         {5e-4, 1e-3},
+                         {1e-6, 8e-6},
+                         {5e-10, 4e-9},
+                         {"fine", "coarse"},
+                         {1, 2},
+                         {Eigen::Vector3d::Zero(), {0, 0, 5e-4}, {0, 0, -5e-4}},
+                         {5e-4, 1e-3, 9e-4}};
   result.powder.kind = {0, 1, 1, 0, 1};
   for (auto& instant : result.instants) instant.kind.assign(instant.id.size(), 1);
   write_results(scratch.path(), result);
@@ -256,7 +263,7 @@ TEST(ResultFile, OtherSchemaVersionsAreRefused) {
   std::string text = without_hash(contents(file));
   // An attribute message: name, type and dataspace, 16 + 16 + 8 bytes here, then the number itself.
   const std::size_t number = text.find("schema_version") + 40;
-  ASSERT_EQ(text.substr(number, 4), std::string("\5\0\0\0", 4));
+  ASSERT_EQ(text.substr(number, 4), std::string("\6\0\0\0", 4));
   text[number] = 99;
   put(file, text);
   EXPECT_NE(message_of_reading(scratch.path()).find("schema version 99"), std::string::npos);

@@ -35,9 +35,11 @@ TEST(SceneZones, AreBoxesCylindersAndHeights) {
 TEST(SceneZones, FaultsAreNamedInOneLine) {
   const std::string zone = "[[measure.zone]]\nname = \"hub\"\n";
   EXPECT_NE(complaint(zone).find("a zone needs a limit"), std::string::npos);
-  EXPECT_NE(complaint(zone + "heights = [\"2 mm\", \"1 mm\"]\n").find("the lower one first"), std::string::npos);
-  EXPECT_NE(complaint(zone + "inner_radius = \"2 mm\"\nouter_radius = \"1 mm\"\n").find("more than inner_radius"),
+  EXPECT_NE(complaint(zone + "heights = [\"2 mm\", \"1 mm\"]\n").find("the lower one first"),
             std::string::npos);
+  EXPECT_NE(
+      complaint(zone + "inner_radius = \"2 mm\"\nouter_radius = \"1 mm\"\n").find("more than inner_radius"),
+      std::string::npos);
   EXPECT_NE(complaint(zone + "outer_radus = \"1 mm\"\nheights = [\"1 mm\", \"2 mm\"]\n").find("outer_radius"),
             std::string::npos);
   EXPECT_NE(complaint(zone + "from = [\"0 mm\", \"0 mm\", \"0 mm\"]\n").find("to"), std::string::npos);

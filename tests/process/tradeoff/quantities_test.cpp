@@ -27,7 +27,10 @@ results::FillResult passed() {
   results::FillResult result;
   result.powder = powder_of(block(4, kDiameter));
   result.figures["bulk_solid_fraction"] = 0.4;
-  result.probes.push_back({.name = "slit", .columns = {"time", "mass"}, .values = {0, 0, 1, 1e-3, 2, 2e-3}});
+  result.probes.push_back({.name = "slit",
+                           .columns = {"time", "mass"},
+                           .units = {"s", "kg"},
+                           .values = {0, 0, 1, 1e-3, 2, 2e-3}});
   return result;
 }
 
