@@ -1,17 +1,34 @@
 #include "process/calibration/point_runs.h"
 
+#include <toml++/toml.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
 
 #include "process/results/job_cost.h"
 #include "process/results/result_file.h"
+#include "process/scene/scene_text.h"
 
 namespace diefill::process::calibration {
 namespace {
 
 std::string point_name(std::size_t number) {
   return "point " + std::to_string(number + 1);
+}
+
+/// Whether two scenes have the same [powder], [contact] and [walls]; copies of scenes have other paths.
+bool same_powder(const std::string& a, const std::string& b) {
+  toml::table first = parse_scene_text(a, "scene"), second = parse_scene_text(b, "scene");
+  for (toml::table* document : {&first, &second})
+    if (toml::table* powder = (*document)["powder"].as_table()) powder->erase("spheres_file");
+  for (const char* name : {"powder", "contact", "walls"}) {
+    const toml::table* of_first = first[name].as_table();
+    const toml::table* of_second = second[name].as_table();
+    if ((of_first == nullptr) != (of_second == nullptr)) return false;
+    if (of_first != nullptr && *of_first != *of_second) return false;
+  }
+  return true;
 }
 
 }  // namespace
@@ -104,7 +121,10 @@ void PointRuns::run(const std::vector<Point>& points) {
 bool PointRuns::is_written(const Point& point, std::size_t number) const {
   const auto runs = runs_of(point);
   return std::all_of(runs.begin(), runs.end(), [&](std::size_t run) {
-    return std::filesystem::exists(options_.directory / folder_of(number, run));
+    const auto file =
+        options_.directory / folder_of(number, run) / ("seed-" + std::to_string(plan_.seed)) / kJobScene;
+    return std::filesystem::exists(file) &&
+           same_powder(load_scene_text(file), scene_at(plan_, runs_[run], point.place, point.set).text);
   });
 }
 

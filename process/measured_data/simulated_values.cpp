@@ -21,6 +21,15 @@ double factor_or_complain(const std::string& from, const std::string& to, const 
   }
 }
 
+bool can_convert(const std::string& from, const std::string& to) {
+  try {
+    unit_factor(from, to);
+    return true;
+  } catch (const UnitError&) {
+    return false;
+  }
+}
+
 /// Place of `x` among rising nodes: index below and share towards the next; nothing outside.
 struct Between {
   std::size_t below = 0;
@@ -82,17 +91,25 @@ std::vector<std::pair<std::string, const results::Field2D*>> fields_of(const res
 
 std::vector<double> profile_values(const results::FillResult& result, const std::string& quantity,
                                    const MeasuredTable& data, const std::string& where) {
+  const MeasuredColumn& place = data.places[0];
   std::vector<std::string> known;
+  const results::Profile* chosen = nullptr;  // of several, the one along the measured places
   for (const results::Profile& profile : result.profiles) {
     known.push_back(profile.quantity + " over " + profile.x_name);
     if (known.back() != quantity && profile.quantity != quantity) continue;
-    const double along = factor_or_complain(data.places[0].unit, profile.x_unit, where),
-                 factor = factor_or_complain(profile.unit, data.value.unit, where);
-    std::vector<double> values;
-    for (const double x : data.places[0].values) values.push_back(factor * value_at(profile, along * x));
-    return values;
+    if (chosen == nullptr || profile.x_name == place.name) chosen = &profile;
   }
-  throw SceneError(where + ": the result has no profile \"" + quantity + "\"; it has " + listed(known));
+  if (chosen == nullptr)
+    throw SceneError(where + ": the result has no profile \"" + quantity + "\"; it has " + listed(known));
+  if (!can_convert(place.unit, chosen->x_unit))
+    throw SceneError(where + ": found places as \"" + place.name + " [" + place.unit + "]\", but the " +
+                     chosen->quantity + " of the result runs over \"" + chosen->x_name + " [" +
+                     chosen->x_unit + "]\"");
+  const double along = unit_factor(place.unit, chosen->x_unit),
+               factor = factor_or_complain(chosen->unit, data.value.unit, where);
+  std::vector<double> values;
+  for (const double x : place.values) values.push_back(factor * value_at(*chosen, along * x));
+  return values;
 }
 
 std::vector<double> map_values(const results::FillResult& result, const std::string& quantity,
