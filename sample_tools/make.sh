@@ -44,6 +44,10 @@ for part in block floor side_wall slider; do
   make_part tradeoff/tradeoff.scad tradeoff/$part.stl -D "part=\"$part\""
 done
 
+for part in half_platen floor side_wall slider; do
+  make_part laboratory/laboratory.scad laboratory/$part.stl -D "part=\"$part\""
+done
+
 for part in die core_rods punch shoe; do
   make_part gear/gear.scad gear/$part.stl -D "part=\"$part\""
 done
