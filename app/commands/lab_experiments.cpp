@@ -1,5 +1,6 @@
 #include "app/commands/lab_experiments.h"
 
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <limits>
@@ -17,6 +18,9 @@
 #include "process/laboratory/published/perform.h"
 #include "process/results/atomic_file.h"
 #include "render/charts/experiment_chart.h"
+#include "render/report/html.h"
+#include "render/report/lab_report.h"
+#include "render/report/pdf.h"
 
 namespace diefill::app {
 
@@ -27,6 +31,7 @@ namespace laboratory = process::laboratory;
 
 constexpr const char* kFigures = "published_figures.csv";
 constexpr const char* kRemarks = "remarks.csv";
+constexpr const char* kSheet = "powder_sheet";
 constexpr const char* kSizes[] = {"coarse", "medium", "published"};
 
 struct LabArguments {
@@ -74,8 +79,8 @@ laboratory::LabJobs jobs_of(const LabArguments& arguments, const fs::path& direc
 }
 
 /// Runs it into `directory`, prints and writes its table and charts.
-results::LabTable perform_into(const fs::path& directory, const laboratory::SceneExperiment& experiment,
-                               const LabArguments& arguments) {
+laboratory::LabOutcome perform_into(const fs::path& directory, const laboratory::SceneExperiment& experiment,
+                                    const LabArguments& arguments) {
   const auto setting = setting_of(arguments);
   const auto figures = laboratory::read_published_figures(setting.scenes / kFigures);
   make_output_directory(directory);
@@ -93,7 +98,7 @@ results::LabTable perform_into(const fs::path& directory, const laboratory::Scen
       render::draw_experiment(directory, chart);
     }
   });
-  return outcome.table;
+  return outcome;
 }
 
 /// DIR/<experiment>/<size>; of another powder with its name behind.
@@ -110,7 +115,7 @@ fs::path all_of(const LabArguments& arguments) {
 int experiment(const laboratory::SceneExperiment& one, const LabArguments& arguments) {
   set_up_drawing();
   const fs::path directory = folder_of(all_of(arguments), one.name, arguments);
-  const auto table = perform_into(directory, one, arguments);
+  const auto table = perform_into(directory, one, arguments).table;
   std::printf("in %s: %s.csv, %s.json, charts\n", directory.string().c_str(), one.name.c_str(),
               one.name.c_str());
   for (const auto& row : table.rows)
@@ -133,7 +138,7 @@ int fidelity(LabArguments arguments) {
   const fs::path scenes = scenes_folder(arguments.scenes), all = all_of(arguments);
   const auto figures = laboratory::read_published_figures(scenes / kFigures);
   for (const auto& one : laboratory::scene_experiments())
-    perform_into(folder_of(all, one.name, arguments), one, arguments);
+    if (one.name != kSheet) perform_into(folder_of(all, one.name, arguments), one, arguments);
   const fs::path room = scenes / "../../process/laboratory";
   fs::path page = arguments.page;
   if (page.empty())
@@ -144,6 +149,22 @@ int fidelity(LabArguments arguments) {
         laboratory::fidelity_page(figures, kept_tables(all), laboratory::read_remarks(scenes / kRemarks)));
   });
   std::printf("%zu published figures in %s\n", figures.size(), page.string().c_str());
+  return kDone;
+}
+
+/// The data sheet of one powder: table, charts, HTML and PDF.
+int powder_sheet(const LabArguments& arguments) {
+  set_up_drawing();
+  const auto& all = laboratory::scene_experiments();
+  const auto sheet = std::find_if(all.begin(), all.end(), [](const auto& one) { return one.name == kSheet; });
+  const fs::path directory = folder_of(all_of(arguments), kSheet, arguments);
+  const auto outcome = perform_into(directory, *sheet, arguments);
+  const auto document = render::report::powder_sheet(outcome.table, outcome.charts);
+  write_output([&] {
+    results::write_text_atomically(directory / "data_sheet.html", render::report::html_page(document));
+    results::write_text_atomically(directory / "data_sheet.pdf", render::report::pdf_pages(document));
+  });
+  std::printf("in %s: data_sheet.html, data_sheet.pdf, %s.json\n", directory.string().c_str(), kSheet);
   return kDone;
 }
 
@@ -193,6 +214,13 @@ void add_lab_experiments(CLI::App& lab, Action& chosen) {
     command->callback(
         [arguments, &one, &chosen] { chosen = [arguments, &one] { return experiment(one, *arguments); }; });
   }
+  auto* sheet = lab.add_subcommand("powder", "Data sheet of a powder: density, flow, angles, discharge");
+  auto of_sheet = std::make_shared<LabArguments>();
+  add_options(*sheet, *of_sheet);
+  sheet->add_option("FILE", of_sheet->powder, "powder file, as diefill calibrate writes it")
+      ->required()
+      ->check(CLI::ExistingFile);
+  sheet->callback([of_sheet, &chosen] { chosen = [of_sheet] { return powder_sheet(*of_sheet); }; });
   auto* page = lab.add_subcommand("fidelity", "Run all experiments with scenes and write FIDELITY.md");
   auto arguments = std::make_shared<LabArguments>();
   add_options(*page, *arguments);

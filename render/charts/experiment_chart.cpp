@@ -1,7 +1,5 @@
 #include "render/charts/experiment_chart.h"
 
-#include "render/charts/chart.h"
-
 namespace diefill::render {
 
 namespace {
@@ -18,8 +16,7 @@ CurveStyle style_of(results::ExperimentSeries::Role role) {
 
 }  // namespace
 
-std::filesystem::path draw_experiment(const std::filesystem::path& directory,
-                                      const results::ExperimentChart& chart) {
+Chart chart_of(const results::ExperimentChart& chart) {
   Chart drawn;
   drawn.title = chart.title;
   drawn.subtitle = chart.subtitle;
@@ -33,8 +30,13 @@ std::filesystem::path draw_experiment(const std::filesystem::path& directory,
                             .style = style_of(series.role),
                             .y_error = {}});
   }
+  return drawn;
+}
+
+std::filesystem::path draw_experiment(const std::filesystem::path& directory,
+                                      const results::ExperimentChart& chart) {
   const auto png = directory / (chart.name + ".png");
-  draw_chart(png, drawn);
+  draw_chart(png, chart_of(chart));
   return png;
 }
 

@@ -1,5 +1,5 @@
 // Tools of the laboratory's scenes, millimetres, z up. Prisms along y reach beyond every periodic slice.
-part = "half_platen";   // half_platen, floor, side_wall, slider, funnel, cup, cup_floor, gate or tray
+part = "half_platen";   // half_platen, floor, side_wall, slider, funnel, cup or gate
 length_y = 40;
 thickness = 2;
 $fn = 128;
@@ -19,3 +19,25 @@ if (part == "slider") {
   prism(-thickness, 30, -thickness, 0);
   prism(-thickness, 0, 0, 110);
 }
+
+// Funnel and cup of apparent density and Hall flow (ISO 3923-1, ISO 4490): cone of 60 degrees, stem of 3.2 mm, cup of
+// 28 mm inside diameter and 25 cm3, 25 mm between them. scale_of = 0.5: half of these lengths, for coarse grains. Model
+// grains larger than the powder take a wider orifice. z = 0 is the cup's rim; funnel and gate have z = 0 at the orifice.
+orifice = 5;
+scale_of = 1;
+stem = 3.2;
+funnel_radius = 28 * scale_of;
+cup_radius = 14 * scale_of;
+cup_depth = 25000 / (PI * 14 * 14) * scale_of;
+cone_height = (funnel_radius - orifice / 2) / tan(30);
+if (part == "funnel") difference() {
+  cylinder(r = funnel_radius + 2, h = stem + cone_height);
+  translate([0, 0, -1]) cylinder(r = orifice / 2, h = stem + 2);
+  translate([0, 0, stem]) cylinder(r1 = orifice / 2, r2 = funnel_radius, h = cone_height);
+  translate([0, 0, stem + cone_height]) cylinder(r = funnel_radius, h = 1);
+}
+if (part == "cup") translate([0, 0, -cup_depth - 2]) difference() {
+  cylinder(r = cup_radius + 2, h = cup_depth + 2);
+  translate([0, 0, 2]) cylinder(r = cup_radius, h = cup_depth + 1);
+}
+if (part == "gate") translate([-10, -10, -2]) cube([20, 20, 2]);

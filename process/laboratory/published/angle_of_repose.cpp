@@ -6,14 +6,12 @@
 
 #include "process/laboratory/published/experiments.h"
 #include "process/laboratory/published/lab_powder.h"
+#include "process/laboratory/published/repose_scene.h"
 #include "process/measure/heap_slope.h"
 #include "process/results/figure_table.h"
 
 namespace diefill::process::laboratory {
 namespace {
-
-constexpr const char* kOnSlider = "heap on the slider";
-constexpr const char* kOnFloor = "heap on the floor";
 
 struct Model {
   const char* name;
@@ -63,20 +61,6 @@ std::string creep_steps() {
          "step.end.kind = \"clear\"\n"
          "[[snapshot]]\nname = \"first\"\nwhen = { with = \"draw\", delay = \"1 s\" }\n"
          "[[snapshot]]\nname = \"second\"\nwhen = { with = \"draw\", delay = \"2 s\" }\n";
-}
-
-SceneChanges changes_of(const LabSetting& setting, const Model& model) {
-  const LabPowder powder = lab_powder(setting, model.preset, setting.scale());
-  const double half = 2.5 * powder.size;
-  const bool coarse = setting.size == LabSize::coarse;
-  SceneChanges changes = powder.changes;
-  changes.set += coarse ? half_size(half) : full_size(half);
-  changes.set += line("step.draw.distance", powder.size >= 0.9e-3 ? "\"10 mm\"" : "\"5 mm\"");
-  changes.set += line("numerics.periodic", "{ y = " + millimetres(2 * half) + " }");
-  if (!has_own_powder(setting))
-    changes.set += line("numerics.time_step", '"' + plain(2 * powder.size / powder.own_size) + " us\"");
-  if (*model.creep != '\0') changes.set += creep_steps();
-  return changes;
 }
 
 LabQuantity angle_of(const std::string& id, const std::string& run, const char* heap) {
@@ -133,15 +117,29 @@ results::ExperimentChart chart_of(const std::vector<Model>& models, const SeedRe
 
 }  // namespace
 
+SceneChanges repose_changes(const LabSetting& setting, const std::string& preset, bool creeps) {
+  const LabPowder powder = lab_powder(setting, preset, setting.scale());
+  const double half = 2.5 * powder.size;
+  const bool coarse = setting.size == LabSize::coarse;
+  SceneChanges changes = powder.changes;
+  changes.set += coarse ? half_size(half) : full_size(half);
+  changes.set += line("step.draw.distance", powder.size >= 0.9e-3 ? "\"10 mm\"" : "\"5 mm\"");
+  changes.set += line("numerics.periodic", "{ y = " + millimetres(2 * half) + " }");
+  if (!has_own_powder(setting))
+    changes.set += line("numerics.time_step", '"' + plain(2 * powder.size / powder.own_size) + " us\"");
+  if (creeps) changes.set += creep_steps();
+  return changes;
+}
+
 LabPlan plan_angle_of_repose(const LabSetting& setting) {
   const auto models = models_of(setting);
   LabPlan plan;
   for (const Model& model : models) {
     const std::string run = model.name;
-    plan.runs.push_back({run, "repose.toml", changes_of(setting, model)});
+    plan.runs.push_back({run, "repose.toml", repose_changes(setting, model.preset, *model.creep != '\0')});
     if (*model.on_slider != '\0') {
-      plan.quantities.push_back(angle_of(model.on_slider, run, kOnSlider));
-      plan.quantities.push_back(angle_of(model.on_floor, run, kOnFloor));
+      plan.quantities.push_back(angle_of(model.on_slider, run, kHeapOnSlider));
+      plan.quantities.push_back(angle_of(model.on_floor, run, kHeapOnFloor));
     }
     if (*model.creep != '\0')
       plan.quantities.push_back({.id = model.creep,
@@ -153,8 +151,8 @@ LabPlan plan_angle_of_repose(const LabSetting& setting) {
   if (!has_own_powder(setting))
     plan.quantities.push_back(
         {.id = "R11", .quantity = "", .unit = "", .runs = {"D1", "D2"}, .value = [](const SeedResults& seed) {
-           return results::figure_of(seed.of("D1"), heap_figure(kOnSlider)) -
-                  results::figure_of(seed.of("D2"), heap_figure(kOnSlider));
+           return results::figure_of(seed.of("D1"), heap_figure(kHeapOnSlider)) -
+                  results::figure_of(seed.of("D2"), heap_figure(kHeapOnSlider));
          }});
   plan.charts = [models](const std::vector<SeedResults>& seeds) {
     return std::vector{chart_of(models, seeds.front())};

@@ -20,6 +20,9 @@ LabPlan plan_angle_of_repose(const LabSetting& setting);
 LabPlan plan_mean_fractions(const LabSetting& setting);
 /// Discharge over the depth of powder in the shoe (section 4.1.6, E7).
 LabPlan plan_fill_height(const LabSetting& setting);
+/// Apparent density, flow, density after vibration, angles of repose and discharge of one powder: a data
+/// sheet.
+LabPlan plan_powder_sheet(const LabSetting& setting);
 /// Scatter of the discharge over packings (section 4.2.1, E10).
 LabPlan plan_packing_scatter(const LabSetting& setting);
 

@@ -20,6 +20,7 @@ LabPowder lab_powder(const LabSetting& setting, const std::string& preset, doubl
   LabPowder powder;
   if (!has_own_powder(setting)) {
     powder.own_size = nominal_grain_diameter(powder_preset(preset).model);
+    powder.solid_density = preset_solid_density(powder_preset(preset));
     powder.changes.set = line("powder.preset", '"' + preset + '"');
   } else {
     const std::filesystem::path scene = setting.scenes / kAnyScene;
@@ -28,6 +29,7 @@ LabPowder lab_powder(const LabSetting& setting, const std::string& preset, doubl
     only.set = line("powder.file", '"' + std::filesystem::absolute(setting.powder).string() + '"');
     const Scene read = changed_scene(load_scene_text(scene), scene, only);
     powder.own_size = read.powder.grain_diameter / coarse_graining_factor(read.powder);
+    powder.solid_density = preset_solid_density(read.powder);
     powder.changes = only;
   }
   powder.size = scale * powder.own_size;

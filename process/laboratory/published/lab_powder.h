@@ -8,9 +8,10 @@
 namespace diefill::process::laboratory {
 
 struct LabPowder {
-  double own_size = 0;   ///< m, d that its parameters belong to
-  double size = 0;       ///< m, d of the model grains
-  SceneChanges changes;  ///< that put it into a scene
+  double own_size = 0;       ///< m, d that its parameters belong to
+  double size = 0;           ///< m, d of the model grains
+  double solid_density = 0;  ///< kg/m^3 of the metal; 0: that of the model grains
+  SceneChanges changes;      ///< that put it into a scene
 };
 
 /// `preset` with grains `scale` times as large as its own; where the setting names a powder, that one in its
