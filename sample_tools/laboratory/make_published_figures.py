@@ -24,8 +24,6 @@ EXPERIMENTS = {
     "angle_of_repose": "R(0[3-9]|10|11)",
     "mean_fractions": "N(0[1-9]|1[0-2])",
     "uniaxial_compression": "UNI-[1-3]",
-    "plate_heap": "AOR-.*",
-    "initial_packing": "PACK-1",
 }
 # Rows that a family of experiments with a table of its own measures.
 FAMILIES = {
@@ -67,10 +65,6 @@ CRITERIA = {
     "UNI-1": ("mean difference of stress from l = 1, M1, strain 0.03 to 0.1", "1", None, 0.1),
     "UNI-2": ("stress at strain 0.1, M2 over M1, over l^1.5", "1", 1 / 1.5, 1.5),
     "UNI-3": ("stress at strain 0.1, M3 over M1, over l", "1", 1 / 1.4, 1.4),
-    "AOR-range": ("angle at mu_r = 0.8 less that at mu_r = 0", "deg", 10, None),
-    "AOR-M1b": ("deviation of M1 at mu_r = 0 over the largest at others", "1", 1, None),
-    "AOR-M3": ("angle of M3 less that of M1", "deg", 3, None),
-    "PACK-1": ("solid fraction at 2 um over that at 128 um", "1", None, 0.6),
 }
 
 # Labels of rows whose trend is not a number yet.
@@ -95,7 +89,8 @@ LABELS = {
     "SCR-tens": "range of tensile strength", "SCR-tens2": "gradual fracture", "SCR-taupre": "effects on tau_pre",
     "SCR-tau0": "effects on tau_0", "SCR-kYL": "effects on k_YL", "SCR-neg": "factors without effect",
     "SCR-invalid": "pre-shear above the locus",
-    "AOR-M1": "deviation of M1 from the original",
+    "AOR-M1": "deviation of M1 from the original", "AOR-range": "Carr classes over mu_r",
+    "AOR-M1b": "deviation of M1 over mu_r", "AOR-M3": "angle, M3", "PACK-1": "solid fraction over diameter",
 }
 
 NOT_A_TARGET = re.compile(r"input|not a target|context only|^measurement|^taken as")

@@ -20,6 +20,8 @@ LabPlan plan_angle_of_repose(const LabSetting& setting);
 LabPlan plan_mean_fractions(const LabSetting& setting);
 /// Discharge over the depth of powder in the shoe (section 4.1.6, E7).
 LabPlan plan_fill_height(const LabSetting& setting);
+/// Stress over strain of beds of enlarged spheres, three methods of scaling (Hu 2024, section 4.2).
+LabPlan plan_uniaxial_compression(const LabSetting& setting);
 /// Apparent density, flow, density after vibration, angles of repose and discharge of one powder: a data
 /// sheet.
 LabPlan plan_powder_sheet(const LabSetting& setting);

@@ -19,6 +19,8 @@ const std::vector<SceneExperiment>& scene_experiments() {
       {"fill_height", "does discharge depend on the depth of powder in the shoe?", plan_fill_height},
       {"packing_scatter", "how much does discharge scatter over packings of the same powder?",
        plan_packing_scatter},
+      {"uniaxial_compression", "does a pressed bed of enlarged spheres resist like the original?",
+       plan_uniaxial_compression},
       {"powder_sheet", "which density, flow and angles has a powder in the tests of powder metallurgists?",
        plan_powder_sheet},
   };
