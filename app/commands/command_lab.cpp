@@ -139,7 +139,7 @@ void add_lab(CLI::App& program, Action& chosen) {
         return kDone;
       };
     else if (command->get_subcommands().empty())
-      throw CLI::RequiredError("an experiment or family; diefill lab --list names them");
+      throw CLI::ValidationError("lab: no experiment given; diefill lab --list names them");
   });
   command->footer(
       "Examples:\n  diefill lab --list\n  diefill lab mean_fractions --seeds 3 --budget 10\n  diefill lab "

@@ -2,6 +2,7 @@
 // ground of spheres of the grains' own radius. The source has 0.47, 0.94 and 1.88 mm.
 #include <algorithm>
 #include <cmath>
+#include <string_view>
 
 #include "process/laboratory/published/contact_statistics.h"
 #include "process/laboratory/published/experiments.h"
@@ -17,7 +18,8 @@ constexpr double kSlab = 0.010;        // m
 /// A set of Table C.2.
 struct Set {
   const char* name;
-  double friction, work;  ///< work of adhesion at the reference size, J/m^2
+  double friction;
+  double work;            ///< J/m^2, work of adhesion at the reference size, scaled with the size
   const char* held = "";  ///< key whose coefficient is that of the reference size for all sizes
   double value = 0;
   const char* unit = "";
@@ -27,7 +29,7 @@ constexpr Set kFree = {"no cohesion", 0.5, 0};
 constexpr Set kCohesive = {"cohesion", 1.0, 0.01};
 constexpr Set kDamping = {"gamma_n fixed", 0.5, 0, "powder.damping_over_radius", 1e5, "Pa s/m"};
 constexpr Set kSpring = {"kappa_t fixed", 0.5, 0, "powder.tangential_over_radius", 1e6, "Pa"};
-constexpr Set kWork = {"w fixed", 1.0, 0.01, "powder.work_of_adhesion", 0.01, "J/m^2"};
+constexpr Set kWork = {"w fixed", 1.0, 0, "powder.work_of_adhesion", 0.01, "J/m^2"};
 constexpr Set kSets[] = {kFree, kCohesive, kDamping, kSpring, kWork};
 
 struct Sizes {
@@ -48,10 +50,9 @@ LabRun run_of(const Set& one, double scale) {
   std::string& set = run.changes.set;
   set += line("powder.grain_diameter", millimetres(kReference * scale));
   set += line("powder.friction", plain(one.friction));
-  set += line("powder.work_of_adhesion",
-              '"' + plain(one.held == kWork.held ? one.work / scale : one.work) + " J/m^2\"");
-  if (one.held != kFree.held && one.held != kWork.held)
-    set += line(one.held, '"' + plain(one.value / scale) + ' ' + one.unit + '"');
+  if (one.held != std::string_view(kWork.held))
+    set += line("powder.work_of_adhesion", '"' + plain(one.work) + " J/m^2\"");
+  if (*one.held != '\0') set += line(one.held, '"' + plain(one.value / scale) + ' ' + one.unit + '"');
   set += line("walls.sphere_radius", millimetres(7.84e-5 * scale));
   set += line("pour.from", point_in_millimetres(-half, -half, 0));
   set += line("pour.to", point_in_millimetres(half, half, kSlab));

@@ -116,6 +116,7 @@ results::LabRow row_of(const LabQuantity& quantity, const FinishedRuns& runs,
   if (published != figures.end()) take_published(*published, row);
   if (!quantity.quantity.empty()) row.quantity = quantity.quantity;
   if (!quantity.unit.empty()) row.unit = quantity.unit;
+  if (row.quantity.empty()) row.quantity = row.id;
   measure(quantity, runs, row);
   row.core_seconds = runs.core_seconds(quantity.runs);
   row.reason = runs.why_missing(quantity.runs);

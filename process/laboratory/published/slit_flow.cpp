@@ -139,15 +139,15 @@ results::ExperimentChart chart_of(const LabSetting& setting, const Case& one, co
     widest = std::max(widest, free);
   }
   if (!series.x.empty()) chart.series.push_back(series);
-  results::ExperimentSeries line{.name = "published: one curve (power 1.5)",
-                                 .role = results::ExperimentSeries::Role::predicted,
-                                 .x = {},
-                                 .y = {}};
+  results::ExperimentSeries curve{.name = "published: one curve (power 1.5)",
+                                  .role = results::ExperimentSeries::Role::predicted,
+                                  .x = {},
+                                  .y = {}};
   for (double x = 0; x <= widest && count > 0; x += widest / 60) {
-    line.x.push_back(x);
-    line.y.push_back(sum / count * std::pow(x, 1.5));
+    curve.x.push_back(x);
+    curve.y.push_back(sum / count * std::pow(x, 1.5));
   }
-  chart.series.push_back(line);
+  chart.series.push_back(curve);
   return chart;
 }
 

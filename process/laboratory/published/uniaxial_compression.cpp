@@ -36,8 +36,8 @@ LabRun run_of(int method, double enlargement, double fill) {
   set += line("contact.coarse_graining", "\"Hu chapter 4 method " + std::to_string(method) + '"');
   set += line("pour.to", point_in_millimetres(0.5 * kWidth, 0.5 * kWidth, fill + 0.01));
   set += line("pour.fill_height", millimetres(fill));
-  set += line("tool.plate.position", point_in_millimetres(0, 0, 2.8 * fill + 0.022));
-  set += line("step.approach.distance", millimetres(2.6 * fill + 0.02));
+  set += line("tool.plate.position", point_in_millimetres(0, 0, 4.4 * fill + 0.022));
+  set += line("step.approach.distance", millimetres(3.55 * fill + 0.02));
   set += line("step.press.distance", millimetres(0.12 * fill));
   return run;
 }
