@@ -43,10 +43,11 @@ std::vector<Case> cases_of(const LabSetting& setting) {
   if (has_own_powder(setting)) return {{"F01", "powder", "", "", clumps, widths}};
   const char* free = "powder.friction = 0.5\npowder.work_of_adhesion = \"0 J/m^2\"\n";
   const char* cohesive = "powder.friction = 1.0\npowder.work_of_adhesion = \"0.01 J/m^2\"\n";
-  return {{"F01", "A", "ASC100.29 initial A", free, spheres, widths},
-          {"F02", "D", "ASC100.29 initial D", free, clumps, widths},
-          {"F03", "D cohesive", "ASC100.29 initial D", cohesive, clumps, widths},
-          {"F04", "D, w fixed", "ASC100.29 initial D", cohesive, clumps, {widths.back()}, true}};
+  return {
+      {"F01", "A", "ASC100.29 initial A", free, spheres, widths},
+      {"F02", "D", "ASC100.29 initial D", free, clumps, widths},
+      {"F03", "D cohesive", "ASC100.29 initial D", cohesive, clumps, widths},
+      {"F04", "D, w fixed", "ASC100.29 initial D", "powder.friction = 1.0\n", clumps, {widths.back()}, true}};
 }
 
 SlitPassage passage_of(const LabSetting& setting, double width) {
@@ -143,9 +144,10 @@ results::ExperimentChart chart_of(const LabSetting& setting, const Case& one, co
                                   .role = results::ExperimentSeries::Role::predicted,
                                   .x = {},
                                   .y = {}};
-  for (double x = 0; x <= widest && count > 0; x += widest / 60) {
-    curve.x.push_back(x);
-    curve.y.push_back(sum / count * std::pow(x, 1.5));
+  constexpr int kNodes = 60;
+  for (int k = 0; k <= kNodes && count > 0; ++k) {
+    curve.x.push_back(widest * k / kNodes);
+    curve.y.push_back(sum / count * std::pow(curve.x.back(), 1.5));
   }
   chart.series.push_back(curve);
   return chart;
