@@ -44,6 +44,18 @@ for part in block floor side_wall slider; do
   make_part tradeoff/tradeoff.scad tradeoff/$part.stl -D "part=\"$part\""
 done
 
+for part in half_platen floor side_wall slider gate; do
+  make_part laboratory/laboratory.scad laboratory/$part.stl -D "part=\"$part\""
+done
+for half in "" _half; do
+  scale=1; if [ -n "$half" ]; then scale=0.5; fi
+  make_part laboratory/laboratory.scad laboratory/cup$half.stl -D 'part="cup"' -D scale_of=$scale
+  for orifice in 5 7.5; do
+    make_part laboratory/laboratory.scad laboratory/funnel$half\_${orifice}mm.stl -D 'part="funnel"' -D orifice=$orifice \
+      -D scale_of=$scale
+  done
+done
+
 for part in die core_rods punch shoe; do
   make_part gear/gear.scad gear/$part.stl -D "part=\"$part\""
 done

@@ -1,6 +1,7 @@
 #include <cstdio>
 
 #include "app/commands/commands.h"
+#include "app/commands/lab_experiments.h"
 #include "app/exit_code.h"
 #include "app/output.h"
 #include "app/pictures/drawing.h"
@@ -112,14 +113,38 @@ void add_family(CLI::App& lab, const Family& family, Action& chosen) {
   });
 }
 
+/// Experiments with scenes, then families with theirs.
+std::string list_of_all() {
+  std::string text = list_of_experiments("");
+  for (const auto& family : kFamilies) {
+    text += std::string(family.name) + ": " + family.help + '\n';
+    for (const auto& one : family.experiments()) text += "  " + one.name + ": " + one.question + '\n';
+  }
+  return text;
+}
+
 }  // namespace
 
 void add_lab(CLI::App& program, Action& chosen) {
   auto* command = program.add_subcommand("lab", "Numerical experiments with the method itself");
-  command->require_subcommand(1);
+  command->require_subcommand(0, 1);
+  auto list = std::make_shared<bool>(false);
+  command->add_flag("--list", *list, "list all experiments");
   for (const auto& family : kFamilies) add_family(*command, family, chosen);
+  add_lab_experiments(*command, chosen);
+  command->callback([command, list, &chosen] {
+    if (*list)
+      chosen = [] {
+        std::printf("%s", list_of_all().c_str());
+        return kDone;
+      };
+    else if (command->get_subcommands().empty())
+      throw CLI::ValidationError("lab: no experiment given; diefill lab --list names them");
+  });
   command->footer(
-      "Examples:\n  diefill lab stability --quick\n  diefill lab stability time_step --out out/limits");
+      "Examples:\n  diefill lab --list\n  diefill lab mean_fractions --seeds 3 --budget 10\n  diefill lab "
+      "stability --quick\n"
+      "  diefill lab stability time_step --out out/limits");
 }
 
 }  // namespace diefill::app

@@ -14,7 +14,9 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 std::string role_of(const ExperimentSeries& series) {
-  return series.role == ExperimentSeries::Role::measured ? "measured" : "predicted";
+  using Role = ExperimentSeries::Role;
+  if (series.role == Role::published) return "published";
+  return series.role == Role::predicted ? "predicted" : "measured";
 }
 
 Json json_of(const ExperimentLimit& limit) {
@@ -77,8 +79,11 @@ std::string csv_of(const ExperimentChart& chart) {
 
 void write_experiment(const std::filesystem::path& directory, const ExperimentResult& result) {
   write_text_atomically(directory / (result.name + ".json"), json_of(result).dump(2) + "\n");
-  for (const auto& chart : result.charts)
-    write_text_atomically(directory / (chart.name + ".csv"), csv_of(chart));
+  for (const auto& chart : result.charts) write_chart(directory, chart);
+}
+
+void write_chart(const std::filesystem::path& directory, const ExperimentChart& chart) {
+  write_text_atomically(directory / (chart.name + ".csv"), csv_of(chart));
 }
 
 void write_limits(const std::filesystem::path& directory, const std::string& name,

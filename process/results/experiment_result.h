@@ -11,7 +11,12 @@ namespace diefill::results {
 
 /// A curve of an experiment's chart.
 struct ExperimentSeries {
-  enum class Role { measured, predicted };
+  enum class Role {
+    measured,   ///< by the simulation: points and the line through them
+    points,     ///< the same, points alone
+    predicted,  ///< a curve
+    published   ///< points of the source
+  };
   std::string name;
   Role role = Role::measured;
   std::vector<double> x, y;  ///< equal lengths, in the axes' units; NaN where there is no value
@@ -54,6 +59,9 @@ struct ExperimentResult {
 /// Writes `<experiment>.json` and a `<chart>.csv` for every chart into the directory (x, series, role, y: one
 /// row a point). Throws ResultError when that fails.
 void write_experiment(const std::filesystem::path& directory, const ExperimentResult& result);
+
+/// Writes `<chart>.csv` alone. Throws ResultError when that fails.
+void write_chart(const std::filesystem::path& directory, const ExperimentChart& chart);
 
 /// Writes the table of all limits as `<name>.csv` and `<name>.json`. Throws ResultError when that fails.
 void write_limits(const std::filesystem::path& directory, const std::string& name,

@@ -1,7 +1,5 @@
 #include "render/charts/experiment_chart.h"
 
-#include "render/charts/chart.h"
-
 namespace diefill::render {
 
 namespace {
@@ -10,10 +8,15 @@ ChartAxis axis_of(const results::ExperimentAxis& axis) {
   return {.label = axis.label, .lower = axis.lower, .upper = axis.upper, .logarithmic = axis.logarithmic};
 }
 
+CurveStyle style_of(results::ExperimentSeries::Role role) {
+  using Role = results::ExperimentSeries::Role;
+  if (role == Role::measured) return CurveStyle::kLineAndMarkers;
+  return role == Role::predicted ? CurveStyle::kLine : CurveStyle::kMarkers;
+}
+
 }  // namespace
 
-std::filesystem::path draw_experiment(const std::filesystem::path& directory,
-                                      const results::ExperimentChart& chart) {
+Chart chart_of(const results::ExperimentChart& chart) {
   Chart drawn;
   drawn.title = chart.title;
   drawn.subtitle = chart.subtitle;
@@ -21,15 +24,19 @@ std::filesystem::path draw_experiment(const std::filesystem::path& directory,
   drawn.x = axis_of(chart.x);
   drawn.y = axis_of(chart.y);
   for (const auto& series : chart.series) {
-    const bool measured = series.role == results::ExperimentSeries::Role::measured;
     drawn.curves.push_back({.name = series.in_legend ? series.name : "",
                             .x = series.x,
                             .y = series.y,
-                            .style = measured ? CurveStyle::kLineAndMarkers : CurveStyle::kLine,
+                            .style = style_of(series.role),
                             .y_error = {}});
   }
+  return drawn;
+}
+
+std::filesystem::path draw_experiment(const std::filesystem::path& directory,
+                                      const results::ExperimentChart& chart) {
   const auto png = directory / (chart.name + ".png");
-  draw_chart(png, drawn);
+  draw_chart(png, chart_of(chart));
   return png;
 }
 

@@ -41,5 +41,33 @@ TEST(Lab, AnUnknownExperimentEndsInOneLineWithTheNearest) {
   EXPECT_NE(outcome.err.find("did you mean rotation?"), std::string::npos) << outcome.err;
 }
 
+TEST(Lab, TheListNamesExperimentsWithScenesAndFamilies) {
+  const Outcome outcome = run_program({"lab", "--list"});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  for (const char* name :
+       {"mean_fractions     12 published figures", "angle_of_repose", "stability:", "  mono_disperse:"})
+    EXPECT_NE(outcome.out.find(name), std::string::npos) << name << "\n" << outcome.out;
+}
+
+TEST(Lab, WithoutAnExperimentItSaysWhatIsMissing) {
+  const Outcome outcome = run_program({"lab"});
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_NE(outcome.err.find("--list"), std::string::npos) << outcome.err;
+}
+
+// What a budget leaves out has a row and its reason; a later call with more finds the runs in place.
+TEST(Lab, WhatTheBudgetLeavesOutIsSaid) {
+  const support::TemporaryFolder folder;
+  const Outcome outcome =
+      run_program({"lab", "packing_scatter", "--collect", "--quiet", "--out", folder.path().string()});
+  EXPECT_EQ(outcome.exit_code, 1) << outcome.err;
+  const auto kept = folder.path() / "packing_scatter/coarse";
+  const auto table = nlohmann::json::parse(contents(kept / "packing_scatter.json"));
+  ASSERT_EQ(table["rows"].size(), 16U);
+  EXPECT_EQ(table["rows"][0]["verdict"], "no value");
+  EXPECT_EQ(table["rows"][0]["reason"], "1 of 1 runs cut off by the budget");
+  EXPECT_EQ(nlohmann::json::parse(contents(kept / "jobs.json"))["jobs"].size(), 2U);
+}
+
 }  // namespace
 }  // namespace diefill::app

@@ -1,0 +1,231 @@
+#include "app/commands/lab_experiments.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+#include <limits>
+#include <memory>
+#include <thread>
+
+#include "app/exit_code.h"
+#include "app/kept_notes.h"
+#include "app/output.h"
+#include "app/pictures/drawing.h"
+#include "app/stop_signals.h"
+#include "app/tables/lab_table_text.h"
+#include "process/input/scene_error.h"
+#include "process/laboratory/published/fidelity.h"
+#include "process/laboratory/published/perform.h"
+#include "process/results/atomic_file.h"
+#include "render/charts/experiment_chart.h"
+#include "render/report/html.h"
+#include "render/report/lab_report.h"
+#include "render/report/pdf.h"
+
+namespace diefill::app {
+
+namespace {
+
+namespace fs = std::filesystem;
+namespace laboratory = process::laboratory;
+
+constexpr const char* kFigures = "published_figures.csv";
+constexpr const char* kRemarks = "remarks.csv";
+constexpr const char* kSheet = "powder_sheet";
+constexpr const char* kSizes[] = {"coarse", "medium", "published"};
+
+struct LabArguments {
+  std::string size = "coarse", out, powder, scenes, page;
+  int seeds = 1, jobs = 1;
+  double budget = 0;  ///< core minutes; 0: no limit
+  bool quiet = false, collect = false;
+};
+
+/// sample_tools/laboratory of the source tree that the program was built in, or of the current folder.
+fs::path scenes_folder(const std::string& wanted) {
+  if (!wanted.empty()) return wanted;
+  const fs::path beside = fs::read_symlink("/proc/self/exe").parent_path() / "../../sample_tools/laboratory";
+  return fs::exists(beside) ? fs::weakly_canonical(beside) : fs::path("sample_tools/laboratory");
+}
+
+laboratory::LabSize size_of(const std::string& name) {
+  if (name == kSizes[0]) return laboratory::LabSize::coarse;
+  return name == kSizes[1] ? laboratory::LabSize::medium : laboratory::LabSize::published;
+}
+
+laboratory::LabSetting setting_of(const LabArguments& arguments) {
+  laboratory::LabSetting setting;
+  setting.size = size_of(arguments.size);
+  setting.scenes = scenes_folder(arguments.scenes);
+  setting.powder = arguments.powder;
+  return setting;
+}
+
+laboratory::LabJobs jobs_of(const LabArguments& arguments, const fs::path& directory) {
+  laboratory::LabJobs jobs;
+  jobs.directory = directory;
+  jobs.seeds = arguments.seeds;
+  jobs.say = say_note;
+  jobs.run = !arguments.collect;
+  jobs.options.program = fs::read_symlink("/proc/self/exe");
+  jobs.options.at_once = arguments.jobs;
+  jobs.options.cores = arguments.jobs;
+  jobs.options.pictures = false;
+  jobs.options.share_starts = true;
+  if (arguments.budget > 0) jobs.options.cpu_seconds = 60 * arguments.budget;
+  jobs.options.show_progress = !arguments.quiet;
+  jobs.options.stop = &heed_stop_signals();
+  return jobs;
+}
+
+/// Runs it into `directory`, prints and writes its table and charts.
+laboratory::LabOutcome perform_into(const fs::path& directory, const laboratory::SceneExperiment& experiment,
+                                    const LabArguments& arguments) {
+  const auto setting = setting_of(arguments);
+  const auto figures = laboratory::read_published_figures(setting.scenes / kFigures);
+  make_output_directory(directory);
+  const OutputDirectory output(directory, {"tools", "beginnings"});
+  laboratory::LabOutcome outcome;
+  write_output(
+      [&] { outcome = laboratory::perform(experiment, setting, figures, jobs_of(arguments, directory)); });
+  std::printf("%s", lab_table_text(outcome.table).c_str());
+  std::fflush(stdout);
+  write_output([&] {
+    results::write_lab_table(directory, outcome.table);
+    for (const auto& chart : outcome.charts) {
+      if (chart.series.empty()) continue;
+      results::write_chart(directory, chart);
+      render::draw_experiment(directory, chart);
+    }
+  });
+  return outcome;
+}
+
+/// DIR/<experiment>/<size>; of another powder with its name behind.
+fs::path folder_of(const fs::path& all, const std::string& experiment, const LabArguments& arguments) {
+  std::string size = arguments.size;
+  if (!arguments.powder.empty()) size += "_" + fs::path(arguments.powder).stem().string();
+  return all / experiment / size;
+}
+
+fs::path all_of(const LabArguments& arguments) {
+  return arguments.out.empty() ? fs::path("out/lab") : fs::path(arguments.out);
+}
+
+int experiment(const laboratory::SceneExperiment& one, const LabArguments& arguments) {
+  set_up_drawing();
+  const fs::path directory = folder_of(all_of(arguments), one.name, arguments);
+  const auto table = perform_into(directory, one, arguments).table;
+  std::printf("in %s: %s.csv, %s.json, charts\n", directory.string().c_str(), one.name.c_str(),
+              one.name.c_str());
+  for (const auto& row : table.rows)
+    if (row.values.empty()) return kFailed;
+  return kDone;
+}
+
+/// The tables kept below `all`, coarse ones first.
+std::vector<results::LabTable> kept_tables(const fs::path& all) {
+  std::vector<results::LabTable> tables;
+  for (const char* size : kSizes)
+    for (const auto& one : laboratory::scene_experiments())
+      if (fs::exists(all / one.name / size / (one.name + ".json")))
+        tables.push_back(results::read_lab_table(all / one.name / size, one.name));
+  return tables;
+}
+
+int fidelity(LabArguments arguments) {
+  set_up_drawing();
+  const fs::path scenes = scenes_folder(arguments.scenes), all = all_of(arguments);
+  const auto figures = laboratory::read_published_figures(scenes / kFigures);
+  for (const auto& one : laboratory::scene_experiments())
+    if (one.name != kSheet) perform_into(folder_of(all, one.name, arguments), one, arguments);
+  const fs::path room = scenes / "../../process/laboratory";
+  fs::path page = arguments.page;
+  if (page.empty())
+    page = fs::exists(room) ? fs::weakly_canonical(room) / "FIDELITY.md" : all / "FIDELITY.md";
+  write_output([&] {
+    results::write_text_atomically(
+        page,
+        laboratory::fidelity_page(figures, kept_tables(all), laboratory::read_remarks(scenes / kRemarks)));
+  });
+  std::printf("%zu published figures in %s\n", figures.size(), page.string().c_str());
+  return kDone;
+}
+
+/// The data sheet of one powder: table, charts, HTML and PDF.
+int powder_sheet(const LabArguments& arguments) {
+  set_up_drawing();
+  const auto& all = laboratory::scene_experiments();
+  const auto sheet = std::find_if(all.begin(), all.end(), [](const auto& one) { return one.name == kSheet; });
+  const fs::path directory = folder_of(all_of(arguments), kSheet, arguments);
+  const auto outcome = perform_into(directory, *sheet, arguments);
+  const auto document = render::report::powder_sheet(outcome.table, outcome.charts);
+  write_output([&] {
+    results::write_text_atomically(directory / "data_sheet.html", render::report::html_page(document));
+    results::write_text_atomically(directory / "data_sheet.pdf", render::report::pdf_pages(document));
+  });
+  std::printf("in %s: data_sheet.html, data_sheet.pdf, %s.json\n", directory.string().c_str(), kSheet);
+  return kDone;
+}
+
+void add_options(CLI::App& command, LabArguments& arguments) {
+  command
+      .add_option("--size", arguments.size,
+                  "coarse: 4 times the published grain size; medium: twice; published")
+      ->check(CLI::IsMember({"coarse", "medium", "published"}));
+  command.add_option("--seeds", arguments.seeds, "packings with consecutive seeds (default: 1)")
+      ->check(CLI::Range(1, 1000));
+  command
+      .add_option("--budget", arguments.budget, "core minutes for an experiment; what is left out is said")
+      ->check(CLI::PositiveNumber);
+  command.add_option("--jobs", arguments.jobs, "runs at a time, one core each (default: 1)")
+      ->check(CLI::Range(1, 1024));
+  command.add_option("--out", arguments.out, "folder of all experiments (default: out/lab)");
+  command.add_option(
+      "--scenes", arguments.scenes,
+      "folder of the laboratory's scenes (default: sample_tools/laboratory of the source tree)");
+  command.add_flag("--collect", arguments.collect, "do not run: only what is finished");
+  command.add_flag("--quiet", arguments.quiet, "print no progress");
+}
+
+}  // namespace
+
+std::string list_of_experiments(const std::string& scenes) {
+  const auto figures = laboratory::read_published_figures(scenes_folder(scenes) / kFigures);
+  std::string text;
+  for (const auto& one : laboratory::scene_experiments()) {
+    int count = 0;
+    for (const auto& figure : figures) count += figure.experiment == one.name ? 1 : 0;
+    char line[200];
+    std::snprintf(line, sizeof line, "%-18s %2d published figures: %s\n", one.name.c_str(), count,
+                  one.question.c_str());
+    text += line;
+  }
+  return text;
+}
+
+void add_lab_experiments(CLI::App& lab, Action& chosen) {
+  for (const auto& one : laboratory::scene_experiments()) {
+    auto* command = lab.add_subcommand(one.name, one.question);
+    auto arguments = std::make_shared<LabArguments>();
+    add_options(*command, *arguments);
+    command->add_option("--powder", arguments->powder, "powder file in place of the experiment's powders")
+        ->check(CLI::ExistingFile);
+    command->callback(
+        [arguments, &one, &chosen] { chosen = [arguments, &one] { return experiment(one, *arguments); }; });
+  }
+  auto* sheet = lab.add_subcommand("powder", "Data sheet of a powder: density, flow, angles, discharge");
+  auto of_sheet = std::make_shared<LabArguments>();
+  add_options(*sheet, *of_sheet);
+  sheet->add_option("FILE", of_sheet->powder, "powder file, as diefill calibrate writes it")
+      ->required()
+      ->check(CLI::ExistingFile);
+  sheet->callback([of_sheet, &chosen] { chosen = [of_sheet] { return powder_sheet(*of_sheet); }; });
+  auto* page = lab.add_subcommand("fidelity", "Run all experiments with scenes and write FIDELITY.md");
+  auto arguments = std::make_shared<LabArguments>();
+  add_options(*page, *arguments);
+  page->add_option("--page", arguments->page, "file to write (default: process/laboratory/FIDELITY.md)");
+  page->callback([arguments, &chosen] { chosen = [arguments] { return fidelity(*arguments); }; });
+}
+
+}  // namespace diefill::app

@@ -1,0 +1,92 @@
+#include "process/laboratory/published/contact_statistics.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "geometry/voronoi/neighbour_grid.h"
+
+namespace diefill::process::laboratory {
+namespace {
+
+/// The spheres of the powder, with their periodic images within `reach`.
+geometry::PointImages with_images(const results::PowderState& powder, double reach) {
+  std::array<std::optional<double>, 3> period;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    if (powder.period[axis] > 0) period[axis] = powder.period[axis];
+  return geometry::with_periodic_images(powder.sphere_centres(), period, reach);
+}
+
+}  // namespace
+
+ContactStatistics contact_statistics(const results::PowderState& powder, double bin) {
+  constexpr std::size_t kBins = 200;
+  const double d = powder.grain_diameter, reach = 2 * powder.largest_sphere_radius();
+  const geometry::PointImages all = with_images(powder, reach);
+  const auto grain_of = powder.grains_of_spheres();
+  const geometry::NeighbourGrid grid(all.points, reach);
+  std::vector<double> histogram(kBins, 0.0);
+  std::vector<std::vector<std::uint32_t>> touching(powder.position.size());
+  double sum = 0, contacts = 0;
+  for (std::size_t k = 0; k < grain_of.size(); ++k)
+    grid.for_each_within(all.points[k], reach, [&](std::uint32_t other, const auto&, double squared) {
+      const std::uint32_t neighbour = grain_of[all.source[other]];
+      if (neighbour == grain_of[k]) return;
+      const double overlap = (reach - std::sqrt(squared)) / d;
+      touching[grain_of[k]].push_back(neighbour);
+      sum += overlap;
+      ++contacts;
+      ++histogram[std::min(kBins - 1, static_cast<std::size_t>(overlap / bin))];
+    });
+  ContactStatistics statistics;
+  for (auto& neighbours : touching) {
+    std::sort(neighbours.begin(), neighbours.end());
+    const auto last = std::unique(neighbours.begin(), neighbours.end());
+    statistics.contacts_a_grain += static_cast<double>(last - neighbours.begin());
+  }
+  statistics.contacts_a_grain /= static_cast<double>(std::max<std::size_t>(1, powder.position.size()));
+  statistics.mean_overlap = sum / std::max(1.0, contacts);
+  for (std::size_t b = 0; b < kBins; ++b) {
+    statistics.overlap.push_back((static_cast<double>(b) + 0.5) * bin);
+    statistics.share.push_back(histogram[b] / std::max(1.0, contacts));
+  }
+  const auto peak = std::max_element(histogram.begin(), histogram.end()) - histogram.begin();
+  statistics.peak_overlap = statistics.overlap[static_cast<std::size_t>(peak)];
+  return statistics;
+}
+
+LayerProfile layer_profile(const results::PowderState& powder) {
+  const double d = powder.grain_diameter, radius = powder.sphere_radius;
+  const auto centres = powder.sphere_centres();
+  double top = 0;
+  for (const auto& centre : centres) top = std::max(top, centre[2]);
+  LayerProfile profile;
+  for (double z = 0; z < top - 2 * d; z += d / 20) {
+    double area = 0;
+    for (const auto& centre : centres) {
+      const double away = centre[2] - z;
+      area += std::numbers::pi * std::max(0.0, radius * radius - away * away);
+    }
+    profile.height.push_back(z / d);
+    profile.share.push_back(area / (powder.period[0] * powder.period[1]));
+  }
+  return profile;
+}
+
+NearGround near_ground(const LayerProfile& profile, double bulk) {
+  constexpr double kReach = 2;  // d
+  constexpr double kWithin = 0.1;
+  const auto near = static_cast<std::size_t>(
+      std::lower_bound(profile.height.begin(), profile.height.end(), kReach) - profile.height.begin());
+  // The final drop is where the profile only falls towards the ground: it ends at the first maximum.
+  std::size_t first = 1;
+  while (first + 1 < near && profile.share[first + 1] >= profile.share[first]) ++first;
+  NearGround found{1, 0};
+  for (std::size_t k = first; k < near; ++k) {
+    found.lowest_share = std::min(found.lowest_share, profile.share[k]);
+    if (std::abs(profile.share[k] / bulk - 1) > kWithin) found.bulk_reached_at = profile.height[k];
+  }
+  return found;
+}
+
+}  // namespace diefill::process::laboratory

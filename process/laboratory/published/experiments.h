@@ -1,0 +1,31 @@
+// The experiments, one file each; registry.cpp lists them.
+#pragma once
+
+#include "process/laboratory/published/scene_experiment.h"
+
+namespace diefill::process::laboratory {
+
+/// Collisions of model D grains of three sizes, parameters scaled with the size or one of them held
+/// (Bierwisch 2009, section 3.1, E1).
+LabPlan plan_clump_collision(const LabSetting& setting);
+/// Beds that form by falling: overlaps, contacts and solid fraction of two sizes (section 3.2.1, E2).
+LabPlan plan_bulk_formation(const LabSetting& setting);
+/// Steady discharge over slit width and grain size (section 3.2.2, E3).
+LabPlan plan_slit_flow(const LabSetting& setting);
+/// Discharge of the moving shoe over its speed, all powder models (sections 4.1.1 and 4.1.2, E4).
+LabPlan plan_shoe_discharge(const LabSetting& setting);
+/// Angles of the heaps on slider and floor (sections 4.1.3 and 4.1.4, E5).
+LabPlan plan_angle_of_repose(const LabSetting& setting);
+/// Mean solid fractions at rest and in the moving shoe (section 4.1.5, E6).
+LabPlan plan_mean_fractions(const LabSetting& setting);
+/// Discharge over the depth of powder in the shoe (section 4.1.6, E7).
+LabPlan plan_fill_height(const LabSetting& setting);
+/// Stress over strain of beds of enlarged spheres, three methods of scaling (Hu 2024, section 4.2).
+LabPlan plan_uniaxial_compression(const LabSetting& setting);
+/// Apparent density, flow, density after vibration, angles of repose and discharge of one powder: a data
+/// sheet.
+LabPlan plan_powder_sheet(const LabSetting& setting);
+/// Scatter of the discharge over packings (section 4.2.1, E10).
+LabPlan plan_packing_scatter(const LabSetting& setting);
+
+}  // namespace diefill::process::laboratory

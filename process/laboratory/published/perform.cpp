@@ -1,0 +1,164 @@
+#include "process/laboratory/published/perform.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "process/results/figure_table.h"
+#include "process/results/job_cost.h"
+#include "process/run/assemble.h"
+#include "process/scene/folder_names.h"
+#include "process/scene/scene_text.h"
+
+namespace diefill::process::laboratory {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::vector<Variant> variants_of(const LabPlan& plan, const LabSetting& setting) {
+  std::vector<std::string> names;
+  for (const LabRun& run : plan.runs) names.push_back(run.name);
+  const auto folders = folder_names(names);
+  std::vector<Variant> variants;
+  for (std::size_t k = 0; k < plan.runs.size(); ++k) {
+    const fs::path file = setting.scenes / plan.runs[k].scene;
+    variants.push_back(
+        {names[k], folders[k], changed_scene(load_scene_text(file), file, plan.runs[k].changes)});
+  }
+  return variants;
+}
+
+/// Everything about the runs that the rows need.
+class FinishedRuns {
+ public:
+  FinishedRuns(const fs::path& directory, const results::JobList& list) : directory_(directory) {
+    std::set<std::uint64_t> seeds;
+    for (const results::Job& job : list.jobs) seeds.insert(job.seed);
+    for (const std::uint64_t seed : seeds) {
+      std::map<std::string, fs::path> folders;
+      for (const results::Job& job : list.jobs) {
+        if (job.seed != seed) continue;
+        jobs_[job.variant].push_back(job);
+        if (state_of(directory, job).stage == JobState::Stage::finished)
+          folders[job.variant] = directory / job.folder;
+      }
+      seeds_.emplace_back(seed, std::move(folders));
+    }
+    if (seeds_.empty()) seeds_.emplace_back(1, std::map<std::string, fs::path>());
+  }
+
+  const std::vector<SeedResults>& seeds() const { return seeds_; }
+
+  double core_seconds(const std::vector<std::string>& runs) const {
+    double sum = 0;
+    for (const std::string& run : runs)
+      for (const results::Job& job : jobs_.at(run))
+        sum += results::read_job_cost(directory_ / job.folder).cpu_seconds;
+    return sum;
+  }
+
+  /// Why some of these runs are not finished; empty where all are.
+  std::string why_missing(const std::vector<std::string>& runs) const {
+    std::size_t open = 0, all = 0;
+    for (const std::string& run : runs)
+      for (const results::Job& job : jobs_.at(run)) {
+        ++all;
+        const JobState state = state_of(directory_, job);
+        if (state.stage == JobState::Stage::failed) return "run \"" + run + "\" failed: " + state.reason;
+        open += state.stage == JobState::Stage::open ? 1U : 0U;
+      }
+    if (open == 0) return {};
+    return std::to_string(open) + " of " + std::to_string(all) + " runs cut off by the budget";
+  }
+
+ private:
+  fs::path directory_;
+  std::map<std::string, std::vector<results::Job>> jobs_;
+  std::vector<SeedResults> seeds_;
+};
+
+/// Quantity, unit and range of the published figure that the quantity stands for.
+void take_published(const PublishedFigure& figure, results::LabRow& row) {
+  row.quantity = figure.quantity;
+  row.setting = figure.model.empty() ? figure.setting : figure.model + "; " + figure.setting;
+  row.unit = figure.unit;
+  row.published = figure.published;
+  row.lower = figure.lower;
+  row.upper = figure.upper;
+}
+
+/// Values over the seeds that have all runs, and the coarsest grains among these.
+void measure(const LabQuantity& quantity, const FinishedRuns& runs, results::LabRow& row) {
+  std::vector<SeedResults> seeds;
+  for (const SeedResults& seed : runs.seeds()) {
+    const auto has = [&](const std::string& run) { return seed.has(run); };
+    if (!std::all_of(quantity.runs.begin(), quantity.runs.end(), has)) continue;
+    seeds.push_back(seed);
+    for (const std::string& run : quantity.runs)
+      row.grain_diameter =
+          std::fmax(row.grain_diameter, results::figure_of(seed.of(run), "grain_diameter_m"));
+  }
+  std::vector<double> values;
+  if (!quantity.over_seeds)
+    for (const SeedResults& seed : seeds) values.push_back(quantity.value(seed));
+  else if (seeds.size() > 1)
+    values.push_back(quantity.over_seeds(seeds));
+  for (const double value : values)
+    if (std::isfinite(value)) row.values.push_back(value);
+}
+
+results::LabRow row_of(const LabQuantity& quantity, const FinishedRuns& runs,
+                       const std::vector<PublishedFigure>& figures, bool published_powder) {
+  results::LabRow row;
+  row.id = quantity.id;
+  const auto published = std::find_if(figures.begin(), figures.end(),
+                                      [&](const auto& figure) { return figure.id == quantity.id; });
+  if (published != figures.end()) take_published(*published, row);
+  if (!quantity.quantity.empty()) row.quantity = quantity.quantity;
+  if (!quantity.unit.empty()) row.unit = quantity.unit;
+  if (row.quantity.empty()) row.quantity = row.id;
+  measure(quantity, runs, row);
+  row.core_seconds = runs.core_seconds(quantity.runs);
+  row.reason = runs.why_missing(quantity.runs);
+  if (row.values.empty() && row.reason.empty())
+    row.reason = quantity.over_seeds ? "takes two seeds at least" : "the results do not have it";
+  row.verdict = published_powder || row.published.empty() ? verdict_of(row) : "-";
+  return row;
+}
+
+}  // namespace
+
+std::string verdict_of(const results::LabRow& row) {
+  if (row.values.empty()) return "no value";
+  if (!std::isfinite(row.lower) && !std::isfinite(row.upper)) return "-";
+  const double mean = results::mean_of(row);
+  return mean < row.lower || mean > row.upper ? "not met" : "met";
+}
+
+LabOutcome perform(const SceneExperiment& experiment, const LabSetting& setting,
+                   const std::vector<PublishedFigure>& figures, const LabJobs& jobs) {
+  const LabPlan plan = experiment.plan(setting);
+  results::JobList list;
+  if (!plan.runs.empty()) {
+    list =
+        write_jobs(jobs.directory, {experiment.name, variants_of(plan, setting), jobs.seeds, {}}, jobs.say);
+    if (jobs.run) run_jobs(jobs.directory, list, jobs.options);
+  }
+  const FinishedRuns runs(jobs.directory, list);
+  LabOutcome outcome;
+  outcome.table.experiment = experiment.name;
+  outcome.table.question = experiment.question;
+  outcome.table.size = name_of(setting.size);
+  outcome.table.powder = setting.powder.empty() ? "" : setting.powder.filename().string();
+  outcome.table.program_version = program_version();
+  outcome.table.seeds = jobs.seeds;
+  std::vector<std::string> all;
+  for (const LabRun& run : plan.runs) all.push_back(run.name);
+  outcome.table.core_seconds = runs.core_seconds(all);
+  for (const LabQuantity& quantity : plan.quantities)
+    outcome.table.rows.push_back(row_of(quantity, runs, figures, setting.powder.empty()));
+  if (plan.charts) outcome.charts = plan.charts(runs.seeds());
+  return outcome;
+}
+
+}  // namespace diefill::process::laboratory

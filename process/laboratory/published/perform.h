@@ -1,0 +1,34 @@
+// Runs an experiment's scenes as jobs, goes on where it was stopped, and holds what they give against the
+// published figures.
+#pragma once
+
+#include "process/compare/job_folder.h"
+#include "process/compare/run_jobs.h"
+#include "process/laboratory/published/published_figure.h"
+#include "process/laboratory/published/scene_experiment.h"
+#include "process/results/lab_table.h"
+
+namespace diefill::process::laboratory {
+
+struct LabOutcome {
+  results::LabTable table;
+  std::vector<results::ExperimentChart> charts;
+};
+
+/// Where and how the runs are made.
+struct LabJobs {
+  std::filesystem::path directory;
+  JobOptions options;  ///< its `cpu_seconds` are the budget
+  int seeds = 1;
+  Say say;
+  bool run = true;  ///< false: only what is finished there is measured
+};
+
+/// "met" or "not met" of a mean; "-" where the row has no limits, "no value" without one.
+std::string verdict_of(const results::LabRow& row);
+
+/// Throws SceneError, results::ResultError, and what run_jobs throws.
+LabOutcome perform(const SceneExperiment& experiment, const LabSetting& setting,
+                   const std::vector<PublishedFigure>& figures, const LabJobs& jobs);
+
+}  // namespace diefill::process::laboratory

@@ -1,0 +1,30 @@
+#include "process/laboratory/published/experiments.h"
+
+namespace diefill::process::laboratory {
+
+const std::vector<SceneExperiment>& scene_experiments() {
+  static const std::vector<SceneExperiment> all = {
+      {"clump_collision", "are collisions the same for all grain sizes, and only with all parameters scaled?",
+       plan_clump_collision},
+      {"bulk_formation",
+       "are overlaps, contacts and solid fraction of fallen beds the same for all grain sizes?",
+       plan_bulk_formation},
+      {"slit_flow", "does steady discharge of all grain sizes depend on the slit width less 1.4 d?",
+       plan_slit_flow},
+      {"shoe_discharge", "does discharge from the moving shoe follow the measured curve over its speed?",
+       plan_shoe_discharge},
+      {"angle_of_repose", "which angles do heaps on slider and floor have?", plan_angle_of_repose},
+      {"mean_fractions", "which solid fraction has powder in the shoe, at rest and in motion?",
+       plan_mean_fractions},
+      {"fill_height", "does discharge depend on the depth of powder in the shoe?", plan_fill_height},
+      {"packing_scatter", "how much does discharge scatter over packings of the same powder?",
+       plan_packing_scatter},
+      {"uniaxial_compression", "does a pressed bed of enlarged spheres resist like the original?",
+       plan_uniaxial_compression},
+      {"powder_sheet", "which density, flow and angles has a powder in the tests of powder metallurgists?",
+       plan_powder_sheet},
+  };
+  return all;
+}
+
+}  // namespace diefill::process::laboratory

@@ -1,0 +1,173 @@
+// Discharge of the moving shoe through slits of 6 and 10 mm over its speed (Bierwisch 2009, sections 4.1.1
+// and 4.1.2, Figs. 4.4 and 4.5): area A_sim (Eq. 4.2) against the measured curve (Eq. 4.1), residual as
+// Eqs. 4.3 and 4.4. Coarse grains have slits widened by 1.4 times what they are larger.
+#include <algorithm>
+#include <cmath>
+
+#include "process/laboratory/published/experiments.h"
+#include "process/laboratory/published/slit_scene.h"
+
+namespace diefill::process::laboratory {
+namespace {
+
+struct Model {
+  const char* name;
+  const char* preset;
+  const char* residual;    ///< figure at 6 mm
+  const char* prediction;  ///< figure at 10 mm
+};
+
+constexpr Model kModels[] = {{"A1", "ASC100.29 A1", "S01", "S05"}, {"B1", "ASC100.29 B1", "S02", "S06"},
+                             {"C1", "ASC100.29 C1", "S03", "S07"}, {"D1", "ASC100.29 D1", "S04", "S08"},
+                             {"A2", "ASC100.29 A2", "", ""},       {"D2", "ASC100.29 D2", "", ""}};
+
+constexpr double kNarrow = 0.006, kWide = 0.010;  // m
+constexpr double kFastest = 0.8;                  // m/s, scale of speeds in Eq. 4.4
+
+std::vector<Model> models_of(const LabSetting& setting) {
+  if (has_own_powder(setting)) return {{"powder", "", "residual", "prediction"}};
+  return {std::begin(kModels), std::end(kModels)};
+}
+
+std::vector<double> speeds_of(const LabSetting& setting) {
+  if (setting.size == LabSize::coarse) return {0.18, 0.4, 0.8};
+  return {0.1, 0.15, 0.18, 0.25, 0.4, 0.6, 0.8};
+}
+
+std::string run_name(const Model& model, double width, double speed) {
+  return std::string(model.name) + ", slit " + plain(1e3 * width) + " mm, " + plain(speed) + " m/s";
+}
+
+std::vector<std::string> runs_of(const Model& model, double width, const std::vector<double>& speeds) {
+  std::vector<std::string> runs;
+  for (const double speed : speeds) runs.push_back(run_name(model, width, speed));
+  return runs;
+}
+
+/// epsilon^2 of Eq. 4.3: mean of squared distances from the measured curve, coordinates over their scales.
+double residual(const SeedResults& seed, const Model& model, double width,
+                const std::vector<double>& speeds) {
+  constexpr int kSamples = 4000;
+  const double slowest = speeds.front(), scale = measured_area(width, slowest);
+  double sum = 0;
+  for (const double speed : speeds) {
+    const double area = discharged_area(seed, run_name(model, width, speed));
+    double nearest = INFINITY;
+    for (int k = 0; k <= kSamples; ++k) {
+      const double on_curve = slowest + (kFastest - slowest) * k / kSamples;
+      nearest = std::min(nearest, std::pow((speed - on_curve) / kFastest, 2) +
+                                      std::pow((area - measured_area(width, on_curve)) / scale, 2));
+    }
+    sum += nearest;
+  }
+  return sum / static_cast<double>(speeds.size());
+}
+
+double mean_ratio(const SeedResults& seed, const Model& model, double width,
+                  const std::vector<double>& speeds) {
+  double sum = 0;
+  for (const double speed : speeds)
+    sum += discharged_area(seed, run_name(model, width, speed)) / measured_area(width, speed);
+  return sum / static_cast<double>(speeds.size());
+}
+
+/// Share of points at which D2 discharges more than measured and less than A2, by 3 % at least (S09).
+double share_between(const SeedResults& seed, const std::vector<double>& speeds) {
+  constexpr double kScatter = 1.03;
+  double between = 0, all = 0;
+  for (const double width : {kNarrow, kWide})
+    for (const double speed : speeds) {
+      const double d2 = discharged_area(seed, run_name(kModels[5], width, speed));
+      const double a2 = discharged_area(seed, run_name(kModels[4], width, speed));
+      between += d2 > kScatter * measured_area(width, speed) && a2 > kScatter * d2 ? 1 : 0;
+      ++all;
+    }
+  return between / all;
+}
+
+results::ExperimentChart chart_of(const std::vector<Model>& models, double width,
+                                  const std::vector<double>& speeds, const SeedResults& seed) {
+  results::ExperimentChart chart;
+  chart.name = "shoe_discharge_" + plain(1e3 * width) + "mm";
+  chart.title = "Discharge of the shoe through a slit of " + plain(1e3 * width) + " mm";
+  chart.subtitle = "Slits widened by 1.4 (d' - d) for grains of size d' in place of d; one seed";
+  chart.x = {.label = "Speed of the shoe [m/s]"};
+  chart.y = {.label = "Discharged area [mm2]", .logarithmic = true};
+  results::ExperimentSeries curve{.name = "measured, ASC100.29 (Eq. 4.1)",
+                                  .role = results::ExperimentSeries::Role::predicted,
+                                  .x = {},
+                                  .y = {}};
+  for (double speed = speeds.front(); speed <= kFastest + 1e-9; speed += 0.01) {
+    curve.x.push_back(speed);
+    curve.y.push_back(1e6 * measured_area(width, speed));
+  }
+  chart.series.push_back(curve);
+  for (const Model& model : models) {
+    results::ExperimentSeries series{.name = model.name, .x = {}, .y = {}};
+    for (const double speed : speeds) {
+      const std::string run = run_name(model, width, speed);
+      if (!seed.has(run)) continue;
+      const double area = 1e6 * discharged_area(seed, run);
+      series.x.push_back(speed);
+      series.y.push_back(area > 0 ? area : NAN);
+    }
+    if (!series.x.empty()) chart.series.push_back(series);
+  }
+  return chart;
+}
+
+void add_model(const LabSetting& setting, const Model& model, const std::vector<double>& speeds,
+               LabPlan& plan) {
+  const LabPowder powder = lab_powder(setting, model.preset, setting.scale());
+  for (const double width : {kNarrow, kWide})
+    for (const double speed : speeds) {
+      const SlitPassage passage{.width = adjusted_slit(width, powder), .speed = speed};
+      plan.runs.push_back(
+          {run_name(model, width, speed), "slit.toml", slit_changes(setting, powder, passage)});
+      const std::string run = plan.runs.back().name;
+      plan.quantities.push_back({.id = "area-" + run,
+                                 .quantity = "discharged area over the measured one",
+                                 .unit = "1",
+                                 .runs = {run},
+                                 .value = [=](const SeedResults& seed) {
+                                   return discharged_area(seed, run) / measured_area(width, speed);
+                                 }});
+    }
+  if (*model.residual == '\0') return;
+  plan.quantities.push_back(
+      {.id = model.residual,
+       .quantity = "",
+       .unit = "",
+       .runs = runs_of(model, kNarrow, speeds),
+       .value = [=](const SeedResults& seed) { return residual(seed, model, kNarrow, speeds); }});
+  plan.quantities.push_back(
+      {.id = model.prediction,
+       .quantity = "",
+       .unit = "",
+       .runs = runs_of(model, kWide, speeds),
+       .value = [=](const SeedResults& seed) { return mean_ratio(seed, model, kWide, speeds); }});
+}
+
+}  // namespace
+
+LabPlan plan_shoe_discharge(const LabSetting& setting) {
+  const auto models = models_of(setting);
+  const auto speeds = speeds_of(setting);
+  LabPlan plan;
+  for (const Model& model : models) add_model(setting, model, speeds, plan);
+  if (!has_own_powder(setting)) {
+    LabQuantity order{.id = "S09", .quantity = "", .unit = "", .runs = {}, .value = {}};
+    for (const Model* model : {&kModels[4], &kModels[5]})
+      for (const double width : {kNarrow, kWide})
+        for (const auto& run : runs_of(*model, width, speeds)) order.runs.push_back(run);
+    order.value = [speeds](const SeedResults& seed) { return share_between(seed, speeds); };
+    plan.quantities.push_back(order);
+  }
+  plan.charts = [models, speeds](const std::vector<SeedResults>& seeds) {
+    return std::vector{chart_of(models, kNarrow, speeds, seeds.front()),
+                       chart_of(models, kWide, speeds, seeds.front())};
+  };
+  return plan;
+}
+
+}  // namespace diefill::process::laboratory

@@ -1,0 +1,224 @@
+// Steady discharge through slits while the shoe passes (Bierwisch 2009, section 3.2.2, Figs. 3.5 and 3.6,
+// Table C.3): solid rate over slit width for several grain sizes; the offset c for which all lie on one curve
+// over D - c d.
+#include <Eigen/Dense>
+#include <cmath>
+#include <limits>
+
+#include "process/laboratory/published/experiments.h"
+#include "process/laboratory/published/slit_scene.h"
+#include "process/results/figure_table.h"
+
+namespace diefill::process::laboratory {
+namespace {
+
+constexpr double kSpeed = 0.18;  // m/s
+constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+constexpr double kPublishedOffset = 1.4;
+
+/// A case of Table C.3.
+struct Case {
+  const char* id;
+  const char* name;
+  const char* preset;
+  const char* set;                     ///< changes of the preset
+  std::vector<double> scales, widths;  ///< sizes over the calibrated one; m
+  bool fixed_work = false;             ///< w of the calibrated size for all sizes
+};
+
+std::string run_name(const Case& one, double scale, double width) {
+  return std::string(one.name) + ", size " + plain(scale) + ", slit " + plain(1e3 * width) + " mm";
+}
+
+std::vector<Case> cases_of(const LabSetting& setting) {
+  const bool coarse = setting.size == LabSize::coarse, medium = setting.size == LabSize::medium;
+  const std::vector<double> spheres = coarse   ? std::vector{4.0, 6.0}
+                                      : medium ? std::vector{2.0, 4.0}
+                                               : std::vector{1.0, 1.5, 2.0};
+  const std::vector<double> clumps = coarse   ? std::vector{4.0, 6.0}
+                                     : medium ? std::vector{2.0, 4.0}
+                                              : std::vector{0.5, 1.0, 2.0, 4.0};
+  const std::vector<double> widths =
+      coarse ? std::vector{9e-3, 11.5e-3, 14e-3} : std::vector{6e-3, 8e-3, 10e-3, 12e-3, 14e-3};
+  if (has_own_powder(setting)) return {{"F01", "powder", "", "", clumps, widths}};
+  const char* free = "powder.friction = 0.5\npowder.work_of_adhesion = \"0 J/m^2\"\n";
+  const char* cohesive = "powder.friction = 1.0\npowder.work_of_adhesion = \"0.01 J/m^2\"\n";
+  return {
+      {"F01", "A", "ASC100.29 initial A", free, spheres, widths},
+      {"F02", "D", "ASC100.29 initial D", free, clumps, widths},
+      {"F03", "D cohesive", "ASC100.29 initial D", cohesive, clumps, widths},
+      {"F04", "D, w fixed", "ASC100.29 initial D", "powder.friction = 1.0\n", clumps, {widths.back()}, true}};
+}
+
+SlitPassage passage_of(const LabSetting& setting, double width) {
+  SlitPassage passage{.width = width, .speed = kSpeed};
+  passage.past = false;
+  if (setting.size == LabSize::coarse) passage.fill = 0.015;
+  return passage;
+}
+
+LabRun run_of(const LabSetting& setting, const Case& one, double scale, double width) {
+  LabPowder powder = lab_powder(setting, one.preset, scale);
+  powder.changes.set += one.set;
+  if (one.fixed_work)
+    powder.changes.set += line("powder.work_of_adhesion", '"' + plain(0.01 / scale) + " J/m^2\"");
+  return {run_name(one, scale, width), "slit.toml",
+          slit_changes(setting, powder, passage_of(setting, width))};
+}
+
+/// Points of a case: rate, slit width, grain size.
+struct Points {
+  std::vector<double> rate, width, diameter;
+};
+
+Points points_of(const SeedResults& seed, const LabSetting& setting, const Case& one) {
+  Points points;
+  for (const double scale : one.scales)
+    for (const double width : one.widths) {
+      const std::string run = run_name(one, scale, width);
+      if (!seed.has(run)) continue;
+      points.rate.push_back(steady_solid_rate(seed, run, passage_of(setting, width)));
+      points.width.push_back(width);
+      points.diameter.push_back(results::figure_of(seed.of(run), "grain_diameter_m"));
+    }
+  return points;
+}
+
+/// c of rate = a (D - c d)^(3/2), by least squares of rate^(2/3), which is linear in D and d; and its
+/// standard error by propagation.
+struct Offset {
+  double value = kNone, error = kNone;
+};
+
+Offset fitted_offset(const Points& points) {
+  const auto count = static_cast<Eigen::Index>(points.rate.size());
+  if (count < 4) return {};
+  Eigen::MatrixX2d places(count, 2);
+  Eigen::VectorXd root(count);
+  for (Eigen::Index k = 0; k < count; ++k) {
+    const auto n = static_cast<std::size_t>(k);
+    if (!std::isfinite(points.rate[n])) return {};
+    places.row(k) << points.width[n], points.diameter[n];
+    root[k] = std::pow(points.rate[n], 2.0 / 3);
+  }
+  const Eigen::Matrix2d normal = places.transpose() * places;
+  const Eigen::Vector2d slopes = normal.ldlt().solve(places.transpose() * root);
+  const double variance = (places * slopes - root).squaredNorm() / static_cast<double>(count - 2);
+  const Eigen::Matrix2d covariance = variance * normal.inverse();
+  const double offset = -slopes[1] / slopes[0];
+  const Eigen::Vector2d gradient(-offset / slopes[0], -1 / slopes[0]);
+  return {offset, std::sqrt(gradient.dot(covariance * gradient))};
+}
+
+results::ExperimentChart chart_of(const LabSetting& setting, const Case& one, const SeedResults& seed) {
+  const Points points = points_of(seed, setting, one);
+  const Offset offset = fitted_offset(points);
+  results::ExperimentChart chart;
+  chart.name = "slit_flow_" + std::string(one.id);
+  chart.title = "Steady discharge through slits: " + std::string(one.name);
+  chart.subtitle = "Shoe at 0.18 m/s; published: all sizes on one curve over D - 1.4 d";
+  char note[120];
+  std::snprintf(note, sizeof note,
+                "Fitted offset: (%.2f +- %.2f) d. Line: a (D - 1.4 d)^1.5 through the mean.", offset.value,
+                offset.error);
+  chart.note = note;
+  chart.x = {.label = "Slit width less 1.4 grain sizes [mm]"};
+  chart.y = {.label = "Solid rate over slice depth [mm2/s]"};
+  double sum = 0, count = 0, widest = 0;
+  results::ExperimentSeries series;
+  for (std::size_t k = 0; k < points.rate.size(); ++k) {
+    const double free = 1e3 * (points.width[k] - kPublishedOffset * points.diameter[k]);
+    const std::string name = "d = " + plain(std::round(1e6 * points.diameter[k]) / 1e3) + " mm";
+    if (name != series.name) {
+      if (!series.x.empty()) chart.series.push_back(series);
+      series = {.name = name, .x = {}, .y = {}};
+    }
+    series.x.push_back(free);
+    series.y.push_back(1e6 * points.rate[k]);
+    sum += 1e6 * points.rate[k] / std::pow(free, 1.5);
+    ++count;
+    widest = std::max(widest, free);
+  }
+  if (!series.x.empty()) chart.series.push_back(series);
+  results::ExperimentSeries curve{.name = "published: one curve (power 1.5)",
+                                  .role = results::ExperimentSeries::Role::predicted,
+                                  .x = {},
+                                  .y = {}};
+  constexpr int kNodes = 60;
+  for (int k = 0; k <= kNodes && count > 0; ++k) {
+    curve.x.push_back(widest * k / kNodes);
+    curve.y.push_back(sum / count * std::pow(curve.x.back(), 1.5));
+  }
+  chart.series.push_back(curve);
+  return chart;
+}
+
+/// Rate of the coarser over that of the finer grains where both have the same D - 1.4 d, from rates at the
+/// same slit and the curve of power 1.5.
+double coarse_over_fine(const SeedResults& seed, const LabSetting& setting, const Case& one) {
+  const Points points = points_of(seed, setting, one);
+  const auto constant = [&](std::size_t k) {
+    return points.rate[k] / std::pow(points.width[k] - kPublishedOffset * points.diameter[k], 1.5);
+  };
+  return constant(points.rate.size() - 1) / constant(0);
+}
+
+LabQuantity offset_of(const LabSetting& setting, const Case& one, std::vector<std::string> runs) {
+  LabQuantity quantity{.id = one.id, .quantity = "", .unit = "", .runs = std::move(runs), .value = {}};
+  if (one.fixed_work)
+    quantity.value = [=](const SeedResults& seed) { return coarse_over_fine(seed, setting, one); };
+  else
+    quantity.value = [=](const SeedResults& seed) {
+      return fitted_offset(points_of(seed, setting, one)).value;
+    };
+  return quantity;
+}
+
+/// Standard error of the offset, and the solid fraction of D1 (F05).
+void add_others(const LabSetting& setting, const std::vector<Case>& cases, LabPlan& plan) {
+  for (std::size_t k = 0; k < cases.size(); ++k) {
+    if (cases[k].fixed_work) continue;
+    const Case& one = cases[k];
+    plan.quantities.push_back({.id = std::string(one.id) + "-error",
+                               .quantity = "standard error of the offset, " + std::string(one.name),
+                               .unit = "1",
+                               .runs = plan.quantities[k].runs,
+                               .value = [=](const SeedResults& seed) {
+                                 return fitted_offset(points_of(seed, setting, one)).error;
+                               }});
+  }
+  if (has_own_powder(setting)) return;
+  const std::string run = "D1, slit 10 mm";
+  const LabPowder powder = lab_powder(setting, "ASC100.29 D1", setting.scale());
+  plan.runs.push_back({run, "slit.toml", slit_changes(setting, powder, passage_of(setting, 0.010))});
+  plan.quantities.push_back(
+      {.id = "F05", .quantity = "", .unit = "", .runs = {run}, .value = [run](const SeedResults& seed) {
+         return results::figure_of(seed.at(run, "settled"), "bulk_solid_fraction");
+       }});
+}
+
+}  // namespace
+
+LabPlan plan_slit_flow(const LabSetting& setting) {
+  const auto cases = cases_of(setting);
+  LabPlan plan;
+  for (const Case& one : cases) {
+    std::vector<std::string> runs;
+    for (const double scale : one.scales)
+      for (const double width : one.widths) {
+        plan.runs.push_back(run_of(setting, one, scale, width));
+        runs.push_back(plan.runs.back().name);
+      }
+    plan.quantities.push_back(offset_of(setting, one, std::move(runs)));
+  }
+  add_others(setting, cases, plan);
+  plan.charts = [cases, setting](const std::vector<SeedResults>& seeds) {
+    std::vector<results::ExperimentChart> charts;
+    for (const Case& one : cases)
+      if (!one.fixed_work) charts.push_back(chart_of(setting, one, seeds.front()));
+    return charts;
+  };
+  return plan;
+}
+
+}  // namespace diefill::process::laboratory

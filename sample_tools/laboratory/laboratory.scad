@@ -1,0 +1,43 @@
+// Tools of the laboratory's scenes, millimetres, z up. Prisms along y reach beyond every periodic slice.
+part = "half_platen";   // half_platen, floor, side_wall, slider, funnel, cup or gate
+length_y = 40;
+thickness = 2;
+$fn = 128;
+
+module prism(x_from, x_to, z_from, z_to) {
+  translate([x_from, -length_y / 2, z_from]) cube([x_to - x_from, length_y, z_to - z_from]);
+}
+
+// Half of a platen (Bierwisch 2009, section 4.1.1): its edge is at x = 0; two of them, one mirrored, leave a slit.
+if (part == "half_platen") prism(0, 100, -thickness, 0);
+
+// Angle of repose (Bierwisch 2009, section 4.1.3): a reservoir 0 < x < 30 whose bottom and left wall are the slider,
+// over a floor 42 mm below it; the right wall goes down to the floor. z = 0 is the slider's upper face.
+if (part == "floor") prism(-80, 32, -44, -42);
+if (part == "side_wall") prism(30, 32, -42, 110);
+if (part == "slider") {
+  prism(-thickness, 30, -thickness, 0);
+  prism(-thickness, 0, 0, 110);
+}
+
+// Funnel and cup of apparent density and Hall flow (ISO 3923-1, ISO 4490): cone of 60 degrees, stem of 3.2 mm, cup of
+// 28 mm inside diameter and 25 cm3, 25 mm between them. scale_of = 0.5: half of these lengths, for coarse grains. Model
+// grains larger than the powder take a wider orifice. z = 0 is the cup's rim; funnel and gate have z = 0 at the orifice.
+orifice = 5;
+scale_of = 1;
+stem = 3.2;
+funnel_radius = 28 * scale_of;
+cup_radius = 14 * scale_of;
+cup_depth = 25000 / (PI * 14 * 14) * scale_of;
+cone_height = (funnel_radius - orifice / 2) / tan(30);
+if (part == "funnel") difference() {
+  cylinder(r = funnel_radius + 2, h = stem + cone_height);
+  translate([0, 0, -1]) cylinder(r = orifice / 2, h = stem + 2);
+  translate([0, 0, stem]) cylinder(r1 = orifice / 2, r2 = funnel_radius, h = cone_height);
+  translate([0, 0, stem + cone_height]) cylinder(r = funnel_radius, h = 1);
+}
+if (part == "cup") translate([0, 0, -cup_depth - 2]) difference() {
+  cylinder(r = cup_radius + 2, h = cup_depth + 2);
+  translate([0, 0, 2]) cylinder(r = cup_radius, h = cup_depth + 1);
+}
+if (part == "gate") translate([-10, -10, -2]) cube([20, 20, 2]);

@@ -1,0 +1,192 @@
+#!/usr/bin/env python3
+"""Makes published_figures.csv from tables of published figures: numbers, units, places and tolerances.
+
+    make_published_figures.py FOLDER > published_figures.csv
+
+FOLDER holds targets-bierwisch.csv, targets-hu.csv and targets-kottlan.csv. A row belongs to the experiment of
+`diefill lab` that measures it (EXPERIMENTS), or to none yet. Where the source states a trend instead of a number,
+CRITERIA gives the number that is measured in its place and the range in which the trend holds.
+"""
+import csv
+import re
+import sys
+
+SOURCES = (("bierwisch", "Bierwisch 2009"), ("hu", "Hu 2024"), ("kottlan", "Kottlan 2018"))
+
+# Experiment of `diefill lab`: the rows that it measures, as regular expressions.
+EXPERIMENTS = {
+    "clump_collision": "B0[1-4]",
+    "bulk_formation": "K(0[1-9]|10)",
+    "slit_flow": "F0[1-5]",
+    "shoe_discharge": "S0[1-9]",
+    "packing_scatter": "Q(0[1-9]|1[0-6])",
+    "fill_height": "G0[1-5]",
+    "angle_of_repose": "R(0[3-9]|10|11)",
+    "mean_fractions": "N(0[1-9]|1[0-2])",
+    "uniaxial_compression": "UNI-[1-3]",
+}
+# Rows that a family of experiments with a table of its own measures.
+FAMILIES = {
+    "bulk_density": "BED-(0|08|drop|coord)|CDT-(016|drop)|LN-02-(rho|z)-(0|80)",
+    "flow": "D(0[1-9]|1[0-5])|E0[1-5]",
+}
+
+# Row: label, unit, least and largest value that agree with the trend.
+CRITERIA = {
+    "B01": ("largest difference of contact energy density over sizes, over its peak", "1", None, 1e-6),
+    "B02": ("the same, gamma_n fixed", "1", 0.02, None),
+    "B03": ("the same, kappa_t fixed", "1", 0.02, None),
+    "B04": ("the same, w fixed", "1", 0.02, None),
+    "K07": ("largest difference over sizes, in tolerances (h/d 3 %, contacts 0.1, fraction 0.005)", "1", None, 1),
+    "K08": ("contacts a grain, coarse less fine, gamma_n fixed", "1", 0.05, None),
+    "K09": ("contacts a grain, coarse less fine, kappa_t fixed, over that of gamma_n fixed", "1", 1, None),
+    "K10": ("mean h/d, fine over coarse, w fixed", "1", 1, None),
+    "F01": ("offset of the slit width over d", "1", 1.1, 1.7),
+    "F02": ("offset of the slit width over d", "1", 1.1, 1.7),
+    "F03": ("offset of the slit width over d", "1", 1.1, 1.7),
+    "F04": ("rate at equal D - 1.4 d, coarse over fine, w fixed", "1", 1.0, None),
+    "S01": ("residual against the measured curve", "1", None, 1e-3),
+    "S02": ("residual against the measured curve", "1", None, 1e-3),
+    "S03": ("residual against the measured curve", "1", None, 1e-3),
+    "S04": ("residual against the measured curve", "1", None, 1e-3),
+    "S05": ("area over that of the measured curve, mean over speeds", "1", 0.95, 1.2),
+    "S06": ("area over that of the measured curve, mean over speeds", "1", 0.95, 1.2),
+    "S07": ("area over that of the measured curve, mean over speeds", "1", 0.95, 1.2),
+    "S08": ("area over that of the measured curve, mean over speeds", "1", 0.95, 1.2),
+    "S09": ("share of speeds at which D2 lies between measured curve and A2", "1", 1, None),
+    "G01": ("discharge, 10 mm of fill over 41 mm", "1", 1.03, None),
+    "G02": ("discharge, 10 mm of fill over 41 mm", "1", 1.03, None),
+    "G03": ("discharge, 10 mm of fill over 41 mm", "1", None, 1.1),
+    "G04": ("discharge, 10 mm of fill over 41 mm", "1", 0.97, 1.03),
+    "G05": ("discharge, 10 mm of fill over 41 mm", "1", 1.03, None),
+    "R09": ("drift of the surface from 2 s on", "d/s", 0.5, None),
+    "R10": ("drift of the surface from 2 s on", "d/s", 0.5, None),
+    "R11": ("theta_O of D1 less that of D2", "deg", 12, None),
+    "UNI-1": ("mean difference of stress from l = 1, M1, strain 0.03 to 0.1", "1", None, 0.1),
+    "UNI-2": ("stress at strain 0.1, M2 over M1, over l^1.5", "1", 1 / 1.5, 1.5),
+    "UNI-3": ("stress at strain 0.1, M3 over M1, over l", "1", 1 / 1.4, 1.4),
+}
+
+# Labels of rows whose trend is not a number yet.
+LABELS = {
+    "H01": "filling level, place among models", "H02": "filling level, place among models",
+    "H03": "filling level near the measured one", "H04": "filling level near the measured one",
+    "H05": "incomplete filling, less at 0.5 m/s",
+    "L02": "slow zone behind the slit", "L03": "even velocity and fraction away from the slit",
+    "R12": "toe and peak of heaps over d", "W02": "mu_eff over grid spacing",
+    "D05": "straight isoline of v_z", "D11": "profiles, CKM and KM", "D13": "collapse of velocities",
+    "D14": "set-ups 2 and 5 apart", "D15": "fraction above the slit, set-ups 2 and 4",
+    "MIX-shift": "speeds over gamma_L", "MIX-lin": "density linear in speed", "MIX-M1": "mean speed, M1",
+    "MIX-M2": "peak of M2", "MIX-M3": "peak of M3", "MIX-liq": "peak over liquid", "MIX-jkr1": "M1, JKR",
+    "MIX-jkr23": "M2 and M3, JKR", "MIX-Dd": "peak for D/d below 40", "BOX-theory": "critical step over l",
+    "BED-M1l": "l = 2 and 4 alike", "BED-M3": "density, M3", "BED-coord": "contacts and height over mu_r",
+    "BI-mono": "density over mono-disperse", "BI-seg": "segregation", "LN-02-M1": "l = 2 and 4 alike",
+    "LN-gamma": "density and contacts over gamma", "LN-trend": "density and contacts over s_d/m_d",
+    "PACK-2": "fractions of LH100 and LH220", "HOP-1": "arching in the hopper",
+    "ROLL-1": "stability of rolling model", "CAL-mus": "tau_pre over mu_s", "CAL-err": "error with interactions",
+    "SCR-phi0": "effects on initial fraction", "SCR-beta": "effects on beta", "SCR-phif": "effects on final fraction",
+    "SCR-kload": "effects on k_load", "SCR-kunload": "effects on k_unload", "SCR-order": "k_unload above k_load",
+    "SCR-tens": "range of tensile strength", "SCR-tens2": "gradual fracture", "SCR-taupre": "effects on tau_pre",
+    "SCR-tau0": "effects on tau_0", "SCR-kYL": "effects on k_YL", "SCR-neg": "factors without effect",
+    "SCR-invalid": "pre-shear above the locus",
+    "AOR-M1": "deviation of M1 from the original", "AOR-range": "Carr classes over mu_r",
+    "AOR-M1b": "deviation of M1 over mu_r", "AOR-M3": "angle, M3", "PACK-1": "solid fraction over diameter",
+}
+
+NOT_A_TARGET = re.compile(r"input|not a target|context only|^measurement|^taken as")
+
+
+def number(text):
+    try:
+        return float(text)
+    except ValueError:
+        return None
+
+
+def limits(value, tolerance):
+    """Least and largest agreeing value, None where there is none."""
+    between = re.match(r"([\d.e-]+) to ([\d.e-]+)", tolerance)
+    if between:
+        return float(between[1]), float(between[2])
+    for pattern, take in (
+        (r"rel ([\d.e-]+) ?%", lambda x: abs(value) * x / 100),
+        (r"rel ([\d.e-]+)", lambda x: abs(value) * x),
+        (r"abs ([\d.e-]+)", lambda x: x),
+        (r"\+-([\d.]+) ?% of the mean.*\+-(?P<wide>[\d.]+) ?% overall", None),
+        (r"\+-3 % / \+-(?P<wide>[\d.]+) ?%", None),
+        (r"(?:\+-|extreme of 33 runs: \+-)([\d.]+) ?%", lambda x: abs(value) * x / 100),
+        (r"\+-([\d.]+)", lambda x: x),
+        (r"([\d.e-]+)$", lambda x: x),
+    ):
+        found = re.match(pattern, tolerance)
+        if found and value is not None:
+            half = abs(value) * float(found["wide"]) / 100 if take is None else take(float(found[1]))
+            return value - half, value + half
+    if value is not None and re.search(r"factor 2", tolerance):
+        return value / 2, value * 2
+    if value is not None and re.search(r"<= ?3 %", tolerance):
+        return None, value
+    at_most = re.match(r"<=([\d.]+)", tolerance)
+    if at_most:
+        return None, float(at_most[1])
+    at_least = re.match(r">([\d.]+)", tolerance)
+    if at_least:
+        return float(at_least[1]), None
+    return None, None
+
+
+def setting_of(row):
+    text = row.get("parameters") or row.get("settings") or ""
+    if text.count("=") > 5 or len(text) > 70:
+        keep = [part for part in text.split(";") if re.match(r"(method|l|mu_r|gamma|cv|gamma_L|powder)=", part)]
+        text = ";".join(keep)
+    return text.replace(";", "; ")
+
+
+def experiment_of(identity):
+    for name, pattern in EXPERIMENTS.items():
+        if re.fullmatch(pattern, identity):
+            return name
+    for name, pattern in FAMILIES.items():
+        if re.fullmatch(pattern, identity):
+            return name
+    return ""
+
+
+def row_of(row, source):
+    identity = row["id"]
+    tolerance = row.get("acceptance_tolerance") or row.get("tolerance") or ""
+    label, unit, published = row["quantity"], row["unit"], row["value"]
+    kind = "value"
+    low, high = limits(number(published), tolerance)
+    if NOT_A_TARGET.search(tolerance):
+        kind, low, high = "input", None, None
+    elif identity in CRITERIA:
+        kind = "trend"
+        label, unit, low, high = CRITERIA[identity]
+        published = "trend" if number(published) is None else published
+    elif row["kind"] == "qualitative" or (low is None and high is None):
+        kind = "trend"
+        label = LABELS.get(identity, label)
+    if number(published) is None and len(published) > 12:
+        published = "trend"
+    label = re.sub(r" before the final drop$", "", LABELS.get(identity, label))
+    text = lambda x: "" if x is None else f"{x:.10g}"
+    return [identity, source, row["experiment"], row.get("model", ""), setting_of(row), label,
+            "1" if unit in ("-", "") else unit, "trend" if published == "qualitative" else published, text(low),
+            text(high), kind, row["source"].replace(source + " ", ""), experiment_of(identity)]
+
+
+def main():
+    if len(sys.argv) != 2:
+        sys.exit(__doc__)
+    writer = csv.writer(sys.stdout, lineterminator="\n")
+    writer.writerow(["id", "source", "section", "model", "setting", "quantity", "unit", "published", "lower", "upper",
+                     "kind", "place", "experiment"])
+    for file, source in SOURCES:
+        with open(f"{sys.argv[1]}/targets-{file}.csv", newline="", encoding="utf-8") as table:
+            for row in csv.DictReader(table):
+                writer.writerow(row_of(row, source))
+
+
+main()

@@ -1,0 +1,135 @@
+// Published figures and the experiments that measure them: what stands in the tree fits together.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <set>
+
+#include "process/input/scene_error.h"
+#include "process/laboratory/published/fidelity.h"
+#include "process/laboratory/published/published_figure.h"
+#include "process/laboratory/published/scene_experiment.h"
+#include "process/scene/scene_text.h"
+#include "project_paths.h"
+#include "tests/support/temporary_folder.h"
+
+namespace diefill::process::laboratory {
+namespace {
+
+std::filesystem::path scenes() {
+  return std::filesystem::path(DIEFILL_SOURCE_DIR) / "sample_tools/laboratory";
+}
+
+std::vector<PublishedFigure> all_figures() {
+  return read_published_figures(scenes() / "published_figures.csv");
+}
+
+constexpr LabSize kSizes[] = {LabSize::coarse, LabSize::medium, LabSize::published};
+
+TEST(PublishedFigures, HaveOneIdEachAndLimitsInOrder) {
+  std::set<std::string> ids;
+  for (const auto& figure : all_figures()) {
+    EXPECT_TRUE(ids.insert(figure.id).second) << figure.id;
+    EXPECT_FALSE(figure.lower > figure.upper) << figure.id;
+    if (figure.kind == "value") {
+      EXPECT_TRUE(figure.lower == figure.lower || figure.upper == figure.upper) << figure.id;
+    }
+  }
+  EXPECT_EQ(ids.size(), 374U);
+}
+
+TEST(PublishedFigures, OfAnExperimentAreAllMeasuredByIt) {
+  const auto figures = all_figures();
+  for (const auto& experiment : scene_experiments()) {
+    LabSetting setting;
+    setting.scenes = scenes();
+    std::set<std::string> measured;
+    for (const auto& quantity : experiment.plan(setting).quantities) measured.insert(quantity.id);
+    int count = 0;
+    for (const auto& figure : figures) {
+      if (figure.experiment != experiment.name) continue;
+      ++count;
+      EXPECT_TRUE(measured.contains(figure.id)) << experiment.name << " does not measure " << figure.id;
+    }
+    EXPECT_EQ(count > 0, experiment.name != "powder_sheet") << experiment.name;
+  }
+}
+
+TEST(SceneExperiments, EveryRunIsAValidSceneAtEverySize) {
+  for (const auto& experiment : scene_experiments())
+    for (const LabSize size : kSizes) {
+      LabSetting setting;
+      setting.size = size;
+      setting.scenes = scenes();
+      const LabPlan plan = experiment.plan(setting);
+      std::set<std::string> names;
+      for (const auto& run : plan.runs) {
+        EXPECT_TRUE(names.insert(run.name).second) << run.name;
+        const auto file = setting.scenes / run.scene;
+        EXPECT_NO_THROW(changed_scene(load_scene_text(file), file, run.changes))
+            << experiment.name << ", " << name_of(size) << ", " << run.name;
+      }
+      for (const auto& quantity : plan.quantities)
+        for (const auto& run : quantity.runs) EXPECT_TRUE(names.contains(run)) << quantity.id << ": " << run;
+    }
+}
+
+TEST(SceneExperiments, TakeAPowderOfTheUsersOwn) {
+  const support::TemporaryFolder folder;
+  const auto file = folder.write("mine.toml", "[powder]\npreset = \"ASC100.29 A2\"\nfriction = 0.37\n");
+  LabSetting setting;
+  setting.scenes = scenes();
+  setting.powder = file;
+  for (const char* name : {"shoe_discharge", "angle_of_repose", "mean_fractions", "fill_height"}) {
+    const auto& all = scene_experiments();
+    const auto one =
+        std::find_if(all.begin(), all.end(), [&](const auto& experiment) { return experiment.name == name; });
+    ASSERT_NE(one, all.end());
+    const LabPlan plan = one->plan(setting);
+    const auto scene_file = setting.scenes / plan.runs.front().scene;
+    const Scene scene = changed_scene(load_scene_text(scene_file), scene_file, plan.runs.front().changes);
+    EXPECT_EQ(scene.powder.model, GrainModel::A) << name;
+    EXPECT_DOUBLE_EQ(scene.powder.friction, 0.37) << name;
+    EXPECT_NEAR(scene.powder.grain_diameter, 1.2e-3, 1e-9) << name;  // four times its own
+  }
+}
+
+TEST(PublishedFigures, AWrongLineIsNamed) {
+  const support::TemporaryFolder folder;
+  const auto file = folder.write("figures.csv", "id\nN01,too,few\n");
+  try {
+    read_published_figures(file);
+    FAIL() << "a line of three fields was taken";
+  } catch (const SceneError& error) {
+    EXPECT_NE(std::string(error.what()).find("figures.csv:2: found 3 fields"), std::string::npos)
+        << error.what();
+  }
+}
+
+TEST(Fidelity, HasARowForEveryFigureAndSaysWhyThereIsNoValue) {
+  PublishedFigure met, unbuilt, cut;
+  met.id = "N01", met.experiment = "mean_fractions", met.published = "0.59", met.lower = 0.575,
+  met.upper = 0.605, met.kind = "value", met.unit = "1";
+  unbuilt = met;
+  unbuilt.id = "X99", unbuilt.experiment = "";
+  cut = met;
+  cut.id = "N02";
+  results::LabTable coarse, medium;
+  coarse.size = "coarse", medium.size = "medium";
+  results::LabRow row;
+  row.id = "N01", row.values = {0.58, 0.6}, row.verdict = "met";
+  coarse.rows.push_back(row);
+  row.id = "N02", row.values.clear(), row.verdict = "no value",
+  row.reason = "1 of 1 runs cut off by the budget";
+  coarse.rows.push_back(row);
+  row.id = "N01", row.values = {}, row.reason = "1 of 2 runs cut off by the budget";
+  medium.rows.push_back(row);
+  const std::string page =
+      fidelity_page({met, unbuilt, cut}, {coarse, medium}, {{"N01", "Tried: another lattice"}});
+  EXPECT_NE(page.find("| N01 |  | 0.59 (0.575 to 0.605) | 0.59 +- 0.014 | met |"), std::string::npos) << page;
+  EXPECT_NE(page.find("coarse, 2 seeds. Tried: another lattice"), std::string::npos) << page;
+  EXPECT_NE(page.find("| X99 |  | 0.59 (0.575 to 0.605) | - | not built |"), std::string::npos) << page;
+  EXPECT_NE(page.find("no value | - | 0 | 1 of 1 runs cut off by the budget"), std::string::npos) << page;
+}
+
+}  // namespace
+}  // namespace diefill::process::laboratory
