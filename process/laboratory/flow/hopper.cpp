@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kFinest = 4.704e-4;  // m, d of the source's set-ups
 constexpr double kConstant = 1.8e-3;  // m, B of the incompressible model (Bierwisch 2009, section 5.1.2)
-constexpr double kPeakShare = 0.95;   // n_peak over the largest solid fraction (Bierwisch 2009, section 5.1.3)
+constexpr double kPeakShare = 0.95;  // n_peak over the largest solid fraction (Bierwisch 2009, section 5.1.3)
 
 /// Table 5.1 (Bierwisch 2009) with grains enlarged by `factor`. Slits are wider by 1.4 times what the grains
 /// have grown by (section 3.2.2), so that their effective width is the source's; depths grow with the grains.
@@ -127,8 +127,7 @@ void compare_hopper(const ExperimentOptions& options, results::ExperimentResult&
   const double scale = speed_scale(all[0], factor);
   const auto points = local_lengths(fields[0], 0.1 * scale);
   const auto length = fitted(points, fields[0].bulk_fraction);
-  const auto incompressible =
-      solve_for(fields[0], all[0].slit, continuum::constant_length(kConstant), false);
+  const auto incompressible = solve_for(fields[0], all[0].slit, continuum::constant_length(kConstant), false);
   const auto compressible = solve_for(fields[0], all[0].slit, length, true);
   add_limits(all[0], fields[0], scale, length, result);
   add_model_errors(fields[0], all[0].slit, incompressible, compressible, result);

@@ -106,10 +106,9 @@ void add_profile_charts(const HopperFields& fields, double slit, const HopperMod
       chart.note = "KM: B = 1.8 mm. CKM: B of the solid fraction as fitted, fractions of the DEM.";
       chart.x = {.label = "x [mm]"};
       chart.y = {.label = upright ? "v_z [m/s]" : "v_x [m/s]"};
-      chart.series = {
-          measured_row("DEM", fields, upright ? fields.vertical : fields.horizontal, z, 1e-3, 1),
-          predicted_row("kinematic model", *models.incompressible, upright, z),
-          predicted_row("compressible kinematic model", *models.compressible, upright, z)};
+      chart.series = {measured_row("DEM", fields, upright ? fields.vertical : fields.horizontal, z, 1e-3, 1),
+                      predicted_row("kinematic model", *models.incompressible, upright, z),
+                      predicted_row("compressible kinematic model", *models.compressible, upright, z)};
       charts.push_back(chart);
     }
 }
@@ -121,7 +120,8 @@ void add_scaling_charts(const std::vector<HopperSetup>& setups, const std::vecto
     for (const double height : {0.25, 0.5, 1.0}) {
       ExperimentChart chart;
       chart.name = text("hopper_scaling_v%s_%.2f", upright ? "z" : "x", height);
-      chart.title = text("%s velocity over sqrt(gD) at z = %.2f D", upright ? "Vertical" : "Horizontal", height);
+      chart.title =
+          text("%s velocity over sqrt(gD) at z = %.2f D", upright ? "Vertical" : "Horizontal", height);
       chart.subtitle = "five set-ups (Bierwisch 2009, Table 5.1)";
       chart.note = "D: effective width in the velocity, the slit itself in lengths";
       chart.x = {.label = "x / D", .lower = -2, .upper = 2};

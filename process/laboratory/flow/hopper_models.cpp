@@ -10,9 +10,8 @@ std::vector<continuum::LengthPoint> local_lengths(const HopperFields& fields, do
   const auto& grid = fields.grid;
   for (int row = 1; row <= grid.rows; ++row)
     for (int c = 1; c + 1 < grid.columns; ++c) {
-      const double slope =
-          (fields.at(fields.vertical, c + 1, row) - fields.at(fields.vertical, c - 1, row)) /
-          (2 * grid.spacing_x());
+      const double slope = (fields.at(fields.vertical, c + 1, row) - fields.at(fields.vertical, c - 1, row)) /
+                           (2 * grid.spacing_x());
       const double speed = fields.at(fields.horizontal, c, row);
       const double fraction = fields.at(fields.fraction, c, row);
       if (!(std::abs(speed) > least) || !std::isfinite(slope) || !std::isfinite(fraction)) continue;

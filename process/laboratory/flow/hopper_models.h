@@ -20,8 +20,8 @@ struct LengthClass {
 };
 std::vector<LengthClass> in_classes(const std::vector<continuum::LengthPoint>& points, int classes);
 
-/// Velocities of the model with the fields' own profile in a slit so wide (m), 0 beside it; with a length that depends on the solid
-/// fraction also with the fields' fractions (gaps closed with the bulk's).
+/// Velocities of the model with the fields' own profile in a slit so wide (m), 0 beside it; with a length
+/// that depends on the solid fraction also with the fields' fractions (gaps closed with the bulk's).
 continuum::HopperFlow solve_for(const HopperFields& fields, double slit,
                                 const continuum::DiffusionLength& length, bool compressible);
 

@@ -16,16 +16,16 @@ namespace diefill::process::laboratory {
 
 namespace {
 
-constexpr double kWallRadius = 1.5e-4;      // m, R_w (Bierwisch 2009, Table C.5)
-constexpr double kWallSpacing = 2.4;        // over R_w; coarse grains do with less than 1.6
-constexpr double kBelow = -20e-3;           // m, below which grains are taken out
-constexpr double kGateSpeed = 5;            // m/s, at which the gate falls: far ahead of the powder
-constexpr double kBurn = 0.1;               // s of flow on Earth before fields are taken
-constexpr double kInterval = 5e-4;          // s between samples of velocity
-constexpr int kFractionEvery = 4;           // samples to one of the solid fraction
-constexpr double kGridSpacing = 5e-4;       // m
-constexpr double kMeasuredHeight = 50e-3;   // m, of the grid
-constexpr double kLongestSettling = 5;      // s
+constexpr double kWallRadius = 1.5e-4;     // m, R_w (Bierwisch 2009, Table C.5)
+constexpr double kWallSpacing = 2.4;       // over R_w; coarse grains do with less than 1.6
+constexpr double kBelow = -20e-3;          // m, below which grains are taken out
+constexpr double kGateSpeed = 5;           // m/s, at which the gate falls: far ahead of the powder
+constexpr double kBurn = 0.1;              // s of flow on Earth before fields are taken
+constexpr double kInterval = 5e-4;         // s between samples of velocity
+constexpr int kFractionEvery = 4;          // samples to one of the solid fraction
+constexpr double kGridSpacing = 5e-4;      // m
+constexpr double kMeasuredHeight = 50e-3;  // m, of the grid
+constexpr double kLongestSettling = 5;     // s
 
 Scene scene_of(const HopperSetup& setup) {
   Scene scene;

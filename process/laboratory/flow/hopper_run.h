@@ -27,15 +27,15 @@ struct HopperSetup {
   int threads = 1;
 };
 
-/// Means over time, of the grains alone (Eq. 2.27 with v or the solid fraction of their cells), on the columns
-/// and levels of the grid; NaN where there was no grain. Symmetrical about x = 0: both halves count.
+/// Means over time, of the grains alone (Eq. 2.27 with v or the solid fraction of their cells), on the
+/// columns and levels of the grid; NaN where there was no grain. Symmetrical about x = 0: both halves count.
 struct HopperFields {
   continuum::HopperGrid grid;
   std::vector<double> vertical, horizontal;  ///< m/s, (rows + 1) x columns
   std::vector<double> fraction;              ///< the same size
-  double outflow = 0;                        ///< m^2/s of bulk powder while fields were taken, over the period
-  double bulk_fraction = 0;                  ///< of the settled powder
-  double flowing_seconds = 0;                ///< s, that fields were taken for
+  double outflow = 0;          ///< m^2/s of bulk powder while fields were taken, over the period
+  double bulk_fraction = 0;    ///< of the settled powder
+  double flowing_seconds = 0;  ///< s, that fields were taken for
   std::size_t samples = 0, grains = 0;
   /// s since the opening, and m^2 of bulk powder over the period that has passed z = 0 by then.
   std::vector<double> time, discharged;
