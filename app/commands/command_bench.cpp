@@ -16,6 +16,7 @@
 #include "process/input/scene_error.h"
 #include "process/input/units.h"
 #include "process/laboratory/race_bed.h"
+#include "process/laboratory/race_law.h"
 #include "process/setup/predicted_work.h"
 
 namespace diefill::app {
@@ -27,7 +28,7 @@ using process::laboratory::read_race_bed;
 using process::laboratory::side_by_side;
 
 struct BenchOptions {
-  std::string bed;
+  std::string bed, law = "bierwisch";
   std::optional<std::string> state, trace;
   double width = 0;  ///< mm, of the box that `state` fills; 0: that of its kind
   int threads = 1, steps = 600, copies = 1, every = 100;
@@ -126,8 +127,8 @@ void refuse_endless(const BenchOptions& options, RaceBed kind, std::size_t grain
                               process::number_text(process::kMostSphereSteps) + "; use fewer (--steps)");
 }
 
-/// The bed that the options ask for.
-process::laboratory::RaceBedState wanted_bed(const BenchOptions& options) {
+/// The grains that the options ask for.
+process::laboratory::RaceBedState wanted_grains(const BenchOptions& options) {
   const RaceBed kind = options.bed == "spheres" ? RaceBed::spheres : RaceBed::clumps;
   if (!options.state) {
     refuse_endless(options, kind, 0);
@@ -136,6 +137,13 @@ process::laboratory::RaceBedState wanted_bed(const BenchOptions& options) {
   const auto bed = read_race_bed(kind, *options.state, 1e-3 * options.width);
   refuse_endless(options, kind, bed.grains.size());
   return side_by_side(bed, options.copies);
+}
+
+/// The bed that the options ask for.
+process::laboratory::RaceBedState wanted_bed(const BenchOptions& options) {
+  auto bed = wanted_grains(options);
+  process::laboratory::set_race_law(bed, options.law);
+  return bed;
 }
 
 int bench(const BenchOptions& options) {
@@ -165,6 +173,9 @@ void add_bench(CLI::App& program, Action& chosen) {
   command->add_option("BED", options->bed, "spheres or clumps (model D)")
       ->required()
       ->check(CLI::IsMember({"spheres", "clumps"}));
+  command->add_option("--law", options->law, "contact law: the tuned one, or one composed of parts")
+      ->check(CLI::IsMember(process::laboratory::race_laws()))
+      ->capture_default_str();
   command
       ->add_option("--state", options->state,
                    "settled bed to start from (CSV, plain or gzip; default: generate one)")
@@ -188,7 +199,7 @@ void add_bench(CLI::App& program, Action& chosen) {
   command->add_option("--steps", options->steps, "steps to time")->check(CLI::Range(1, 100000000));
   command->add_flag("--json", options->json, "print JSON");
   command->footer(
-      "Examples:\n  diefill bench clumps\n  diefill bench spheres --threads 2 --steps 2000 --json\n"
+      "Examples:\n  diefill bench clumps\n  diefill bench spheres --law hertz-mindlin --threads 2 --json\n"
       "Timings are noisy: compare only figures measured alternately in one session.");
   command->callback([options, &chosen] { chosen = [options] { return bench(*options); }; });
 }

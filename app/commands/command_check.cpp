@@ -10,6 +10,7 @@
 #include "app/pictures/drawing.h"
 #include "app/tables/check_report.h"
 #include "app/tables/estimate_report.h"
+#include "engine/observe/powder_figures.h"
 #include "process/powder/law_terms.h"
 #include "process/powder/material.h"
 #include "process/powder/powder_mixture.h"
@@ -101,8 +102,13 @@ Predicted placed(const process::Scene& scene, const process::Tooling& tooling) {
   options.show_progress = false;
   const process::FillRun run(scene, tooling, options);
   const auto& simulation = run.simulation();
-  return {simulation.grains().size(), simulation.settings(), run.critical_time_step(),
-          run.schedule().time_left(0, 0), run.warnings()};
+  return {simulation.grains().size(), engine::sphere_count(simulation), simulation.settings(),
+          run.critical_time_step(),   run.schedule().time_left(0, 0),   run.warnings()};
+}
+
+std::size_t spheres_to_pour(const process::Scene& scene) {
+  return static_cast<std::size_t>(static_cast<double>(process::grains_to_pour(scene)) *
+                                  process::mean_of_poured(scene).spheres);
 }
 
 /// The same of so many grains that to place them would take a gigabyte.
@@ -111,6 +117,7 @@ Predicted counted(const process::Scene& scene, const process::Tooling& tooling) 
   Predicted predicted;
   predicted.settings = process::engine_settings(scene, impact);
   predicted.grains = process::grains_to_pour(scene);
+  predicted.spheres = spheres_to_pour(scene);
   predicted.critical_step = process::critical_time_step(predicted.settings, impact);
   for (const auto& state : process::predicted(process::Stages(scene), 0))
     predicted.seconds = std::max(predicted.seconds, state.ended);
@@ -121,11 +128,8 @@ Predicted counted(const process::Scene& scene, const process::Tooling& tooling) 
 }
 
 Predicted predicted_of(const process::Scene& scene, const process::Tooling& tooling) {
-  constexpr double kMostPlaced = 1e6;  // spheres
-  const double spheres =
-      static_cast<double>(process::grains_to_pour(scene)) * process::mean_of_poured(scene).spheres;
-  const bool few = spheres <= kMostPlaced;
-  return few ? placed(scene, tooling) : counted(scene, tooling);
+  constexpr std::size_t kMostPlaced = 1000000;  // spheres
+  return spheres_to_pour(scene) <= kMostPlaced ? placed(scene, tooling) : counted(scene, tooling);
 }
 
 nlohmann::ordered_json as_json(const Predicted& predicted) {

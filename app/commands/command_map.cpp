@@ -273,7 +273,7 @@ void add_look_options(CLI::App& command, MapArguments& arguments) {
           "limits of the colour scale, such as 0.3 0.42; for a difference, the second applies to both sides")
       ->expected(2);
   command.add_option("--colour-by", arguments.colour_by, "colour of grains in views and frames")
-      ->check(CLI::IsMember({"solid-fraction", "speed", "layer", "coordination", "diameter"}))
+      ->check(CLI::IsMember({"solid-fraction", "speed", "layer", "coordination", "diameter", "powder"}))
       ->capture_default_str();
   command.add_option("--tools", arguments.tools, "tools in views and frames")
       ->check(CLI::IsMember({"cut", "translucent", "hidden"}))

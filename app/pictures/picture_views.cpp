@@ -4,9 +4,11 @@
 #include <cstdio>
 #include <cstdlib>
 #include <limits>
+#include <set>
 #include <stdexcept>
 
 #include "app/pictures/picture_files.h"
+#include "process/input/scene_error.h"
 #include "process/measure/coordination.h"
 #include "process/measure/earlier_instant.h"
 #include "render/scene3d/snapshot.h"
@@ -33,6 +35,24 @@ std::vector<double> origin_layers(const results::FillResult& result, const resul
   return values;
 }
 
+/// The powder of every grain as a number, and what the numbers mean.
+void colour_by_powder(render::ViewOptions& options, const results::PowderState& powder) {
+  const std::vector<std::string>& names = powder.kinds.material;
+  const std::set<std::string> different(names.begin(), names.end());
+  if (different.size() < 2)
+    throw process::SceneError(
+        "--colour-by powder: the result holds one powder only; choose another colour, such as diameter");
+  const std::vector<std::string> sorted(different.begin(), different.end());
+  std::vector<double> numbers;  // of kinds
+  for (const auto& name : names) {
+    const auto place = std::lower_bound(sorted.begin(), sorted.end(), name);
+    numbers.push_back(static_cast<double>(1 + (place - sorted.begin())));
+  }
+  for (std::size_t n = 0; n < sorted.size(); ++n)
+    options.quantity += (n == 0 ? "powder: " : ", ") + std::to_string(n + 1) + " " + sorted[n];
+  for (const auto kind : powder.kind) options.values.push_back(numbers[kind]);
+}
+
 /// Colours of `result`, which is `whole` at some instant.
 void colour(render::ViewOptions& options, const std::string& by, const results::FillResult& result,
             const results::FillResult& whole) {
@@ -43,6 +63,9 @@ void colour(render::ViewOptions& options, const std::string& by, const results::
     options.quantity = "speed";
     options.unit = "m/s";
     for (const auto& velocity : result.powder.velocity) options.values.push_back(velocity.norm());
+  } else if (by == "powder") {
+    options.quantity.clear();
+    colour_by_powder(options, result.powder);
   } else if (by == "diameter") {
     options.quantity = "grain diameter";
     options.unit = "mm";

@@ -72,14 +72,14 @@ class GrainLoop final : public PairLoop {
         batch.template write_history<kWide>(history);
         batches.add(batch);
       });
-      if constexpr (!Pairs::kAlike)
+      if constexpr (!Pairs::kMonodisperse)
         batches.add_over_radius(batch, [&](std::size_t lane) { return smaller_radius(batch.classes[lane]); });
     }
     table.keep(remembered);
     batches.book(scene.time_step, tally);
     tally.overlap.grains = std::max(tally.overlap.grains, batches.deepest());
     const double over_radius =
-        Pairs::kAlike ? batches.deepest() / smaller_radius(0) : batches.deepest_over_radius();
+        Pairs::kMonodisperse ? batches.deepest() / smaller_radius(0) : batches.deepest_over_radius();
     tally.overlap.grains_over_radius = std::max(tally.overlap.grains_over_radius, over_radius);
   }
 
@@ -141,20 +141,20 @@ class GrainLoop final : public PairLoop {
   /// Whether the reaction on j is not the one on i with other signs.
   static constexpr bool kOtherDiffers =
       kTurns && (kClumps ? Lever<kArm>::kOtherDiffers : static_cast<bool>(Law::kRolls));
-  static_assert(Pairs::kAlike || Law::kRolls, "unequal radii need the relative spin of a pair");
+  static_assert(Pairs::kMonodisperse || Law::kRolls, "unequal radii need the relative spin of a pair");
 
   static std::uint32_t pair_classes(const Batch& batch, std::size_t lane) {
-    return Pairs::kAlike ? 0 : batch.classes[lane];
+    return Pairs::kMonodisperse ? 0 : batch.classes[lane];
   }
   /// m, of the pair's two spheres.
   double smaller_radius(std::uint32_t kinds) const {
     const PairReach reach = pairs_.of(kinds).reach;
-    return Pairs::kAlike ? reach.radius : std::min(reach.radius, reach.contact - reach.radius);
+    return Pairs::kMonodisperse ? reach.radius : std::min(reach.radius, reach.contact - reach.radius);
   }
 
   void react_all(Batch& batch, InstructionSet instructions, double time_step) const {
     if constexpr (kClumps) bring_velocities_to_centres(batch);
-    react<kArm, kClumps, !Pairs::kAlike>(
+    react<kArm, kClumps, !Pairs::kMonodisperse>(
         batch, [&](std::size_t lane) { return pairs_.of(pair_classes(batch, lane)); }, instructions,
         time_step);
   }
@@ -191,7 +191,7 @@ class GrainLoop final : public PairLoop {
     measure<kWide>(spheres, near, how_many, square);
     std::uint8_t last[kTested] = {}, now[kTested] = {};
     std::copy_n(touches, std::size_t{how_many}, last);
-    if constexpr (Pairs::kAlike) {
+    if constexpr (Pairs::kMonodisperse) {
       const double reach_squared = pairs_.reach_squared(0);
       for (std::size_t k = 0; k < how_many; ++k) now[k] = square[k] < reach_squared;
     } else {
@@ -230,7 +230,7 @@ class GrainLoop final : public PairLoop {
   template <bool kWide>
   void pack(const Block& block, const LocalSpheres& spheres, Batch& batch) const {
     batch.fill_last_group();
-    if constexpr (!Pairs::kAlike)
+    if constexpr (!Pairs::kMonodisperse)
       for (std::size_t lane = 0; lane < whole_groups(batch.count); ++lane)
         batch.classes[lane] = pairs_.classes(block, batch.pair[lane].pair);
     batch.template spread_separations<kWide>(spheres);
@@ -245,7 +245,7 @@ class GrainLoop final : public PairLoop {
   /// the loads of the lanes have become torques already.
   double rolling_factor(Batch& batch) const {
     if constexpr (!kRolls) return 0;
-    if constexpr (Pairs::kAlike) return pairs_.of(0).law.rolling_friction;
+    if constexpr (Pairs::kMonodisperse) return pairs_.of(0).law.rolling_friction;
     for (std::size_t lane = 0; lane < whole_groups(batch.count); ++lane)
       batch.load[lane] *= pairs_.of(batch.classes[lane]).law.rolling_friction;
     return 1;

@@ -17,7 +17,7 @@ template <class LawType>
 class MonodispersePairs {
  public:
   using Law = LawType;
-  static constexpr bool kAlike = true;
+  static constexpr bool kMonodisperse = true;
 
   /// `radius`: m, of the spheres.
   MonodispersePairs(Law law, double radius) : law_(std::move(law)), reach_{2 * radius, radius} {}
@@ -42,7 +42,7 @@ class MonodispersePairs {
 class ClassPairs {
  public:
   using Law = laws::GeneralContactLaw;
-  static constexpr bool kAlike = false;
+  static constexpr bool kMonodisperse = false;
 
   /// Throws std::invalid_argument where a law makes no sense, or materials have none.
   ClassPairs(const ParticleTypes& types, const ContactLaws& contact);

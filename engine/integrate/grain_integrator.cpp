@@ -140,11 +140,11 @@ void kick_spin(GrainLanes& lanes, Vectors& moment, const Bodies& bodies, double 
 }  // namespace
 
 /// Grains of one type: the same in all lanes.
-struct GrainIntegrator::AlikeBodies {
+struct GrainIntegrator::EqualBodies {
   double mass_, drag_;
   Vector3 inertia_, weight_, turning_drag_;
 
-  explicit AlikeBodies(const Body& body)
+  explicit EqualBodies(const Body& body)
       : mass_(body.mass),
         drag_(body.drag),
         inertia_(body.inertia),
@@ -152,7 +152,7 @@ struct GrainIntegrator::AlikeBodies {
         turning_drag_(body.turning_drag) {}
   void load(const std::vector<Body>&, const Grains&, const GrainLanes&) {}
   /// A copy, so that loops can keep the numbers in registers.
-  AlikeBodies kept() const { return *this; }
+  EqualBodies kept() const { return *this; }
   double mass(std::size_t) const { return mass_; }
   double drag(std::size_t) const { return drag_; }
   Vector3 inertia(std::size_t) const { return inertia_; }
@@ -216,7 +216,7 @@ double GrainIntegrator::advance(Grains& grains, std::size_t begin, std::size_t e
                                 SphereField& spheres) const {
   if (single_) return single_->advance(grains, begin, end, drifted);
   if (bodies_.size() == 1) {
-    AlikeBodies bodies(bodies_.front());
+    EqualBodies bodies(bodies_.front());
     return advance_with(bodies, grains, begin, end, drifted, spheres);
   }
   BodyLanes bodies;
@@ -252,7 +252,7 @@ StepWork GrainIntegrator::finish(Grains& grains, std::size_t begin, std::size_t 
                                  const ContactSums& contacts, std::size_t first_sum) const {
   if (single_) return single_->finish(grains, begin, end, contacts, first_sum);
   if (bodies_.size() == 1) {
-    AlikeBodies bodies(bodies_.front());
+    EqualBodies bodies(bodies_.front());
     return finish_with(bodies, grains, begin, end, contacts, first_sum);
   }
   BodyLanes bodies;

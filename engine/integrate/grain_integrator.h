@@ -43,7 +43,7 @@ class GrainIntegrator {
     Vector3 weight;        ///< N
     Vector3 turning_drag;  ///< kg m^2/s, about the axes of the body frame
   };
-  struct AlikeBodies;
+  struct EqualBodies;
   struct BodyLanes;
 
   static Body body_of(const GrainShape& shape, const Eigen::Vector3d& gravity, double air_viscosity);

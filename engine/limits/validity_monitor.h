@@ -12,7 +12,7 @@ namespace diefill::engine {
 
 /// Limits of the method, each found by experiment (STABILITY.md). Between comfortable and forbidden a run
 /// goes on with a warning in its report.
-struct HealthLimits {
+struct ValidityLimits {
   double comfortable_overlap = 0.2;  ///< over the smaller sphere radius: Hertz' law is a small-overlap law
   double forbidden_overlap = 0.6;    ///< over the smaller sphere radius, among grains
   /// Over the sphere radius, with walls. A moving tool may wedge a coarse grain against an edge, where soft
@@ -34,7 +34,7 @@ struct HealthLimits {
 /// Watches one run.
 class ValidityMonitor {
  public:
-  explicit ValidityMonitor(const HealthLimits& limits = {}) : limits_(limits) {}
+  explicit ValidityMonitor(const ValidityLimits& limits = {}) : limits_(limits) {}
 
   /// Looks at the simulation as it is now; call every so many steps. Throws OutOfRange past a limit.
   void check(const Simulation& simulation);
@@ -51,7 +51,7 @@ class ValidityMonitor {
   void check_contacts(const Simulation& simulation);
   void warn_once(bool& warned, const std::string& warning);
 
-  HealthLimits limits_;
+  ValidityLimits limits_;
   bool warned_of_overlap_ = false, warned_of_pinch_ = false, warned_of_energy_ = false,
        warned_of_speed_ = false, warned_of_contacts_ = false;
   std::vector<std::string> warnings_;

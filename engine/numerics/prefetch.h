@@ -11,10 +11,10 @@ namespace diefill::engine {
 
 /// Bytes of an array between what is processed and what is requested, for arrays processed from one end to
 /// the other: most of a page.
-inline constexpr std::size_t kLookAhead = 3072;
+inline constexpr std::size_t kPrefetchDistance = 3072;
 /// The same in entries of the array.
 template <class Value>
-inline constexpr std::size_t kEntriesAhead = kLookAhead / sizeof(Value);
+inline constexpr std::size_t kEntriesAhead = kPrefetchDistance / sizeof(Value);
 
 /// Requests the entries [first, first + kCount) of `values`, as far as they exist.
 template <std::size_t kCount, class Value>
@@ -25,8 +25,8 @@ template <std::size_t kCount, class Value>
   for (std::size_t at = 0; at < kCount * sizeof(Value); at += kCacheLine) __builtin_prefetch(from + at);
 }
 
-/// While the entries [first, first + kCount) of each of `arrays` are processed: requests those kLookAhead
-/// behind them.
+/// While the entries [first, first + kCount) of each of `arrays` are processed: requests those
+/// kPrefetchDistance behind them.
 template <std::size_t kCount, class... Values>
 [[gnu::always_inline]] inline void prefetch(std::size_t first, const std::vector<Values>&... arrays) {
   (look_at<kCount>(arrays, first + kEntriesAhead<Values>), ...);

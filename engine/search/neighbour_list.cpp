@@ -140,7 +140,7 @@ void NeighbourList::number_spheres(Block& block, const SphereField& spheres) con
   block.seen.shrink_to_fit();
 }
 
-template <bool kAlike>
+template <bool kMonodisperse>
 void NeighbourList::find_grain_pairs(Block& block, const SphereField& spheres, const ListReference& reference,
                                      const ContactHistory& history, SearchWorkspace& workspace) const {
   struct Found {
@@ -152,11 +152,11 @@ void NeighbourList::find_grain_pairs(Block& block, const SphereField& spheres, c
   std::vector<Found> found;
   block.partners.clear();
   for (std::uint32_t i = first; i < end; ++i) {
-    if (!kAlike && !spheres.exists(i)) continue;
+    if (!kMonodisperse && !spheres.exists(i)) continue;
     const Vector3 here = spheres.position(i);
     const std::uint32_t grain = i / per_grain;
     const std::uint8_t swift = reference.doublings[grain];
-    const double radius = settings_.sphere_radii[kAlike ? 0 : spheres.class_of(i)];
+    const double radius = settings_.sphere_radii[kMonodisperse ? 0 : spheres.class_of(i)];
     for (const SizeLevel& level : levels_) {
       const double touching = radius + level.largest + settings_.law_range;
       const double farthest = touching + 2 * reference.allowance(grain);
@@ -167,7 +167,8 @@ void NeighbourList::find_grain_pairs(Block& block, const SphereField& spheres, c
         const std::uint8_t other_swift = reference.doublings[other];
         if (other_swift > swift || (other_swift == swift && other <= grain) || other == grain) return;
         const double touching_now =
-            kAlike ? touching : radius + settings_.sphere_radii[spheres.class_of(j)] + settings_.law_range;
+            kMonodisperse ? touching
+                          : radius + settings_.sphere_radii[spheres.class_of(j)] + settings_.law_range;
         const double reach = touching_now + reference.allowance(grain) + reference.allowance(other);
         if (near.square >= reach * reach) return;
         found.push_back({i, j});

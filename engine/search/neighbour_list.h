@@ -87,7 +87,7 @@ class NeighbourList {
 
  private:
   /// Spheres of similar size in cells that suit them: in cells for the largest, many small ones would have to
-  /// be passed by. Where all grains are alike there is one.
+  /// be passed by. Where all grains are of one size there is one.
   struct SizeLevel {
     double largest = 0;  ///< m, sphere radius
     SphereCells cells;
@@ -96,7 +96,7 @@ class NeighbourList {
   bool one_class() const { return settings_.sphere_radii.size() == 1; }
   void sort_into_cells(const SphereField& spheres, double skin, ThreadPool& pool);
   void cut_into_blocks(std::size_t begin, std::size_t end, std::size_t grains_per_block);
-  template <bool kAlike>
+  template <bool kMonodisperse>
   void find_grain_pairs(Block& block, const SphereField& spheres, const ListReference& reference,
                         const ContactHistory& history, SearchWorkspace& workspace) const;
   void find_wall_pairs(Block& block, const SphereField& spheres, const std::vector<WallBody>& bodies,

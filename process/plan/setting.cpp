@@ -137,6 +137,28 @@ void replace(toml::table& document, const std::string& table, const std::string&
   replace_in(*document[table].as_table(), table, key, value, said);
 }
 
+/// In the key where powders of their kind have it.
+void set_grain_size(toml::table& powder, const std::string& name, double millimetres,
+                    std::vector<std::string>& said) {
+  const std::string text = line("%.4g mm", millimetres);
+  if (toml::table* sizes = powder["sizes"].as_table())
+    replace_in(*sizes, name + ".sizes", "mean_size", text, said);
+  else
+    replace_in(powder, name, "grain_diameter", text, said);
+}
+
+/// All powders become coarser by the same factor, so that their grains keep their ratios of size.
+void set_sizes_of_others(toml::table& document, const Scene& scene, double factor,
+                         std::vector<std::string>& said) {
+  toml::array* others = document["other_powder"].as_array();
+  if (others == nullptr) return;
+  for (std::size_t k = 0; k < others->size(); ++k) {
+    const PowderSpec& powder = scene.other_powders[k].powder;
+    set_grain_size(*others->get(k)->as_table(), "other_powder." + powder.label,
+                   rounded_down(1e3 * factor * powder.grain_diameter * printed_over_exact(powder)), said);
+  }
+}
+
 }  // namespace
 
 double calibrated_diameter(const PowderSpec& powder) {
@@ -167,11 +189,9 @@ Scene with_numbers(const Scene& scene, const SettingNumbers& numbers, const std:
   std::vector<std::string> said = {origin};
   document.erase("setting");
   const double millimetres = rounded_down(1e3 * numbers.grain_diameter * printed_over_exact(scene.powder));
-  toml::table* sizes = document["powder"]["sizes"].as_table();
-  if (sizes)
-    replace_in(*sizes, "powder.sizes", "mean_size", line("%.4g mm", millimetres), said);
-  else
-    replace(document, "powder", "grain_diameter", line("%.4g mm", millimetres), said);
+  if (!document.contains("powder")) document.insert("powder", toml::table{});
+  set_grain_size(*document["powder"].as_table(), "powder", millimetres, said);
+  set_sizes_of_others(document, scene, numbers.grain_diameter / scene.powder.grain_diameter, said);
   if (document.contains("numerics"))
     for (const char* key : {"time_step", "time_step_fraction"}) document["numerics"].as_table()->erase(key);
   if (numbers.time_step)

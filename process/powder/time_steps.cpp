@@ -34,7 +34,7 @@ std::vector<engine::WallSurface> surfaces_of(const engine::SimulationSettings& s
 }
 
 /// Over the sphere radius: how deep a grain is wedged before it is taken out, with what it is pressed further
-/// until that is seen, or before the run stops (engine::HealthLimits).
+/// until that is seen, or before the run stops (engine::ValidityLimits).
 double deepest_wedging(const Scene& scene) {
   constexpr double kUntilSeen = 0.05;
   return scene.numerics.pinched_grains == PinchedGrains::shear_off ? kShearingOverlap + kUntilSeen : 1.0;

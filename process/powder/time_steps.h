@@ -7,8 +7,8 @@
 namespace diefill::process {
 
 /// Overlap over the sphere radius beyond which a grain between moving tools is sheared off
-/// (NumericsSpec::pinched_grains): past all that free powder reaches, and short of engine::HealthLimits. Time
-/// steps are chosen so that few are to be sheared off sooner, as the step does not carry them
+/// (NumericsSpec::pinched_grains): past all that free powder reaches, and short of engine::ValidityLimits.
+/// Time steps are chosen so that few are to be sheared off sooner, as the step does not carry them
 /// (engine::pinched_grains()).
 inline constexpr double kShearingOverlap = 0.45;
 

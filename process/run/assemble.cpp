@@ -166,9 +166,9 @@ void add_figures(const Scene& scene, results::FillResult& result, const Tooling&
   figures["grains_sheared"] = copies(tooling) * static_cast<double>(run.grains_sheared());
   figures["grains_left_share"] = left > 0 ? left / (left + grains + figures["grains_sheared"]) : 0;
   figures["mass_left_kg"] = copies(tooling) * run.mass_left();
-  figures["overlap_limit_ratio"] = engine::HealthLimits{}.forbidden_overlap;
-  figures["wall_overlap_limit_ratio"] = engine::HealthLimits{}.forbidden_wall_overlap;
-  figures["energy_error_limit"] = engine::HealthLimits{}.energy_error;
+  figures["overlap_limit_ratio"] = engine::ValidityLimits{}.forbidden_overlap;
+  figures["wall_overlap_limit_ratio"] = engine::ValidityLimits{}.forbidden_wall_overlap;
+  figures["energy_error_limit"] = engine::ValidityLimits{}.energy_error;
   figures["grain_diameter_m"] = result.powder.grain_diameter;
   if (!monodisperse) {
     figures["smallest_grain_diameter_m"] = smallest_grain(scene);

@@ -32,7 +32,7 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 // Duties fall on multiples of these steps, so that a restart does them when the unbroken run does.
-constexpr std::uint64_t kScheduleEvery = 20, kSpillEvery = 100, kFeedEvery = 100, kHealthEvery = 200,
+constexpr std::uint64_t kScheduleEvery = 20, kSpillEvery = 100, kFeedEvery = 100, kValidityCheckEvery = 200,
                         kPinchEvery = 10, kLostEvery = 200, kForcedEvery = 100;
 /// Grains that may be sheared off however few there are.
 constexpr double kFewSheared = 3;
@@ -105,7 +105,7 @@ void FillRun::run() {
 void FillRun::duties() {
   const std::uint64_t step = simulation_->steps();
   if (step % kPinchEvery == 0) shear_off_pinched_grains();
-  if (step % kHealthEvery == 0) monitor_.check(*simulation_);
+  if (step % kValidityCheckEvery == 0) monitor_.check(*simulation_);
   if (step % kLostEvery == 0) look_for_lost_grains();
   if (step % kSpillEvery == 0) let_spilled_grains_go();
   if (scene_.measure.snapshot_interval > 0) keep_instant();

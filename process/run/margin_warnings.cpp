@@ -9,7 +9,7 @@ namespace diefill::process {
 
 std::vector<std::string> margin_warnings(const results::FillResult& result) {
   auto lines = results::exceeded_text(result);
-  const engine::HealthLimits limits;
+  const engine::ValidityLimits limits;
   const auto error = result.figures.find("energy_balance_error");
   if (error == result.figures.end()) return lines;
   const double lost = -error->second;

@@ -134,7 +134,7 @@ void narrow_slot(benchmark::State& state) {
 
 /// One look at the valid range; a run takes one in 200 steps. Over model_d_bed on one thread, times 200: its
 /// share.
-void health_check(benchmark::State& state) {
+void validity_check(benchmark::State& state) {
   const Simulation simulation = fallen_bed(model_d(7.84e-5, 7.63e-8), 12, 12, 1);
   ValidityMonitor monitor;
   for (auto _ : state) monitor.check(simulation);
@@ -143,7 +143,7 @@ void health_check(benchmark::State& state) {
 BENCHMARK(model_a_bed)->Arg(1)->Arg(2)->UseRealTime()->Unit(benchmark::kMillisecond);
 BENCHMARK(model_d_bed)->Arg(1)->Arg(2)->UseRealTime()->Unit(benchmark::kMillisecond);
 BENCHMARK(narrow_slot)->Unit(benchmark::kMillisecond);
-BENCHMARK(health_check)->Unit(benchmark::kMillisecond);
+BENCHMARK(validity_check)->Unit(benchmark::kMillisecond);
 BENCHMARK(bed_with_far_wall_spheres)->Arg(0)->Arg(290000)->Unit(benchmark::kMillisecond);
 
 }  // namespace

@@ -94,4 +94,14 @@ inline Eigen::Vector3d angular_momentum_of_mix(const Simulation& simulation) {
   return sum;
 }
 
+/// Steps on and returns the most pairs that touched at a time.
+inline std::uint64_t most_touching(Simulation& simulation, int steps) {
+  std::uint64_t most = 0;
+  for (int k = 0; k < steps; ++k) {
+    simulation.step();
+    most = std::max(most, simulation.touching_pairs());
+  }
+  return most;
+}
+
 }  // namespace diefill::engine

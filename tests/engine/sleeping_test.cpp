@@ -217,7 +217,7 @@ TEST(Sleeping, IsTheSameOnAnyNumberOfThreads) {
   EXPECT_EQ(saved, std::vector<std::uint64_t>(3, saved.front()));
 }
 
-TEST(Sleeping, ComposedGrainsSleepToo) {
+TEST(Sleeping, ClumpsSleepToo) {
   auto settings = weightless(Model::d, {.friction = 1, .work_of_adhesion = 0.005}, 4e-6);
   settings.gravity = {0, 0, -9.81};
   settings.sleep = SleepSettings{};

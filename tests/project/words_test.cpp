@@ -20,18 +20,18 @@ const std::vector<Banned>& banned_words() {
   static const std::vector<Banned> all = {
       {"air_?draught|draughts?", "air flow"},
       {"at ease", "at rest"},
-      {"carried_?powder", "co-moving powder", {"tests/engine/"}},
+      {"carried_?powder", "co-moving powder"},
       {"cube_of_space", "cell index"},
       {"dice", "random"},
       {"foreseen|foresees?", "predicted, expected"},
       {"in[_ ]words", "as text, description", {"CHANGELOG.md"}},
-      {"leeway", "remaining skin", {"engine/simulation/"}},
+      {"leeway", "remaining skin"},
       {"lie_apart", "distinct"},
-      {"look_?ahead", "prefetch", {"engine/numerics/prefetch.h"}},  // the distance that it prefetches
+      {"look_?ahead", "prefetch"},
       {"looks? after|looked after", "monitor, manage"},
       {"slip of the pen", "did you mean ...?"},
       {"slots_?in_?space", "spatial cache"},
-      {"to and fro", "oscillate, back and forth", {"tests/engine/"}},
+      {"to and fro", "oscillate, back and forth"},
   };
   return all;
 }

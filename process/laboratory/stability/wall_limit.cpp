@@ -141,12 +141,12 @@ void push_through(const ExperimentOptions& options, results::ExperimentResult& r
                              speed_of_barrier(standard), "m/s", "elastic energy on the way through"});
   }
   Target standard{.shape = sphere, .wall_radius = fine};
-  const double forbidden = engine::HealthLimits{}.forbidden_wall_overlap * sphere.sphere_radius;
+  const double forbidden = engine::ValidityLimits{}.forbidden_wall_overlap * sphere.sphere_radius;
   const double noticed = largest_that_holds(
       0.01, 300, 0.02, [&](double speed) { return fly_at(standard, speed).deepest < forbidden; });
   result.limits.push_back(
       {"speed at which the validity monitor stops the run (300: at none tried), spacing 1.6 R_w, R_w = R",
-       noticed, std::nan(""), "m/s", "HealthLimits::forbidden_wall_overlap"});
+       noticed, std::nan(""), "m/s", "ValidityLimits::forbidden_wall_overlap"});
   result.charts.push_back(chart);
 }
 

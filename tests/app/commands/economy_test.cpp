@@ -77,7 +77,7 @@ TEST(Economy, SleepFillsThePocketAsWell) {
   EXPECT_NE(asleep.at("warnings").dump().find("settled grains were frozen"), std::string::npos);
 }
 
-TEST(Economy, CarriedPowderFillsThePocketAsWell) {
+TEST(Economy, ComovingPowderFillsThePocketAsWell) {
   expect_same_filling("carry_beyond = \"2 mm\"", 12);
   const auto carried = Economical("carry_beyond = \"2 mm\"").report_of_filling();
   EXPECT_GT(number(carried, "sphere_steps_left_out"), 0.004 * number(carried, "sphere_steps"));
@@ -124,7 +124,7 @@ TEST(Economy, SleepersOutliveARestart) {
   expect_restart_ends_alike("sleep = true");
 }
 
-TEST(Economy, CarriedPowderOutlivesARestart) {
+TEST(Economy, ComovingPowderOutlivesARestart) {
   expect_restart_ends_alike("carry_beyond = \"2 mm\"");
 }
 

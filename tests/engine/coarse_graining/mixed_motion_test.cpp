@@ -12,7 +12,6 @@
 #include "engine/observe/contact_stress.h"
 #include "engine/observe/energy_balance.h"
 #include "engine/observe/powder_figures.h"
-#include "tests/engine/laws/source_laws.h"
 #include "tests/engine/mixed_support.h"
 
 namespace diefill::engine {
@@ -27,7 +26,7 @@ laws::LawParameters rough() {
 }
 
 /// The same, with a `damping` (Pa s) by which the smallest of kTenfold are not overdamped.
-laws::LawParameters lively(double damping = 10) {
+laws::LawParameters lightly_damped(double damping = 10) {
   return bierwisch_parts({1e7, damping, 50, 0.5, 2e-4});  // E~, gamma_n, kappa_t, mu, w
 }
 
@@ -41,7 +40,7 @@ struct Bed {
   double air = 2e-5;  // Pa s
 };
 
-Simulation empty_bed(const Bed& bed, const laws::LawParameters& law = lively()) {
+Simulation empty_bed(const Bed& bed, const laws::LawParameters& law = lightly_damped()) {
   auto settings = settings_of(mix_of(kTenfold, law, law, law), 4e-7);
   settings.gravity = {0, 0, -9.81};
   settings.air_viscosity = bed.air;
@@ -74,16 +73,6 @@ std::vector<NewGrain> crowd(std::size_t wanted, std::uint64_t seed) {
     radii.push_back(radius);
   }
   return grains;
-}
-
-/// Steps on and returns the most pairs that touched at a time.
-std::uint64_t most_touching(Simulation& simulation, int steps) {
-  std::uint64_t most = 0;
-  for (int k = 0; k < steps; ++k) {
-    simulation.step();
-    most = std::max(most, simulation.touching_pairs());
-  }
-  return most;
 }
 
 /// Pairs of ids of spheres that overlap, of all pairs there are.
@@ -201,7 +190,7 @@ TEST(MixedCloud, KeepsMomentumAndAngularMomentumAndBooksItsEnergy) {
 
 TEST(MixedCloud, ForcesOfContactsSumUpToThoseOnGrains) {
   // Undamped: forces do not depend on velocities, which have changed since.
-  auto simulation = empty_bed({.air = 0}, lively(0));
+  auto simulation = empty_bed({.air = 0}, lightly_damped(0));
   simulation.add_grains(crowd(600, 3));
   run_steps(simulation, 600);
   const Grains& grains = simulation.grains();
@@ -219,52 +208,6 @@ TEST(MixedCloud, ForcesOfContactsSumUpToThoseOnGrains) {
   for (std::size_t k = 0; k < grains.size(); ++k) {
     const Eigen::Vector3d weight = simulation.shape_of(k).mass * simulation.settings().gravity;
     EXPECT_LT((sum[k] + weight - grains.force[k]).norm(), 1e-12 * largest) << k;
-  }
-}
-
-/// Largest distance (m) between a cloud of three kinds under `law` and the same cloud enlarged by `scale`
-/// under `scaling`, places divided by it, after times in the same proportion. In empty space.
-double unlikeness(const laws::LawParameters& law, const coarse_graining::ForceScaling& scaling) {
-  const double scale = scaling.scale, step = 2e-8;
-  const auto fine = mix_of({1, 0.6, 1.4}, law, law, law);
-  auto coarse = fine;
-  for (auto& kind : coarse.kinds)
-    kind.shape = model_b(scale * kind.shape.sphere_radius, scale * scale * scale * kind.shape.mass);
-  coarse.scaling = scaling;
-  const auto cloud = mixed_cloud({3, 3, 3}, 2.3 * kMixRadius, 0.4, 3, 5);
-  auto enlarged = cloud;
-  for (auto& grain : enlarged) {
-    grain.position *= scale;
-    grain.angular_velocity /= scale;
-  }
-  Simulation original(settings_of(fine, step), {}), scaled(settings_of(coarse, scale * step), {});
-  original.add_grains(cloud);
-  scaled.add_grains(enlarged);
-  EXPECT_GT(most_touching(original, 6000), 4U);
-  run_steps(scaled, 6000);
-  double most = 0;
-  for (std::uint64_t id = 0; id < cloud.size(); ++id)
-    most = std::max(most, (position_of(scaled, id) / scale - position_of(original, id)).norm());
-  return most;
-}
-
-TEST(MixedCloud, GeometricallySimilarGrainsMoveAsTheOriginalsDo) {
-  // Forces with l^2, torques with l^3, bodies with l^3 (Hu 2024, chapter 5, Method 2).
-  for (const auto& source : laws::laws_of_the_sources()) {
-    if (source.name == "Luding rolling") continue;  // its spring takes the scaled step for the original one
-    EXPECT_LT(unlikeness(source.law, coarse_graining::hu_chapter_5_method_2(4)), 1e-7 * kMixRadius)
-        << source.name;
-  }
-}
-
-TEST(MixedCloud, ScaledUpParticlesWithoutTorquesMoveAsTheOriginalsDo) {
-  // Torques grow with l^2 there (Hu 2024, section 3.4), which similar bodies do not: smooth spheres have
-  // none.
-  for (const auto& source : laws::laws_of_the_sources()) {
-    auto smooth = source.law;
-    smooth.friction = {};
-    smooth.rolling = {};
-    EXPECT_LT(unlikeness(smooth, coarse_graining::scaled_up_particle(4)), 1e-7 * kMixRadius) << source.name;
   }
 }
 

@@ -111,7 +111,7 @@ TEST(MeshWalls, ScatterFromAnEdgeAsASpringAboutIt) {
 }
 
 /// A tool that is tilted, slides, turns and shakes.
-BodyMotion unquiet(double time) {
+BodyMotion swaying(double time) {
   BodyMotion motion;
   motion.angular_velocity = {0, 0, 3};
   motion.rotation = Eigen::AngleAxisd(3 * time, Eigen::Vector3d::UnitZ()).toRotationMatrix() *
@@ -130,7 +130,7 @@ struct Ride {
 Ride ride(WallBodySpec wall) {
   auto settings = weightless(Model::b, {}, 2e-6);
   settings.gravity = {0, 0, -9.81};
-  wall.motion = unquiet;
+  wall.motion = swaying;
   Ride ride{Simulation(settings, {wall})};
   std::vector<NewGrain> balls(3);
   const double radius = settings.shape().sphere_radius;

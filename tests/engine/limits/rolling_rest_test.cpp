@@ -107,7 +107,7 @@ TEST(RollingRestOfTheTunedLaw, BierwischsTorqueGainsNoEnergy) {
   EXPECT_LT(energy_balance_error(simulation), 0.005);
 }
 
-// The printed torque at rest: 0.5 mu_r R m g dt / I, which the sphere would turn to and fro with.
+// The printed torque at rest: 0.5 mu_r R m g dt / I, with which the sphere would oscillate.
 TEST(ConstantTorqueAtRest, HoldsASphereStill) {
   const auto settings = soft_spheres(soft(laws::LoadRolling::Parameters{.rolling_friction = 1}, false));
   WallBodySpec floor;

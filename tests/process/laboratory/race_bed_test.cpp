@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "engine/observe/energy_balance.h"
+#include "process/laboratory/race_law.h"
 
 namespace diefill::process::laboratory {
 namespace {
@@ -32,6 +33,29 @@ TEST(RaceBed, CopiesSideBySideAreTheSameBedManyTimes) {
   const double energy = energy_of(one).total();
   EXPECT_NEAR(energy_of(nine).total(), 9 * energy, 1e-9 * std::abs(9 * energy));
   EXPECT_NEAR(nine.deepest_overlap(), one.deepest_overlap(), 1e-9 * one.deepest_overlap());
+}
+
+// Two spheres that meet head-on leave with the restitution of the law; adhesion takes some more.
+TEST(RaceLaw, HasTheRestitutionThatItStates) {
+  for (const std::string& name : race_laws()) {
+    if (name == "bierwisch") continue;
+    RaceBedState bed = loose_race_bed(RaceBed::spheres, 200);
+    set_race_law(bed, name);
+    bed.settings.gravity = Eigen::Vector3d::Zero();
+    bed.walls.clear();
+    bed.grains.resize(2);
+    constexpr double kRadius = 1.5e-4, kSpeed = 0.5;
+    for (std::size_t k = 0; k < 2; ++k) {
+      const double side = k == 0 ? -1 : 1;
+      bed.grains[k].position = {side * 1.01 * kRadius, 0, 0};
+      bed.grains[k].velocity = {-side * kSpeed, 0, 0};
+    }
+    engine::Simulation simulation = simulation_of(bed);
+    for (int step = 0; step < 200; ++step) simulation.step();
+    const double restitution = simulation.grains().velocity[1].x() / kSpeed;
+    EXPECT_LT(restitution, 0.51) << name;
+    EXPECT_GT(restitution, name == "jkr" ? 0.4 : 0.49) << name;
+  }
 }
 
 }  // namespace

@@ -67,7 +67,7 @@ TEST(MeasureSizes, GrainsCountWithTheirOwnMassAndRadius) {
   EXPECT_NEAR(all, 2 * std::numbers::pi / 6 * (1e-9 + 8e-9), 1e-15);
 }
 
-TEST(MeasureSizes, SpheresOfComposedGrainsStandApartAsTheirSizeSays) {
+TEST(MeasureSizes, SpheresOfClumpsStandApartAsTheirSizeSays) {
   auto powder = two_sizes({{0, 0, 0}, {0, 0, 1}});
   powder.sphere_radius = 0.5e-3;
   powder.sphere_offsets = {Eigen::Vector3d::Zero(), Eigen::Vector3d(1e-3, 0, 0)};

@@ -1,6 +1,8 @@
 // What the settings choose, and how that reaches the scene.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "tests/process/plan/plan_sample.h"
 
 namespace diefill::process::plan {
@@ -81,6 +83,25 @@ TEST(PlanSetting, ASceneThatLeavesNumbersToASettingIsRead) {
   EXPECT_NEAR(scene.powder.grain_diameter, 1.5e-3, 0.011e-3);
   EXPECT_LE(scene.powder.grain_diameter, 1.5e-3 * (1 + 1e-9));
   EXPECT_NEAR(scene.pour.fill_height, 0.019 + 5e-6 / (0.032 * 0.029), 1e-4);
+}
+
+TEST(PlanSetting, AllPowdersBecomeCoarserByTheSameFactor) {
+  support::SceneTables tables = PlannedScene::waiting();
+  tables.pour +=
+      "\n[[other_powder]]\nname = \"copper\"\nshare = 0.1\npreset = \"Distaloy AE\"\n"
+      "grain_diameter = \"1.41 mm\"\n";
+  const PlannedScene planned(tables);
+  ASSERT_EQ(planned.scene.powder.grain_diameter, 1.88e-3);
+  SettingNumbers numbers = numbers_of(Setting::working, planned.scene, planned.tooling.cavity);
+  numbers.grain_diameter = 0.94e-3;
+  const Scene scene = with_numbers(planned.scene, numbers, "setting working");
+  EXPECT_NEAR(scene.powder.grain_diameter, 0.94e-3, 1e-6);
+  ASSERT_EQ(scene.other_powders.size(), 1U);
+  EXPECT_NEAR(scene.other_powders[0].powder.grain_diameter, 0.705e-3, 2e-6);
+  const auto chosen = chosen_in(scene.text);
+  EXPECT_TRUE(std::any_of(chosen.begin(), chosen.end(), [](const std::string& line) {
+    return line.find("other_powder.copper.grain_diameter") != std::string::npos;
+  })) << scene.text;
 }
 
 TEST(PlanSetting, AnUnknownSettingNamesTheNearest) {

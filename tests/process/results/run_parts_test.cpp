@@ -47,7 +47,7 @@ TEST(Suction, PullsByTheFallOfPressureAndRefusesPowderTooFineForTheStep) {
   EXPECT_THROW(air_flow_of(scene, tooling, settings), SceneError);
 }
 
-TEST(ComposedPose, TurnsAboutThePivotAndCarriesEarlierShifts) {
+TEST(ClumpPose, TurnsAboutThePivotAndCarriesEarlierShifts) {
   ToolMotion quarter;
   quarter.rotation = Eigen::AngleAxisd(M_PI / 2, Eigen::Vector3d::UnitZ()).toRotationMatrix();
   quarter.pivot = {1, 0, 0};

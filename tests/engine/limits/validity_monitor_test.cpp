@@ -1,10 +1,11 @@
 // A run that leaves the method's range stops with a line that says what to change.
+#include "engine/limits/validity_monitor.h"
+
 #include <gtest/gtest.h>
 
 #include <limits>
 
 #include "engine/limits/time_step.h"
-#include "engine/limits/validity_monitor.h"
 #include "tests/engine/engine_test_support.h"
 
 namespace diefill::engine {
@@ -176,7 +177,7 @@ TEST(ValidityMonitor, StopsWhenGrainsLieInsideEachOther) {
     heap[k].position = 1e-6 * Eigen::Vector3d(static_cast<double>(k % 10), static_cast<double>(k / 10), 0);
   simulation.add_grains(heap);
   run_steps(simulation, 1);
-  HealthLimits limits;
+  ValidityLimits limits;
   limits.forbidden_overlap = 3;
   ValidityMonitor monitor(limits);
   const std::string message = complaint(monitor, simulation);

@@ -130,7 +130,7 @@ TEST_P(CoMovingPowder, MissesNoTouchOfThoseWhoAreAwake) {
 }
 
 /// Two awake beds of clumps, one of them nudged by 1e-12 m, come to differ by up to 0.16 of a grain by then,
-/// here or there: only the mean over seeds can tell carried powder from awake one.
+/// here or there: only the mean over seeds can tell co-moving powder from awake one.
 TEST_P(CoMovingPowder, IsOnAverageWhereItWouldBeAwake) {
   constexpr unsigned kSeeds = 6;
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
