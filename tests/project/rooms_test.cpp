@@ -20,7 +20,7 @@ const std::map<std::string, std::vector<std::string>>& rooms() {
       {"geometry", {"grids", "mesh", "solid", "cad", "voronoi", "reach", "cavity", "wall_spheres"}},
       {"process",
        {"results", "measure", "input", "machine", "scene", "measured_data", "powder", "tooling", "setup",
-        "run", "plan", "compare", "tradeoff", "laboratory", "calibration", "continuum", "estimate"}},
+        "run", "plan", "compare", "tradeoff", "continuum", "laboratory", "calibration", "estimate"}},
       {"render", {"style", "offscreen", "fields", "charts", "scene3d", "report"}},
       {"app", {"tables", "pictures", "commands"}},
   };
