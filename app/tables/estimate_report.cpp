@@ -83,7 +83,6 @@ Json powder_as_json(const estimate::Estimate& found) {
             {"C_F", law.numbers.steady},
             {"beta", law.numbers.beta},
             {"largest_x", results::json_number(law.longest)},
-            {"share_of_its_mass", law.passes},
             {"source", law.source},
             {"applies", law.applies}}}};
 }

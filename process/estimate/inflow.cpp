@@ -16,8 +16,7 @@ double inflow_per_area(const MouthPlace& place, const Exposure& exposure, const 
   const double fresh = std::max(1.0, exposure.travel / along);
   const double time = exposure.seconds / faster / fresh;
   const double x = time * std::sqrt(powder.gravity / width) - continuum::kBurst;
-  return powder.law.passes * width / place.width * powder.density * fresh * width *
-         discharged_share(powder.law, x);
+  return width / place.width * powder.density * fresh * width * discharged_share(powder.law, x);
 }
 
 }  // namespace

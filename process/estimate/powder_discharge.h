@@ -14,7 +14,6 @@ struct PowderDischarge {
   continuum::TransientCoefficients numbers;
   double longest = 0;         ///< t sqrt(g/D) - 1/5 up to which it was measured; the rate is constant beyond
   double grain_diameter = 0;  ///< m, of the grains it was measured with: others change the effective opening
-  double passes = 1;          ///< of the law's mass, what this powder lets through; 1: not measured
   std::string source;         ///< of the numbers
   std::string applies;        ///< how well they fit this powder, as text
 };

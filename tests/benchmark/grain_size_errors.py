@@ -4,7 +4,8 @@
     python3 tests/benchmark/grain_size_errors.py run --csv FILE --shares 0.42,0.33,0.25 --seeds 1,2,3 SCENE [SCENE ...]
     python3 tests/benchmark/grain_size_errors.py table --csv FILE
 
-`run` adds a line for each run to the table: share is the grain diameter over the narrowest width of the cavity, filled
+`run` pours powder over the cavity of each scene until it is heaped, moves nothing, measures the powder below the fill
+plane, and adds a line for each run to the table: share is the grain diameter over the narrowest width of the cavity, filled
 the volume of grains over that of the cavity, seconds processor time. `table` fits a line over the share to each figure
 of each cavity and powder, and prints the rows of process/plan/grain_size_trends.cpp. Environment: DIEFILL (program, default build/bin/diefill)."""
 import argparse
@@ -28,6 +29,11 @@ FIGURES = (("filled", "cavity_solid_fraction", "mass in the cavity"),
 COLUMNS = ("scene", "powder", "width_mm", "share", "seed", "grains", "filled", "fraction", "unevenness", "seconds")
 
 
+# mm, half the lengths of the cavities along x and y; all are 10 mm deep
+CAVITIES = {"square": (4, 4), "slot": (3, 8), "ring_6mm": (11, 11)}
+FILL_HEIGHT = 14  # mm of settled powder over that area, so that it heaps above the fill plane
+
+
 def processor_seconds():
     """s that the programs that this one has run to their end have computed."""
     use = resource.getrusage(resource.RUSAGE_CHILDREN)
@@ -40,8 +46,17 @@ def narrowest_width(scene):
     return found["needs"]["narrowest_width_m"]
 
 
+def poured(text, half):
+    """The scene with powder poured over the cavity, of half these lengths (mm), instead of brought by the shoe."""
+    text = re.sub(r"(?ms)^\[\[step\]\].*?(?=^\[)", "", text)
+    x, y = (length - 0.05 for length in half)
+    pour = (f'[pour]\nfrom = ["{-x} mm", "{-y} mm", "-10 mm"]\nto = ["{x} mm", "{y} mm", "10 mm"]\n'
+            f'fill_height = "{FILL_HEIGHT} mm"\naround_tools = true\n\n')
+    return re.sub(r"(?ms)^\[pour\].*?(?=^\[)", pour, text)
+
+
 def changed_scene(scene, powder, grain, seed, folder):
-    text = scene.read_text()
+    text = poured(scene.read_text(), CAVITIES[scene.stem])
     text = re.sub(r'(?m)^file = "([^"]*)"', lambda m: f'file = "{(scene.parent / m[1]).resolve()}"', text)
     for key, value in (("grain_diameter", f'"{1e3 * grain:.4f} mm"'), ("seed", seed), ("preset", f'"{powder}"')):
         text = re.sub(rf"(?m)^{key} = [^#\n]*", f"{key} = {value} ", text)
@@ -122,7 +137,7 @@ def main():
     parser.add_argument("--seeds", default="1,2,3")
     parser.add_argument("--powder", help="preset in place of the scenes' own")
     parser.add_argument("--threads", type=int, default=os.cpu_count())
-    options = parser.parse_args()
+    options = parser.parse_intermixed_args()
     if options.what == "run":
         run(options)
         return
