@@ -48,7 +48,8 @@ std::string error_text(const Estimate& estimate) {
 }
 
 std::string valid_text(const Estimate& estimate) {
-  std::string text = "shoe speeds up to 5 sqrt(g D); powder at least 19 mm deep in the shoe";
+  std::string text =
+      "shoe speeds up to 5 sqrt(g D); powder at least 12 mm deep in the shoe; grains up to 0.43 of the width";
   if (std::isfinite(estimate.law.longest))
     text +=
         line("; flow times up to %.3g sqrt(D/g), beyond them at a constant rate", estimate.law.longest + 0.2);

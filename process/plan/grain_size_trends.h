@@ -6,16 +6,17 @@
 
 namespace diefill::process::plan {
 
-/// One figure of one cavity and powder: figure = limit (1 + slope d/b), d the grain diameter, b the narrowest
-/// width, fitted with least squares to all runs of grain_size_errors.csv
-/// (tests/benchmark/grain_size_errors.py table).
+/// One figure of one cavity and powder as a line over d/b, d the grain diameter, b the narrowest width,
+/// fitted with least squares to all runs of grain_size_errors.csv (tests/benchmark/grain_size_errors.py
+/// table). Slope and scatter are over the solid fraction that the full cavity has in the limit of small
+/// grains.
 struct GrainSizeTrend {
-  const char* cavity;  ///< of sample_tools/small_dies
-  const char* powder;  ///< name of the preset
-  const char* figure;  ///< "mass in the cavity", "mean solid fraction", "unevenness"
-  double slope;        ///< of the figure over its limit; for unevenness over that of the mean solid fraction
-  double slope_error;  ///< standard error
-  double scatter;      ///< standard deviation of one run about the line, over the same
+  const char* cavity;       ///< of sample_tools/small_dies
+  const char* powder;       ///< name of the preset
+  const char* figure;       ///< "mass of a full cavity", "unevenness"
+  double slope;             ///< of the figure per d/b
+  double slope_error;       ///< standard error
+  double scatter;           ///< standard deviation of one run about the line
   double finest, coarsest;  ///< d/b that were run
   int runs;
 };

@@ -5,9 +5,11 @@
     python3 tests/benchmark/grain_size_errors.py table --csv FILE
 
 `run` pours powder over the cavity of each scene until it is heaped, moves nothing, measures the powder below the fill
-plane, and adds a line for each run to the table: share is the grain diameter over the narrowest width of the cavity, filled
-the volume of grains over that of the cavity, seconds processor time. `table` fits a line over the share to each figure
-of each cavity and powder, and prints the rows of process/plan/grain_size_trends.cpp. Environment: DIEFILL (program, default build/bin/diefill)."""
+plane, and adds a line for each run to the table: share is the grain diameter over the narrowest width of the cavity,
+filled the volume of grains over that of the cavity, unevenness the standard deviation of the field of solid fraction,
+seconds processor time. `table` fits a line over the share to each figure of each cavity and powder, and prints the rows
+of process/plan/grain_size_trends.cpp. Figures of too few grains are empty. Environment: DIEFILL (program, default
+build/bin/diefill)."""
 import argparse
 import csv
 import json
@@ -23,10 +25,9 @@ import tempfile
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 PROGRAM = os.environ.get("DIEFILL", str(ROOT / "build/bin/diefill"))
 # name in the table, figure of report.json, figure in process/plan/grain_size_trends.cpp
-FIGURES = (("filled", "cavity_solid_fraction", "mass in the cavity"),
-           ("fraction", "solid_fraction_mean", "mean solid fraction"),
+FIGURES = (("filled", "cavity_solid_fraction", "mass of a full cavity"),
            ("unevenness", "solid_fraction_field_std", "unevenness"))
-COLUMNS = ("scene", "powder", "width_mm", "share", "seed", "grains", "filled", "fraction", "unevenness", "seconds")
+COLUMNS = ("scene", "powder", "width_mm", "share", "seed", "grains", "filled", "unevenness", "seconds")
 
 
 # mm, half the lengths of the cavities along x and y; all are 10 mm deep
@@ -116,16 +117,16 @@ def trends(path):
     for row in csv.DictReader(path.open()):
         series.setdefault((pathlib.Path(row["scene"]).stem, row["powder"]), []).append(row)
     for (cavity, powder), rows in series.items():
-        shares = [float(row["share"]) for row in rows]
-        if len(set(shares)) < 2 or len(rows) < 4:
-            continue
-        points = {name: [(float(row["share"]), float(row[name])) for row in rows] for name, _, _ in FIGURES}
-        fraction_limit = line_through(points["fraction"])[0]
+        points = {name: [(float(row["share"]), float(row[name])) for row in rows if row[name]]
+                  for name, _, _ in FIGURES}
         for name, _, title in FIGURES:
-            limit, slope, error, scatter = line_through(points[name])
-            over = fraction_limit if name == "unevenness" else limit
+            shares = [share for share, _ in points[name]]
+            if len(set(shares)) < 2 or len(shares) < 4:
+                continue
+            over = line_through(points["filled"])[0]
+            _, slope, error, scatter = line_through(points[name])
             yield (cavity, powder, title, slope / over, error / over, scatter / over, min(shares), max(shares),
-                   len(rows))
+                   len(shares))
 
 
 def main():
