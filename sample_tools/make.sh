@@ -60,6 +60,19 @@ for part in die core_rods punch shoe; do
   make_part gear/gear.scad gear/$part.stl -D "part=\"$part\""
 done
 
+# make_small_die NAME SHAPE WIDTH PARTS
+make_small_die() {
+  for part in $4; do
+    make_part small_dies/small_dies.scad "small_dies/$1_$part.stl" -D "shape=\"$2\"" -D "width=$3" -D "part=\"$part\""
+  done
+}
+make_small_die square square 8 "die punch shoe"
+make_small_die slot slot 8 "die punch shoe"
+make_small_die pair pair 8 "die punch shoe"
+make_small_die ring_6mm ring 6 "die punch shoe core_rod"
+make_small_die ring_8mm ring 8 "die punch shoe core_rod"
+make_small_die gear gear 8 "die punch shoe core_rod"
+
 # STEP files with curved faces, made with OpenCASCADE; their dates are taken out so that they come out the same.
 if [ -d /usr/include/opencascade ]; then
   program=$(mktemp)

@@ -47,8 +47,8 @@ void say_within_error(const process::plan::Plan& plan, double error, const std::
     return;
   }
   const auto& choice = plan.choices[*best];
-  std::printf("error up to %.4g: %s (%.2g of the %s)\n", error, choice.name.c_str(), choice.error->error,
-              choice.error->quantity.c_str());
+  std::printf("error up to %.4g: %s (%s)\n", error, choice.name.c_str(),
+              process::plan::words_of(choice.errors).c_str());
 }
 
 void print_json(const nlohmann::ordered_json& json) {

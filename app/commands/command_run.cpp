@@ -14,6 +14,7 @@
 #include "app/stop_signals.h"
 #include "app/tables/check_report.h"
 #include "app/tables/run_summary.h"
+#include "process/plan/expected_error.h"
 #include "process/powder/material.h"
 #include "process/results/figure_table.h"
 #include "process/results/group_names.h"
@@ -71,6 +72,16 @@ process::RunOptions options_of(const RunArguments& arguments, const process::Sce
   return options;
 }
 
+/// Adds what is known of the error that the grain size makes, so that every report says it.
+void note_expected_errors(const process::Scene& scene, const process::Tooling& tooling,
+                          results::FillResult& result) {
+  const double width = tooling.all_cavities().narrowest_width;
+  const auto errors = process::plan::expected_errors(scene.powder, scene.powder.grain_diameter, width);
+  if (!errors.empty())
+    result.warnings.push_back("expected error: " + process::plan::words_of(errors) + "; " +
+                              errors.front().source);
+}
+
 /// Says that numerics.max_time was over before the scene.
 int unfinished(const process::FillRun& fill) {
   std::fprintf(stderr,
@@ -117,7 +128,8 @@ int run(const RunArguments& arguments) {
   keep_earlier_results(options.directory, arguments.resume);
   fill.run();
 
-  const auto result = process::assemble(scene, tooling, fill);
+  auto result = process::assemble(scene, tooling, fill);
+  note_expected_errors(scene, tooling, result);
   std::vector<std::filesystem::path> pictures, series;
   write_output([&] {
     results::write_results(options.directory, result);

@@ -43,7 +43,9 @@ Json opening_as_json(const estimate::OpeningEstimate& opening) {
           {"full_mass_kg", cavity ? Json(opening.full_mass) : Json(nullptr)},
           {"offered_kg", results::json_numbers(opening.offered)},
           {"mass_kg", results::json_numbers(opening.mass)},
+          {"mass_range_kg", {opening.least_mass, opening.most_mass}},
           {"share_filled", cavity ? Json(opening.share) : Json(nullptr)},
+          {"share_filled_range", cavity ? Json({opening.least_share, opening.most_share}) : Json(nullptr)},
           {"share_of_mouth_without_flow", opening.too_fast},
           {"critical_speed_one_crossing_m_per_s", number(opening.speed_once)},
           {"critical_speed_m_per_s", number(opening.speed_all)},
@@ -110,9 +112,10 @@ void print_estimate(const estimate::Estimate& found) {
 
 Json estimate_as_json(const estimate::Estimate& found) {
   Json json = {{"answer", name_of(found.answer)},
-               {"mass_error_factor", found.error.factor},
-               {"mass_error_is_measured", found.error.measured},
-               {"mass_error_source", found.error.source},
+               {"inflow_error_factor", found.error.factor},
+               {"packing_error", found.error.packing},
+               {"error_is_measured", found.error.measured},
+               {"error_source", found.error.source},
                {"powder", powder_as_json(found)},
                {"shoe",
                 {{"tool", found.way.tool},

@@ -1,5 +1,6 @@
 #include "app/tables/plan_report.h"
 
+#include <algorithm>
 #include <cstdio>
 #include <functional>
 #include <nlohmann/json.hpp>
@@ -42,8 +43,13 @@ std::string busy_time_of(const plan::Choice& choice, double share) {
   return seconds ? process::duration_text(*seconds / share) : "unknown";
 }
 
-std::string error_of(const plan::Choice& choice) {
-  return choice.error ? text("%.1f %%", 100 * choice.error->error) : "unknown";
+/// What is expected of one quantity, "3.1 +- 1.2 %" with the scatter of a run.
+std::string error_of(const plan::Choice& choice, const std::string& quantity) {
+  for (const auto& error : choice.errors)
+    if (error.quantity == quantity)
+      return error.scatter > 0 ? text("%.1f +- %.1f %%", 100 * error.error, 100 * error.scatter)
+                               : text("%.1f %%", 100 * error.error);
+  return "unknown";
 }
 
 const std::vector<Row>& rows() {
@@ -59,8 +65,24 @@ const std::vector<Row>& rows() {
       {"simulated time, s", [](const Choice& c) { return text("%.3g", c.forecast.seconds()); }},
       {"memory, MB", [](const Choice& c) { return text("%.0f", 1e-6 * c.forecast.memory); }},
       {"time, free processors", time_of},
-      {"expected error", error_of}};
+  };
   return all;
+}
+
+/// A line for every quantity that any choice has an error of.
+void print_errors(const plan::Plan& plan) {
+  std::vector<std::string> quantities;
+  for (const auto& choice : plan.choices)
+    for (const auto& error : choice.errors)
+      if (std::find(quantities.begin(), quantities.end(), error.quantity) == quantities.end())
+        quantities.push_back(error.quantity);
+  if (quantities.empty()) quantities.emplace_back("filling");
+  std::printf("expected error of\n");
+  for (const auto& quantity : quantities) {
+    std::printf("  %-22s", quantity.c_str());
+    for (const auto& choice : plan.choices) std::printf("%20s", error_of(choice, quantity).c_str());
+    std::printf("\n");
+  }
 }
 
 void print_table(const plan::Plan& plan) {
@@ -78,7 +100,23 @@ void print_table(const plan::Plan& plan) {
       std::printf("%20s", busy_time_of(choice, plan.pilot->processor_share).c_str());
     std::printf("\n");
   }
+  print_errors(plan);
   std::printf("\n");
+}
+
+/// Each source once.
+void print_error_sources(const plan::Plan& plan) {
+  std::vector<std::string> said;
+  for (const auto& choice : plan.choices)
+    for (const auto& error : choice.errors) {
+      const std::string line = error.quantity + ": " + error.source;
+      if (std::find(said.begin(), said.end(), line) != said.end()) continue;
+      said.push_back(line);
+      std::printf("expected error of the %s\n", line.c_str());
+    }
+  std::printf(said.empty()
+                  ? "expected errors are not known here: d/b is beyond what was run, or there is no cavity\n"
+                  : "expected errors are those of the grain size, +- the scatter of one run over seeds\n");
 }
 
 void print_sources(const plan::Plan& plan) {
@@ -91,12 +129,7 @@ void print_sources(const plan::Plan& plan) {
   }
   if (plan.pilot) print_pilot(*plan.pilot);
   std::printf("reading the tools took %.1f s\n", plan.tooling_seconds);
-  for (const auto& choice : plan.choices)
-    if (choice.error)
-      std::printf("expected error, %s: %s; %s\n", choice.name.c_str(), choice.error->quantity.c_str(),
-                  choice.error->source.c_str());
-  std::printf(
-      "expected errors are measured for this powder at this grain size; unknown where not measured\n");
+  print_error_sources(plan);
 }
 
 Json phase_as_json(const plan::PhaseForecast& part) {
@@ -160,13 +193,14 @@ Json choice_as_json(const plan::Choice& choice) {
                {"memory_bytes", forecast.memory},
                {"wall_seconds", forecast.wall_seconds ? Json(*forecast.wall_seconds) : Json(nullptr)},
                {"wall_seconds_as_busy", nullptr},
-               {"expected_error", nullptr},
+               {"expected_errors", Json::array()},
                {"reasons", choice.numbers ? choice.numbers->reasons : std::vector<std::string>{}},
                {"phases", Json::array()}};
-  if (choice.error)
-    json["expected_error"] = {{"quantity", choice.error->quantity},
-                              {"error", choice.error->error},
-                              {"source", choice.error->source}};
+  for (const auto& error : choice.errors)
+    json["expected_errors"].push_back({{"quantity", error.quantity},
+                                       {"error", error.error},
+                                       {"scatter", error.scatter > 0 ? Json(error.scatter) : Json(nullptr)},
+                                       {"source", error.source}});
   for (const auto& part : forecast.phases) json["phases"].push_back(phase_as_json(part));
   return json;
 }

@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "process/continuum/air.h"
+#include "process/estimate/filling.h"
 #include "process/estimate/inflow.h"
 #include "process/estimate/scene_numbers.h"
 #include "process/estimate/work_of_steps.h"
@@ -47,6 +48,9 @@ PowderEstimate powder_of(const Scene& scene, const Tooling& tooling, const Estim
                                               : scene.powder.apparent_density;
   const Eigen::Vector3d box = scene.pour.upper - scene.pour.lower;
   powder.in_shoe = powder.density * box.x() * box.y() * scene.pour.fill_height * (tooling.mirror ? 2 : 1);
+  powder.name = scene.powder.label;
+  for (const OtherPowder& other : scene.other_powders)
+    powder.left_out += (powder.left_out.empty() ? "" : ", ") + other.powder.label;
   choose_particles(scene, options, powder);
   if (!powder.particle_diameter) return powder;
   powder.air_number =
@@ -88,9 +92,21 @@ double offered_at(const Ground& ground, std::size_t k, std::size_t crossings, do
   return std::accumulate(mass.begin(), mass.begin() + static_cast<std::ptrdiff_t>(crossings), 0.0);
 }
 
+Room room_of(const OpeningEstimate& opening) {
+  return {opening.depth, opening.width};
+}
+
+/// kg in the cavity of what is offered to it.
+double kept(const OpeningEstimate& opening, double offered) {
+  if (!(opening.full_mass > 0)) return 0;
+  const double height = offered / opening.full_mass * opening.depth;
+  return filled_height(room_of(opening), height) / opening.depth * opening.full_mass;
+}
+
 void find_speeds(const Ground& ground, std::size_t k, OpeningEstimate& opening) {
   if (!opening.is_cavity || !(ground.way.speed > 0) || opening.offered.empty()) return;
-  const double wanted = kFull * opening.full_mass;
+  const double wanted =
+      offered_for(room_of(opening), kFull * opening.depth) / opening.depth * opening.full_mass;
   const auto speed = [&](std::size_t crossings) -> std::optional<double> {
     const auto factor =
         fastest([&](double faster) { return offered_at(ground, k, crossings, faster); }, wanted);
@@ -123,7 +139,25 @@ void find_cover(const Ground& ground, std::size_t k, OpeningEstimate& opening) {
   opening.too_fast = fast / area;
 }
 
-OpeningEstimate opening_of(const Ground& ground, std::size_t k, const PowderEstimate& powder) {
+/// What stays in the opening after each crossing, and its range.
+void fill(const KnownError& error, OpeningEstimate& opening) {
+  const auto in = [&](double offered) { return opening.is_cavity ? kept(opening, offered) : offered; };
+  double offered = 0;
+  for (const double more : opening.offered) {
+    offered += more;
+    opening.mass.push_back(in(offered));
+  }
+  const double packing = opening.is_cavity ? error.packing : 0;
+  opening.least_mass = in(offered / error.factor) * (1 - packing);
+  opening.most_mass = in(offered * error.factor) * (1 + packing);
+  if (!(opening.full_mass > 0)) return;
+  opening.share = in(offered) / opening.full_mass;
+  opening.least_share = in(offered / error.factor) / opening.full_mass;
+  opening.most_share = in(offered * error.factor) / opening.full_mass;
+}
+
+OpeningEstimate opening_of(const Ground& ground, std::size_t k, const PowderEstimate& powder,
+                           const KnownError& error) {
   const MouthOpening& mouth = ground.mouth.openings[k];
   OpeningEstimate opening;
   opening.is_cavity = mouth.is_cavity;
@@ -135,13 +169,7 @@ OpeningEstimate opening_of(const Ground& ground, std::size_t k, const PowderEsti
   opening.felt_width = felt_width(mouth.width, ground.powder);
   opening.full_mass = powder.density * mouth.volume;
   opening.offered = inflow(ground.mouth, ground.way, ground.powder)[k];
-  double in = 0;
-  for (const double more : opening.offered) {
-    in += more;
-    if (opening.is_cavity) in = std::min(in, opening.full_mass);
-    opening.mass.push_back(in);
-  }
-  opening.share = opening.full_mass > 0 ? in / opening.full_mass : 0;
+  fill(error, opening);
   find_speeds(ground, k, opening);
   find_cover(ground, k, opening);
   if (opening.felt_width > 0)
@@ -179,9 +207,8 @@ Answer answer_of(const Estimate& estimate) {
     if (!opening.is_cavity || opening.offered.empty()) continue;
     any = true;
     if (!(opening.felt_width > 0)) return Answer::open;
-    const double offered = sum(opening.offered) / opening.full_mass;
-    if (offered * estimate.error.factor < kFull) return Answer::too_fast;
-    all_full = all_full && offered / estimate.error.factor >= kFull;
+    if (opening.most_share < kFull) return Answer::too_fast;
+    all_full = all_full && opening.least_share >= kFull;
   }
   if (!any) return Answer::nothing_moves;
   return all_full ? Answer::fills : Answer::open;
@@ -195,8 +222,11 @@ void share_out(Estimate& estimate) {
   estimate.starved = all > estimate.powder.in_shoe * (1 + 1e-9);
   if (!estimate.starved) return;
   for (OpeningEstimate& opening : estimate.openings) {
-    for (double& mass : opening.mass) mass *= estimate.powder.in_shoe / all;
-    opening.share *= estimate.powder.in_shoe / all;
+    const double there = estimate.powder.in_shoe / all;
+    for (double& mass : opening.mass) mass *= there;
+    for (double* part :
+         {&opening.share, &opening.least_share, &opening.most_share, &opening.least_mass, &opening.most_mass})
+      *part *= there;
   }
 }
 
@@ -208,13 +238,14 @@ Estimate estimate(const Scene& given, const Tooling& tooling, const EstimateOpti
   found.powder = powder_of(scene, tooling, options);
   found.law = options.law ? *options.law : discharge_of(scene.powder);
   found.grain_diameter = scene.powder.grain_diameter;
-  found.error = known_error(scene.powder.name, options.law.has_value());
+  found.error = known_error(scene.powder.name, options.law.has_value() || !scene.other_powders.empty());
   Mouth mouth = mouth_of(scene, tooling);
   found.way = shoe_way(scene, tooling, mouth);
   const InflowPowder powder{found.law, found.powder.density, found.grain_diameter, scene.gravity.norm()};
   const Ground ground{mouth, found.way, powder};
   for (std::size_t k = 0; k < mouth.openings.size(); ++k)
-    if (mouth.openings[k].area > 0) found.openings.push_back(opening_of(ground, k, found.powder));
+    if (mouth.openings[k].area > 0)
+      found.openings.push_back(opening_of(ground, k, found.powder, found.error));
   share_out(found);
   for (const FallingPunch& punch : mouth.punches)
     found.suctions.push_back(suction_of(punch, ground, found.powder));

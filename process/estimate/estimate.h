@@ -32,7 +32,11 @@ struct OpeningEstimate {
   double full_mass = 0;               ///< kg at apparent density; 0 for a slit
   std::vector<double> offered;        ///< kg that would run in, floor or not, by crossing
   std::vector<double> mass;           ///< kg in it after each crossing
+  double least_mass = 0;              ///< kg after all crossings with the error taken off
+  double most_mass = 0;               ///< kg, with the error added
   double share = 0;                   ///< of full_mass after all crossings
+  double least_share = 0;             ///< the same if the inflow is less by the error
+  double most_share = 0;              ///< the same if it is more
   double too_fast = 0;                ///< share of the first crossing's mouth where flow has no time to begin
   std::optional<double> speed_once;   ///< m/s, fastest that fills it in one crossing
   std::optional<double> speed_all;    ///< m/s, the same in as many crossings as the scene has
@@ -64,6 +68,8 @@ struct PowderEstimate {
   bool density_is_estimate = false;  ///< nobody has weighed it
   double solid_fraction = 0;
   double in_shoe = 0;                       ///< kg
+  std::string name;                         ///< of [powder]
+  std::string left_out;                     ///< names of the scene's other powders; empty: it has none
   std::optional<double> particle_diameter;  ///< m, of the real powder
   std::string particle_source;              ///< where that comes from
   double air_viscosity = 0;                 ///< Pa s

@@ -8,7 +8,8 @@ namespace diefill::process::estimate {
 /// An error of the mass that runs in.
 struct KnownError {
   bool measured = false;
-  double factor = 2;   ///< the true mass lies between mass / factor and mass * factor, in nine cases of ten
+  double factor = 2;   ///< the true inflow lies between inflow / factor and inflow * factor, in nine of ten
+  double packing = 0;  ///< share by which the mass of a cavity is off besides, full or not
   std::string source;  ///< the table and its command; why not measured
 };
 

@@ -32,19 +32,24 @@ double percent(double share) {
   return std::min(100.0, 100 * share);
 }
 
-double offered(const OpeningEstimate& opening) {
-  return std::accumulate(opening.offered.begin(), opening.offered.end(), 0.0);
+/// Of what the cavity holds, floor or not.
+double offered_share(const OpeningEstimate& opening) {
+  return std::accumulate(opening.offered.begin(), opening.offered.end(), 0.0) / opening.full_mass;
 }
 
 std::string error_text(const Estimate& estimate) {
-  if (!estimate.error.measured)
-    return line("not measured for this powder; a factor of %.3g either way is assumed",
-                estimate.error.factor);
-  return line("at most a factor of %.3g (", estimate.error.factor) + estimate.error.source + ")";
+  const KnownError& error = estimate.error;
+  if (!error.measured)
+    return line("not measured for this powder; a factor of %.3g either way on the inflow is assumed",
+                error.factor);
+  return line("in nine cases of ten a factor of at most %.3g on the inflow, and %.0f %% on the mass (",
+              error.factor, 100 * error.packing) +
+         error.source + ")";
 }
 
 std::string valid_text(const Estimate& estimate) {
-  std::string text = "shoe speeds up to 5 sqrt(g D); powder at least 19 mm deep in the shoe";
+  std::string text =
+      "shoe speeds up to 5 sqrt(g D); powder at least 12 mm deep in the shoe; grains up to 0.43 of the width";
   if (std::isfinite(estimate.law.longest))
     text +=
         line("; flow times up to %.3g sqrt(D/g), beyond them at a constant rate", estimate.law.longest + 0.2);
@@ -55,8 +60,7 @@ std::string valid_text(const Estimate& estimate) {
 const OpeningEstimate* emptiest(const Estimate& estimate) {
   const OpeningEstimate* worst = nullptr;
   for (const auto& opening : estimate.openings)
-    if (opening.is_cavity && !opening.offered.empty() &&
-        (worst == nullptr || offered(opening) / opening.full_mass < offered(*worst) / worst->full_mass))
+    if (opening.is_cavity && !opening.offered.empty() && (worst == nullptr || opening.share < worst->share))
       worst = &opening;
   return worst;
 }
@@ -105,29 +109,27 @@ std::string answer_text(const Estimate& estimate) {
   const OpeningEstimate* worst = emptiest(estimate);
   const std::string none = no_answer(estimate, worst);
   if (!none.empty()) return none;
-  const double share = offered(*worst) / worst->full_mass, factor = estimate.error.factor;
+  const double least = percent(worst->least_share), most = percent(worst->most_share);
   const char* name = worst->name.c_str();
   const Subject way = subject(estimate, *worst);
   if (estimate.answer == Answer::too_fast)
     return (estimate.way.speed > 0 ? "the shoe is too fast: " : "it does not fill: ") + way.does("leave") +
            line(
                " the %s about %.0f %% full, at most %.0f %% with the uncertainty. No grain need be simulated "
-               "to "
-               "know that: ",
-               name, percent(share), percent(share * factor)) +
+               "to know that: ",
+               name, percent(worst->share), most) +
            remedy(estimate, *worst);
   if (estimate.answer == Answer::fills)
     return way.does("fill") + line(
-                                  " every cavity: %.2g times what the %s holds runs in, at least %.2g times "
-                                  "with the uncertainty. "
-                                  "No grain need be simulated to know that; simulate for the density map",
-                                  share, name, share / factor);
-  return "too close to call: " + way.does("offer") +
+                                  " every cavity: %.2g times what the %s holds would run in, and it is at "
+                                  "least %.0f %% full with the uncertainty. No grain need be simulated to "
+                                  "know that; simulate for the density map",
+                                  offered_share(*worst), name, least);
+  return "too close to call: " + way.does("leave") +
          line(
-             " the %s %.2g times what it holds, %.2g to %.2g times with the uncertainty. Simulate, or "
-             "measure "
-             "your powder (diefill fit-discharge); by the formula ",
-             name, share, share / factor, share * factor) +
+             " the %s about %.0f %% full, %.0f to %.0f %% with the uncertainty. Simulate, or measure your "
+             "powder (diefill fit-discharge); by the formula ",
+             name, percent(worst->share), least, most) +
          remedy(estimate, *worst);
 }
 
@@ -140,14 +142,13 @@ std::string opening_text(const Estimate& estimate, const OpeningEstimate& openin
     text += line(", which grains of %.3g mm feel as %.3g mm", 1e3 * estimate.grain_diameter,
                  1e3 * opening.felt_width);
   if (opening.offered.empty()) return text + ". Powder never comes over it";
-  const double in = opening.mass.back(), factor = estimate.error.factor;
+  const double in = opening.mass.back();
   if (!opening.is_cavity)
-    return text + ". " + mass(in) + " run through in " + crossings + ", " + mass(in / factor) + " to " +
-           mass(in * factor);
+    return text + ". " + mass(in) + " run through in " + crossings + ", " + mass(opening.least_mass) +
+           " to " + mass(opening.most_mass);
   text += ". After " + crossings + " " + mass(in) + " of " + mass(opening.full_mass) +
           line(" are in it: %.0f %% full (%.0f to %.0f %%)", percent(opening.share),
-               percent(offered(opening) / factor / opening.full_mass),
-               percent(offered(opening) * factor / opening.full_mass));
+               percent(opening.least_share), percent(opening.most_share));
   if (opening.too_fast > 0.05)
     text += line(". Over %.0f %% of the mouth the shoe is too fast for flow to begin at all",
                  100 * opening.too_fast);
@@ -157,7 +158,9 @@ std::string opening_text(const Estimate& estimate, const OpeningEstimate& openin
 void say_openings(const Estimate& estimate, std::vector<Statement>& said) {
   for (const OpeningEstimate& opening : estimate.openings)
     said.push_back({"filling", opening_text(estimate, opening),
-                    std::string(kFormula) + "; law: " + estimate.law.source + "; " + estimate.law.applies,
+                    std::string(kFormula) +
+                        "; inflow slows as the room above the powder shrinks (ours); law: " +
+                        estimate.law.source + "; " + estimate.law.applies,
                     valid_text(estimate), error_text(estimate)});
   if (estimate.starved)
     said.push_back({"powder",
@@ -182,6 +185,18 @@ void say_speed(const Estimate& estimate, std::vector<Statement>& said) {
                                      estimate.way.speed, kMostCrossings);
     said.push_back({"shoe speed", text, kFormula, "as for filling; full means 99 %", error_text(estimate)});
   }
+}
+
+/// One line for a scene of several powders; empty for one of a single powder.
+std::string powders_text(const Estimate& estimate) {
+  if (estimate.powder.left_out.empty()) return {};
+  return "estimated as if all powder were " + estimate.powder.name + ": " + estimate.powder.left_out +
+         " of [[other_powder]] is not taken into account";
+}
+
+void say_powders(const Estimate& estimate, std::vector<Statement>& said) {
+  const std::string text = powders_text(estimate);
+  if (!text.empty()) said.push_back({"powders", text, "", "", "not measured"});
 }
 
 /// One slow crossing against several quick ones.
@@ -271,6 +286,7 @@ void say_air(const Estimate& estimate, std::vector<Statement>& said) {
 std::vector<Statement> statements(const Estimate& estimate) {
   std::vector<Statement> said;
   said.push_back({"answer", answer_text(estimate), kFormula, valid_text(estimate), error_text(estimate)});
+  say_powders(estimate, said);
   say_openings(estimate, said);
   say_speed(estimate, said);
   say_cycle(estimate, said);
@@ -286,6 +302,7 @@ std::vector<std::string> in_short(const Estimate& estimate) {
     lines.push_back(
         std::string("whether the cavity fills is answered by the estimate alone, if its error (") +
         error_text(estimate) + ") holds; diefill estimate says more");
+  if (!estimate.powder.left_out.empty()) lines.push_back(powders_text(estimate));
   return lines;
 }
 

@@ -1,8 +1,12 @@
 #include "process/plan/expected_error.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdio>
+#include <optional>
 
+#include "process/plan/grain_size_trends.h"
 #include "process/plan/setting.h"
 
 namespace diefill::process::plan {
@@ -22,20 +26,91 @@ constexpr std::array<SettledPowder, 4> kSettled = {{{"ASC100.29 initial A", 4, 0
                                                     {"ASC100.29 D1", 4, 0.2844, 0.30},
                                                     {"ASC100.29 D2", 4, 0.3313, 0.32}}};
 
+constexpr const char *kMass = "mass of a full cavity", *kUnevenness = "unevenness";
+
 constexpr double kSameFactor = 0.05;  // relative
 
-}  // namespace
-
-std::optional<ExpectedError> expected_error(const PowderSpec& powder, double grain_diameter, double width) {
+/// Of the published bed; nothing where there is none.
+std::optional<ExpectedError> error_of_bed(const PowderSpec& powder, double grain_diameter, double width) {
   // Beyond a third of the width grains wedge, which settled powder does not show.
   if (width > 0 && grain_diameter > kCoarsestToDecide * width * (1 + 1e-9)) return std::nullopt;
   const double factor = grain_diameter / calibrated_diameter(powder);
   for (const auto& row : kSettled)
     if (powder.name == row.preset && std::abs(factor / row.factor - 1) < kSameFactor)
-      return ExpectedError{"mean solid fraction of settled powder",
-                           std::abs(row.found - row.published) / row.published,
+      return ExpectedError{"settled solid fraction", std::abs(row.found - row.published) / row.published, 0,
                            "README.md, How far to trust it (Bierwisch 2009, Table 4.4)"};
   return std::nullopt;
+}
+
+bool was_measured(const std::string& powder) {
+  const auto& all = grain_size_trends();
+  return std::any_of(all.begin(), all.end(), [&](const auto& trend) { return powder == trend.powder; });
+}
+
+/// Names in the order in which they first stand there, "a, b and c".
+template <class NameOf>
+std::string names(const std::vector<const GrainSizeTrend*>& trends, NameOf name_of) {
+  std::vector<std::string> found;
+  for (const auto* trend : trends)
+    if (std::find(found.begin(), found.end(), name_of(*trend)) == found.end())
+      found.push_back(name_of(*trend));
+  std::string text;
+  for (std::size_t k = 0; k < found.size(); ++k)
+    text += (k == 0 ? "" : k + 1 == found.size() ? " and " : ", ") + found[k];
+  return text;
+}
+
+/// What grains of `share` of the narrowest width do to one figure; nothing where that was not measured.
+std::optional<ExpectedError> error_of_size(const std::string& powder, double share,
+                                           const std::string& figure) {
+  const bool own = was_measured(powder);
+  std::vector<const GrainSizeTrend*> trends;
+  ExpectedError found{figure, 0, 0, {}};
+  int runs = 0;
+  for (const auto& trend : grain_size_trends()) {
+    if (trend.figure != figure || (own && trend.powder != powder) || share > trend.coarsest * (1 + 1e-6))
+      continue;
+    trends.push_back(&trend);
+    runs += trend.runs;
+    found.error = std::max(found.error, std::abs(trend.slope) * share);
+    found.scatter = std::max(found.scatter, trend.scatter);
+  }
+  if (trends.empty()) return std::nullopt;
+  found.source = std::to_string(runs) + " runs of " + names(trends, [](const auto& t) { return t.powder; }) +
+                 " in " + names(trends, [](const auto& t) { return t.cavity; }) +
+                 (own ? "" : ", another powder") + " (process/plan/grain_size_errors.csv)";
+  return found;
+}
+
+}  // namespace
+
+std::vector<ExpectedError> expected_errors(const PowderSpec& powder, double grain_diameter, double width) {
+  std::vector<ExpectedError> errors;
+  if (width > 0)
+    for (const char* figure : {kMass, kUnevenness})
+      if (auto error = error_of_size(powder.name, grain_diameter / width, figure)) errors.push_back(*error);
+  if (auto error = error_of_bed(powder, grain_diameter, width)) errors.push_back(*error);
+  return errors;
+}
+
+const ExpectedError* largest(const std::vector<ExpectedError>& errors) {
+  const auto found = std::max_element(errors.begin(), errors.end(),
+                                      [](const auto& a, const auto& b) { return a.error < b.error; });
+  return found == errors.end() ? nullptr : &*found;
+}
+
+std::string words_of(const std::vector<ExpectedError>& errors) {
+  std::string text;
+  char buffer[200];
+  for (const auto& error : errors) {
+    std::snprintf(buffer, sizeof buffer, "%s%s %.2g %%", text.empty() ? "" : ", ", error.quantity.c_str(),
+                  100 * error.error);
+    text += buffer;
+    if (!(error.scatter > 0)) continue;
+    std::snprintf(buffer, sizeof buffer, " (scatter %.2g %%)", 100 * error.scatter);
+    text += buffer;
+  }
+  return text;
 }
 
 }  // namespace diefill::process::plan

@@ -38,8 +38,8 @@ Choice choice_of(const std::string& name, const Scene& scene, const Tooling& too
   Choice choice;
   choice.name = name;
   choice.forecast = pilot ? forecast(scene, tooling, *pilot) : forecast(scene, tooling);
-  choice.error =
-      expected_error(scene.powder, scene.powder.grain_diameter, tooling.all_cavities().narrowest_width);
+  choice.errors =
+      expected_errors(scene.powder, scene.powder.grain_diameter, tooling.all_cavities().narrowest_width);
   return choice;
 }
 
@@ -116,7 +116,8 @@ std::optional<std::size_t> cheapest_within(const Plan& plan, double error) {
   std::optional<std::size_t> best;
   for (std::size_t k = 0; k < plan.choices.size(); ++k) {
     const Choice& choice = plan.choices[k];
-    if (!choice.error || choice.error->error > error) continue;
+    const ExpectedError* worst = largest(choice.errors);
+    if (worst == nullptr || worst->error > error) continue;
     if (!best || choice.forecast.sphere_steps() < plan.choices[*best].forecast.sphere_steps()) best = k;
   }
   return best;

@@ -20,7 +20,7 @@ struct Choice {
   std::string name;                       ///< "as the scene has it", "quick", ...
   std::optional<SettingNumbers> numbers;  ///< nothing: the scene's own
   Forecast forecast;
-  std::optional<ExpectedError> error;
+  std::vector<ExpectedError> errors;  ///< to be expected; empty: not known
 };
 
 struct Plan {
@@ -56,7 +56,7 @@ void add_choices(Plan& plan);
 /// (wall clock). Nothing if even the coarsest grains of the quick setting take longer, or there is no pilot.
 std::optional<Choice> finest_within(const Plan& plan, double minutes);
 
-/// Index of the choice that is cheapest among those whose error is known and at most `error` (a share);
+/// Index of the choice that is cheapest among those whose errors are known and at most `error` (a share);
 /// nothing if there is none.
 std::optional<std::size_t> cheapest_within(const Plan& plan, double error);
 

@@ -6,9 +6,10 @@
 
 Shares are of what a cavity holds at the density of the powder in the shoe; for slits, discharged volume over width,
 length and shoe length. `offered` is what the openings would let through if the cavities had no floor, `estimate` what
-the program says they hold; within: the run lies in the range that the estimate states. `--again` estimates the runs of
-FILE once more, with the program as it is, and simulates nothing. Environment: DIEFILL (program, default
-build/bin/diefill)."""
+the program says they hold; within: the run lies in the range that the estimate states; dem_s: processor time of the
+run; source: "this script", or the page that has the run (fill height over depth; mass through a slit). `--again`
+estimates the runs of FILE once more, with the program as it is, and simulates nothing. Environment: DIEFILL (program,
+default build/bin/diefill)."""
 import argparse
 import csv
 import json
@@ -16,16 +17,22 @@ import math
 import os
 import pathlib
 import re
+import resource
 import subprocess
 import sys
 import tempfile
-import time
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 PROGRAM = os.environ.get("DIEFILL", str(ROOT / "build/bin/diefill"))
-RUN = ("scene", "opening", "powder", "grain_mm", "speed_m_s", "passages", "seed", "dem", "dem_s")
+RUN = ("scene", "opening", "powder", "grain_mm", "speed_m_s", "passages", "seed", "dem", "dem_s", "source")
 FOUND = ("width_mm", "felt_mm", "offered", "estimate", "lowest", "highest", "estimate_over_dem", "within", "estimate_s")
 SOLID_DENSITY = 7.63e-8 / (7 * 4 / 3 * math.pi * 7.84e-5 ** 3)  # kg/m^3 of model D (Bierwisch 2009, Table C.4)
+
+
+def processor_seconds():
+    """s that the programs that this one has run to their end have computed."""
+    use = resource.getrusage(resource.RUSAGE_CHILDREN)
+    return use.ru_utime + use.ru_stime
 
 
 def changed_scene(scene, run, folder):
@@ -90,9 +97,9 @@ def lines_of(scene, one, threads):
         folder = pathlib.Path(name)
         path = changed_scene(scene, one, folder)
         found = estimate(path)
-        began = time.monotonic()
+        began = processor_seconds()
         report = run(path, threads, folder)
-        took = round(time.monotonic() - began, 1)
+        took = round(processor_seconds() - began, 1)
     lines = []
     for number in range(len(found["openings"])):
         dem = round(measured_share(found, report, number), 4)
@@ -137,7 +144,7 @@ def main():
     parser.add_argument("--threads", type=int, default=os.cpu_count())
     parser.add_argument("--csv", type=pathlib.Path, help="table that lines are added to")
     parser.add_argument("--again", action="store_true", help="only estimate the runs of the table once more")
-    options = parser.parse_args()
+    options = parser.parse_intermixed_args()
     rows = list(csv.DictReader(options.csv.open())) if options.csv and options.csv.exists() else []
     if options.again:
         rows = again(rows)
@@ -151,7 +158,7 @@ def main():
             for seed in options.seeds.split(","):
                 one = {"scene": os.path.relpath(scene.resolve(), ROOT), "powder": options.powder or preset,
                        "grain_mm": options.grain or grain, "speed_m_s": float(speed),
-                       "passages": options.passages or passages, "seed": int(seed)}
+                       "passages": options.passages or passages, "seed": int(seed), "source": "this script"}
                 for line in lines_of(scene.resolve(), one, options.threads):
                     print(",".join(str(line[name]) for name in RUN + FOUND), flush=True)
                     if options.csv:

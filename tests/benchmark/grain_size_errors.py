@@ -1,30 +1,44 @@
 #!/usr/bin/env python3
-"""Runs scenes with grains of several sizes and seeds, and tells how far coarse grains are off the finest.
+"""Runs scenes with grains of several sizes and seeds, and tells how figures move with the size.
 
     python3 tests/benchmark/grain_size_errors.py run --csv FILE --shares 0.42,0.33,0.25 --seeds 1,2,3 SCENE [SCENE ...]
-    python3 tests/benchmark/grain_size_errors.py sum --csv FILE
+    python3 tests/benchmark/grain_size_errors.py table --csv FILE
 
-`run` adds a line for each run to the table: share is the grain diameter over the narrowest width of the cavity; `sum`
-prints, for each scene and powder, the means over seeds over those of the finest grains of the same series less 1, and
-their scatter (standard deviation over seeds of one run). Environment: DIEFILL (program, default build/bin/diefill)."""
+`run` pours powder over the cavity of each scene until it is heaped, moves nothing, measures the powder below the fill
+plane, and adds a line for each run to the table: share is the grain diameter over the narrowest width of the cavity,
+filled the volume of grains over that of the cavity, unevenness the standard deviation of the field of solid fraction,
+seconds processor time. `table` fits a line over the share to each figure of each cavity and powder, and prints the rows
+of process/plan/grain_size_trends.cpp. Figures of too few grains are empty. Environment: DIEFILL (program, default
+build/bin/diefill)."""
 import argparse
 import csv
 import json
+import math
 import os
 import pathlib
 import re
-import statistics
+import resource
 import subprocess
 import sys
 import tempfile
-import time
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 PROGRAM = os.environ.get("DIEFILL", str(ROOT / "build/bin/diefill"))
-# name in the table, figure of report.json
-FIGURES = (("filled", "cavity_solid_fraction"), ("fraction", "solid_fraction_mean"),
-           ("unevenness", "solid_fraction_field_std"))
-COLUMNS = ("scene", "powder", "width_mm", "share", "seed", "grains") + tuple(name for name, _ in FIGURES) + ("seconds",)
+# name in the table, figure of report.json, figure in process/plan/grain_size_trends.cpp
+FIGURES = (("filled", "cavity_solid_fraction", "mass of a full cavity"),
+           ("unevenness", "solid_fraction_field_std", "unevenness"))
+COLUMNS = ("scene", "powder", "width_mm", "share", "seed", "grains", "filled", "unevenness", "seconds")
+
+
+# mm, half the lengths of the cavities along x and y; all are 10 mm deep
+CAVITIES = {"square": (4, 4), "slot": (3, 8), "ring_6mm": (11, 11)}
+FILL_HEIGHT = 14  # mm of settled powder over that area, so that it heaps above the fill plane
+
+
+def processor_seconds():
+    """s that the programs that this one has run to their end have computed."""
+    use = resource.getrusage(resource.RUSAGE_CHILDREN)
+    return use.ru_utime + use.ru_stime
 
 
 def narrowest_width(scene):
@@ -33,8 +47,17 @@ def narrowest_width(scene):
     return found["needs"]["narrowest_width_m"]
 
 
+def poured(text, half):
+    """The scene with powder poured over the cavity, of half these lengths (mm), instead of brought by the shoe."""
+    text = re.sub(r"(?ms)^\[\[step\]\].*?(?=^\[)", "", text)
+    x, y = (length - 0.05 for length in half)
+    pour = (f'[pour]\nfrom = ["{-x} mm", "{-y} mm", "-10 mm"]\nto = ["{x} mm", "{y} mm", "10 mm"]\n'
+            f'fill_height = "{FILL_HEIGHT} mm"\naround_tools = true\n\n')
+    return re.sub(r"(?ms)^\[pour\].*?(?=^\[)", pour, text)
+
+
 def changed_scene(scene, powder, grain, seed, folder):
-    text = scene.read_text()
+    text = poured(scene.read_text(), CAVITIES[scene.stem])
     text = re.sub(r'(?m)^file = "([^"]*)"', lambda m: f'file = "{(scene.parent / m[1]).resolve()}"', text)
     for key, value in (("grain_diameter", f'"{1e3 * grain:.4f} mm"'), ("seed", seed), ("preset", f'"{powder}"')):
         text = re.sub(rf"(?m)^{key} = [^#\n]*", f"{key} = {value} ", text)
@@ -48,15 +71,15 @@ def line_of(scene, powder, width, share, seed, threads):
         folder = pathlib.Path(name)
         path = changed_scene(scene, powder, share * width, seed, folder)
         words = [PROGRAM, "run", str(path), "--out", str(folder / "out"), "--threads", str(threads), "--no-pictures"]
-        began = time.monotonic()
+        began = processor_seconds()
         done = subprocess.run(words, capture_output=True, text=True)
         if done.returncode != 0:
             print(f"{scene} at {share}: {done.stderr[-500:]}", file=sys.stderr)
             return None
         report = json.loads((folder / "out/report.json").read_text())
-    figures = [round(report[key], 5) if report.get(key) is not None else "" for _, key in FIGURES]
+    figures = [round(report[key], 5) if report.get(key) is not None else "" for _, key, _ in FIGURES]
     return dict(zip(COLUMNS, [os.path.relpath(scene, ROOT), powder, round(1e3 * width, 3), share, seed,
-                              report["grains"]] + figures + [round(time.monotonic() - began, 1)]))
+                              report["grains"]] + figures + [round(processor_seconds() - began, 1)]))
 
 
 def run(options):
@@ -76,51 +99,52 @@ def run(options):
                     writer.writerow(line)
 
 
-def mean_and_scatter(rows, name):
-    values = [float(row[name]) for row in rows if row[name] != ""]
-    if not values:
-        return None, None
-    return statistics.mean(values), statistics.stdev(values) if len(values) > 1 else None
+def line_through(points):
+    """Limit, slope, its standard error and the scatter of points (x, y) about their line."""
+    count = len(points)
+    middle = sum(x for x, _ in points) / count
+    height = sum(y for _, y in points) / count
+    spread = sum((x - middle) ** 2 for x, _ in points)
+    slope = sum((x - middle) * (y - height) for x, y in points) / spread
+    limit = height - slope * middle
+    scatter = math.sqrt(sum((y - limit - slope * x) ** 2 for x, y in points) / (count - 2))
+    return limit, slope, scatter / math.sqrt(spread), scatter
 
 
-def summed(path):
-    """Lines of scene, powder, share, runs, reference share, then error and scatter of every figure."""
+def trends(path):
+    """Cavity, powder, figure, slope, its error, scatter, finest and coarsest share, runs."""
     series = {}
     for row in csv.DictReader(path.open()):
-        series.setdefault((row["scene"], row["powder"]), {}).setdefault(float(row["share"]), []).append(row)
-    for (scene, powder), shares in sorted(series.items()):
-        finest = min(shares)
-        for share in sorted(shares):
-            line = [scene, powder, share, len(shares[share]), finest]
-            for name, _ in FIGURES:
-                reference, _ = mean_and_scatter(shares[finest], name)
-                mean, scatter = mean_and_scatter(shares[share], name)
-                if reference is None or mean is None:
-                    line += ["", ""]
-                    continue
-                line += [round(mean / reference - 1, 4), "" if scatter is None else round(scatter / reference, 4)]
-            yield line
+        series.setdefault((pathlib.Path(row["scene"]).stem, row["powder"]), []).append(row)
+    for (cavity, powder), rows in series.items():
+        points = {name: [(float(row["share"]), float(row[name])) for row in rows if row[name]]
+                  for name, _, _ in FIGURES}
+        for name, _, title in FIGURES:
+            shares = [share for share, _ in points[name]]
+            if len(set(shares)) < 2 or len(shares) < 4:
+                continue
+            over = line_through(points["filled"])[0]
+            _, slope, error, scatter = line_through(points[name])
+            yield (cavity, powder, title, slope / over, error / over, scatter / over, min(shares), max(shares),
+                   len(shares))
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
-    parser.add_argument("what", choices=("run", "sum"))
+    parser.add_argument("what", choices=("run", "table"))
     parser.add_argument("scenes", nargs="*", metavar="SCENE", type=pathlib.Path)
     parser.add_argument("--csv", required=True, type=pathlib.Path, help="table of runs")
     parser.add_argument("--shares", help="grain diameters over the narrowest width, separated by commas")
     parser.add_argument("--seeds", default="1,2,3")
     parser.add_argument("--powder", help="preset in place of the scenes' own")
     parser.add_argument("--threads", type=int, default=os.cpu_count())
-    options = parser.parse_args()
+    options = parser.parse_intermixed_args()
     if options.what == "run":
         run(options)
         return
-    heading = ["scene", "powder", "share", "runs", "reference_share"]
-    for name, _ in FIGURES:
-        heading += [f"{name}_error", f"{name}_scatter"]
-    print(",".join(heading))
-    for line in summed(options.csv):
-        print(",".join(str(value) for value in line))
+    for cavity, powder, title, slope, error, scatter, finest, coarsest, runs in trends(options.csv):
+        print(f'    {{"{cavity}", "{powder}", "{title}", {slope:.4f}, {error:.4f}, {scatter:.4f}, {finest:g}, '
+              f'{coarsest:g}, {runs}}},')
 
 
 if __name__ == "__main__":

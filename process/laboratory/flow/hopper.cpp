@@ -16,31 +16,35 @@ constexpr double kFinest = 4.704e-4;  // m, d of the source's set-ups
 constexpr double kConstant = 1.8e-3;  // m, B of the incompressible model (Bierwisch 2009, section 5.1.2)
 constexpr double kPeakShare = 0.95;  // n_peak over the largest solid fraction (Bierwisch 2009, section 5.1.3)
 
-/// Table 5.1 (Bierwisch 2009) with grains enlarged by `factor`. Slits are wider by 1.4 times what the grains
-/// have grown by (section 3.2.2), so that their effective width is the source's; depths grow with the grains.
-/// Powder of Table C.5: friction 0.5, no cohesion.
+/// Slit and depth for the set-up's grains, `factor` times as large as the source's: the slit is wider by 1.4
+/// times what the grains have grown by (Bierwisch 2009, section 3.2.2), depths grow with the grains.
+void suit_to_grains(double factor, HopperSetup& setup) {
+  setup.slit = setup.felt_slit + 1.4 * (1 - 1 / factor) * setup.powder.grain_diameter;
+  setup.depth *= setup.powder.grain_diameter / kFinest;
+  setup.averaging_width = std::max(5e-4, 0.5 * setup.powder.grain_diameter);
+}
+
+/// Table 5.1 (Bierwisch 2009) with grains enlarged by `factor`. Powder of Table C.5: friction 0.5, no
+/// cohesion.
 std::vector<HopperSetup> setups(double factor) {
   HopperSetup first;
   first.name = "1: D 15 mm";
   first.powder = powder_preset("ASC100.29 initial D");
   first.powder.friction = 0.5;
   first.powder.grain_diameter = factor * kFinest;
-  first.slit += 1.4 * (factor - 1) * kFinest;
-  first.depth = 2.16e-3 * factor;
-  first.averaging_width = std::max(5e-4, 0.5 * first.powder.grain_diameter);
+  first.depth = 2.16e-3;
   std::vector<HopperSetup> all(5, first);
   all[1].name = "2: D 10 mm";
-  all[1].slit -= 5e-3;
+  all[1].felt_slit = 10e-3;
   all[2].name = "3: g 1.62 m/s2";
   all[2].gravity = 1.62;
   all[3].name = "4: grains twice as large, laws not scaled";
   all[3].powder.grain_diameter *= 2;
   all[3].powder.damping_over_radius /= 2;
   all[3].powder.tangential_over_radius /= 2;
-  all[3].depth *= 2;
-  all[3].averaging_width *= 2;
   all[4].name = "5: hopper 60 mm wide";
   all[4].width = 60e-3;
+  for (HopperSetup& setup : all) suit_to_grains(factor, setup);
   return all;
 }
 
@@ -67,9 +71,9 @@ std::vector<HopperFields> run_all(const ExperimentOptions& options, const std::v
   return means;
 }
 
-/// m/s, sqrt(g D) of the effective slit.
-double speed_scale(const HopperSetup& setup, double factor) {
-  return std::sqrt(setup.gravity * (setup.slit - 1.4 * (factor - 1) * kFinest));
+/// m/s, sqrt(g D).
+double speed_scale(const HopperSetup& setup) {
+  return std::sqrt(setup.gravity * setup.felt_slit);
 }
 
 /// Eq. 5.5 fitted to local lengths of powder no denser than the peak.
@@ -120,11 +124,11 @@ void add_model_errors(const HopperFields& fields, double slit, const continuum::
 }  // namespace
 
 void compare_hopper(const ExperimentOptions& options, results::ExperimentResult& result) {
-  const double factor = options.quick ? 5 : 4;
+  const double factor = options.quick ? 6 : 5;
   const auto all = setups(factor);
   const int packings = options.quick ? 1 : 2;
   const auto fields = run_all(options, all, std::vector<int>(all.size(), packings));
-  const double scale = speed_scale(all[0], factor);
+  const double scale = speed_scale(all[0]);
   const auto points = local_lengths(fields[0], 0.1 * scale);
   const auto length = fitted(points, fields[0].bulk_fraction);
   const auto incompressible = solve_for(fields[0], all[0].slit, continuum::constant_length(kConstant), false);
@@ -135,7 +139,7 @@ void compare_hopper(const ExperimentOptions& options, results::ExperimentResult&
   add_profile_charts(fields[0], all[0].slit, {&incompressible, &compressible}, result.charts);
   std::vector<double> scales, slits;
   for (const auto& setup : all) {
-    scales.push_back(speed_scale(setup, factor));
+    scales.push_back(speed_scale(setup));
     slits.push_back(setup.slit);
   }
   add_scaling_charts(all, fields, slits, scales, result.charts);

@@ -16,7 +16,8 @@ namespace diefill::process::laboratory {
 struct HopperSetup {
   std::string name;
   PowderSpec powder;                 ///< at its wanted grain size
-  double slit = 15e-3;               ///< m, D, between the floor's spheres
+  double slit = 15e-3;               ///< m, between the floor's spheres
+  double felt_slit = 15e-3;          ///< m, D: the source's slit, as wide for its grains as `slit` for these
   double width = 45e-3;              ///< m, l, between the side walls
   double depth = 8.64e-3;            ///< m, b, the period along y
   double gravity = 9.81;             ///< m/s^2

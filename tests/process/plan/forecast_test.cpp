@@ -196,26 +196,17 @@ TEST(PlanForecast, WithinATimeTheFinestGrainsAreTakenThatFit) {
   EXPECT_NEAR(all_day->forecast.grain_diameter, 6 * 7.84e-5, 1e-9);
 }
 
-TEST(PlanForecast, ErrorsAreMeasuredOnesOrNotKnown) {
-  PowderSpec powder = PlannedScene().scene.powder;
-  EXPECT_FALSE(expected_error(powder, powder.grain_diameter, 0.02));  // Distaloy AE has no published bed
-  powder.name = "ASC100.29 D2";
-  const auto found = expected_error(powder, powder.grain_diameter, 0.02);
-  ASSERT_TRUE(found);
-  EXPECT_NEAR(found->error, (0.3313 - 0.32) / 0.32, 1e-12);
-  EXPECT_FALSE(expected_error(powder, powder.grain_diameter, 4.5e-3));  // beyond a third of the width
-  EXPECT_FALSE(expected_error(powder, 0.5 * powder.grain_diameter, 0.02));
-}
-
 TEST(PlanForecast, TheCheapestChoiceWithinAnErrorIsTakenIfAnyIsKnown) {
   const PlannedScene planned;
   Plan plan = sample_plan(planned);
-  EXPECT_FALSE(cheapest_within(plan, 0.5));
-  plan.choices[2].error = ExpectedError{"solid fraction", 0.04, "test"};
-  plan.choices[3].error = ExpectedError{"solid fraction", 0.01, "test"};
+  for (auto& choice : plan.choices) choice.errors.clear();
+  plan.choices[2].errors = {{"solid fraction", 0.04, 0, "test"}, {"mass", 0.02, 0.01, "test"}};
+  plan.choices[3].errors = {{"solid fraction", 0.01, 0, "test"}};
   EXPECT_EQ(cheapest_within(plan, 0.05), 2U);
   EXPECT_EQ(cheapest_within(plan, 0.02), 3U);
   EXPECT_FALSE(cheapest_within(plan, 0.005));
+  for (auto& choice : plan.choices) choice.errors.clear();
+  EXPECT_FALSE(cheapest_within(plan, 0.5));
 }
 
 }  // namespace

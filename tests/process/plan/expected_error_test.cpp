@@ -1,0 +1,120 @@
+// Expected errors against the runs that they were measured on.
+#include "process/plan/expected_error.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <fstream>
+#include <sstream>
+
+#include "process/plan/grain_size_trends.h"
+#include "process/scene/powder_presets.h"
+#include "project_paths.h"
+
+namespace diefill::process::plan {
+namespace {
+
+/// One run of the table: d/b, a figure, and the solid fraction of the cavity.
+struct Run {
+  double share, value, filled;
+};
+
+constexpr std::size_t kFilled = 6, kUnevenness = 7;  // columns of the table
+
+/// The runs of one cavity and powder; `column`: of the figure.
+std::vector<Run> runs_of(const std::string& cavity, const std::string& powder, std::size_t column) {
+  std::ifstream file(std::string(DIEFILL_SOURCE_DIR) + "/process/plan/grain_size_errors.csv");
+  std::vector<Run> runs;
+  for (std::string line; std::getline(file, line);) {
+    if (line.find("/" + cavity + ".toml," + powder + ",") == std::string::npos) continue;
+    std::vector<std::string> cells;
+    std::istringstream text(line);
+    for (std::string cell; std::getline(text, cell, ',');) cells.push_back(cell);
+    if (cells.at(column).empty()) continue;  // too few grains
+    runs.push_back({std::stod(cells.at(3)), std::stod(cells.at(column)), std::stod(cells.at(kFilled))});
+  }
+  return runs;
+}
+
+struct Line {
+  double limit = 0, slope = 0, scatter = 0;
+};
+
+Line line_through(const std::vector<Run>& runs, double Run::*figure) {
+  const auto count = static_cast<double>(runs.size());
+  double x = 0, y = 0, xx = 0, xy = 0, left = 0;
+  for (const Run& run : runs) {
+    x += run.share / count;
+    y += run.*figure / count;
+  }
+  for (const Run& run : runs) {
+    xx += (run.share - x) * (run.share - x);
+    xy += (run.share - x) * (run.*figure - y);
+  }
+  Line line{y - xy / xx * x, xy / xx, 0};
+  for (const Run& run : runs) left += std::pow(run.*figure - line.limit - line.slope * run.share, 2);
+  line.scatter = std::sqrt(left / (count - 2));
+  return line;
+}
+
+TEST(ExpectedError, TrendsAreThoseOfTheTable) {
+  ASSERT_FALSE(grain_size_trends().empty());
+  for (const GrainSizeTrend& trend : grain_size_trends()) {
+    const std::string figure = trend.figure;
+    const std::size_t column = figure == "mass of a full cavity" ? kFilled : kUnevenness;
+    const auto runs = runs_of(trend.cavity, trend.powder, column);
+    ASSERT_EQ(runs.size(), static_cast<std::size_t>(trend.runs)) << trend.cavity << trend.powder;
+    const Line line = line_through(runs, &Run::value);
+    const double over = line_through(runs_of(trend.cavity, trend.powder, kFilled), &Run::filled).limit;
+    EXPECT_NEAR(trend.slope, line.slope / over, 1e-4) << trend.cavity << trend.powder << figure;
+    EXPECT_NEAR(trend.scatter, line.scatter / over, 1e-4) << trend.cavity << trend.powder << figure;
+    EXPECT_LT(trend.finest, trend.coarsest);
+  }
+}
+
+TEST(ExpectedError, GrowsWithTheGrainSizeUpToTheCoarsestThatWasRun) {
+  const PowderSpec powder = powder_preset("Distaloy AE");
+  const double width = 6e-3;
+  const auto fine = expected_errors(powder, 0.25 * width, width),
+             coarse = expected_errors(powder, 0.4 * width, width);
+  ASSERT_EQ(fine.size(), 2U);
+  ASSERT_EQ(coarse.size(), 2U);
+  for (std::size_t k = 0; k < 2; ++k) {
+    EXPECT_NEAR(coarse[k].error, 0.4 / 0.25 * fine[k].error, 1e-12);
+    EXPECT_GT(coarse[k].scatter, 0);
+    EXPECT_NE(coarse[k].source.find("grain_size_errors.csv"), std::string::npos);
+  }
+  EXPECT_TRUE(expected_errors(powder, 0.9 * width, width).empty());
+  EXPECT_TRUE(expected_errors(powder, 1e-3, 0).empty());  // no cavity, no published bed
+}
+
+TEST(ExpectedError, OfAnotherPowderIsTheLargestOfAll) {
+  PowderSpec known = powder_preset("Distaloy AE"), other = known;
+  other.name = "my powder";
+  const auto own = expected_errors(known, 1.5e-3, 6e-3), any = expected_errors(other, 1.5e-3, 6e-3);
+  ASSERT_EQ(own.size(), any.size());
+  for (std::size_t k = 0; k < own.size(); ++k) EXPECT_GE(any[k].error, own[k].error);
+  EXPECT_NE(any.front().source.find("another powder"), std::string::npos);
+}
+
+TEST(ExpectedError, OfAPublishedBedIsToldBesides) {
+  PowderSpec powder = powder_preset("ASC100.29 D2");
+  powder.grain_diameter = 4 * 6 * 7.84e-5;
+  const auto none = expected_errors(powder, powder.grain_diameter, 0);
+  ASSERT_EQ(none.size(), 1U);
+  EXPECT_NEAR(none[0].error, (0.3313 - 0.32) / 0.32, 1e-12);
+  EXPECT_EQ(largest(none), &none[0]);
+  EXPECT_EQ(expected_errors(powder, powder.grain_diameter, 0.02).size(), 3U);
+  EXPECT_EQ(expected_errors(powder, powder.grain_diameter, 5e-3).size(), 2U);  // beyond a third of the width
+  EXPECT_TRUE(expected_errors(powder, 0.5 * powder.grain_diameter, 0).empty());
+  EXPECT_EQ(largest({}), nullptr);
+}
+
+TEST(ExpectedError, IsSaidWithItsScatterWhereThatIsKnown) {
+  EXPECT_EQ(words_of({{"mass", 0.031, 0.012, ""}, {"bed", 0.04, 0, ""}}),
+            "mass 3.1 % (scatter 1.2 %), bed 4 %");
+  EXPECT_EQ(words_of({}), "");
+}
+
+}  // namespace
+}  // namespace diefill::process::plan
