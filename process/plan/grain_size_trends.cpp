@@ -13,7 +13,9 @@ const std::vector<GrainSizeTrend>& grain_size_trends() {
       {"slot", "ASC100.29 D2", "mass of a full cavity", -0.0134, 0.1685, 0.0186, 0.33, 0.42, 6},
       {"slot", "ASC100.29 D2", "unevenness", 0.0004, 0.1081, 0.0119, 0.33, 0.42, 6},
       {"ring_6mm", "Distaloy AE", "mass of a full cavity", -0.0926, 0.0290, 0.0032, 0.33, 0.42, 6},
-      {"ring_6mm", "Distaloy AE", "unevenness", 0.0004, 0.0500, 0.0055, 0.33, 0.42, 6}};
+      {"ring_6mm", "Distaloy AE", "unevenness", 0.0004, 0.0500, 0.0055, 0.33, 0.42, 6},
+      {"ring_6mm", "ASC100.29 D2", "mass of a full cavity", -0.2273, 0.0744, 0.0073, 0.33, 0.42, 5},
+      {"ring_6mm", "ASC100.29 D2", "unevenness", 0.0033, 0.0622, 0.0061, 0.33, 0.42, 5}};
   return all;
 }
 

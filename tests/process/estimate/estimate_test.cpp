@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "process/estimate/filling.h"
 #include "process/estimate/mouth.h"
 #include "process/input/scene_error.h"
 #include "process/setup/read_tooling.h"
@@ -67,7 +68,12 @@ TEST(Estimate, OfSeveralCrossingsAddsUpUntilTheCavityIsFull) {
   ASSERT_GT(ring.offered.size(), 1U);
   EXPECT_NEAR(ring.offered[1], ring.offered[0], 0.02 * ring.offered[0]);  // back and forth alike
   EXPECT_LE(ring.mass.back(), ring.full_mass * (1 + 1e-9));
-  EXPECT_NEAR(ring.mass[0], std::min(ring.offered[0], ring.full_mass), 1e-9);
+  const double height = ring.offered[0] / ring.full_mass * ring.depth;
+  const double kept = filled_height({ring.depth, ring.width}, height) / ring.depth * ring.full_mass;
+  EXPECT_NEAR(ring.mass[0], kept, 1e-9);
+  EXPECT_LT(kept, std::min(ring.offered[0], ring.full_mass));
+  EXPECT_LT(ring.least_mass, ring.mass.back());
+  EXPECT_GT(ring.most_mass, ring.mass.back());
 }
 
 TEST(Estimate, CriticalSpeedIsThatAtWhichTheCavityIsJustFull) {

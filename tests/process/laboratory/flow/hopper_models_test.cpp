@@ -63,7 +63,7 @@ TEST(HopperModels, AModelHasNoErrorAgainstItselfAndOneAgainstAnother) {
 
 TEST(HopperModels, ClassesHoldAllPointsButThinOnes) {
   std::vector<continuum::LengthPoint> points;
-  for (int k = 0; k < 200; ++k) points.push_back({0.2 + 0.1 * k / 199.0, k % 2 == 0 ? 1e-3 : 3e-3, 1});
+  for (int k = 0; k < 200; ++k) points.push_back({0.2 + 0.099 * k / 199.0, k % 2 == 0 ? 1e-3 : 3e-3, 1});
   points.push_back({0.4, 9e-3, 1});
   const auto classes = in_classes(points, 8);
   double count = 0;
