@@ -77,7 +77,8 @@ TEST(Calibrate, FindsAPlantedFrictionAndWritesAPowderThatScenesUse) {
   const Outcome run = die.run({"--no-pictures"});
   ASSERT_EQ(run.exit_code, 0) << run.err;
   std::string warnings;
-  for (const auto& warning : die.report().at("warnings")) warnings += warning.get<std::string>() + '\n';
+  const auto report = die.report();
+  for (const auto& warning : report.at("warnings")) warnings += warning.get<std::string>() + '\n';
   EXPECT_NE(warnings.find("reduced modulus 4 MPa instead of 3 MPa"), std::string::npos) << warnings;
 }
 

@@ -61,7 +61,7 @@ TEST_F(CalibrationReport, TellsThePowderTheDataAndWhatTheyCannotTell) {
   const std::string page = html_page(calibration_document(account()));
   for (const char* part :
        {"Plant powder", "0.35 to 0.45", "only along a line", "heap, once more", "40 %", "too soft",
-        "Check on what was not fitted", "1.0e-04", "36.5", "more runs would change little"})
+        "Check on what was not fitted", "measured curve 0.0001 (Bierwisch", "36.5", "more runs would change little"})
     EXPECT_NE(page.find(part), std::string::npos) << part;
   EXPECT_EQ(page.find("<script"), std::string::npos);
 }
