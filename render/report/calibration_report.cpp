@@ -75,7 +75,7 @@ Figure curve_picture(const results::CalibratedMeasurement& measurement) {
     lower.y.push_back(0.5 * (datum.lower + datum.upper));
     lower.band.push_back(0.5 * (datum.upper - datum.lower));
   }
-  chart.curves = {measured, best, lower};
+  chart.curves = {lower, best, measured};  // measured on top
   chart.note =
       "Bars: standard deviation of the measurement, and of one run over seeds; band: over powders that agree";
   return chart_picture(chart, measurement.name + ": measured and simulated");
