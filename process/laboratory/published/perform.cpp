@@ -68,7 +68,8 @@ class FinishedRuns {
         open += state.stage == JobState::Stage::open ? 1U : 0U;
       }
     if (open == 0) return {};
-    return std::to_string(open) + " of " + std::to_string(all) + " runs cut off by the budget";
+    return std::to_string(open) + " of " + std::to_string(all) +
+           " runs not finished (budget used, or stopped)";
   }
 
  private:
