@@ -65,7 +65,7 @@ TEST(Lab, WhatTheBudgetLeavesOutIsSaid) {
   const auto table = nlohmann::json::parse(contents(kept / "packing_scatter.json"));
   ASSERT_EQ(table["rows"].size(), 16U);
   EXPECT_EQ(table["rows"][0]["verdict"], "no value");
-  EXPECT_EQ(table["rows"][0]["reason"], "1 of 1 runs cut off by the budget");
+  EXPECT_EQ(table["rows"][0]["reason"], "1 of 1 runs not finished (budget used, or stopped)");
   EXPECT_EQ(nlohmann::json::parse(contents(kept / "jobs.json"))["jobs"].size(), 2U);
 }
 

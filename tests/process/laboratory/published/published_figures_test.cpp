@@ -119,16 +119,18 @@ TEST(Fidelity, HasARowForEveryFigureAndSaysWhyThereIsNoValue) {
   row.id = "N01", row.values = {0.58, 0.6}, row.verdict = "met";
   coarse.rows.push_back(row);
   row.id = "N02", row.values.clear(), row.verdict = "no value",
-  row.reason = "1 of 1 runs cut off by the budget";
+  row.reason = "1 of 1 runs not finished (budget used, or stopped)";
   coarse.rows.push_back(row);
-  row.id = "N01", row.values = {}, row.reason = "1 of 2 runs cut off by the budget";
+  row.id = "N01", row.values = {}, row.reason = "1 of 2 runs not finished (budget used, or stopped)";
   medium.rows.push_back(row);
   const std::string page =
       fidelity_page({met, unbuilt, cut}, {coarse, medium}, {{"N01", "Tried: another lattice"}});
   EXPECT_NE(page.find("| N01 |  | 0.59 (0.575 to 0.605) | 0.59 +- 0.014 | met |"), std::string::npos) << page;
   EXPECT_NE(page.find("coarse, 2 seeds. Tried: another lattice"), std::string::npos) << page;
   EXPECT_NE(page.find("| X99 |  | 0.59 (0.575 to 0.605) | - | not built |"), std::string::npos) << page;
-  EXPECT_NE(page.find("no value | - | 0 | 1 of 1 runs cut off by the budget"), std::string::npos) << page;
+  EXPECT_NE(page.find("no value | - | 0 | 1 of 1 runs not finished (budget used, or stopped)"),
+            std::string::npos)
+      << page;
 }
 
 }  // namespace
