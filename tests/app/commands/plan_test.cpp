@@ -36,9 +36,10 @@ TEST(Plan, CountsWhatTheRunThenHas) {
   EXPECT_NEAR(json["needs"]["narrowest_width_m"].get<double>(), 4e-3, 1e-4);
   EXPECT_GT(own["wall_seconds"].get<double>(), 0);
   ASSERT_TRUE(json.contains("within_error"));
-  for (const auto& choice : json["choices"])
-    if (choice["name"] == json["within_error"])
-      for (const auto& error : choice["expected_errors"]) EXPECT_LE(error["error"].get<double>(), 0.05);
+  for (const auto& choice : json["choices"]) {
+    if (choice["name"] != json["within_error"]) continue;
+    for (const auto& error : choice["expected_errors"]) EXPECT_LE(error["error"].get<double>(), 0.05);
+  }
   ASSERT_EQ(die.run().exit_code, 0);
   const auto report = die.report();
   const double left = report["grains"].get<double>() + report["grains_left"].get<double>();
