@@ -69,7 +69,7 @@ void expect_same_filling(const std::string& lines, int seeds = 4) {
 }
 
 TEST(Economy, SleepFillsThePocketAsWell) {
-  expect_same_filling("sleep = true", 20);
+  expect_same_filling("sleep = true", 12);
   const auto asleep = Economical("sleep = true").report_of_filling();
   EXPECT_EQ(number(plain(), "sphere_steps_left_out"), 0);
   EXPECT_GT(number(asleep, "sphere_steps_left_out"), 0.02 * number(asleep, "sphere_steps"));
