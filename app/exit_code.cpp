@@ -8,7 +8,7 @@
 #include "geometry/mesh/mesh.h"
 #include "process/input/scene_error.h"
 #include "process/input/shown_value.h"
-#include "process/results/result_file.h"
+#include "process/results/storage/result_file.h"
 #include "process/run/fill_run.h"
 
 namespace diefill::app {

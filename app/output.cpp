@@ -9,8 +9,8 @@
 #include <stdexcept>
 #include <system_error>
 
-#include "process/results/atomic_file.h"
-#include "process/results/result_file.h"
+#include "process/results/storage/atomic_file.h"
+#include "process/results/storage/result_file.h"
 
 namespace diefill::app {
 

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "process/results/directory_lock.h"
+#include "process/results/storage/directory_lock.h"
 
 namespace diefill::app {
 

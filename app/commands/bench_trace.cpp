@@ -4,7 +4,7 @@
 #include <string>
 
 #include "engine/observe/energy_balance.h"
-#include "process/results/atomic_file.h"
+#include "process/results/storage/atomic_file.h"
 
 namespace diefill::app {
 

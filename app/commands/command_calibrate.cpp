@@ -10,7 +10,7 @@
 #include "app/tables/finite_number.h"
 #include "process/calibration/calibrate.h"
 #include "process/calibration/screen.h"
-#include "process/results/atomic_file.h"
+#include "process/results/storage/atomic_file.h"
 #include "render/report/calibration_report.h"
 #include "render/report/html.h"
 #include "render/report/pdf.h"

@@ -12,7 +12,7 @@
 #include "process/input/nearest_key.h"
 #include "process/input/scene_error.h"
 #include "process/input/units.h"
-#include "process/results/atomic_file.h"
+#include "process/results/storage/atomic_file.h"
 
 namespace diefill::app {
 

@@ -5,7 +5,7 @@
 #include "app/exit_code.h"
 #include "process/results/cavity_rows.h"
 #include "process/results/no_value.h"
-#include "process/results/result_file.h"
+#include "process/results/storage/result_file.h"
 
 namespace diefill::app {
 

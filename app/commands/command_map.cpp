@@ -13,11 +13,11 @@
 #include "app/pictures/source_names.h"
 #include "process/input/units.h"
 #include "process/measure/choose_cavity.h"
-#include "process/measure/measured_fields.h"
-#include "process/measure/time_average.h"
+#include "process/measure/fields/measured_fields.h"
+#include "process/measure/fields/time_average.h"
 #include "process/measured_data/hold_against.h"
-#include "process/results/atomic_file.h"
-#include "process/results/result_file.h"
+#include "process/results/storage/atomic_file.h"
+#include "process/results/storage/result_file.h"
 #include "render/report/measured_section.h"
 
 namespace diefill::app {

@@ -17,9 +17,9 @@
 #include "process/plan/expected_error.h"
 #include "process/powder/material.h"
 #include "process/results/figure_table.h"
-#include "process/results/group_names.h"
 #include "process/results/probe_table.h"
-#include "process/results/result_file.h"
+#include "process/results/storage/group_names.h"
+#include "process/results/storage/result_file.h"
 #include "process/run/assemble.h"
 #include "process/run/outcome.h"
 

@@ -13,7 +13,7 @@
 #include "app/tables/finite_number.h"
 #include "app/tables/tradeoff_table.h"
 #include "process/compare/kept_aside.h"
-#include "process/results/tradeoff.h"
+#include "process/results/studies/tradeoff.h"
 #include "process/scene/folder_names.h"
 #include "process/setup/predicted_work.h"
 #include "process/tradeoff/trade_off.h"

@@ -3,8 +3,8 @@
 #include <cstdio>
 
 #include "app/output.h"
-#include "process/results/earlier_results.h"
-#include "process/results/result_file.h"
+#include "process/results/storage/earlier_results.h"
+#include "process/results/storage/result_file.h"
 #include "process/run/checkpoint.h"
 #include "process/scene/identity.h"
 

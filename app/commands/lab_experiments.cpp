@@ -16,7 +16,7 @@
 #include "process/input/scene_error.h"
 #include "process/laboratory/published/fidelity.h"
 #include "process/laboratory/published/perform.h"
-#include "process/results/atomic_file.h"
+#include "process/results/storage/atomic_file.h"
 #include "render/charts/experiment_chart.h"
 #include "render/report/html.h"
 #include "render/report/lab_report.h"

@@ -12,7 +12,7 @@
 #include "process/calibration/powder_samples.h"
 #include "process/compare/job_folder.h"
 #include "process/compare/run_jobs.h"
-#include "process/results/atomic_file.h"
+#include "process/results/storage/atomic_file.h"
 #include "process/run/assemble.h"
 #include "render/report/html.h"
 #include "render/report/powder_spread_report.h"

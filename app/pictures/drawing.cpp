@@ -1,7 +1,7 @@
 #include "app/pictures/drawing.h"
 
 #include "process/measure/choose_cavity.h"
-#include "process/measure/measured_fields.h"
+#include "process/measure/fields/measured_fields.h"
 #include "process/run/assemble.h"
 #include "render/fields/comparison_picture.h"
 #include "render/fields/pictures.h"

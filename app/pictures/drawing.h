@@ -4,8 +4,8 @@
 #include <filesystem>
 #include <vector>
 
-#include "process/results/comparison.h"
 #include "process/results/fill_result.h"
+#include "process/results/studies/comparison.h"
 
 namespace diefill::app {
 

@@ -2,10 +2,10 @@
 #include <stdexcept>
 
 #include "app/pictures/picture_files.h"
-#include "process/measure/box_map.h"
 #include "process/measure/coordination.h"
+#include "process/measure/fields/box_map.h"
+#include "process/measure/figures/variation.h"
 #include "process/measure/measure.h"
-#include "process/measure/variation.h"
 #include "render/charts/variation_charts.h"
 
 namespace diefill::app {

@@ -8,12 +8,12 @@
 #include <stdexcept>
 
 #include "app/pictures/picture_files.h"
-#include "process/measure/box_map.h"
 #include "process/measure/earlier_instant.h"
+#include "process/measure/fields/box_map.h"
+#include "process/measure/fields/motion_field.h"
+#include "process/measure/figures/variation.h"
 #include "process/measure/measure.h"
-#include "process/measure/motion_field.h"
-#include "process/measure/partial_volumes.h"
-#include "process/measure/variation.h"
+#include "process/measure/volumes/partial_volumes.h"
 #include "render/fields/arrow_map.h"
 #include "render/fields/difference_map.h"
 #include "render/fields/field_places.h"

@@ -35,7 +35,7 @@ struct PictureRequest {
   bool pdf = false;     ///< charts as PDF too
 };
 
-/// Whether a picture may show the powder of several instants at once (process/measure/time_average.h).
+/// Whether a picture may show the powder of several instants at once (process/measure/fields/time_average.h).
 enum class OverTime { one_instant, average };
 
 /// A kind: its name on the command line, what it shows, and how it is made. Returns the files written. Throws

@@ -2,9 +2,9 @@
 #include <stdexcept>
 
 #include "app/pictures/picture_files.h"
-#include "process/measure/plane_sample.h"
-#include "process/measure/ring_sample.h"
-#include "process/measure/segregation.h"
+#include "process/measure/fields/plane_sample.h"
+#include "process/measure/fields/ring_sample.h"
+#include "process/measure/figures/segregation.h"
 
 namespace diefill::app {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "process/results/calibration.h"
+#include "process/results/studies/calibration.h"
 
 namespace diefill::app {
 

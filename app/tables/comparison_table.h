@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "process/results/comparison.h"
+#include "process/results/studies/comparison.h"
 
 namespace diefill::app {
 

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "process/results/lab_table.h"
+#include "process/results/studies/lab_table.h"
 
 namespace diefill::app {
 

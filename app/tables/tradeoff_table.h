@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "process/results/tradeoff.h"
+#include "process/results/studies/tradeoff.h"
 
 namespace diefill::app {
 

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "process/calibration/fit.h"
-#include "process/results/calibration.h"
+#include "process/results/studies/calibration.h"
 
 namespace diefill::process::calibration {
 

@@ -10,7 +10,7 @@
 #include "process/calibration/methods/space_filling.h"
 #include "process/calibration/starting_powder.h"
 #include "process/compare/kept_aside.h"
-#include "process/results/atomic_file.h"
+#include "process/results/storage/atomic_file.h"
 #include "process/run/assemble.h"
 
 namespace diefill::process::calibration {

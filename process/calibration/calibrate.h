@@ -7,7 +7,7 @@
 
 #include "process/calibration/calibration_file.h"
 #include "process/calibration/point_runs.h"
-#include "process/results/calibration.h"
+#include "process/results/studies/calibration.h"
 
 namespace diefill::process::calibration {
 

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <cstdio>
 
-#include "process/results/job_cost.h"
-#include "process/results/result_file.h"
+#include "process/results/storage/result_file.h"
+#include "process/results/studies/job_cost.h"
 #include "process/scene/scene_text.h"
 
 namespace diefill::process::calibration {

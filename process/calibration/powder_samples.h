@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "process/compare/collect.h"
-#include "process/results/powder_spread.h"
+#include "process/results/studies/powder_spread.h"
 #include "process/scene/variants.h"
 
 namespace diefill::process::calibration {

@@ -8,7 +8,7 @@
 #include "process/compare/compared_measures.h"
 #include "process/compare/job_folder.h"
 #include "process/compare/statistics.h"
-#include "process/results/result_file.h"
+#include "process/results/storage/result_file.h"
 
 namespace diefill::process {
 namespace {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "process/compare/compared_measures.h"
-#include "process/results/comparison.h"
+#include "process/results/studies/comparison.h"
 
 namespace diefill::process {
 

@@ -6,8 +6,8 @@
 #include "geometry/cad/mesh_import.h"
 #include "geometry/cad/referred_files.h"
 #include "process/compare/kept_aside.h"
-#include "process/results/atomic_file.h"
-#include "process/results/result_file.h"
+#include "process/results/storage/atomic_file.h"
+#include "process/results/storage/result_file.h"
 #include "process/scene/folder_names.h"
 
 namespace diefill::process {

@@ -8,8 +8,8 @@
 
 #include "process/compare/copied_files.h"
 #include "process/compare/kept_aside.h"
-#include "process/results/atomic_file.h"
-#include "process/results/result_file.h"
+#include "process/results/storage/atomic_file.h"
+#include "process/results/storage/result_file.h"
 #include "process/run/checkpoint.h"
 #include "process/scene/identity.h"
 

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "process/results/job_list.h"
+#include "process/results/studies/job_list.h"
 #include "process/scene/variants.h"
 
 namespace diefill::process {

@@ -4,8 +4,8 @@
 
 #include "process/compare/job_folder.h"
 #include "process/compare/kept_aside.h"
-#include "process/results/atomic_file.h"
-#include "process/results/result_file.h"
+#include "process/results/storage/atomic_file.h"
+#include "process/results/storage/result_file.h"
 
 namespace diefill::process {
 namespace {

@@ -5,7 +5,7 @@
 #include <functional>
 #include <nlohmann/json.hpp>
 
-#include "process/results/result_file.h"
+#include "process/results/storage/result_file.h"
 
 namespace diefill::process {
 namespace {

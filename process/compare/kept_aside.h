@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "process/results/comparison.h"
-#include "process/results/tradeoff.h"
+#include "process/results/studies/comparison.h"
+#include "process/results/studies/tradeoff.h"
 
 namespace diefill::process {
 

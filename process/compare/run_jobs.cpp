@@ -12,9 +12,9 @@
 
 #include "process/compare/child_process.h"
 #include "process/compare/job_folder.h"
-#include "process/results/atomic_file.h"
-#include "process/results/directory_lock.h"
-#include "process/results/job_cost.h"
+#include "process/results/storage/atomic_file.h"
+#include "process/results/storage/directory_lock.h"
+#include "process/results/studies/job_cost.h"
 #include "process/run/fill_run.h"
 #include "process/tooling/progress.h"
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "process/results/experiment_result.h"
+#include "process/results/studies/experiment_result.h"
 #include "process/tooling/progress.h"
 
 namespace diefill::process::laboratory {

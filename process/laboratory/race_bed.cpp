@@ -8,7 +8,7 @@
 #include <numbers>
 
 #include "engine/laws/bierwisch_law.h"
-#include "process/results/result_file.h"
+#include "process/results/storage/result_file.h"
 
 namespace diefill::process::laboratory {
 

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "process/measure/cavity_position.h"
-#include "process/measure/enough_grains.h"
+#include "process/measure/figures/enough_grains.h"
 #include "process/measure/measure.h"
 
 namespace diefill::process {

@@ -4,10 +4,10 @@
 #include <filesystem>
 #include <vector>
 
-#include "process/measure/zone.h"
+#include "process/measure/figures/zone.h"
 #include "process/measured_data/measured_table.h"
 #include "process/results/fill_result.h"
-#include "process/results/measured_comparison.h"
+#include "process/results/studies/measured_comparison.h"
 
 namespace diefill::process {
 

@@ -14,8 +14,8 @@
 #include <vector>
 
 #include "process/plan/plan.h"
-#include "process/results/atomic_file.h"
-#include "process/results/result_file.h"
+#include "process/results/storage/atomic_file.h"
+#include "process/results/storage/result_file.h"
 #include "process/scene/identity.h"
 
 namespace diefill::process::plan {

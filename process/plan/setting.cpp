@@ -9,8 +9,8 @@
 #include "process/input/shown_value.h"
 #include "process/powder/material.h"
 #include "process/scene/powder_presets.h"
+#include "process/scene/reading/sections.h"
 #include "process/scene/scene_text.h"
-#include "process/scene/sections.h"
 
 namespace diefill::process::plan {
 

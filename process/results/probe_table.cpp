@@ -3,8 +3,8 @@
 #include <array>
 #include <charconv>
 
-#include "process/results/atomic_file.h"
-#include "process/results/group_names.h"
+#include "process/results/storage/atomic_file.h"
+#include "process/results/storage/group_names.h"
 
 namespace diefill::results {
 

@@ -1,12 +1,12 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "process/results/atomic_file.h"
 #include "process/results/cavity_rows.h"
 #include "process/results/figure_table.h"
 #include "process/results/json_numbers.h"
 #include "process/results/no_value.h"
-#include "process/results/result_file.h"
+#include "process/results/storage/atomic_file.h"
+#include "process/results/storage/result_file.h"
 
 namespace diefill::results {
 namespace {

@@ -9,10 +9,10 @@
 
 #include "engine/observe/energy_balance.h"
 #include "engine/observe/powder_figures.h"
-#include "process/measure/heap_slope.h"
+#include "process/measure/fields/measured_fields.h"
+#include "process/measure/figures/heap_slope.h"
+#include "process/measure/figures/zone.h"
 #include "process/measure/measure.h"
-#include "process/measure/measured_fields.h"
-#include "process/measure/zone.h"
 #include "process/run/margin_warnings.h"
 #include "process/run/measure_cavities.h"
 #include "process/run/outcome.h"

@@ -7,8 +7,8 @@
 #include <type_traits>
 
 #include "engine/numerics/fnv1a.h"
-#include "process/results/atomic_file.h"
-#include "process/results/result_file.h"
+#include "process/results/storage/atomic_file.h"
+#include "process/results/storage/result_file.h"
 
 namespace diefill::process {
 

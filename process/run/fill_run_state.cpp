@@ -1,6 +1,6 @@
 // How a run keeps its state and goes on from what was kept.
 #include "process/input/units.h"
-#include "process/results/result_file.h"
+#include "process/results/storage/result_file.h"
 #include "process/run/fill_run.h"
 #include "process/run/shared_start.h"
 #include "process/scene/identity.h"

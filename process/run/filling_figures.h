@@ -1,7 +1,7 @@
 // Figures of a filled die in terms of powder metallurgy.
 #pragma once
 
-#include "process/measure/real_mass.h"
+#include "process/measure/figures/real_mass.h"
 #include "process/scene/scene.h"
 
 namespace diefill::process {

@@ -8,7 +8,7 @@
 #include "geometry/cad/mesh_import.h"
 #include "process/machine/powder_inflow.h"
 #include "process/machine/step.h"
-#include "process/results/result_file.h"
+#include "process/results/storage/result_file.h"
 #include "process/scene/identity.h"
 #include "process/scene/scene_text.h"
 

@@ -10,9 +10,9 @@
 #include "engine/numerics/fnv1a.h"
 #include "process/input/text_file.h"
 #include "process/scene/contact_spec.h"
+#include "process/scene/reading/sections.h"
+#include "process/scene/reading/wall_rules.h"
 #include "process/scene/scene_text.h"
-#include "process/scene/sections.h"
-#include "process/scene/wall_rules.h"
 
 namespace diefill::process {
 namespace {

@@ -8,8 +8,8 @@
 #include "process/input/nearest_key.h"
 #include "process/input/units.h"
 #include "process/scene/folder_names.h"
+#include "process/scene/reading/sections.h"
 #include "process/scene/scene_text.h"
-#include "process/scene/sections.h"
 #include "process/scene/setting.h"
 
 namespace diefill::process {

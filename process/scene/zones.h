@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "process/input/table_reader.h"
-#include "process/measure/zone.h"
+#include "process/measure/figures/zone.h"
 
 namespace diefill::process {
 

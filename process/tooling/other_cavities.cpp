@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "process/measure/cavity_position.h"
-#include "process/measure/enough_grains.h"
+#include "process/measure/figures/enough_grains.h"
 #include "process/measure/measure.h"
 #include "process/results/cavity_rows.h"
 #include "process/results/no_value.h"

@@ -2,7 +2,7 @@
 // setting.
 #pragma once
 
-#include "process/results/tradeoff.h"
+#include "process/results/studies/tradeoff.h"
 
 namespace diefill::process {
 

@@ -7,8 +7,8 @@
 #include "process/compare/compared_fields.h"
 #include "process/compare/job_folder.h"
 #include "process/compare/statistics.h"
-#include "process/results/job_cost.h"
-#include "process/results/result_file.h"
+#include "process/results/storage/result_file.h"
+#include "process/results/studies/job_cost.h"
 #include "process/tradeoff/quantities.h"
 
 namespace diefill::process {

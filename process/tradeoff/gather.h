@@ -1,8 +1,8 @@
 // Reads the finished runs of settings: values over seeds, and costs.
 #pragma once
 
-#include "process/results/job_list.h"
-#include "process/results/tradeoff.h"
+#include "process/results/studies/job_list.h"
+#include "process/results/studies/tradeoff.h"
 #include "process/tradeoff/settings.h"
 
 namespace diefill::process {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "process/measure/heap_slope.h"
+#include "process/measure/figures/heap_slope.h"
 #include "process/results/figure_table.h"
 #include "process/scene/zones.h"
 

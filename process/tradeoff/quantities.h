@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "process/results/fill_result.h"
-#include "process/results/tradeoff.h"
+#include "process/results/studies/tradeoff.h"
 #include "process/scene/scene.h"
 
 namespace diefill::process {

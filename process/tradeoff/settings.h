@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "process/results/tradeoff.h"
+#include "process/results/studies/tradeoff.h"
 #include "process/tradeoff/knob.h"
 
 namespace diefill::process {

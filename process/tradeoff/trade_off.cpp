@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "process/input/nearest_key.h"
-#include "process/results/job_cost.h"
+#include "process/results/studies/job_cost.h"
 #include "process/tooling/progress.h"
 #include "process/tradeoff/evaluate.h"
 #include "process/tradeoff/gather.h"

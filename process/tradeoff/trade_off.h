@@ -6,7 +6,7 @@
 
 #include "process/compare/job_folder.h"
 #include "process/compare/run_jobs.h"
-#include "process/results/tradeoff.h"
+#include "process/results/studies/tradeoff.h"
 #include "process/tradeoff/settings.h"
 
 namespace diefill::process {

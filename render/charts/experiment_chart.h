@@ -3,7 +3,7 @@
 
 #include <filesystem>
 
-#include "process/results/experiment_result.h"
+#include "process/results/studies/experiment_result.h"
 #include "render/charts/chart.h"
 
 namespace diefill::render {

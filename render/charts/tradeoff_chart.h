@@ -7,7 +7,7 @@
 #include <filesystem>
 #include <vector>
 
-#include "process/results/tradeoff.h"
+#include "process/results/studies/tradeoff.h"
 #include "render/style/axes.h"
 
 namespace diefill::render {

@@ -2,7 +2,7 @@
 // residual maps, effects, correlations and what was kept for checking.
 #pragma once
 
-#include "process/results/calibration.h"
+#include "process/results/studies/calibration.h"
 #include "render/report/document.h"
 
 namespace diefill::render::report {

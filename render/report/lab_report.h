@@ -3,8 +3,8 @@
 
 #include <vector>
 
-#include "process/results/experiment_result.h"
-#include "process/results/lab_table.h"
+#include "process/results/studies/experiment_result.h"
+#include "process/results/studies/lab_table.h"
 #include "render/report/document.h"
 
 namespace diefill::render::report {

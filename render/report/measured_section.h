@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "process/results/measured_comparison.h"
+#include "process/results/studies/measured_comparison.h"
 #include "render/report/document.h"
 
 namespace diefill::render::report {

@@ -1,7 +1,7 @@
 // The report of runs with powders drawn from a calibration's region.
 #pragma once
 
-#include "process/results/powder_spread.h"
+#include "process/results/studies/powder_spread.h"
 #include "render/report/document.h"
 
 namespace diefill::render::report {

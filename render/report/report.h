@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "process/results/fill_result.h"
-#include "process/results/measured_comparison.h"
+#include "process/results/studies/measured_comparison.h"
 #include "render/report/document.h"
 
 namespace diefill::render::report {

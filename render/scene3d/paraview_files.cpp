@@ -17,7 +17,7 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "process/results/atomic_file.h"
+#include "process/results/storage/atomic_file.h"
 
 namespace diefill::render {
 namespace {

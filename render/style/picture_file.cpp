@@ -5,7 +5,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "process/results/atomic_file.h"
+#include "process/results/storage/atomic_file.h"
 
 namespace diefill::render {
 

@@ -7,7 +7,7 @@
 #include "process/laboratory/published/experiments.h"
 #include "process/laboratory/published/lab_powder.h"
 #include "process/laboratory/published/repose_scene.h"
-#include "process/measure/heap_slope.h"
+#include "process/measure/figures/heap_slope.h"
 #include "process/results/figure_table.h"
 
 namespace diefill::process::laboratory {

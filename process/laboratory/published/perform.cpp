@@ -5,7 +5,7 @@
 #include <set>
 
 #include "process/results/figure_table.h"
-#include "process/results/job_cost.h"
+#include "process/results/studies/job_cost.h"
 #include "process/run/assemble.h"
 #include "process/scene/folder_names.h"
 #include "process/scene/scene_text.h"

@@ -6,7 +6,7 @@
 #include "process/compare/run_jobs.h"
 #include "process/laboratory/published/published_figure.h"
 #include "process/laboratory/published/scene_experiment.h"
-#include "process/results/lab_table.h"
+#include "process/results/studies/lab_table.h"
 
 namespace diefill::process::laboratory {
 

@@ -8,7 +8,7 @@
 #include "process/laboratory/published/experiments.h"
 #include "process/laboratory/published/repose_scene.h"
 #include "process/laboratory/published/slit_scene.h"
-#include "process/measure/heap_slope.h"
+#include "process/measure/figures/heap_slope.h"
 #include "process/results/figure_table.h"
 #include "process/tradeoff/quantities.h"
 

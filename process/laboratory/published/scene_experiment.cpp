@@ -1,6 +1,6 @@
 #include "process/laboratory/published/scene_experiment.h"
 
-#include "process/results/result_file.h"
+#include "process/results/storage/result_file.h"
 
 namespace diefill::process::laboratory {
 

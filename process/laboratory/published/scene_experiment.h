@@ -12,8 +12,8 @@
 #include <string>
 #include <vector>
 
-#include "process/results/experiment_result.h"
 #include "process/results/fill_result.h"
+#include "process/results/studies/experiment_result.h"
 #include "process/scene/variants.h"
 
 namespace diefill::process::laboratory {

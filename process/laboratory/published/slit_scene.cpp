@@ -6,7 +6,7 @@
 
 #include "process/continuum/discharge.h"
 #include "process/results/figure_table.h"
-#include "process/results/result_file.h"
+#include "process/results/storage/result_file.h"
 
 namespace diefill::process::laboratory {
 namespace {

@@ -12,7 +12,7 @@
 #include "process/laboratory/stability/profile_walls.h"
 #include "process/laboratory/stability/registry.h"
 #include "process/laboratory/stability/trial.h"
-#include "process/measure/heap_slope.h"
+#include "process/measure/figures/heap_slope.h"
 #include "process/powder/material.h"
 #include "process/tooling/rest.h"
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <map>
 
-#include "process/results/result_file.h"
+#include "process/results/storage/result_file.h"
 #include "tests/app/shared_report.h"
 
 namespace diefill::app {

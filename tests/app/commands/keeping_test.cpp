@@ -8,7 +8,7 @@
 #include <cstdlib>
 #include <thread>
 
-#include "process/results/result_file.h"
+#include "process/results/storage/result_file.h"
 #include "project_paths.h"
 #include "tests/app/small_die.h"
 

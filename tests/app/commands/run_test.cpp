@@ -4,7 +4,7 @@
 #include <cmath>
 #include <set>
 
-#include "process/results/result_file.h"
+#include "process/results/storage/result_file.h"
 #include "tests/app/small_die.h"
 
 namespace diefill::app {

@@ -7,7 +7,7 @@
 #include <sstream>
 #include <thread>
 
-#include "process/results/result_file.h"
+#include "process/results/storage/result_file.h"
 #include "tests/app/small_die.h"
 
 namespace diefill::app {

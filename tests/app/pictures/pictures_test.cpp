@@ -6,7 +6,7 @@
 #include <cstdlib>
 #include <numbers>
 
-#include "process/results/result_file.h"
+#include "process/results/storage/result_file.h"
 #include "tests/app/program.h"
 #include "tests/app/small_die.h"
 #include "tests/support/temporary_folder.h"

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "process/results/calibration.h"
+#include "process/results/studies/calibration.h"
 #include "tests/support/temporary_folder.h"
 
 namespace diefill::process {

@@ -3,7 +3,7 @@
 
 #include "process/compare/job_folder.h"
 #include "process/compare/kept_aside.h"
-#include "process/results/result_file.h"
+#include "process/results/storage/result_file.h"
 #include "tests/process/wrong_scene.h"
 #include "tests/support/temporary_folder.h"
 

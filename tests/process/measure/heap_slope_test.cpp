@@ -1,5 +1,5 @@
 // Slope of heaps whose surface is a known line, and how alike two fields are.
-#include "process/measure/heap_slope.h"
+#include "process/measure/figures/heap_slope.h"
 
 #include <gtest/gtest.h>
 

@@ -3,8 +3,8 @@
 
 #include <cmath>
 
-#include "process/measure/counted_grains.h"
-#include "process/measure/figures.h"
+#include "process/measure/figures/counted_grains.h"
+#include "process/measure/figures/figures.h"
 #include "process/measure/measure.h"
 #include "tests/process/measure_sample.h"
 

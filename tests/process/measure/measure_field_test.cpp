@@ -1,7 +1,7 @@
 // Gaussian fields: constants stay, gradients come back, holes stay holes, tools are cut out.
 #include <gtest/gtest.h>
 
-#include "process/measure/gaussian_field.h"
+#include "process/measure/fields/gaussian_field.h"
 #include "process/measure/measure.h"
 #include "tests/process/measure_sample.h"
 

@@ -1,11 +1,11 @@
 // Maps and sections show powder wherever it is; cavities of any shape have maps.
 #include <gtest/gtest.h>
 
-#include "process/measure/box_map.h"
+#include "process/measure/fields/box_map.h"
+#include "process/measure/fields/measured_fields.h"
+#include "process/measure/fields/motion_field.h"
+#include "process/measure/fields/powder_places.h"
 #include "process/measure/measure.h"
-#include "process/measure/measured_fields.h"
-#include "process/measure/motion_field.h"
-#include "process/measure/powder_places.h"
 #include "process/results/places_without_value.h"
 #include "process/run/assemble.h"
 #include "tests/process/measure_sample.h"

@@ -5,10 +5,10 @@
 
 #include "process/measure/cavity_position.h"
 #include "process/measure/coordination.h"
-#include "process/measure/figures.h"
+#include "process/measure/figures/figures.h"
+#include "process/measure/figures/segregation.h"
 #include "process/measure/measure.h"
-#include "process/measure/partial_volumes.h"
-#include "process/measure/segregation.h"
+#include "process/measure/volumes/partial_volumes.h"
 #include "tests/process/measure_sample.h"
 
 namespace diefill::process {

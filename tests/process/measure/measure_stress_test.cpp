@@ -3,7 +3,7 @@
 
 #include <random>
 
-#include "process/measure/stress_field.h"
+#include "process/measure/fields/stress_field.h"
 #include "tests/process/measure_sample.h"
 
 namespace diefill::process {

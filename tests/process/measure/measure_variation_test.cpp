@@ -4,10 +4,10 @@
 
 #include "process/measure/coordination.h"
 #include "process/measure/earlier_instant.h"
+#include "process/measure/fields/motion_field.h"
+#include "process/measure/fields/time_average.h"
+#include "process/measure/figures/variation.h"
 #include "process/measure/measure.h"
-#include "process/measure/motion_field.h"
-#include "process/measure/time_average.h"
-#include "process/measure/variation.h"
 #include "tests/process/measure_sample.h"
 
 namespace diefill::process {

@@ -3,11 +3,11 @@
 
 #include <cmath>
 
-#include "process/measure/enough_grains.h"
-#include "process/measure/figures.h"
+#include "process/measure/figures/enough_grains.h"
+#include "process/measure/figures/figures.h"
+#include "process/measure/figures/real_mass.h"
+#include "process/measure/figures/verdict.h"
 #include "process/measure/measure.h"
-#include "process/measure/real_mass.h"
-#include "process/measure/verdict.h"
 #include "process/results/cavity_rows.h"
 #include "process/results/no_value.h"
 #include "tests/process/measure_sample.h"

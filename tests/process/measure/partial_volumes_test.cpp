@@ -1,4 +1,4 @@
-#include "process/measure/partial_volumes.h"
+#include "process/measure/volumes/partial_volumes.h"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 #include <numeric>
 #include <random>
 
-#include "process/measure/sphere_overlap.h"
+#include "process/measure/volumes/sphere_overlap.h"
 #include "tests/process/measure_sample.h"
 
 namespace diefill::process {

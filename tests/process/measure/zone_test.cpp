@@ -1,5 +1,5 @@
 // Zones of a part: which grains they hold, and the figures of known powder.
-#include "process/measure/zone.h"
+#include "process/measure/figures/zone.h"
 
 #include <gtest/gtest.h>
 

@@ -10,9 +10,9 @@
 #include <set>
 
 #include "process/compare/compared_measures.h"
-#include "process/measure/figures.h"
-#include "process/measure/heap_slope.h"
-#include "process/measure/zone.h"
+#include "process/measure/figures/figures.h"
+#include "process/measure/figures/heap_slope.h"
+#include "process/measure/figures/zone.h"
 #include "process/tradeoff/quantities.h"
 #include "project_paths.h"
 #include "tests/process/measure_sample.h"

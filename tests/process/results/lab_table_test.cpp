@@ -1,11 +1,11 @@
 // Tables of the laboratory keep what they are given.
-#include "process/results/lab_table.h"
+#include "process/results/studies/lab_table.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "process/results/result_file.h"
+#include "process/results/storage/result_file.h"
 #include "tests/support/temporary_folder.h"
 
 namespace diefill::results {

@@ -5,9 +5,9 @@
 #include <iterator>
 #include <thread>
 
-#include "process/results/atomic_file.h"
-#include "process/results/group_names.h"
-#include "process/results/result_file.h"
+#include "process/results/storage/atomic_file.h"
+#include "process/results/storage/group_names.h"
+#include "process/results/storage/result_file.h"
 #include "tests/process/results_sample.h"
 #include "tests/support/temporary_folder.h"
 

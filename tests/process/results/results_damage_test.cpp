@@ -5,8 +5,8 @@
 #include <fstream>
 #include <random>
 
-#include "process/results/result_file.h"
-#include "process/results/sealed_file.h"
+#include "process/results/storage/result_file.h"
+#include "process/results/storage/sealed_file.h"
 #include "tests/process/results_sample.h"
 #include "tests/support/temporary_folder.h"
 

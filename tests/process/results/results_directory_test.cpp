@@ -4,9 +4,9 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include "process/results/atomic_file.h"
-#include "process/results/directory_lock.h"
-#include "process/results/earlier_results.h"
+#include "process/results/storage/atomic_file.h"
+#include "process/results/storage/directory_lock.h"
+#include "process/results/storage/earlier_results.h"
 #include "tests/support/temporary_folder.h"
 
 namespace diefill::results {

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "process/results/experiment_result.h"
+#include "process/results/studies/experiment_result.h"
 #include "tests/support/temporary_folder.h"
 
 namespace diefill::results {

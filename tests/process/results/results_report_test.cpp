@@ -4,7 +4,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "process/results/result_file.h"
+#include "process/results/storage/result_file.h"
 #include "tests/process/results_sample.h"
 #include "tests/support/temporary_folder.h"
 

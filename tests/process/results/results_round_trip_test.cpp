@@ -9,8 +9,8 @@
 #include <iterator>
 #include <thread>
 
-#include "process/results/result_file.h"
-#include "process/results/schema.h"
+#include "process/results/storage/result_file.h"
+#include "process/results/storage/schema.h"
 #include "tests/process/results_sample.h"
 #include "tests/support/temporary_folder.h"
 

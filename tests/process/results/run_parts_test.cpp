@@ -9,7 +9,7 @@
 #include "geometry/solid/solid_query.h"
 #include "process/powder/material.h"
 #include "process/powder/powder_mixture.h"
-#include "process/results/result_file.h"
+#include "process/results/storage/result_file.h"
 #include "process/run/checkpoint.h"
 #include "process/run/suction.h"
 #include "process/scene/powder_presets.h"

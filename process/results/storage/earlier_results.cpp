@@ -1,0 +1,63 @@
+#include "process/results/storage/earlier_results.h"
+
+#include <algorithm>
+#include <array>
+#include <string>
+#include <vector>
+
+#include "process/results/storage/result_file.h"
+
+namespace diefill::results {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::array kDecisive = {"checkpoint.bin", "results.h5", "report.json"};
+constexpr std::array kFiles = {"results.xdmf", "report.html", "snapshots", "paraview"};
+constexpr std::array kPictures = {".png", ".pdf", ".mp4"};
+
+template <class Names>
+bool is_one_of(const std::string& name, const Names& names) {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+/// Whether it is of a run: by its name, for a user's scene and tools may lie beside it. Pictures count
+/// however they are called, lest those of old results stand beside new ones.
+bool belongs_to_run(const fs::directory_entry& entry) {
+  const std::string name = entry.path().filename().string();
+  if (is_one_of(name, kDecisive) || is_one_of(name, kFiles)) return true;
+  if (entry.is_directory()) return name == "frames" || name.starts_with("frames_");
+  if (name.starts_with("probe_") && name.ends_with(".csv")) return true;
+  return is_one_of(entry.path().extension().string(), kPictures);
+}
+
+fs::path new_folder(const fs::path& directory) {
+  for (int number = 1;; ++number) {
+    const fs::path folder = directory / ("previous-" + std::to_string(number));
+    if (!fs::exists(fs::symlink_status(folder)) && fs::create_directory(folder)) return folder;
+  }
+}
+
+}  // namespace
+
+bool holds_results(const fs::path& directory) {
+  return std::any_of(kDecisive.begin(), kDecisive.end(),
+                     [&](const char* name) { return fs::exists(directory / name); });
+}
+
+std::optional<fs::path> set_aside(const fs::path& directory) {
+  if (!holds_results(directory)) return std::nullopt;
+  try {
+    std::vector<fs::path> files;
+    for (const auto& entry : fs::directory_iterator(directory))
+      if (belongs_to_run(entry)) files.push_back(entry.path());
+    const fs::path folder = new_folder(directory);
+    for (const fs::path& file : files) fs::rename(file, folder / file.filename());
+    return folder;
+  } catch (const fs::filesystem_error& error) {
+    throw ResultError("cannot back up the earlier results in " + directory.string() + ": " +
+                      error.code().message() + "; choose another directory with --out");
+  }
+}
+
+}  // namespace diefill::results

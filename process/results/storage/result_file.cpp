@@ -1,0 +1,131 @@
+#include "process/results/storage/result_file.h"
+
+#include <new>
+
+#include "process/results/storage/atomic_file.h"
+#include "process/results/storage/hdf5_read.h"
+#include "process/results/storage/hdf5_write.h"
+#include "process/results/storage/result_check.h"
+#include "process/results/storage/schema.h"
+#include "process/results/storage/sealed_file.h"
+#include "process/results/storage/sphere_view.h"
+#include "process/results/storage/unsealed_file.h"
+#include "process/results/storage/xdmf.h"
+
+namespace diefill::results {
+namespace {
+
+constexpr const char* kFileName = "results.h5";
+constexpr const char* kSealed = "hash_at_end";  // attribute: the file ends in a hash of its contents
+
+void make_directory(const std::filesystem::path& directory) {
+  std::error_code error;
+  std::filesystem::create_directories(directory, error);
+  if (error)
+    throw ResultError("cannot create the directory " + directory.string() + ": " + error.message() +
+                      "; choose a writable directory");
+}
+
+/// Derived from the rest and not read back.
+void write_spheres(Hdf5Writer& file, const FillResult& result) {
+  const SphereView view = view_spheres(result);
+  file.group("spheres", "basic spheres one by one, derived from /powder for results.xdmf", [&] {
+    file.field("centre", view.centre, "m", "sphere centres, laboratory frame");
+    file.field("radius", view.radius, "m", "sphere radii");
+    file.field("solid_fraction", view.solid_fraction, "1",
+               "solid fraction of the sphere's grain; NaN: open cell");
+    file.field("grain", view.grain, "1", "id of the sphere's grain");
+  });
+}
+
+std::string file_image(const FillResult& result) {
+  Hdf5Writer file;
+  file.file_attribute("format", kFormat);
+  file.file_attribute("schema_version", kSchemaVersion);
+  file.file_attribute(kSealed, 1);
+  file.file_attribute("program_version", result.program_version);
+  file.file_attribute(
+      "description",
+      "Result of a simulated die filling in SI units unless a dataset's attribute `unit` says "
+      "otherwise; every dataset is described by its attribute `description`.");
+  describe(file, result);
+  write_spheres(file, result);
+  return file.finish();
+}
+
+/// Throws unless the file holds results of a version that can be read.
+void check_format(Hdf5Reader& file, const std::filesystem::path& path) {
+  if (file.file_text("format") != kFormat)
+    throw ResultError(path.string() + ": an HDF5 file, but not diefill results; give another directory");
+  const int version = file.file_number("schema_version");
+  if (version < kOldestSchemaVersion || version > kSchemaVersion)
+    throw ResultError(path.string() + ": results of schema version " + std::to_string(version) +
+                      ", but this program reads versions " + std::to_string(kOldestSchemaVersion) + " to " +
+                      std::to_string(kSchemaVersion) + "; run the scene again with this program");
+  if (version < kSchemaVersion) file.allow_missing_lists();
+}
+
+FillResult described_in(Hdf5Reader& file, const std::filesystem::path& path) {
+  check_format(file, path);
+  FillResult result;
+  describe(file, result);
+  try {
+    check_lengths(result);
+  } catch (const ResultError& error) {
+    throw ResultError(path.string() + ": damaged: " + error.what() + "; run the scene again");
+  }
+  return result;
+}
+
+/// Results of an earlier version, which had no hash of their contents, as the image of a file that this
+/// version writes.
+std::string earlier_image(const std::filesystem::path& path) {
+  Hdf5Reader file(path);
+  check_format(file, path);
+  if (file.file_number(kSealed) == 1)
+    throw ResultError(path.string() +
+                      ": damaged or truncated: the hash at its end is missing; run the scene again");
+  return file_image(described_in(file, path));
+}
+
+FillResult read_checked(const std::filesystem::path& path) {
+  if (std::error_code error; !std::filesystem::is_regular_file(path, error))
+    throw ResultError(path.string() +
+                      ": no such results file; run the scene first or give another directory");
+  if (ends_in_seal(path)) {
+    const auto contents = read_sealed(path);
+    if (!contents)
+      throw ResultError(path.string() +
+                        ": damaged: its contents do not match their hash; run the scene again");
+    Hdf5Reader file(path, *contents);
+    return described_in(file, path);
+  }
+  const std::string image = read_in_child(path, [&] { return earlier_image(path); });
+  Hdf5Reader file(path, image);
+  FillResult result = described_in(file, path);
+  result.warnings.emplace_back(
+      "these results were written by an earlier version without a hash: damaged numbers would go unnoticed");
+  return result;
+}
+
+}  // namespace
+
+void write_results(const std::filesystem::path& directory, const FillResult& result) {
+  check_lengths(result);
+  make_directory(directory);
+  write_text_atomically(directory / kFileName, sealed(file_image(result)));
+  write_text_atomically(directory / "results.xdmf", xdmf_text(result, kFileName));
+}
+
+FillResult read_results(const std::filesystem::path& directory) {
+  const std::filesystem::path path = directory / kFileName;
+  try {
+    return read_checked(path);
+  } catch (const std::bad_alloc&) {
+    throw ResultError(path.string() + ": does not fit into memory or is damaged");
+  } catch (const std::length_error&) {
+    throw ResultError(path.string() + ": an array has an impossible length; the file is damaged");
+  }
+}
+
+}  // namespace diefill::results

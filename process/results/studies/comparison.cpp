@@ -1,0 +1,98 @@
+#include "process/results/studies/comparison.h"
+
+#include <cmath>
+#include <cstdio>
+#include <nlohmann/json.hpp>
+
+#include "process/results/csv_field.h"
+#include "process/results/storage/atomic_file.h"
+
+namespace diefill::results {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json number(double value) {
+  return std::isfinite(value) ? Json(value) : Json(nullptr);
+}
+
+Json run_entry(const ComparedRun& run) {
+  Json json = {{"variant", run.variant}, {"seed", run.seed}, {"folder", run.folder}, {"state", run.state}};
+  if (!run.reason.empty()) {
+    json["exit_code"] = run.exit_code;
+    json["reason"] = run.reason;
+  }
+  if (!run.state_hash.empty()) json["state_hash"] = run.state_hash;
+  for (const auto& [key, value] : run.values) json["values"][key] = number(value);
+  return json;
+}
+
+Json measure_entry(const ComparedMeasure& measure, const std::vector<std::string>& variants) {
+  Json json = {{"key", measure.key}, {"name", measure.name}, {"unit", measure.unit}};
+  for (std::size_t k = 0; k < variants.size(); ++k) {
+    const ComparedValue& value = measure.values[k];
+    json["variants"].push_back({{"variant", variants[k]},
+                                {"mean", number(value.mean)},
+                                {"scatter", number(value.scatter)},
+                                {"seeds", value.seeds},
+                                {"difference", number(value.difference)},
+                                {"interval_95", number(value.interval)},
+                                {"verdict", description(value.verdict)}});
+  }
+  return json;
+}
+
+std::string csv(const Comparison& comparison) {
+  std::string text = "variant,measure,unit,mean,scatter,seeds,difference,interval_95,verdict\n";
+  for (std::size_t k = 0; k < comparison.variants.size(); ++k)
+    for (const ComparedMeasure& measure : comparison.measures) {
+      const ComparedValue& value = measure.values[k];
+      text += csv_text(comparison.variants[k]) + ',' + csv_text(measure.name) + ',' + csv_text(measure.unit) +
+              ',' + csv_number(value.mean) + ',' + csv_number(value.scatter) + ',' +
+              std::to_string(value.seeds) + ',' + csv_number(value.difference) + ',' +
+              csv_number(value.interval) + ',' + csv_text(description(value.verdict)) + '\n';
+    }
+  return text;
+}
+
+}  // namespace
+
+std::string description(Verdict verdict) {
+  switch (verdict) {
+    case Verdict::reference:
+      return "reference";
+    case Verdict::none:
+      return "none";
+    case Verdict::different:
+      return "different";
+    case Verdict::scatter_unknown:
+      return "scatter unknown";
+    case Verdict::missing:
+      break;
+  }
+  return "no value";
+}
+
+std::string statistics_text() {
+  return "scatter: standard deviation over seeds; difference: from the first variant, 'none' where it is "
+         "within "
+         "the 95 % interval of Welch's t for two means, 'scatter unknown' where one of the two has one seed";
+}
+
+void write_comparison(const std::filesystem::path& directory, const Comparison& comparison) {
+  Json json;
+  json["title"] = comparison.title;
+  json["reference"] = comparison.variants.front();
+  json["variants"] = comparison.variants;
+  json["statistics"] = statistics_text();
+  json["measures"] = Json::array();
+  for (const auto& measure : comparison.measures)
+    json["measures"].push_back(measure_entry(measure, comparison.variants));
+  json["runs"] = Json::array();
+  for (const auto& run : comparison.runs) json["runs"].push_back(run_entry(run));
+  const std::string text = json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  write_text_atomically(directory / "comparison.json", text);
+  write_text_atomically(directory / "comparison.csv", csv(comparison));
+}
+
+}  // namespace diefill::results

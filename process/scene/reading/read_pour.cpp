@@ -1,0 +1,45 @@
+#include "process/scene/reading/plausibility.h"
+#include "process/scene/reading/sections.h"
+#include "process/scene/setting.h"
+
+namespace diefill::process {
+namespace {
+
+constexpr QuantityRule kCorner = {Dimension::length, "18 mm", "-10 m", "10 m"};
+constexpr QuantityRule kFillHeight = {Dimension::length, "24 mm", "0 mm", "1 m", true};
+constexpr NumberRule kSolidFraction = {0.05, 0.74, false,
+                                       "0.32"};  // 0.74: the densest packing of equal spheres
+constexpr QuantityRule kRimSpeed = {Dimension::velocity, "0.05 m/s", "0 m/s", "1 m/s"};
+constexpr NumberRule kLatticeConstant = {1, 5, false, "1.2"};
+constexpr NumberRule kRandomOffset = {0, 0.5, false, "0.1"};
+
+PourSpec read(TableReader& table, const Scene& scene, bool height_of_box) {
+  PourSpec pour;
+  pour.line = table.line();
+  pour.lower = table.required_point("from", kCorner);
+  pour.upper = table.required_point("to", kCorner);
+  pour.fill_height =
+      height_of_box ? pour.upper[2] - pour.lower[2] : table.required_quantity("fill_height", kFillHeight);
+  pour.solid_fraction = table.number("solid_fraction", kSolidFraction).value_or(pour.solid_fraction);
+  pour.rim_speed = table.quantity("rim_speed", kRimSpeed).value_or(pour.rim_speed);
+  pour.lattice_constant = table.number("lattice_constant", kLatticeConstant).value_or(pour.lattice_constant);
+  pour.random_offset = table.number("random_offset", kRandomOffset).value_or(pour.random_offset);
+  pour.around_tools = table.flag("around_tools").value_or(pour.around_tools);
+  pour.layers = read_layers(table, scene);
+  table.finish();
+  for (std::size_t k = 0; k <= scene.other_powders.size(); ++k)
+    check_pour(table, pour, powder_of(scene, k), scene.numerics);
+  return pour;
+}
+
+}  // namespace
+
+PourSpec read_pour(TableReader table, const Scene& scene) {
+  return read(table, scene, false);
+}
+
+PourSpec read_pour_without_height(TableReader table, const Scene& scene) {
+  return read(table, scene, true);
+}
+
+}  // namespace diefill::process
