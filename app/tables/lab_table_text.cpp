@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "app/tables/text_column.h"
+#include "process/results/rounding.h"
 
 namespace diefill::app {
 
@@ -29,7 +30,7 @@ Cells cells_of(const results::LabRow& row) {
   return {row.id.size() > 8 ? "" : row.id,
           quantity,
           results::published_text(row),
-          results::here_text(row) + (row.unit == "1" ? "" : " " + row.unit),
+          results::here_text(row) + results::unit_behind(row.unit),
           row.verdict,
           std::to_string(row.values.size()),
           digits(1e3 * row.grain_diameter, "%.3g"),

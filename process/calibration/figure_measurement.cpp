@@ -8,6 +8,7 @@
 #include "process/input/nearest_key.h"
 #include "process/input/unit_conversion.h"
 #include "process/results/figure_table.h"
+#include "process/scene/scene_text.h"
 #include "process/scene/variants.h"
 #include "process/tradeoff/quantities.h"
 
@@ -55,10 +56,8 @@ std::vector<MeasurementRun> runs_over(const MeasurementRun& run, const std::stri
     char number[40];
     std::snprintf(number, sizeof number, "%.10g", value);
     MeasurementRun one = run;
-    one.set +=
-        (one.set.empty() || one.set.back() == '\n' ? "" : "\n") + key + " = " +
-        (column.unit == "1" ? std::string(number) : '"' + std::string(number) + ' ' + column.unit + '"') +
-        '\n';
+    if (!one.set.empty() && one.set.back() != '\n') one.set += '\n';
+    one.set += assignment_line(key, number, column.unit);
     runs.push_back(std::move(one));
   }
   return runs;

@@ -6,6 +6,7 @@
 
 #include "process/input/scene_error.h"
 #include "process/input/unit_conversion.h"
+#include "process/scene/scene_text.h"
 
 namespace diefill::process::calibration {
 namespace {
@@ -57,8 +58,7 @@ double ParameterRange::place_of(double value) const {
 }
 
 std::string ParameterRange::assignment(double place) const {
-  const std::string number = written(value_at(place));
-  return key + " = " + (unit == "1" ? number : '"' + number + ' ' + unit + '"') + '\n';
+  return assignment_line(key, written(value_at(place)), unit);
 }
 
 std::vector<ParameterRange> read_parameters(TableReader& document) {

@@ -35,10 +35,7 @@ std::string assignments(const PowderRegion& region, const std::vector<double>& v
   for (std::size_t k = 0; k < values.size(); ++k) {
     char number[40];
     std::snprintf(number, sizeof number, "%.8g", values[k]);
-    lines += region.keys[k] + " = " +
-             (region.units[k] == "1" ? std::string(number)
-                                     : '"' + std::string(number) + ' ' + region.units[k] + '"') +
-             '\n';
+    lines += assignment_line(region.keys[k], number, region.units[k]);
   }
   return lines;
 }

@@ -6,6 +6,7 @@
 #include "process/calibration/methods/effect_regression.h"
 #include "process/calibration/methods/screening_effects.h"
 #include "process/input/units.h"
+#include "process/results/rounding.h"
 #include "process/run/assemble.h"
 
 namespace diefill::process::calibration {
@@ -36,8 +37,7 @@ std::string name_of(const Measurement& measurement, std::size_t value) {
   std::string name = measurement.name + " at ";
   for (std::size_t p = 0; p < measurement.data.places.size(); ++p) {
     const MeasuredColumn& place = measurement.data.places[p];
-    name +=
-        (p == 0 ? "" : ", ") + number_text(place.values[value]) + (place.unit == "1" ? "" : ' ' + place.unit);
+    name += (p == 0 ? "" : ", ") + number_text(place.values[value]) + results::unit_behind(place.unit);
   }
   return name;
 }

@@ -63,4 +63,8 @@ std::string mass_text(double mass, int digits) {
                                                         : in_significant_digits(1e3 * mass, digits) + " g";
 }
 
+std::string unit_behind(const std::string& unit) {
+  return unit == "1" || unit.empty() ? "" : ' ' + unit;
+}
+
 }  // namespace diefill::results

@@ -22,6 +22,9 @@ std::string with_scatter(double value, double scatter, int digits = 3);
 /// `value` with `digits` significant digits and no exponent where that stays short.
 std::string in_significant_digits(double value, int digits);
 
+/// " mm" to stand behind a number; nothing for plain numbers, whose unit is "1" or empty.
+std::string unit_behind(const std::string& unit);
+
 /// A mass in kg as "3.12 g" or "45.6 mg", with `digits` significant digits.
 std::string mass_text(double mass, int digits = 3);
 

@@ -87,4 +87,8 @@ std::string scene_text_of(const toml::table& document) {
   return text;
 }
 
+std::string assignment_line(const std::string& key, const std::string& number, const std::string& unit) {
+  return key + " = " + (unit == "1" ? number : '"' + number + ' ' + unit + '"') + '\n';
+}
+
 }  // namespace diefill::process

@@ -19,4 +19,8 @@ toml::table parse_scene_text(const std::string& text, const std::filesystem::pat
 /// The document as the text of a scene file, numbers with as few digits as give them back.
 std::string scene_text_of(const toml::table& document);
 
+/// A line of a scene that gives `key` (with its table) a number: `a.b = 1`, or `a.b = "1 mm"` where `unit` is
+/// not "1". `number` stands as given, so that its digits are the caller's choice.
+std::string assignment_line(const std::string& key, const std::string& number, const std::string& unit);
+
 }  // namespace diefill::process

@@ -3,15 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "process/results/rounding.h"
 #include "render/report/numbers.h"
 #include "render/report/pictures_of.h"
 
 namespace diefill::render::report {
 namespace {
-
-std::string unit_behind(const std::string& unit) {
-  return unit == "1" || unit.empty() ? "" : ' ' + unit;
-}
 
 std::string axis_text(const std::string& name, const std::string& unit) {
   return name + (unit == "1" || unit.empty() ? "" : " [" + unit + "]");
@@ -23,7 +20,7 @@ Table parameter_table(const results::Calibration& calibration) {
               {},
               true};
   for (const auto& parameter : calibration.parameters) {
-    const std::string unit = unit_behind(parameter.unit);
+    const std::string unit = results::unit_behind(parameter.unit);
     table.rows.push_back({parameter.key, in_digits(parameter.best, 3) + unit,
                           in_digits(parameter.lower, 3) + " to " + in_digits(parameter.upper, 3) + unit,
                           in_digits(parameter.from, 3) + " to " + in_digits(parameter.to, 3) + unit +
@@ -90,9 +87,10 @@ Table data_table(const results::Calibration& calibration, bool fitted) {
   for (const auto& measurement : calibration.measurements) {
     if (measurement.fitted != fitted || measurement.data.size() > 12) continue;
     for (const auto& datum : measurement.data) {
-      const std::string unit = unit_behind(measurement.unit);
-      const std::string at =
-          std::isfinite(datum.x) ? " at " + in_digits(datum.x, 3) + unit_behind(measurement.x_unit) : "";
+      const std::string unit = results::unit_behind(measurement.unit);
+      const std::string at = std::isfinite(datum.x)
+                                 ? " at " + in_digits(datum.x, 3) + results::unit_behind(measurement.x_unit)
+                                 : "";
       const double own = std::isfinite(datum.uncertainty) ? datum.uncertainty : 0;
       table.rows.push_back(
           {measurement.name + at, in_digits(datum.measured, 4) + " ± " + in_digits(datum.deviation, 2) + unit,
@@ -213,7 +211,7 @@ Section screening_section(const results::Screening& screening) {
                {},
                true};
   for (const auto& quantity : screening.quantities)
-    errors.rows.push_back({quantity.name, in_digits(quantity.mean, 4) + unit_behind(quantity.unit),
+    errors.rows.push_back({quantity.name, in_digits(quantity.mean, 4) + results::unit_behind(quantity.unit),
                            in_digits(quantity.error, 2), in_digits(quantity.error_without, 2),
                            in_digits(quantity.error_with, 2)});
   section.blocks.emplace_back(std::move(errors));

@@ -7,6 +7,7 @@
 #include <limits>
 #include <set>
 
+#include "process/results/rounding.h"
 #include "render/report/numbers.h"
 #include "render/report/pictures_of.h"
 
@@ -36,7 +37,7 @@ std::vector<double> differences(const MeasuredComparison& comparison) {
 /// In one line, such as "mean difference 0.2 mm, rms 0.4 mm, correlation 0.9".
 std::string words_of(const MeasuredComparison& comparison) {
   const auto& all = comparison.zones.front();
-  const std::string unit = comparison.unit == "1" ? "" : ' ' + comparison.unit;
+  const std::string unit = results::unit_behind(comparison.unit);
   return "simulated less measured: mean " + in_digits(all.simulated - all.measured, 2) + unit + ", rms " +
          in_digits(all.rms, 2) + unit + ", correlation " + in_digits(all.correlation, 2);
 }

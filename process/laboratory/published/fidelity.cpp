@@ -7,6 +7,7 @@
 
 #include "process/laboratory/published/csv_fields.h"
 #include "process/laboratory/published/scene_experiment.h"
+#include "process/results/rounding.h"
 
 namespace diefill::process::laboratory {
 namespace {
@@ -83,7 +84,7 @@ std::string row_text(const PublishedFigure& figure, const Line& line, const std:
   if (!setting.empty()) what += " (" + setting + ")";
   std::string note = line.note;
   if (!remark.empty()) note += (note.empty() ? "" : ". ") + remark;
-  const std::string unit = figure.unit == "1" ? "" : " " + figure.unit;
+  const std::string unit = results::unit_behind(figure.unit);
   return "| " + figure.id + " | " + in_cell(what) + " | " + in_cell(results::published_text(limits)) + unit +
          " | " + line.here + " | " + line.verdict + " | " + line.diameter + " | " + line.seconds + " | " +
          in_cell(note) + " |\n";

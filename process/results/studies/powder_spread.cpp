@@ -5,6 +5,7 @@
 
 #include "process/results/csv_field.h"
 #include "process/results/json_numbers.h"
+#include "process/results/rounding.h"
 #include "process/results/storage/atomic_file.h"
 
 namespace diefill::results {
@@ -14,10 +15,6 @@ using Json = nlohmann::ordered_json;
 
 std::string number(double value, int digits) {
   return std::isfinite(value) ? csv_number(value, digits) : "unknown";
-}
-
-std::string unit_behind(const std::string& unit) {
-  return unit == "1" ? "" : ' ' + unit;
 }
 
 Json entry(const SpreadFigure& figure) {
