@@ -5,6 +5,7 @@
 #include <cmath>
 #include <sstream>
 
+#include "process/input/csv_cells.h"
 #include "process/input/nearest_key.h"
 #include "process/input/scene_error.h"
 #include "process/input/shown_value.h"
@@ -47,16 +48,9 @@ struct Line {
   std::string place, text;
 };
 
-std::string trimmed(const std::string& text) {
-  const std::size_t first = text.find_first_not_of(" \t\r\"");
-  if (first == std::string::npos) return {};
-  return text.substr(first, text.find_last_not_of(" \t\r\"") - first + 1);
-}
-
+/// With the empty cell after a last comma, which a table of masses must not have.
 std::vector<std::string> cells_of(const std::string& line) {
-  std::vector<std::string> cells;
-  std::istringstream stream(line);
-  for (std::string cell; std::getline(stream, cell, ',');) cells.push_back(trimmed(cell));
+  std::vector<std::string> cells = csv_cells(line);
   if (!line.empty() && line.back() == ',') cells.emplace_back();
   return cells;
 }
@@ -77,7 +71,7 @@ std::vector<Line> lines_of(const std::filesystem::path& file) {
   int number = 0;
   for (std::string line; std::getline(stream, line);) {
     ++number;
-    const std::string content = trimmed(line);
+    const std::string content = trimmed_cell(line);
     if (content.empty() || content.front() == '#') continue;
     lines.push_back({file.string() + ":" + std::to_string(number), line});
   }
@@ -101,7 +95,7 @@ Column column_of(std::string heading, const std::string& place) {
   const std::string name = heading.substr(0, end);
   std::string unit = end == std::string::npos ? "" : heading.substr(end);
   std::erase_if(unit, [](char c) { return c == '[' || c == ']' || c == '(' || c == ')'; });
-  unit = trimmed(unit);
+  unit = trimmed_cell(unit);
   const auto found = std::find_if(kQuantities.begin(), kQuantities.end(),
                                   [&](const auto& quantity) { return name == quantity.name; });
   if (found == kQuantities.end()) {

@@ -4,6 +4,7 @@
 #include <sstream>
 #include <string_view>
 
+#include "process/input/csv_cells.h"
 #include "process/input/scene_error.h"
 #include "process/input/shown_value.h"
 #include "process/input/text_file.h"
@@ -11,19 +12,6 @@
 
 namespace diefill::process {
 namespace {
-
-std::string trimmed(const std::string& text) {
-  const std::size_t first = text.find_first_not_of(" \t\r\"");
-  if (first == std::string::npos) return {};
-  return text.substr(first, text.find_last_not_of(" \t\r\"") - first + 1);
-}
-
-std::vector<std::string> cells_of(const std::string& line) {
-  std::vector<std::string> cells;
-  std::istringstream stream(line);
-  for (std::string cell; std::getline(stream, cell, ',');) cells.push_back(trimmed(cell));
-  return cells;
-}
 
 constexpr std::size_t kMostPoints = 100000;
 
@@ -46,15 +34,15 @@ Column column_of(const std::string& heading, const std::string& place) {
                 [](char letter) { return letter == '[' || letter == ']' || letter == '(' || letter == ')'; });
   const std::vector<std::string> names = {"time", "x", "y", "z", "angle"};
   const auto found = std::find(names.begin(), names.end(), name);
-  if (found == names.end() || trimmed(unit).empty())
+  if (found == names.end() || trimmed_cell(unit).empty())
     throw SceneError(place + ": found column \"" + one_line(heading) +
                      "\"; allowed: time, x, y, z and angle, each with its unit, such as \"x mm\"");
-  return {static_cast<int>(found - names.begin()) - 1, trimmed(unit)};
+  return {static_cast<int>(found - names.begin()) - 1, trimmed_cell(unit)};
 }
 
 void add_point(MotionTable& table, const std::vector<Column>& columns, const std::string& line,
                const std::string& place) {
-  const auto cells = cells_of(line);
+  const auto cells = csv_cells(line);
   if (cells.size() != columns.size())
     throw SceneError(place + ": found " + std::to_string(cells.size()) + " values, expected " +
                      std::to_string(columns.size()) + ", one per column");
@@ -100,7 +88,7 @@ MotionTable read_motion_table(const std::filesystem::path& file, const std::stri
   int number = 0;
   for (std::string line; std::getline(stream, line);) {
     const std::string place = where + ": " + file.string() + ":" + std::to_string(++number);
-    if (trimmed(line).empty()) continue;
+    if (trimmed_cell(line).empty()) continue;
     if (!columns.empty()) {
       add_point(table, columns, line, place);
       if (table.time.size() > kMostPoints)
@@ -108,7 +96,7 @@ MotionTable read_motion_table(const std::filesystem::path& file, const std::stri
                          " points; remove points on smooth parts of the path");
       continue;
     }
-    for (const auto& heading : cells_of(line)) columns.push_back(column_of(heading, place));
+    for (const auto& heading : csv_cells(line)) columns.push_back(column_of(heading, place));
     if (std::none_of(columns.begin(), columns.end(), [](const Column& c) { return c.quantity < 0; }))
       throw SceneError(place + ": found no time column; start the heading with \"time s\"");
   }

@@ -7,6 +7,7 @@
 #include <set>
 #include <sstream>
 
+#include "process/input/csv_cells.h"
 #include "process/input/scene_error.h"
 #include "process/input/shown_value.h"
 #include "process/input/text_file.h"
@@ -17,18 +18,9 @@ namespace {
 
 constexpr std::size_t kLargest = 16U << 20U;  // bytes of a CSV
 
-std::string trimmed(const std::string& text) {
-  const std::size_t first = text.find_first_not_of(" \t\r\"");
-  if (first == std::string::npos) return {};
-  return text.substr(first, text.find_last_not_of(" \t\r\"") - first + 1);
-}
-
 std::vector<std::string> cells_of(const std::string& line) {
   const char separator = line.find(';') != std::string::npos ? ';' : ',';
-  std::vector<std::string> cells;
-  std::istringstream stream(line);
-  for (std::string cell; std::getline(stream, cell, separator);) cells.push_back(trimmed(cell));
-  return cells;
+  return csv_cells(line, separator);
 }
 
 /// "mass [g]" as name and unit.
@@ -38,7 +30,7 @@ MeasuredColumn column_of(const std::string& cell, const std::string& where) {
     throw SceneError(where + ": column \"" + one_line(cell) + "\" has no unit; write it as \"" +
                      one_line(cell.empty() ? "mass" : cell) + " [g]\", or \"[1]\" for plain numbers");
   MeasuredColumn column{
-      trimmed(cell.substr(0, open)), trimmed(cell.substr(open + 1, cell.size() - open - 2)), {}};
+      trimmed_cell(cell.substr(0, open)), trimmed_cell(cell.substr(open + 1, cell.size() - open - 2)), {}};
   try {
     unit_factor(column.unit, column.unit);
   } catch (const UnitError& error) {
@@ -140,7 +132,7 @@ Columns columns_in(const std::filesystem::path& file,
   int number = 0;
   for (std::string line; std::getline(lines, line);) {
     ++number;
-    if (trimmed(line).empty() || trimmed(line).front() == '#') continue;
+    if (trimmed_cell(line).empty() || trimmed_cell(line).front() == '#') continue;
     const std::string where = file.string() + ':' + std::to_string(number);
     const auto cells = cells_of(line);
     const bool header = read.columns.empty();
