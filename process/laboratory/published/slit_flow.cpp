@@ -110,6 +110,39 @@ Offset fitted_offset(const Points& points) {
   return {offset, std::sqrt(gradient.dot(covariance * gradient))};
 }
 
+/// Rate (mm^2/s) over D - 1.4 d (mm), a series for each grain size.
+std::vector<results::ExperimentSeries> series_of_sizes(const Points& points) {
+  std::vector<results::ExperimentSeries> series;
+  for (std::size_t k = 0; k < points.rate.size(); ++k) {
+    const std::string name = "d = " + plain(std::round(1e6 * points.diameter[k]) / 1e3) + " mm";
+    if (series.empty() || series.back().name != name) series.push_back({.name = name, .x = {}, .y = {}});
+    series.back().x.push_back(1e3 * (points.width[k] - kPublishedOffset * points.diameter[k]));
+    series.back().y.push_back(1e6 * points.rate[k]);
+  }
+  return series;
+}
+
+/// a (D - 1.4 d)^(3/2), with the mean a of all points.
+results::ExperimentSeries one_curve(const std::vector<results::ExperimentSeries>& sizes) {
+  double sum = 0, count = 0, widest = 0;
+  for (const auto& size : sizes)
+    for (std::size_t k = 0; k < size.x.size(); ++k) {
+      sum += size.y[k] / std::pow(size.x[k], 1.5);
+      ++count;
+      widest = std::max(widest, size.x[k]);
+    }
+  results::ExperimentSeries curve{.name = "published: one curve (power 1.5)",
+                                  .role = results::ExperimentSeries::Role::predicted,
+                                  .x = {},
+                                  .y = {}};
+  constexpr int kNodes = 60;
+  for (int k = 0; k <= kNodes && count > 0; ++k) {
+    curve.x.push_back(widest * k / kNodes);
+    curve.y.push_back(sum / count * std::pow(curve.x.back(), 1.5));
+  }
+  return curve;
+}
+
 results::ExperimentChart chart_of(const LabSetting& setting, const Case& one, const SeedResults& seed) {
   const Points points = points_of(seed, setting, one);
   const Offset offset = fitted_offset(points);
@@ -124,32 +157,8 @@ results::ExperimentChart chart_of(const LabSetting& setting, const Case& one, co
   chart.note = note;
   chart.x = {.label = "Slit width less 1.4 grain sizes [mm]"};
   chart.y = {.label = "Solid rate over slice depth [mm2/s]"};
-  double sum = 0, count = 0, widest = 0;
-  results::ExperimentSeries series;
-  for (std::size_t k = 0; k < points.rate.size(); ++k) {
-    const double free = 1e3 * (points.width[k] - kPublishedOffset * points.diameter[k]);
-    const std::string name = "d = " + plain(std::round(1e6 * points.diameter[k]) / 1e3) + " mm";
-    if (name != series.name) {
-      if (!series.x.empty()) chart.series.push_back(series);
-      series = {.name = name, .x = {}, .y = {}};
-    }
-    series.x.push_back(free);
-    series.y.push_back(1e6 * points.rate[k]);
-    sum += 1e6 * points.rate[k] / std::pow(free, 1.5);
-    ++count;
-    widest = std::max(widest, free);
-  }
-  if (!series.x.empty()) chart.series.push_back(series);
-  results::ExperimentSeries curve{.name = "published: one curve (power 1.5)",
-                                  .role = results::ExperimentSeries::Role::predicted,
-                                  .x = {},
-                                  .y = {}};
-  constexpr int kNodes = 60;
-  for (int k = 0; k <= kNodes && count > 0; ++k) {
-    curve.x.push_back(widest * k / kNodes);
-    curve.y.push_back(sum / count * std::pow(curve.x.back(), 1.5));
-  }
-  chart.series.push_back(curve);
+  chart.series = series_of_sizes(points);
+  chart.series.push_back(one_curve(chart.series));
   return chart;
 }
 
