@@ -32,7 +32,8 @@ struct JobOptions {
 /// Runs every job that is not finished, from its checkpoint where it has one; one that left the method's
 /// valid range before would do so again and is left out. What a job says goes to its run.log, how it ended to
 /// its exit_code. When asked to stop it stops the jobs with a checkpoint and throws Interrupted. Throws
-/// std::runtime_error where no process can be made. What a job costs goes to its folder (results/studies/job_cost.h).
+/// std::runtime_error where no process can be made. What a job costs goes to its folder
+/// (results/studies/job_cost.h).
 void run_jobs(const std::filesystem::path& directory, const results::JobList& list,
               const JobOptions& options);
 
