@@ -91,34 +91,64 @@ int unfinished(const process::FillRun& fill) {
   return kUnfinished;
 }
 
+int run_samples(const RunArguments& arguments, const process::Scene& scene,
+                const std::filesystem::path& results) {
+  PowderSampleArguments samples = arguments.samples;
+  samples.quiet = arguments.quiet;
+  samples.threads = arguments.threads;
+  return run_powder_samples(
+      scene, arguments.directory.empty() ? results.string() + "_powder_samples" : arguments.directory,
+      samples);
+}
+
+auto snapshot_writer(const process::Scene& scene, const process::Tooling& tooling,
+                     const std::filesystem::path& directory) {
+  return [&, directory](const process::FillRun& under_way, const std::string& name) {
+    const auto folder = directory / "snapshots" / results::group_names({name}).front();
+    write_output([&] {
+      const auto snapshot = process::assemble(scene, tooling, under_way);
+      results::write_results(folder, snapshot);
+      results::write_report(folder, snapshot);
+    });
+  };
+}
+
+/// Writes all results and says where they are. Returns the exit code.
+int deliver(const RunArguments& arguments, const process::Scene& scene, const process::Tooling& tooling,
+            const std::filesystem::path& directory, const process::FillRun& fill) {
+  auto result = process::assemble(scene, tooling, fill);
+  note_expected_errors(scene, tooling, result);
+  std::vector<std::filesystem::path> pictures, series;
+  write_output([&] {
+    results::write_results(directory, result);
+    results::write_report(directory, result);
+    results::write_probe_tables(directory, result);
+    if (!arguments.no_pictures) pictures = draw(directory, result);
+    series = write_filling_series(result, directory / "paraview", directory / "filling.pvd");
+  });
+  const bool finished = fill.why_unfinished().empty();
+  if (finished) std::filesystem::remove(process::checkpoint_file(directory));
+  print_summary(result);
+  std::printf("results in %s: report.json, results.h5 (results.xdmf for ParaView)",
+              directory.string().c_str());
+  for (const auto& picture : pictures) std::printf(", %s", picture.filename().string().c_str());
+  if (!series.empty()) std::printf(", %s (plays in ParaView)", series.back().filename().string().c_str());
+  std::printf("\n");
+  print_alerts(process::alerts_of(result.warnings));
+  return finished ? kDone : unfinished(fill);
+}
+
 int run(const RunArguments& arguments) {
   process::Scene scene = wanted_scene(arguments.scene, arguments.setting);
   process::RunOptions options = options_of(arguments, scene);
-  if (arguments.samples.powders > 0) {
-    PowderSampleArguments samples = arguments.samples;
-    samples.quiet = arguments.quiet;
-    samples.threads = arguments.threads;
-    return run_powder_samples(
-        scene,
-        arguments.directory.empty() ? options.directory.string() + "_powder_samples" : arguments.directory,
-        samples);
-  }
+  if (arguments.samples.powders > 0) return run_samples(arguments, scene, options.directory);
   std::optional<OutputDirectory> output;
   // Before work that would be lost if a second run were refused.
   if (std::filesystem::exists(options.directory)) output.emplace(options.directory);
   const auto tooling = prepared_tooling(scene, !arguments.quiet);
   scene = process::with_prepared_steps(std::move(scene), tooling);
   if (arguments.resume && is_finished(options.directory, scene, tooling)) return kDone;
-  const auto folder = [&](const std::string& name) {
-    return options.directory / "snapshots" / results::group_names({name}).front();
-  };
-  options.snapshot = [&](const process::FillRun& under_way, const std::string& name) {
-    write_output([&] {
-      const auto snapshot = process::assemble(scene, tooling, under_way);
-      results::write_results(folder(name), snapshot);
-      results::write_report(folder(name), snapshot);
-    });
-  };
+  options.snapshot = snapshot_writer(scene, tooling, options.directory);
   give_back_freed_memory();
   options.stop = &heed_stop_signals();
   process::FillRun fill(scene, tooling, options);  // refuses what cannot be begun, in one line
@@ -127,27 +157,7 @@ int run(const RunArguments& arguments) {
   if (!options.shared_starts.empty()) make_output_directory(options.shared_starts);
   keep_earlier_results(options.directory, arguments.resume);
   fill.run();
-
-  auto result = process::assemble(scene, tooling, fill);
-  note_expected_errors(scene, tooling, result);
-  std::vector<std::filesystem::path> pictures, series;
-  write_output([&] {
-    results::write_results(options.directory, result);
-    results::write_report(options.directory, result);
-    results::write_probe_tables(options.directory, result);
-    if (!arguments.no_pictures) pictures = draw(options.directory, result);
-    series = write_filling_series(result, options.directory / "paraview", options.directory / "filling.pvd");
-  });
-  const bool finished = fill.why_unfinished().empty();
-  if (finished) std::filesystem::remove(process::checkpoint_file(options.directory));
-  print_summary(result);
-  std::printf("results in %s: report.json, results.h5 (results.xdmf for ParaView)",
-              options.directory.string().c_str());
-  for (const auto& picture : pictures) std::printf(", %s", picture.filename().string().c_str());
-  if (!series.empty()) std::printf(", %s (plays in ParaView)", series.back().filename().string().c_str());
-  std::printf("\n");
-  print_alerts(process::alerts_of(result.warnings));
-  return finished ? kDone : unfinished(fill);
+  return deliver(arguments, scene, tooling, options.directory, fill);
 }
 
 void add_powder_samples(CLI::App& command, PowderSampleArguments& samples) {

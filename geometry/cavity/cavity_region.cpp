@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <optional>
 
+#include "geometry/reach/solid_rows.h"
+
 namespace diefill::geometry {
 namespace {
 
@@ -101,7 +103,8 @@ class LineMeasure {
   LineMeasure(const CavityRegion& region, std::span<const Mesh* const> solids, int axis)
       : region_(region), axis_(axis), u_((axis + 1) % 3), v_((axis + 2) % 3) {
     std::vector<SolidRows> rows;
-    for (const auto* mesh : solids) rows.emplace_back(*mesh, region.grid, axis);
+    LineCrossings crossings;
+    for (const auto* mesh : solids) rows.emplace_back(*mesh, region.grid, axis, crossings);
     std::vector<const SolidRows*> pointers;
     for (const auto& row : rows) pointers.push_back(&row);
     rows_ = joined_rows(pointers, kLargestFit);

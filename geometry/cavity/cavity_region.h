@@ -1,6 +1,8 @@
 // Finds the voxels of cavities: free space below the fill plane whose only way out is upwards.
 #pragma once
 
+#include <cstdint>
+#include <span>
 #include <vector>
 
 #include "geometry/reach/voxel_grid.h"

@@ -80,10 +80,10 @@ SolidPose PosedSolids::pose(std::size_t solid, std::size_t sample) const {
   return {solids_[solid].rotations[sample], solids_[solid].translations[sample]};
 }
 
-std::vector<SolidRows> PosedSolids::rows_of(std::size_t solid, const SolidPose& pose) const {
+std::vector<SolidRows> PosedSolids::rows_of(std::size_t solid, const SolidPose& pose) {
   const Mesh mesh = transformed(*solids_[solid].mesh, pose.rotation, pose.translation);
   std::vector<SolidRows> rows;
-  for (int axis = 0; axis < 3; ++axis) rows.emplace_back(mesh, grid_, axis);
+  for (int axis = 0; axis < 3; ++axis) rows.emplace_back(mesh, grid_, axis, crossings_);
   return rows;
 }
 
@@ -102,7 +102,7 @@ std::vector<SolidPose> PosedSolids::way_on(std::size_t solid, std::size_t sample
   return way;
 }
 
-std::vector<std::uint8_t> PosedSolids::blocked(std::size_t sample) const {
+std::vector<std::uint8_t> PosedSolids::blocked(std::size_t sample) {
   std::vector<std::vector<SolidRows>> moving;
   for (std::size_t i = 0; i < solids_.size(); ++i) {
     if (!stands_[i]) moving.push_back(rows_of(i, pose(i, sample)));
@@ -118,7 +118,7 @@ std::vector<std::uint8_t> PosedSolids::blocked(std::size_t sample) const {
   return result;
 }
 
-PosedSolids::Part PosedSolids::blocked_by(std::size_t solid, const SolidPose& pose) const {
+PosedSolids::Part PosedSolids::blocked_by(std::size_t solid, const SolidPose& pose) {
   const Mesh mesh = transformed(*solids_[solid].mesh, pose.rotation, pose.translation);
   const Box box = mesh.bounding_box();
   Part part;
@@ -129,7 +129,7 @@ PosedSolids::Part PosedSolids::blocked_by(std::size_t solid, const SolidPose& po
   part.blocked.assign(part.grid.size(), 0);
   if (part.blocked.empty()) return part;  // still or again outside the grid, as on a long way to it
   for (int axis = 0; axis < 3; ++axis)
-    block(part.grid, axis, SolidRows(mesh, part.grid, axis).rows(), part.blocked);
+    block(part.grid, axis, SolidRows(mesh, part.grid, axis, crossings_).rows(), part.blocked);
   return part;
 }
 

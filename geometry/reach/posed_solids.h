@@ -2,6 +2,7 @@
 #pragma once
 
 #include "geometry/reach/reach.h"
+#include "geometry/reach/solid_rows.h"
 #include "geometry/reach/voxel_grid.h"
 
 namespace diefill::geometry {
@@ -30,20 +31,21 @@ class PosedSolids {
   /// the next; the first is that of `sample`, the last that of the next.
   std::vector<SolidPose> way_on(std::size_t solid, std::size_t sample) const;
   /// One byte a voxel: 1 where solids or gaps between them narrower than a voxel are.
-  std::vector<std::uint8_t> blocked(std::size_t sample) const;
+  std::vector<std::uint8_t> blocked(std::size_t sample);
   /// A part of the grid round a single solid, and what the solid blocks there.
   struct Part {
     Eigen::Vector3i first = Eigen::Vector3i::Zero();  ///< voxel of the whole grid where the part begins
     VoxelGrid grid;
     std::vector<std::uint8_t> blocked;
   };
-  Part blocked_by(std::size_t solid, const SolidPose& pose) const;
+  Part blocked_by(std::size_t solid, const SolidPose& pose);
 
  private:
-  std::vector<SolidRows> rows_of(std::size_t solid, const SolidPose& pose) const;
+  std::vector<SolidRows> rows_of(std::size_t solid, const SolidPose& pose);
 
   const std::vector<MovingSolid>& solids_;
   const VoxelGrid& grid_;
+  LineCrossings crossings_;
   std::size_t samples_ = 1;
   std::vector<bool> stands_;
   std::vector<std::vector<SolidRows>> standing_;  // by axis

@@ -89,7 +89,7 @@ void push(ReachFlood& flood, const PosedSolids::Part& solid, const SolidPose& fr
   }
 }
 
-void move_on(ReachFlood& flood, const PosedSolids& solids, std::size_t solids_count, std::size_t sample) {
+void move_on(ReachFlood& flood, PosedSolids& solids, std::size_t solids_count, std::size_t sample) {
   for (std::size_t solid = 0; solid < solids_count; ++solid) {
     if (solids.stands(solid)) continue;
     const auto way = solids.way_on(solid, sample);
@@ -171,7 +171,7 @@ bool Reach::Surroundings::any_block(const Eigen::Vector3i& lower, const Eigen::V
 }
 
 Reach::Reach(const ReachRequest& request) : laboratory_(laboratory_grid(request)) {
-  const PosedSolids solids(request.solids, laboratory_);
+  PosedSolids solids(request.solids, laboratory_);
   const auto count = request.solids.size();
   for (std::size_t i = 0; i < count; ++i) {
     const VoxelGrid grid = grid_round(*request.solids[i].mesh, solids.pose(i, 0), laboratory_);

@@ -4,6 +4,7 @@
 #include <cstdio>
 
 #include "engine/numerics/out_of_range.h"
+#include "geometry/reach/solid_rows.h"
 
 namespace diefill::process {
 

@@ -1,4 +1,5 @@
-// What a scene does not compute: how little that changes, and where it is refused.
+// What a scene does not compute, and where it is refused; how little that changes:
+// tests/slow/economy_test.cpp.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -43,33 +44,7 @@ void expect_refused(const SmallDie& die, const std::vector<std::string>& words,
   EXPECT_NE(outcome.err.find(key), std::string::npos) << outcome.err;
 }
 
-/// Filled masses (kg) of the same scene with several seeds.
-struct Fillings {
-  std::vector<double> masses;
-  double mean = 0, variance = 0;  ///< kg, kg^2
-
-  explicit Fillings(const std::string& lines, const std::string& grain_diameter = "1 mm", int seeds = 4) {
-    for (int seed = 1; seed <= seeds; ++seed) {
-      const Economical die(lines);
-      die.exchange("seed = 1", "seed = " + std::to_string(seed));
-      die.exchange("grain_diameter = \"1 mm\"", "grain_diameter = \"" + grain_diameter + "\"");
-      masses.push_back(number(die.report_of_filling(), "filled_mass_kg"));
-      mean += masses.back() / seeds;
-    }
-    for (const double mass : masses) variance += (mass - mean) * (mass - mean) / (seeds - 1);
-  }
-};
-
-/// The difference of the means is within three standard errors of the scatter over `seeds`.
-void expect_same_filling(const std::string& lines, int seeds = 4) {
-  const Fillings plain_fillings("", "1 mm", seeds), economical(lines, "1 mm", seeds);
-  const double error = std::sqrt((plain_fillings.variance + economical.variance) / seeds);
-  EXPECT_NEAR(economical.mean, plain_fillings.mean, 3 * error);
-  EXPECT_LT(3 * error, 0.1 * plain_fillings.mean) << "the scatter is small enough to see something";
-}
-
-TEST(Economy, SleepFillsThePocketAsWell) {
-  expect_same_filling("sleep = true", 12);
+TEST(Economy, SleepLeavesOutStepsAndSaysSo) {
   const auto asleep = Economical("sleep = true").report_of_filling();
   EXPECT_EQ(number(plain(), "sphere_steps_left_out"), 0);
   EXPECT_GT(number(asleep, "sphere_steps_left_out"), 0.02 * number(asleep, "sphere_steps"));
@@ -77,8 +52,7 @@ TEST(Economy, SleepFillsThePocketAsWell) {
   EXPECT_NE(asleep.at("warnings").dump().find("settled grains were frozen"), std::string::npos);
 }
 
-TEST(Economy, ComovingPowderFillsThePocketAsWell) {
-  expect_same_filling("carry_beyond = \"2 mm\"", 12);
+TEST(Economy, ComovingPowderLeavesOutStepsAndSaysSo) {
   const auto carried = Economical("carry_beyond = \"2 mm\"").report_of_filling();
   EXPECT_GT(number(carried, "sphere_steps_left_out"), 0.004 * number(carried, "sphere_steps"));
   EXPECT_LT(std::abs(number(carried, "energy_balance_error")), 0.01);
@@ -128,14 +102,11 @@ TEST(Economy, ComovingPowderOutlivesARestart) {
   expect_restart_ends_alike("carry_beyond = \"2 mm\"");
 }
 
-TEST(Economy, HalfModelStandsForTheWhole) {
+TEST(Economy, HalfModelIsMirroredInItsResults) {
   const Economical half("mirror = \"y\"");
   const auto report = half.filled();
   EXPECT_LT(number(report, "sphere_steps") / number(report, "steps"),
             0.6 * number(plain(), "sphere_steps") / number(plain(), "steps"));
-  // Half the pocket must be a few grains wide: with two (d = 1 mm) it fills by more than a quarter less.
-  const Fillings whole("", "0.6 mm"), halves("mirror = \"y\"", "0.6 mm");
-  EXPECT_NEAR(halves.mean, whole.mean, 0.12 * whole.mean);
   EXPECT_NE(report.at("warnings").dump().find("half model"), std::string::npos);
 
   const auto result = results::read_results(half.out());
@@ -192,7 +163,6 @@ TEST(Economy, FarWallsAreThereWhenAskedFor) {
 TEST(Economy, SpilledGrainsThatAreKeptAreGoneInTheEnd) {
   const auto report = Economical("drop_spilled = false").report_of_filling();
   EXPECT_EQ(number(report, "grains") + number(report, "grains_left") + number(report, "grains_sheared"), 138);
-  expect_same_filling("drop_spilled = false", 20);
 }
 
 TEST(Suction, IsTheSameOnAnyNumberOfThreadsAndSaysWhatItTakesFor) {
