@@ -124,7 +124,7 @@ void add_model_errors(const HopperFields& fields, double slit, const continuum::
 }  // namespace
 
 void compare_hopper(const ExperimentOptions& options, results::ExperimentResult& result) {
-  const double factor = options.quick ? 6 : 5;
+  const double factor = options.quick ? 8 : 5;
   const auto all = setups(factor);
   const int packings = options.quick ? 1 : 2;
   const auto fields = run_all(options, all, std::vector<int>(all.size(), packings));
