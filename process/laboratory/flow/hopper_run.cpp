@@ -240,6 +240,11 @@ HopperFields mean_of(const std::vector<HopperFields>& packings) {
   average(&HopperFields::vertical);
   average(&HopperFields::horizontal);
   average(&HopperFields::fraction);
+  for (const auto& one : packings) mean.time.resize(std::min(mean.time.size(), one.time.size()));
+  mean.discharged.assign(mean.time.size(), 0.0);
+  for (const auto& one : packings)
+    for (std::size_t k = 0; k < mean.time.size(); ++k)
+      mean.discharged[k] += one.discharged[k] / static_cast<double>(packings.size());
   mean.outflow = mean.bulk_fraction = 0;
   for (const auto& one : packings) {
     mean.outflow += one.outflow / static_cast<double>(packings.size());
