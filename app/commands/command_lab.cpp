@@ -86,6 +86,7 @@ int experiment(const Family& family, const LabArguments& arguments) {
     write_output([&] {
       results::write_experiment(out, found.back());
       for (const auto& chart : found.back().charts) render::draw_experiment(out, chart);
+      write_figures(out, found.back());
       results::write_limits(out, family.name, found);
     });
   }

@@ -14,6 +14,7 @@
 #include "app/stop_signals.h"
 #include "app/tables/lab_table_text.h"
 #include "process/input/scene_error.h"
+#include "process/laboratory/published/family_tables.h"
 #include "process/laboratory/published/fidelity.h"
 #include "process/laboratory/published/perform.h"
 #include "process/results/storage/atomic_file.h"
@@ -123,9 +124,9 @@ int experiment(const laboratory::SceneExperiment& one, const LabArguments& argum
   return kDone;
 }
 
-/// The tables kept below `all`, coarse ones first.
-std::vector<results::LabTable> kept_tables(const fs::path& all) {
-  std::vector<results::LabTable> tables;
+/// The tables of families kept in the room of the laboratory, and those below `all`, coarse ones first.
+std::vector<results::LabTable> kept_tables(const fs::path& all, const fs::path& room) {
+  std::vector<results::LabTable> tables = laboratory::family_tables(room);
   for (const char* size : kSizes)
     for (const auto& one : laboratory::scene_experiments())
       if (fs::exists(all / one.name / size / (one.name + ".json")))
@@ -144,9 +145,9 @@ int fidelity(LabArguments arguments) {
   if (page.empty())
     page = fs::exists(room) ? fs::weakly_canonical(room) / "FIDELITY.md" : all / "FIDELITY.md";
   write_output([&] {
-    results::write_text_atomically(
-        page,
-        laboratory::fidelity_page(figures, kept_tables(all), laboratory::read_remarks(scenes / kRemarks)));
+    results::write_text_atomically(page,
+                                   laboratory::fidelity_page(figures, kept_tables(all, room),
+                                                             laboratory::read_remarks(scenes / kRemarks)));
   });
   std::printf("%zu published figures in %s\n", figures.size(), page.string().c_str());
   return kDone;
@@ -189,6 +190,14 @@ void add_options(CLI::App& command, LabArguments& arguments) {
 }
 
 }  // namespace
+
+void write_figures(const std::filesystem::path& directory, const results::ExperimentResult& result) {
+  if (result.figures.empty()) return;
+  const auto table =
+      laboratory::table_of_figures(result, laboratory::read_published_figures(scenes_folder("") / kFigures));
+  results::write_lab_table(directory, table);
+  std::printf("%s", lab_table_text(table).c_str());
+}
 
 std::string list_of_experiments(const std::string& scenes) {
   const auto figures = laboratory::read_published_figures(scenes_folder(scenes) / kFigures);

@@ -26,8 +26,11 @@ constexpr std::array<SettledPowder, 4> kSettled = {{{"ASC100.29 initial A", 4, 0
                                                     {"ASC100.29 D1", 4, 0.2844, 0.30},
                                                     {"ASC100.29 D2", 4, 0.3313, 0.32}}};
 
-constexpr const char *kMass = "mass of a full cavity", *kUnevenness = "unevenness";
+constexpr const char *kMass = "mass of a full cavity", *kMean = "mean solid fraction",
+                     *kUnevenness = "unevenness";
 
+// Grains finer than those that were run settle like them: D1 at 0.2813 with d = 0.47 mm and at 0.2845 with
+// four times that (process/laboratory/README.md).
 constexpr double kSameFactor = 0.05;  // relative
 
 /// Of the published bed; nothing where there is none.
@@ -36,7 +39,7 @@ std::optional<ExpectedError> error_of_bed(const PowderSpec& powder, double grain
   if (width > 0 && grain_diameter > kCoarsestToDecide * width * (1 + 1e-9)) return std::nullopt;
   const double factor = grain_diameter / calibrated_diameter(powder);
   for (const auto& row : kSettled)
-    if (powder.name == row.preset && std::abs(factor / row.factor - 1) < kSameFactor)
+    if (powder.name == row.preset && factor < (1 + kSameFactor) * row.factor && factor > 1 - kSameFactor)
       return ExpectedError{"settled solid fraction", std::abs(row.found - row.published) / row.published, 0,
                            "README.md, How far to trust it (Bierwisch 2009, Table 4.4)"};
   return std::nullopt;
@@ -87,7 +90,7 @@ std::optional<ExpectedError> error_of_size(const std::string& powder, double sha
 std::vector<ExpectedError> expected_errors(const PowderSpec& powder, double grain_diameter, double width) {
   std::vector<ExpectedError> errors;
   if (width > 0)
-    for (const char* figure : {kMass, kUnevenness})
+    for (const char* figure : {kMass, kMean, kUnevenness})
       if (auto error = error_of_size(powder.name, grain_diameter / width, figure)) errors.push_back(*error);
   if (auto error = error_of_bed(powder, grain_diameter, width)) errors.push_back(*error);
   return errors;

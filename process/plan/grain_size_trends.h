@@ -11,9 +11,9 @@ namespace diefill::process::plan {
 /// table). Slope and scatter are over the solid fraction that the full cavity has in the limit of small
 /// grains.
 struct GrainSizeTrend {
-  const char* cavity;       ///< of sample_tools/small_dies
+  const char* cavity;       ///< of sample_tools/small_dies; "(mesh)": with walls.kind = "mesh"
   const char* powder;       ///< name of the preset
-  const char* figure;       ///< "mass of a full cavity", "unevenness"
+  const char* figure;       ///< "mass of a full cavity", "mean solid fraction", "unevenness"
   double slope;             ///< of the figure per d/b
   double slope_error;       ///< standard error
   double scatter;           ///< standard deviation of one run about the line

@@ -1,16 +1,17 @@
-// Chart of cost against error, from a formula to fine grains, of the tables in process/estimate and
-// process/plan: ninja cost_chart && bin/cost_chart process/estimate/against_runs.csv
-// process/plan/grain_size_errors.csv FOLDER
+// Chart and table of cost against error, from a formula to fine grains: ninja cost_chart && bin/cost_chart
+// process/estimate/against_runs.csv process/plan/grain_size_errors.csv
+// sample_tools/tradeoff/narrow_ring/tradeoff.csv process/estimate
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <fstream>
 #include <map>
-#include <sstream>
 #include <string>
 #include <vector>
 
 #include "process/continuum/discharge.h"
+#include "process/laboratory/published/csv_fields.h"
 #include "render/charts/chart.h"
 #include "render/offscreen/start_offscreen.h"
 
@@ -22,18 +23,12 @@ using Row = std::map<std::string, std::string>;
 std::vector<Row> rows_of(const std::string& file) {
   std::ifstream text(file);
   if (!text) throw std::runtime_error(file + ": cannot be read");
-  const auto cells_of = [](const std::string& line) {
-    std::vector<std::string> cells;
-    std::istringstream stream(line);
-    for (std::string cell; std::getline(stream, cell, ',');) cells.push_back(cell);
-    return cells;
-  };
   std::string line;
   std::getline(text, line);
-  const auto heading = cells_of(line);
+  const auto heading = diefill::process::laboratory::csv_fields(line);
   std::vector<Row> rows;
   while (std::getline(text, line)) {
-    const auto cells = cells_of(line);
+    const auto cells = diefill::process::laboratory::csv_fields(line);
     Row row;
     for (std::size_t k = 0; k < heading.size() && k < cells.size(); ++k) row[heading[k]] = cells[k];
     rows.push_back(row);
@@ -56,42 +51,37 @@ double seconds_of_a_formula() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count() / kTimes;
 }
 
-using diefill::render::Curve;
-using diefill::render::CurveStyle;
+/// Cases of one way to the mass in the cavity: processor time in s, and error.
+struct Way {
+  std::string name;
+  std::vector<double> seconds, errors;
+  void add(double time, double error) {
+    seconds.push_back(time);
+    errors.push_back(std::abs(error));
+  }
+};
 
-Curve points(const std::string& name) {
-  Curve curve;
-  curve.name = name;
-  curve.style = CurveStyle::kMarkers;
-  return curve;
-}
-
-constexpr double kLeast = 1e-3;  // below it, errors are drawn there
-
-void add(Curve& curve, double seconds, double error) {
-  curve.x.push_back(seconds);
-  curve.y.push_back(100 * std::max(kLeast, error));
+/// The value that `share` of the values do not exceed.
+double quantile(std::vector<double> values, double share) {
+  std::sort(values.begin(), values.end());
+  return values[static_cast<std::size_t>(std::ceil(share * static_cast<double>(values.size()))) - 1];
 }
 
 /// Formula without a floor, and the whole estimate, against the same runs.
-void add_estimates(const std::vector<Row>& rows, std::vector<Curve>& curves) {
-  Curve formula = points("Eq. 5.17 alone, inflow as if there were no floor"),
-        whole = points("diefill estimate");
+void add_estimates(const std::vector<Row>& rows, std::vector<Way>& ways) {
+  Way formula{"Eq. 5.17 alone, as if there were no floor", {}, {}}, whole{"diefill estimate", {}, {}};
   const double seconds = seconds_of_a_formula();
   for (const Row& row : rows) {
     const double dem = number(row, "dem");
-    add(formula, seconds, std::abs(std::min(1.0, number(row, "offered")) / dem - 1));
-    add(whole, number(row, "estimate_s"), std::abs(number(row, "estimate") / dem - 1));
+    formula.add(seconds, std::min(1.0, number(row, "offered")) / dem - 1);
+    whole.add(number(row, "estimate_s"), number(row, "estimate") / dem - 1);
   }
-  curves.push_back(formula);
-  curves.push_back(whole);
+  ways.push_back(formula);
+  ways.push_back(whole);
 }
 
-/// The runs of one cavity and powder.
-using Series = std::vector<const Row*>;
-
 /// What the figure would be with grains of no size: limit of a line over d/b.
-double limit_of(const Series& series) {
+double limit_of(const std::vector<const Row*>& series) {
   double x = 0, y = 0, xx = 0, xy = 0;
   const auto count = static_cast<double>(series.size());
   for (const Row* row : series) {
@@ -105,48 +95,98 @@ double limit_of(const Series& series) {
   return y - xy / xx * x;
 }
 
-/// Single runs with grains of each size.
-void add_runs(const std::vector<Row>& rows, std::vector<Curve>& curves) {
-  std::map<std::string, Series> all;
-  for (const Row& row : rows) all[row.at("scene") + row.at("powder")].push_back(&row);
-  std::map<double, Curve> by_share;
+/// Single runs with grains of each size, coarse ones first.
+void add_runs(const std::vector<Row>& rows, std::vector<Way>& ways) {
+  std::map<std::string, std::vector<const Row*>> all;
+  for (const Row& row : rows) all[row.at("scene") + row.at("powder") + row.at("walls")].push_back(&row);
+  std::map<double, Way> by_share;
   for (const auto& [name, series] : all)
     for (const Row* row : series) {
       const double share = number(*row, "share");
       char title[80];
-      std::snprintf(title, sizeof title, "simulation of small dies, d/b = %.2f", share);
-      auto& curve = by_share.try_emplace(-share, points(title)).first->second;
-      add(curve, number(*row, "seconds"), std::abs(number(*row, "filled") / limit_of(series) - 1));
+      std::snprintf(title, sizeof title, "small dies, d/b = %.2g", share);
+      by_share.try_emplace(-share, Way{title, {}, {}})
+          .first->second.add(number(*row, "seconds"), number(*row, "filled") / limit_of(series) - 1);
     }
-  for (const auto& [share, curve] : by_share) curves.push_back(curve);
+  for (const auto& [share, way] : by_share) ways.push_back(way);
+}
+
+/// The narrow ring against its own finest setting.
+void add_ring(const std::vector<Row>& rows, std::vector<Way>& ways) {
+  Way ring{"narrow ring, d/b = 0.42, against the thesis' walls and powder", {}, {}};
+  for (const Row& row : rows)
+    if (row.at("reference") != "1") ring.add(number(row, "core_seconds"), number(row, "filled mass, error"));
+  ways.push_back(ring);
+}
+
+using diefill::render::Curve;
+using diefill::render::CurveStyle;
+
+constexpr double kLeast = 1e-3;  // below it, errors are drawn there
+
+double drawn(double error) {
+  return 100 * std::max(kLeast, error);
+}
+
+/// Single cases, and lines through the middle and the worst tenth of the ways.
+diefill::render::Chart chart_of(const std::vector<Way>& ways) {
+  diefill::render::Chart chart;
+  chart.title = "Cost against error of the mass in the cavity";
+  chart.subtitle = "estimates against runs of the same grains; runs against grains of no size";
+  chart.note =
+      "Marks: single cases; errors below 0.1 % are drawn there. Estimates: wall time of one thread. The "
+      "narrow "
+      "ring with grains of 0.47 mm took 4,500 CPU hours in 2009 (1.6e7 s).";
+  chart.x.label = "Processor time [s]";
+  chart.x.logarithmic = true;
+  chart.y.label = "Error [%]";
+  chart.y.logarithmic = true;
+  for (const Way& way : ways) {
+    Curve curve;
+    curve.name = way.name;
+    curve.style = CurveStyle::kMarkers;
+    curve.x = way.seconds;
+    for (const double error : way.errors) curve.y.push_back(drawn(error));
+    chart.curves.push_back(curve);
+  }
+  for (const auto& [name, share] :
+       {std::pair{"half of the cases are better", 0.5}, std::pair{"nine in ten are better", 0.9}}) {
+    Curve line;
+    line.name = name;
+    for (const Way& way : ways) {
+      line.x.push_back(quantile(way.seconds, 0.5));
+      line.y.push_back(drawn(quantile(way.errors, share)));
+    }
+    chart.curves.push_back(line);
+  }
+  return chart;
+}
+
+void write_table(const std::string& file, const std::vector<Way>& ways) {
+  std::ofstream text(file);
+  text << "way,cases,median_seconds,median_error,error_of_nine_in_ten\n";
+  for (const Way& way : ways) {
+    char line[200];
+    std::snprintf(line, sizeof line, "\"%s\",%zu,%.3g,%.3g,%.3g\n", way.name.c_str(), way.errors.size(),
+                  quantile(way.seconds, 0.5), quantile(way.errors, 0.5), quantile(way.errors, 0.9));
+    text << line;
+  }
 }
 
 }  // namespace
 
 int main(int count, char** words) {
-  if (count != 4) {
-    std::fprintf(stderr, "cost_chart: expected AGAINST_RUNS.csv GRAIN_SIZE_ERRORS.csv FOLDER\n");
+  if (count != 5) {
+    std::fprintf(stderr, "cost_chart: expected AGAINST_RUNS.csv GRAIN_SIZE_ERRORS.csv TRADEOFF.csv FOLDER\n");
     return 2;
   }
   diefill::render::start_offscreen(count, words);
-  diefill::render::Chart chart;
-  chart.title = "Cost against error of the mass in the cavity";
-  chart.subtitle =
-      "one point a case; estimates against runs of the same grains, runs against grains of no size";
-  chart.note =
-      "Errors below 0.1 % are drawn there. The narrow ring with grains of 0.47 mm took 4,500 CPU hours in "
-      "2009 "
-      "(1.6e7 s; Bierwisch 2009, chapter 7).";
-  chart.x.label = "Processor time [s]";
-  chart.x.logarithmic = true;
-  chart.x.upper = 1e8;
-  chart.y.label = "Error [%]";
-  chart.y.logarithmic = true;
-  add_estimates(rows_of(words[1]), chart.curves);
-  add_runs(rows_of(words[2]), chart.curves);
-  Curve finest = points("narrow ring, d = 0.47 mm, 2009 (error: none to be held against)");
-  add(finest, 4500.0 * 3600, kLeast);
-  chart.curves.push_back(finest);
-  diefill::render::draw_chart(std::string(words[3]) + "/cost_against_error.png", chart);
+  std::vector<Way> ways;
+  add_estimates(rows_of(words[1]), ways);
+  add_runs(rows_of(words[2]), ways);
+  add_ring(rows_of(words[3]), ways);
+  const std::string folder = words[4];
+  write_table(folder + "/cost_against_error.csv", ways);
+  diefill::render::draw_chart(folder + "/cost_against_error.png", chart_of(ways));
   return 0;
 }

@@ -6,10 +6,9 @@
 
 Shares are of what a cavity holds at the density of the powder in the shoe; for slits, discharged volume over width,
 length and shoe length. `offered` is what the openings would let through if the cavities had no floor, `estimate` what
-the program says they hold; within: the run lies in the range that the estimate states; dem_s: processor time of the
-run; source: "this script", or the page that has the run (fill height over depth; mass through a slit). `--again`
-estimates the runs of FILE once more, with the program as it is, and simulates nothing. Environment: DIEFILL (program,
-default build/bin/diefill)."""
+the program says they hold; within: the run lies in the range that the estimate states; source: "this script", or the
+page that has the run (fill height over depth; mass through a slit). `--again` estimates the runs of FILE once more,
+with the program as it is, and simulates nothing. Environment: DIEFILL (program, default build/bin/diefill)."""
 import argparse
 import csv
 import json
@@ -17,22 +16,15 @@ import math
 import os
 import pathlib
 import re
-import resource
 import subprocess
 import sys
 import tempfile
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 PROGRAM = os.environ.get("DIEFILL", str(ROOT / "build/bin/diefill"))
-RUN = ("scene", "opening", "powder", "grain_mm", "speed_m_s", "passages", "seed", "dem", "dem_s", "source")
+RUN = ("scene", "opening", "powder", "grain_mm", "speed_m_s", "passages", "seed", "dem", "source")
 FOUND = ("width_mm", "felt_mm", "offered", "estimate", "lowest", "highest", "estimate_over_dem", "within", "estimate_s")
 SOLID_DENSITY = 7.63e-8 / (7 * 4 / 3 * math.pi * 7.84e-5 ** 3)  # kg/m^3 of model D (Bierwisch 2009, Table C.4)
-
-
-def processor_seconds():
-    """s that the programs that this one has run to their end have computed."""
-    use = resource.getrusage(resource.RUSAGE_CHILDREN)
-    return use.ru_utime + use.ru_stime
 
 
 def changed_scene(scene, run, folder):
@@ -97,13 +89,11 @@ def lines_of(scene, one, threads):
         folder = pathlib.Path(name)
         path = changed_scene(scene, one, folder)
         found = estimate(path)
-        began = processor_seconds()
         report = run(path, threads, folder)
-        took = round(processor_seconds() - began, 1)
     lines = []
     for number in range(len(found["openings"])):
         dem = round(measured_share(found, report, number), 4)
-        lines.append({**one, "opening": number + 1, "dem": dem, "dem_s": took, **estimated(found, number, dem)})
+        lines.append({**one, "opening": number + 1, "dem": dem, **estimated(found, number, dem)})
     return lines
 
 

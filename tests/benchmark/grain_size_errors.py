@@ -6,8 +6,9 @@
 
 `run` pours powder over the cavity of each scene until it is heaped, moves nothing, measures the powder below the fill
 plane, and adds a line for each run to the table: share is the grain diameter over the narrowest width of the cavity,
-filled the volume of grains over that of the cavity, unevenness the standard deviation of the field of solid fraction,
-seconds processor time. `table` fits a line over the share to each figure of each cavity and powder, and prints the rows
+filled the volume of grains over that of the cavity, mean the mean solid fraction of grains two diameters deep,
+unevenness the standard deviation of the field of solid fraction, seconds processor time. Wall spheres of the small
+dies are 2.4 radii apart: grains finer than a quarter of the width pass between them and need `--walls mesh`. `table` fits a line over the share to each figure of each cavity and powder, and prints the rows
 of process/plan/grain_size_trends.cpp. Figures of too few grains are empty. Environment: DIEFILL (program, default
 build/bin/diefill)."""
 import argparse
@@ -26,8 +27,9 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 PROGRAM = os.environ.get("DIEFILL", str(ROOT / "build/bin/diefill"))
 # name in the table, figure of report.json, figure in process/plan/grain_size_trends.cpp
 FIGURES = (("filled", "cavity_solid_fraction", "mass of a full cavity"),
+           ("mean", "solid_fraction_mean", "mean solid fraction"),
            ("unevenness", "solid_fraction_field_std", "unevenness"))
-COLUMNS = ("scene", "powder", "width_mm", "share", "seed", "grains", "filled", "unevenness", "seconds")
+COLUMNS = ("scene", "powder", "width_mm", "share", "seed", "grains", "filled", "unevenness", "seconds", "mean", "walls")
 
 
 # mm, half the lengths of the cavities along x and y; all are 10 mm deep
@@ -56,20 +58,21 @@ def poured(text, half):
     return re.sub(r"(?ms)^\[pour\].*?(?=^\[)", pour, text)
 
 
-def changed_scene(scene, powder, grain, seed, folder):
+def changed_scene(scene, powder, walls, grain, seed, folder):
     text = poured(scene.read_text(), CAVITIES[scene.stem])
     text = re.sub(r'(?m)^file = "([^"]*)"', lambda m: f'file = "{(scene.parent / m[1]).resolve()}"', text)
     for key, value in (("grain_diameter", f'"{1e3 * grain:.4f} mm"'), ("seed", seed), ("preset", f'"{powder}"')):
         text = re.sub(rf"(?m)^{key} = [^#\n]*", f"{key} = {value} ", text)
+    text = re.sub(r"(?m)^\[walls\]$", f'[walls]\nkind = "{walls}"', text)
     path = folder / "scene.toml"
     path.write_text(text)
     return path
 
 
-def line_of(scene, powder, width, share, seed, threads):
+def line_of(scene, powder, walls, width, share, seed, threads):
     with tempfile.TemporaryDirectory() as name:
         folder = pathlib.Path(name)
-        path = changed_scene(scene, powder, share * width, seed, folder)
+        path = changed_scene(scene, powder, walls, share * width, seed, folder)
         words = [PROGRAM, "run", str(path), "--out", str(folder / "out"), "--threads", str(threads), "--no-pictures"]
         began = processor_seconds()
         done = subprocess.run(words, capture_output=True, text=True)
@@ -77,9 +80,12 @@ def line_of(scene, powder, width, share, seed, threads):
             print(f"{scene} at {share}: {done.stderr[-500:]}", file=sys.stderr)
             return None
         report = json.loads((folder / "out/report.json").read_text())
-    figures = [round(report[key], 5) if report.get(key) is not None else "" for _, key, _ in FIGURES]
-    return dict(zip(COLUMNS, [os.path.relpath(scene, ROOT), powder, round(1e3 * width, 3), share, seed,
-                              report["grains"]] + figures + [round(processor_seconds() - began, 1)]))
+    report["solid_fraction_mean"] = report["solid_fraction"]["mean"]
+    line = {"scene": os.path.relpath(scene, ROOT), "powder": powder, "width_mm": round(1e3 * width, 3), "share": share,
+            "seed": seed, "grains": report["grains"], "seconds": round(processor_seconds() - began, 1), "walls": walls}
+    for name, key, _ in FIGURES:
+        line[name] = round(report[key], 5) if report.get(key) is not None else ""
+    return line
 
 
 def run(options):
@@ -88,7 +94,7 @@ def run(options):
         preset = options.powder or re.search(r'(?m)^preset = "([^"]*)"', scene.read_text())[1]
         for share in options.shares.split(","):
             for seed in options.seeds.split(","):
-                line = line_of(scene.resolve(), preset, width, float(share), int(seed), options.threads)
+                line = line_of(scene.resolve(), preset, options.walls, width, float(share), int(seed), options.threads)
                 if line is None:
                     continue
                 new = not options.csv.exists()
@@ -115,8 +121,8 @@ def trends(path):
     """Cavity, powder, figure, slope, its error, scatter, finest and coarsest share, runs."""
     series = {}
     for row in csv.DictReader(path.open()):
-        series.setdefault((pathlib.Path(row["scene"]).stem, row["powder"]), []).append(row)
-    for (cavity, powder), rows in series.items():
+        series.setdefault((pathlib.Path(row["scene"]).stem, row["powder"], row["walls"]), []).append(row)
+    for (cavity, powder, walls), rows in series.items():
         points = {name: [(float(row["share"]), float(row[name])) for row in rows if row[name]]
                   for name, _, _ in FIGURES}
         for name, _, title in FIGURES:
@@ -125,8 +131,8 @@ def trends(path):
                 continue
             over = line_through(points["filled"])[0]
             _, slope, error, scatter = line_through(points[name])
-            yield (cavity, powder, title, slope / over, error / over, scatter / over, min(shares), max(shares),
-                   len(shares))
+            yield (cavity + (" (mesh)" if walls == "mesh" else ""), powder, title, slope / over, error / over,
+                   scatter / over, min(shares), max(shares), len(shares))
 
 
 def main():
@@ -137,6 +143,7 @@ def main():
     parser.add_argument("--shares", help="grain diameters over the narrowest width, separated by commas")
     parser.add_argument("--seeds", default="1,2,3")
     parser.add_argument("--powder", help="preset in place of the scenes' own")
+    parser.add_argument("--walls", choices=("spheres", "mesh"), default="spheres", help="kind of the tools' surface")
     parser.add_argument("--threads", type=int, default=os.cpu_count())
     options = parser.parse_intermixed_args()
     if options.what == "run":

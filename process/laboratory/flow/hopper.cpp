@@ -4,6 +4,7 @@
 #include <cstdio>
 
 #include "process/laboratory/flow/hopper_charts.h"
+#include "process/laboratory/flow/hopper_figures.h"
 #include "process/laboratory/flow/registry.h"
 #include "process/laboratory/side_by_side.h"
 #include "process/scene/powder_presets.h"
@@ -110,10 +111,10 @@ void add_limits(const HopperSetup& setup, const HopperFields& fields, double sca
   add_limit(result, "n_div", length.diverging, 0.353, "1", "Bierwisch 2009, Eq. 5.5");
 }
 
-void add_model_errors(const HopperFields& fields, double slit, const continuum::HopperFlow& incompressible,
+void add_model_errors(const HopperFields& fields, double width, const continuum::HopperFlow& incompressible,
                       const continuum::HopperFlow& compressible, results::ExperimentResult& result) {
-  const ModelError constant = error_of(incompressible, fields, 0.1 * slit, 2 * slit);
-  const ModelError varying = error_of(compressible, fields, 0.1 * slit, 2 * slit);
+  const ModelError constant = error_of(incompressible, fields, 0.25 * width, 2 * width);
+  const ModelError varying = error_of(compressible, fields, 0.25 * width, 2 * width);
   const double none = std::nan("");
   add_limit(result, "error of v_z, kinematic model", constant.vertical, none, "1", "");
   add_limit(result, "error of v_x, kinematic model", constant.horizontal, none, "1", "");
@@ -124,25 +125,31 @@ void add_model_errors(const HopperFields& fields, double slit, const continuum::
 }  // namespace
 
 void compare_hopper(const ExperimentOptions& options, results::ExperimentResult& result) {
-  const double factor = options.quick ? 6 : 5;
-  const auto all = setups(factor);
+  const double factor = options.quick ? 8 : 5;
   const int packings = options.quick ? 1 : 2;
-  const auto fields = run_all(options, all, std::vector<int>(all.size(), packings));
+  HopperStudy study;
+  study.setups = setups(factor);
+  study.fields = run_all(options, study.setups, std::vector<int>(study.setups.size(), packings));
+  const auto& all = study.setups;
+  const auto& fields = study.fields;
   const double scale = speed_scale(all[0]);
   const auto points = local_lengths(fields[0], 0.1 * scale);
-  const auto length = fitted(points, fields[0].bulk_fraction);
-  const auto incompressible = solve_for(fields[0], all[0].slit, continuum::constant_length(kConstant), false);
-  const auto compressible = solve_for(fields[0], all[0].slit, length, true);
-  add_limits(all[0], fields[0], scale, length, result);
-  add_model_errors(fields[0], all[0].slit, incompressible, compressible, result);
-  result.charts.push_back(length_chart(points, length));
-  add_profile_charts(fields[0], all[0].slit, {&incompressible, &compressible}, result.charts);
-  std::vector<double> scales, slits;
+  study.length = fitted(points, fields[0].bulk_fraction);
+  study.incompressible = solve_for(fields[0], all[0].slit, continuum::constant_length(kConstant), false);
+  study.compressible = solve_for(fields[0], all[0].slit, study.length, true);
+  add_limits(all[0], fields[0], scale, study.length, result);
+  add_model_errors(fields[0], all[0].felt_slit, study.incompressible, study.compressible, result);
+  result.figures = hopper_figures(study);
+  result.charts.push_back(length_chart(points, study.length));
+  result.charts.push_back(length_field_chart(all[0], fields[0]));
+  add_profile_charts(fields[0], all[0].felt_slit, {&study.incompressible, &study.compressible},
+                     result.charts);
+  std::vector<double> scales, widths;
   for (const auto& setup : all) {
     scales.push_back(speed_scale(setup));
-    slits.push_back(setup.slit);
+    widths.push_back(setup.felt_slit);
   }
-  add_scaling_charts(all, fields, slits, scales, result.charts);
+  add_scaling_charts(all, fields, widths, scales, result.charts);
 }
 
 }  // namespace diefill::process::laboratory

@@ -47,6 +47,8 @@ ExperimentSeries predicted_row(const std::string& name, const continuum::HopperF
   return series;
 }
 
+constexpr std::size_t kMostPoints = 400;
+constexpr double kLeastSpeed = 0.02;                         // of sqrt(gD)
 constexpr double kHeights[] = {0.25, 0.5, 0.75, 1, 1.5, 2};  // over the slit's width
 
 }  // namespace
@@ -62,6 +64,13 @@ ExperimentChart length_chart(const std::vector<continuum::LengthPoint>& points,
   chart.x = {.label = "Solid fraction"};
   chart.y = {.label = "B [mm]", .logarithmic = true};
   constexpr int kClasses = 16;
+  const std::size_t every = 1 + points.size() / kMostPoints;
+  ExperimentSeries nodes{
+      .name = "nodes of the grid", .role = ExperimentSeries::Role::points, .x = {}, .y = {}};
+  for (std::size_t k = 0; k < points.size(); k += every) {
+    nodes.x.push_back(points[k].fraction);
+    nodes.y.push_back(1e3 * points[k].length);
+  }
   ExperimentSeries mean{.name = "mean", .x = {}, .y = {}}, low = mean, high = mean;
   low.name = "mean less deviation";
   high.name = "mean and deviation";
@@ -76,7 +85,7 @@ ExperimentChart length_chart(const std::vector<continuum::LengthPoint>& points,
     from = std::min(from, one.fraction);
     to = std::max(to, one.fraction);
   }
-  chart.series = {mean, low, high};
+  chart.series = {nodes, mean, low, high};
   const auto curve = [&](const std::string& name, const continuum::LengthOfFraction& length) {
     ExperimentSeries series{.name = name, .role = ExperimentSeries::Role::predicted, .x = {}, .y = {}};
     for (int k = 0; k <= 60; ++k) {
@@ -93,16 +102,40 @@ ExperimentChart length_chart(const std::vector<continuum::LengthPoint>& points,
   return chart;
 }
 
-void add_profile_charts(const HopperFields& fields, double slit, const HopperModels& models,
+ExperimentChart length_field_chart(const HopperSetup& setup, const HopperFields& fields) {
+  ExperimentChart chart;
+  const double width = setup.felt_slit, least = kLeastSpeed * std::sqrt(setup.gravity * width);
+  chart.name = "hopper_length_field";
+  chart.title = "Local diffusion length over x at six heights";
+  chart.subtitle =
+      text("B = -v_x / (dv_z/dx) where |v_x| > 0.02 sqrt(gD), set-up 1, D = %.4g mm", 1e3 * width);
+  chart.note = "Kinematic model: 1.8 mm everywhere";
+  chart.x = {.label = "x [mm]"};
+  chart.y = {.label = "B [mm]", .logarithmic = true, .lower = 0.1, .upper = 100};
+  for (const double height : kHeights) {
+    ExperimentSeries series{.name = text("z = %.2f D", height), .x = {}, .y = {}};
+    const int row = row_at(fields.grid, height * width);
+    for (int c = 1; c + 1 < fields.grid.columns; ++c) {
+      const double length = local_length(fields, c, row);
+      const bool flows = std::abs(fields.at(fields.horizontal, c, row)) > least;
+      series.x.push_back(1e3 * fields.grid.x(c));
+      series.y.push_back(flows && length > 0 ? 1e3 * length : std::nan(""));
+    }
+    chart.series.push_back(series);
+  }
+  return chart;
+}
+
+void add_profile_charts(const HopperFields& fields, double width, const HopperModels& models,
                         std::vector<ExperimentChart>& charts) {
   for (const bool upright : {true, false})
     for (const double height : kHeights) {
-      const double z = height * slit;
+      const double z = height * width;
       if (z > fields.grid.height) continue;
       ExperimentChart chart;
       chart.name = text("hopper_v%s_%.2f", upright ? "z" : "x", height);
       chart.title = text("%s velocity %.3g mm above the slit", upright ? "Vertical" : "Horizontal", 1e3 * z);
-      chart.subtitle = text("set-up 1, %.2f widths of the slit of %.4g mm", height, 1e3 * slit);
+      chart.subtitle = text("set-up 1, %.2f D, D = %.4g mm", height, 1e3 * width);
       chart.note = "KM: B = 1.8 mm. CKM: B of the solid fraction as fitted, fractions of the DEM.";
       chart.x = {.label = "x [mm]"};
       chart.y = {.label = upright ? "v_z [m/s]" : "v_x [m/s]"};
@@ -114,7 +147,7 @@ void add_profile_charts(const HopperFields& fields, double slit, const HopperMod
 }
 
 void add_scaling_charts(const std::vector<HopperSetup>& setups, const std::vector<HopperFields>& fields,
-                        const std::vector<double>& slits, const std::vector<double>& scales,
+                        const std::vector<double>& widths, const std::vector<double>& scales,
                         std::vector<ExperimentChart>& charts) {
   for (const bool upright : {true, false})
     for (const double height : {0.25, 0.5, 1.0}) {
@@ -123,13 +156,13 @@ void add_scaling_charts(const std::vector<HopperSetup>& setups, const std::vecto
       chart.title =
           text("%s velocity over sqrt(gD) at z = %.2f D", upright ? "Vertical" : "Horizontal", height);
       chart.subtitle = "five set-ups (Bierwisch 2009, Table 5.1)";
-      chart.note = "D: effective width in the velocity, the slit itself in lengths";
+      chart.note = "D: width of the source's slit, as wide for its grains as the slit here for these";
       chart.x = {.label = "x / D", .lower = -2, .upper = 2};
       chart.y = {.label = upright ? "v_z / sqrt(gD)" : "v_x / sqrt(gD)"};
       for (std::size_t k = 0; k < setups.size(); ++k)
         chart.series.push_back(measured_row(setups[k].name, fields[k],
                                             upright ? fields[k].vertical : fields[k].horizontal,
-                                            height * slits[k], slits[k], scales[k]));
+                                            height * widths[k], widths[k], scales[k]));
       charts.push_back(chart);
     }
 }

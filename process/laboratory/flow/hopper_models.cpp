@@ -5,18 +5,24 @@
 
 namespace diefill::process::laboratory {
 
+double local_length(const HopperFields& fields, int column, int row) {
+  const double slope =
+      (fields.at(fields.vertical, column + 1, row) - fields.at(fields.vertical, column - 1, row)) /
+      (2 * fields.grid.spacing_x());
+  const double length = -fields.at(fields.horizontal, column, row) / slope;
+  return std::isfinite(length) ? length : std::nan("");
+}
+
 std::vector<continuum::LengthPoint> local_lengths(const HopperFields& fields, double least) {
   std::vector<continuum::LengthPoint> points;
   const auto& grid = fields.grid;
   for (int row = 1; row <= grid.rows; ++row)
     for (int c = 1; c + 1 < grid.columns; ++c) {
-      const double slope = (fields.at(fields.vertical, c + 1, row) - fields.at(fields.vertical, c - 1, row)) /
-                           (2 * grid.spacing_x());
       const double speed = fields.at(fields.horizontal, c, row);
       const double fraction = fields.at(fields.fraction, c, row);
-      if (!(std::abs(speed) > least) || !std::isfinite(slope) || !std::isfinite(fraction)) continue;
-      const double length = -speed / slope;
-      if (length > 0 && std::isfinite(length)) points.push_back({fraction, length, 1});
+      if (!(std::abs(speed) > least) || !std::isfinite(fraction)) continue;
+      const double length = local_length(fields, c, row);
+      if (length > 0) points.push_back({fraction, length, 1});
     }
   return points;
 }

@@ -9,6 +9,10 @@
 
 namespace diefill::process::laboratory {
 
+/// m, local B at one node, positive where powder flows as the model says; NaN without a slope. `column` has
+/// both its neighbours.
+double local_length(const HopperFields& fields, int column, int row);
+
 /// Local B = -v_x / (dv_z/dx) (Bierwisch 2009, Eq. 5.2) at all nodes above the slit's plane where |v_x| is
 /// above `least` (m/s) and B is positive, with the solid fraction there; all weights 1.
 std::vector<continuum::LengthPoint> local_lengths(const HopperFields& fields, double least);

@@ -22,7 +22,7 @@ constexpr double kBelow = -20e-3;          // m, below which grains are taken ou
 constexpr double kGateSpeed = 5;           // m/s, at which the gate falls: far ahead of the powder
 constexpr double kBurn = 0.1;              // s of flow on Earth before fields are taken
 constexpr double kInterval = 5e-4;         // s between samples of velocity
-constexpr int kFractionEvery = 4;          // samples to one of the solid fraction
+constexpr int kFractionEvery = 8;          // samples to one of the solid fraction
 constexpr double kGridSpacing = 5e-4;      // m
 constexpr double kMeasuredHeight = 50e-3;  // m, of the grid
 constexpr double kLongestSettling = 5;     // s
@@ -55,23 +55,20 @@ engine::WallBodySpec plate(const std::string& name, const HopperSetup& setup, do
   return body;
 }
 
-/// A side wall at `x` (m), its surface towards the powder: two triangles.
-engine::WallBodySpec side(double x, const HopperSetup& setup, double height, double margin) {
+/// Both side walls, flat and without end.
+engine::WallBodySpec sides_of(const HopperSetup& setup) {
   engine::WallBodySpec body;
-  body.name = x < 0 ? "left wall" : "right wall";
-  const double y = 0.5 * setup.depth + margin, low = -1e-3;
-  const Eigen::Vector3d a(x, -y, low), b(x, y, low), c(x, y, height), e(x, -y, height);
-  body.triangles.push_back({{a, b, c}});
-  body.triangles.push_back({{a, c, e}});
+  body.name = "side walls";
+  const Eigen::Vector3d right(0.5 * setup.width, 0, 0);
+  body.planes = {{-right, Eigen::Vector3d::UnitX()}, {right, -Eigen::Vector3d::UnitX()}};
   return body;
 }
 
 /// Floor left and right of the slit, gate, side walls. The slit is measured between the spheres' surfaces.
-std::vector<engine::WallBodySpec> walls_of(const HopperSetup& setup, double height, double margin) {
+std::vector<engine::WallBodySpec> walls_of(const HopperSetup& setup, double margin) {
   const double edge = 0.5 * setup.slit + kWallRadius, end = 0.5 * setup.width + margin;
   return {plate("left floor", setup, -end, -edge, margin), plate("right floor", setup, edge, end, margin),
-          plate("gate", setup, -edge + 2 * kWallRadius, edge - 2 * kWallRadius, margin),
-          side(-0.5 * setup.width, setup, height, margin), side(0.5 * setup.width, setup, height, margin)};
+          plate("gate", setup, -edge + 2 * kWallRadius, edge - 2 * kWallRadius, margin), sides_of(setup)};
 }
 constexpr std::size_t kGate = 2;
 
@@ -217,7 +214,7 @@ HopperFields run_hopper(const HopperSetup& setup, const std::function<void(doubl
   const double poured = pour_height(scene, engine_settings(scene, 1.0));
   auto settings = engine_settings(scene, expected_impact_speed(scene, poured));
   settings.threads = setup.threads;
-  const auto walls = walls_of(setup, poured + 2 * d, margin);
+  const auto walls = walls_of(setup, margin);
   engine::Simulation simulation(settings, walls);
   simulation.add_grains(pour(scene, settings, open_ground(scene)));
   settle(simulation, d);
@@ -243,6 +240,11 @@ HopperFields mean_of(const std::vector<HopperFields>& packings) {
   average(&HopperFields::vertical);
   average(&HopperFields::horizontal);
   average(&HopperFields::fraction);
+  for (const auto& one : packings) mean.time.resize(std::min(mean.time.size(), one.time.size()));
+  mean.discharged.assign(mean.time.size(), 0.0);
+  for (const auto& one : packings)
+    for (std::size_t k = 0; k < mean.time.size(); ++k)
+      mean.discharged[k] += one.discharged[k] / static_cast<double>(packings.size());
   mean.outflow = mean.bulk_fraction = 0;
   for (const auto& one : packings) {
     mean.outflow += one.outflow / static_cast<double>(packings.size());

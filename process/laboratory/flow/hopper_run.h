@@ -47,7 +47,7 @@ struct HopperFields {
 };
 
 /// Settles the powder above the closed slit, opens it at once, and takes fields every 0.5 ms (solid fractions
-/// every 2 ms) between the two levels, not before 0.1 s sqrt(9.81 m/s^2 / g). `told` hears the share done.
+/// every 4 ms) between the two levels, not before 0.1 s sqrt(9.81 m/s^2 / g). `told` hears the share done.
 HopperFields run_hopper(const HopperSetup& setup, const std::function<void(double)>& told);
 
 /// The mean of several packings of one set-up.

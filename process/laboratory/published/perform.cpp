@@ -78,16 +78,6 @@ class FinishedRuns {
   std::vector<SeedResults> seeds_;
 };
 
-/// Quantity, unit and range of the published figure that the quantity stands for.
-void take_published(const PublishedFigure& figure, results::LabRow& row) {
-  row.quantity = figure.quantity;
-  row.setting = figure.model.empty() ? figure.setting : figure.model + "; " + figure.setting;
-  row.unit = figure.unit;
-  row.published = figure.published;
-  row.lower = figure.lower;
-  row.upper = figure.upper;
-}
-
 /// Values over the seeds that have all runs, and the coarsest grains among these.
 void measure(const LabQuantity& quantity, const FinishedRuns& runs, results::LabRow& row) {
   std::vector<SeedResults> seeds;
@@ -128,6 +118,15 @@ results::LabRow row_of(const LabQuantity& quantity, const FinishedRuns& runs,
 }
 
 }  // namespace
+
+void take_published(const PublishedFigure& figure, results::LabRow& row) {
+  row.quantity = figure.quantity;
+  row.setting = figure.model.empty() ? figure.setting : figure.model + "; " + figure.setting;
+  row.unit = figure.unit;
+  row.published = figure.published;
+  row.lower = figure.lower;
+  row.upper = figure.upper;
+}
 
 std::string verdict_of(const results::LabRow& row) {
   if (row.values.empty()) return "no value";

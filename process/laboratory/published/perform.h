@@ -24,6 +24,9 @@ struct LabJobs {
   bool run = true;  ///< false: only what is finished there is measured
 };
 
+/// Quantity, unit and range of the published figure that the row stands for.
+void take_published(const PublishedFigure& figure, results::LabRow& row);
+
 /// "met" or "not met" of a mean; "-" where the row has no limits, "no value" without one.
 std::string verdict_of(const results::LabRow& row);
 

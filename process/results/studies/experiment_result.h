@@ -47,12 +47,21 @@ struct ExperimentLimit {
   std::string source;  ///< of the prediction
 };
 
+/// A published figure, as the experiment has it.
+struct ExperimentFigure {
+  std::string id;    ///< of sample_tools/laboratory/published_figures.csv
+  double value = 0;  ///< in its unit; NaN: not found
+  std::string how;   ///< what was measured, where the figure's name leaves that open
+  double grain_diameter = std::numeric_limits<double>::quiet_NaN();  ///< m, the coarsest of its runs
+};
+
 /// All that one experiment found.
 struct ExperimentResult {
   std::string name, question;
   bool quick = false;
   double cpu_seconds = 0;
   std::vector<ExperimentLimit> limits;
+  std::vector<ExperimentFigure> figures;
   std::vector<ExperimentChart> charts;
 };
 

@@ -5,6 +5,7 @@
 #include <set>
 
 #include "process/input/scene_error.h"
+#include "process/laboratory/published/family_tables.h"
 #include "process/laboratory/published/fidelity.h"
 #include "process/laboratory/published/published_figure.h"
 #include "process/laboratory/published/scene_experiment.h"
@@ -131,6 +132,31 @@ TEST(Fidelity, HasARowForEveryFigureAndSaysWhyThereIsNoValue) {
   EXPECT_NE(page.find("no value | - | 0 | 1 of 1 runs not finished (budget used, or stopped)"),
             std::string::npos)
       << page;
+}
+
+TEST(FamilyTables, KeepWhatAnExperimentHasOfPublishedFigures) {
+  PublishedFigure figure;
+  figure.id = "D01", figure.quantity = "bulk fraction", figure.unit = "1", figure.published = "0.365";
+  figure.lower = 0.355, figure.upper = 0.375;
+  PublishedFigure other = figure;
+  other.id = "D02";
+  results::ExperimentResult result;
+  result.name = "hopper";
+  result.quick = true;
+  result.cpu_seconds = 12;
+  result.figures = {{"D01", 0.36, "settled", 3e-3}, {"D02", 0.4, "", 3e-3}};
+  const support::TemporaryFolder folder;
+  std::filesystem::create_directories(folder.path() / "flow");
+  results::write_lab_table(folder.path() / "flow", table_of_figures(result, {figure, other}));
+  const auto tables = family_tables(folder.path());
+  ASSERT_EQ(tables.size(), 1U);
+  EXPECT_EQ(tables[0].experiment, "hopper_figures");
+  ASSERT_EQ(tables[0].rows.size(), 2U);
+  EXPECT_EQ(tables[0].rows[0].verdict, "met");
+  EXPECT_EQ(tables[0].rows[1].verdict, "not met");
+  const std::string page = fidelity_page({figure, other}, tables, {});
+  EXPECT_NE(page.find("quick, 1 seed; settled"), std::string::npos) << page;
+  EXPECT_TRUE(family_tables(folder.path() / "none").empty());
 }
 
 }  // namespace

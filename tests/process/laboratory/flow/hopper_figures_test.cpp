@@ -1,0 +1,103 @@
+// Figures of the hopper, found in fields that are known.
+#include "process/laboratory/flow/hopper_figures.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "process/continuum/discharge.h"
+#include "process/scene/powder_presets.h"
+
+namespace diefill::process::laboratory {
+namespace {
+
+constexpr double kMm = 1e-3, kSlit = 15 * kMm, kBulk = 0.365;
+
+/// The kinematic model itself, loose below 30 mm.
+HopperFields fields(double slit, double speed) {
+  HopperFields made;
+  made.grid = {45 * kMm, 50 * kMm, 90, 100};
+  std::vector<double> opening;
+  for (int c = 0; c < made.grid.columns; ++c)
+    opening.push_back(std::abs(made.grid.x(c)) < slit / 2 ? -speed : 0);
+  const auto flow = continuum::solve_kinematic(made.grid, opening, continuum::constant_length(1.8 * kMm));
+  made.vertical = flow.vertical;
+  for (int row = 0; row <= made.grid.rows; ++row)
+    for (int c = 0; c < made.grid.columns; ++c) {
+      made.horizontal.push_back(0.5 * (flow.horizontal_at(c, row) + flow.horizontal_at(c + 1, row)));
+      made.fraction.push_back(row * made.grid.spacing_z() < 30.2 * kMm ? 0.9 * kBulk : kBulk);
+    }
+  made.bulk_fraction = kBulk;
+  made.outflow = speed * slit;
+  return made;
+}
+
+HopperStudy study() {
+  HopperStudy all;
+  for (int k = 0; k < 5; ++k) {
+    HopperSetup setup;
+    setup.powder = powder_preset("ASC100.29 initial D");
+    all.setups.push_back(setup);
+    all.fields.push_back(fields(kSlit, 0.4));
+  }
+  all.length = {0.116 * kMm, 0.37, 0.347};
+  const auto& grid = all.fields[0].grid;
+  all.incompressible = {grid, all.fields[0].vertical,
+                        std::vector<double>((grid.rows + 1) * (grid.columns + 1))};
+  all.compressible = all.incompressible;
+  return all;
+}
+
+double value_of(const std::vector<results::ExperimentFigure>& figures, const std::string& id) {
+  const auto found =
+      std::find_if(figures.begin(), figures.end(), [&](const auto& figure) { return figure.id == id; });
+  return found == figures.end() ? std::nan("") : found->value;
+}
+
+TEST(HopperFigures, AreThoseOfTheFields) {
+  const auto figures = hopper_figures(study());
+  EXPECT_NEAR(value_of(figures, "D01"), kBulk, 1e-9);
+  EXPECT_NEAR(value_of(figures, "D02"), 30, 0.5);
+  EXPECT_NEAR(value_of(figures, "D07"), 0.116, 1e-9);
+  EXPECT_NEAR(value_of(figures, "D10"), 0.116 / 15, 1e-9);
+  EXPECT_NEAR(value_of(figures, "D12"), 0.4 * 15 / 45, 0.005);  // plug flow carries the flux of the slit
+  EXPECT_NEAR(value_of(figures, "D13"), 0, 1e-12);
+  EXPECT_NEAR(value_of(figures, "D14"), 1, 1e-9);
+  EXPECT_NEAR(value_of(figures, "D15"), 0, 1e-9);
+}
+
+TEST(HopperFigures, AnotherSpeedLeavesTheCollapse) {
+  HopperStudy all = study();
+  all.fields[1] = fields(kSlit, 0.2);
+  EXPECT_GT(spread_of_collapse(all), 0.1);
+}
+
+TEST(HopperFigures, StraightLinesHaveNoBendAndThoseOfTheKinematicModelDo) {
+  const HopperFields made = fields(kSlit, 0.4);
+  EXPECT_GT(bend_of_isoline(made.grid, made.vertical, -0.1, 1.5 * kMm, kSlit), 0.05 * kMm);
+  std::vector<double> wedge;
+  for (int row = 0; row <= made.grid.rows; ++row)
+    for (int c = 0; c < made.grid.columns; ++c)
+      wedge.push_back(std::abs(made.grid.x(c)) - 5 * kMm - 0.3 * row * made.grid.spacing_z() - 0.1);
+  EXPECT_LT(bend_of_isoline(made.grid, wedge, -0.1, 1.5 * kMm, kSlit), 1e-9);
+}
+
+TEST(HopperFigures, EquationOfTheStartingFlowComesBack) {
+  HopperStudy all = study();
+  const continuum::SlitFlow slit{1, kSlit, 1, 9.81};
+  for (double time = 5e-4; time < 0.3; time += 5e-4) {
+    all.fields[0].time.push_back(time);
+    all.fields[0].discharged.push_back(
+        continuum::discharged_mass(continuum::kSimulatedDischarge, slit, time));
+  }
+  const auto figures = hopper_figures(all);
+  EXPECT_NEAR(value_of(figures, "E01"), 0.05, 1e-3);
+  EXPECT_NEAR(value_of(figures, "E02"), 0.39, 1e-2);
+  EXPECT_NEAR(value_of(figures, "E03"), 0.92, 1e-2);
+  EXPECT_NEAR(value_of(figures, "E04"), 1.4, 0.05);
+}
+
+}  // namespace
+}  // namespace diefill::process::laboratory
