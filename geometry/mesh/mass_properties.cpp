@@ -1,5 +1,7 @@
 #include "geometry/mesh/mass_properties.h"
 
+#include <Eigen/LU>
+
 namespace diefill::geometry {
 
 MassProperties mass_properties(const Mesh& mesh) {

@@ -1,6 +1,7 @@
 // A steel ball that falls at 5 m/s into beds of 25,000 and 50,000 spheres (Dosta et al. 2024, case 3), from
 // the published packings and with the published grains. The coarse size has twice the published step and
-// ends, as the medium one, once the ball has passed its lowest place.
+// begins when the ball, in free fall until then, is half a millimetre above the bed at rest; it ends, as the
+// medium one, once the ball has passed its lowest place.
 #include <algorithm>
 #include <cmath>
 
@@ -11,33 +12,52 @@
 namespace diefill::process::laboratory {
 namespace {
 
-constexpr double kStart = 0.06;  // m, of the ball's centre
+constexpr double kStart = 0.06, kFloor = -0.0802431;  // m, ball's centre: at the start, on the floor
+constexpr double kSpeed = 5, kGravity = 9.81;         // m/s, m/s^2
 
 struct Bed {
   int grains;
   const char* depth_id;
   const char* time_id;
-  double shortest;  ///< s, by which the ball has passed its lowest place
+  double shortest;   ///< s, by which the ball has passed its lowest place
+  double above_bed;  ///< m, ball's centre when it is half a millimetre above the highest grain
 };
-constexpr Bed kBeds[] = {{25000, "DOS-I25", "DOS-I25-t", 0.036}, {50000, "DOS-I50", "DOS-I50-t", 0.052}};
+constexpr Bed kBeds[] = {{25000, "DOS-I25", "DOS-I25-t", 0.036, -0.0450},
+                         {50000, "DOS-I50", "DOS-I50-t", 0.052, -0.0117}};
 
 std::string run_name(const Bed& bed) {
   return std::to_string(bed.grains) + " grains";
+}
+
+/// m/s, down, and s: of the ball in free fall above the bed.
+double speed_above(const Bed& bed) {
+  return std::sqrt(kSpeed * kSpeed + 2 * kGravity * (kStart - bed.above_bed));
+}
+double time_above(const Bed& bed) {
+  return (speed_above(bed) - kSpeed) / kGravity;
 }
 
 LabRun run_of(const Bed& bed, LabSize size) {
   LabRun run{run_name(bed), "impact.toml", {}};
   std::string& set = run.changes.set;
   set += line("pour.grains_file", "\"dosta/impact_" + std::to_string(bed.grains) + ".csv\"");
-  if (size == LabSize::coarse) set += line("numerics.time_step", "\"1 us\"");
-  if (size != LabSize::published) set += line("step.fall.duration", '"' + plain(bed.shortest) + " s\"");
+  if (size == LabSize::published) return run;
+  const bool coarse = size == LabSize::coarse;
+  set += line("step.fall.duration", '"' + plain(bed.shortest - (coarse ? time_above(bed) : 0)) + " s\"");
+  if (!coarse) return run;
+  set += line("numerics.time_step", "\"1 us\"");
+  set += line("tool.ball.position", point_in_millimetres(0, 0, bed.above_bed));
+  set += line("step.fall.velocity", "[\"0 m/s\", \"0 m/s\", \"-" + plain(speed_above(bed)) + " m/s\"]");
+  set += line("step.fall.stops", "[{ direction = \"-z\", distance = " + millimetres(bed.above_bed - kFloor) +
+                                     ", restitution = 0.4 }]");
   return run;
 }
 
-/// Height (m) of the ball's centre over the time since its release.
+/// Height (m) of the ball's centre over the time since its release at 60 mm.
 TimeCurve height_of_ball(const SeedResults& seed, const Bed& bed) {
   TimeCurve curve = probe_curve(seed, run_name(bed), "motion of ball", "z");
-  const double start = start_of_motion(seed, run_name(bed), "ball");
+  double start = start_of_motion(seed, run_name(bed), "ball");
+  if (curve.value.front() < 0.5 * (kStart + bed.above_bed)) start -= time_above(bed);
   for (double& time : curve.time) time -= start;
   return curve;
 }
