@@ -56,6 +56,13 @@ for half in "" _half; do
   done
 done
 
+for orifice in 30 20; do
+  make_part laboratory/dosta/dosta.scad laboratory/dosta/silo_$orifice.stl -D 'part="silo"' -D orifice=$orifice
+done
+for part in gate box ball drum; do
+  make_part laboratory/dosta/dosta.scad laboratory/dosta/$part.stl -D "part=\"$part\""
+done
+
 for part in die core_rods punch shoe; do
   make_part gear/gear.scad gear/$part.stl -D "part=\"$part\""
 done

@@ -117,7 +117,7 @@ void find_images(SimulationState& state) {
   images.shrink_to_fit();
 }
 
-/// Notes how far every body stands from the powder.
+/// Notes how far every body stands from the powder, beyond what the list allows it to move.
 void measure_clearances(SimulationState& state) {
   const SphereField& spheres = state.spheres;
   Eigen::AlignedBox3d powder;
@@ -128,7 +128,8 @@ void measure_clearances(SimulationState& state) {
     state.clearance[b] =
         spheres.grains == 0 || !state.settings.skip_far_walls
             ? 0
-            : clearance_of(body, state.reference.bodies[b], powder, sphere_reach + body.sphere_radius());
+            : clearance_of(body, state.reference.bodies[b], powder,
+                           sphere_reach + body.sphere_radius() + state.reference.body_allowance[b]);
   }
 }
 

@@ -2,6 +2,7 @@
 
 #include "process/machine/clear.h"
 #include "process/machine/force_control.h"
+#include "process/machine/free_motion.h"
 #include "process/machine/move.h"
 #include "process/machine/passage.h"
 #include "process/machine/powder_change.h"
@@ -23,7 +24,7 @@ const Choices<StepFactory>& step_kinds() {
       {"rotation", read_rotation},   {"table", read_table_motion},
       {"piston", read_piston},       {"rotor", read_rotor},
       {"inflow", read_inflow},       {"clear", read_clear},
-      {"change", read_change},
+      {"change", read_change},       {"free motion", read_free_motion},
   };
   return kinds;
 }

@@ -14,7 +14,7 @@ namespace diefill::process {
 
 namespace {
 
-constexpr std::array<char, 8> kMagic = {'d', 'f', 'c', 'h', 'k', 'p', '1', '4'};
+constexpr std::array<char, 8> kMagic = {'d', 'f', 'c', 'h', 'k', 'p', '1', '5'};
 
 std::uint64_t hash_of(const std::string& bytes) {
   engine::Fnv1a hash;
@@ -100,6 +100,9 @@ void transfer(Io& io, Contents& checkpoint) {
   io(checkpoint.schedule.last_update);
   io(checkpoint.probes.probes);
   io(checkpoint.probes.rows);
+  io(checkpoint.free_tools.bodies);
+  io(checkpoint.free_tools.numbers);
+  io(checkpoint.free_tools.rows);
   io(checkpoint.snapshots);
   auto& simulation = checkpoint.simulation;
   io(simulation.step);

@@ -8,6 +8,7 @@
 
 #include "engine/simulation/snapshot.h"
 #include "process/results/fill_result.h"
+#include "process/run/free_tools.h"
 #include "process/run/probes.h"
 #include "process/run/schedule.h"
 #include "process/run/snapshots.h"
@@ -21,6 +22,7 @@ struct Checkpoint {
   engine::Snapshot simulation;
   ScheduleState schedule;
   ProbesState probes;
+  FreeToolsState free_tools;
   std::vector<SnapshotState> snapshots;
   /// Grains of each type out of the computation: spilled or discharged, and wedged between tools.
   std::vector<std::uint64_t> grains_left, grains_sheared;

@@ -51,6 +51,7 @@ FillRun::FillRun(const Scene& scene, const Tooling& tooling, const RunOptions& o
       schedule_(scene, tooling, grain_diameter_),
       source_(scene, tooling),
       probes_(scene, tooling),
+      free_tools_(scene, tooling),
       snapshots_(scene),
       lost_grains_(tooling, grain_diameters(scene)),
       leak_watch_(tooling, largest_grain(scene)),
@@ -87,7 +88,9 @@ void FillRun::run() {
   start_or_resume();
   ForcedToolWatch forced_tools(scene_, tooling_);
   while (!schedule_.finished() && !out_of_time()) {
+    free_tools_.before_step(*simulation_);
     simulation_->step();
+    free_tools_.after_step(*simulation_);
     sphere_steps_ += simulation_->grains().size() * simulation_->types().spheres();
     schedule_.observe(*simulation_);
     probes_.observe(*simulation_);
@@ -113,6 +116,7 @@ void FillRun::duties() {
   // Before the schedule forgets the loads it has summed.
   if (step % kScheduleEvery == 0) take_snapshots();
   if (step % kScheduleEvery == 0) stage_over = schedule_.update(*simulation_);
+  if (step % kScheduleEvery == 0) free_tools_.follow(schedule_, *simulation_);
   if (stage_over) clear_powder();
   if (stage_over) change_powder();
   if (step % kFeedEvery == 0 && source_.any()) let_powder_in();
@@ -124,6 +128,12 @@ void FillRun::duties() {
   if (options_.stop != nullptr && options_.stop->load()) stop_with_checkpoint();
   if (stage_over || seconds_since(last_checkpoint_) > scene_.numerics.checkpoint_interval) write_checkpoint();
   if (stage_over && !schedule_.finished()) save_shared_start();
+}
+
+std::vector<results::ProbeSeries> FillRun::probes() const {
+  auto all = probes_.series();
+  for (auto& way : free_tools_.ways()) all.push_back(std::move(way));
+  return all;
 }
 
 void FillRun::let_spilled_grains_go() {

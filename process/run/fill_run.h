@@ -9,6 +9,7 @@
 
 #include "engine/limits/validity_monitor.h"
 #include "process/run/checkpoint.h"
+#include "process/run/free_tools.h"
 #include "process/run/leak_watch.h"
 #include "process/run/lost_grains.h"
 #include "process/run/powder_source.h"
@@ -67,7 +68,8 @@ class FillRun {
   std::uint64_t grains_sheared() const { return sheared_.grains(); }
   /// Instants kept on the way (measure.snapshot_interval); tools' poses in the laboratory frame.
   const std::vector<results::Instant>& instants() const { return instants_; }
-  std::vector<results::ProbeSeries> probes() const { return probes_.series(); }
+  /// Of the scene, and the ways of free tools.
+  std::vector<results::ProbeSeries> probes() const;
   double wall_seconds() const;
   std::uint64_t sphere_steps() const { return sphere_steps_; }
   double critical_time_step() const { return critical_step_; }
@@ -112,6 +114,7 @@ class FillRun {
   Schedule schedule_;
   PowderSource source_;
   Probes probes_;
+  FreeTools free_tools_;
   Snapshots snapshots_;
   engine::ValidityMonitor monitor_;
   LostGrains lost_grains_;

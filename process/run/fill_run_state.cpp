@@ -49,6 +49,7 @@ void FillRun::go_on_from(const Checkpoint& checkpoint) {
   probes_.restore(checkpoint.probes);
   snapshots_.restore(checkpoint.snapshots);
   put_changed_laws();
+  free_tools_.restore(checkpoint.free_tools, *simulation_);
   simulation_->restore(checkpoint.simulation);
   left_ = GrainTally(checkpoint.grains_left);
   sheared_ = GrainTally(checkpoint.grains_sheared);
@@ -65,6 +66,7 @@ Checkpoint FillRun::checkpoint() const {
   checkpoint.simulation = simulation_->snapshot();
   checkpoint.schedule = schedule_.state();
   checkpoint.probes = probes_.state();
+  checkpoint.free_tools = free_tools_.state();
   checkpoint.snapshots = snapshots_.state();
   checkpoint.grains_left = left_.by_kind();
   checkpoint.grains_sheared = sheared_.by_kind();

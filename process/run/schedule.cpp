@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "process/machine/free_motion.h"
 #include "process/machine/moving_tool.h"
 #include "process/machine/powder_inflow.h"
 #include "process/powder/material.h"
@@ -141,7 +142,7 @@ double Schedule::mean_resistance(const Step& step, const engine::Simulation& sim
 bool Schedule::prescribed_motion_is_on() const {
   for (std::size_t k = 0; k < stages_.size(); ++k)
     if (state_.steps[k].is_on() && !stages_.steps[k]->tools().empty() &&
-        stages_.steps[k]->control() == nullptr)
+        stages_.steps[k]->control() == nullptr && free_motion_of(*stages_.steps[k]) == nullptr)
       return true;
   return false;
 }

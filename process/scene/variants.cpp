@@ -241,6 +241,7 @@ std::string scene_text_with(const Scene& scene, std::uint64_t seed,
     if (toml::array* entries = document[list].as_array())
       for (toml::node& entry : *entries) move_file(entry.as_table(), key);
   move_file(document["powder"].as_table(), "spheres_file");
+  move_file(document["pour"].as_table(), "grains_file");
   return as_comment(chosen_in(scene.text)) + scene_text_of(document);
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdio>
 
+#include "process/machine/free_motion.h"
 #include "process/machine/powder_inflow.h"
 #include "process/powder/material.h"
 #include "process/powder/powder_mixture.h"
@@ -124,8 +125,9 @@ void find_little_powder(const Scene& scene, const Tooling& tooling, std::vector<
 }
 
 void find_forced_collisions(const Scene& scene, const Tooling& tooling, std::vector<SetupFinding>& findings) {
-  const bool forced = std::any_of(scene.steps.begin(), scene.steps.end(),
-                                  [](const auto& step) { return step->control() != nullptr; });
+  const bool forced = std::any_of(scene.steps.begin(), scene.steps.end(), [](const auto& step) {
+    return step->control() != nullptr || free_motion_of(*step) != nullptr;
+  });
   if (!forced) return;
   for (const auto& collision : find_collisions(scene, tooling, ForcedTools::go_all_the_way))
     findings.push_back({"without powder to stop it, " + collision.description() +

@@ -6,6 +6,7 @@
 
 #include "process/machine/passage.h"
 #include "process/machine/settle.h"
+#include "process/scene/placed_grains.h"
 
 namespace diefill::process {
 
@@ -96,7 +97,8 @@ void predict_end(std::size_t k, const Stages& stages, std::vector<StepState>& st
 }  // namespace
 
 Stages::Stages(const Scene& scene) {
-  steps.push_back(std::make_shared<Settle>(std::nullopt));
+  // Grains that a file places are at rest.
+  steps.push_back(std::make_shared<Settle>(grains_file_of(scene) ? std::optional(0.0) : std::nullopt));
   steps.insert(steps.end(), scene.steps.begin(), scene.steps.end());
   settle_added = !ends_with_settling(scene.steps);
   if (settle_added) steps.push_back(std::make_shared<Settle>(std::nullopt));

@@ -7,6 +7,7 @@
 
 #include "engine/numerics/fnv1a.h"
 #include "engine/numerics/out_of_range.h"
+#include "process/machine/free_motion.h"
 #include "process/tooling/stages.h"
 
 namespace diefill::process {
@@ -40,10 +41,17 @@ double farthest_move(const geometry::Box& box, const ToolPose& from, const ToolP
   return farthest;
 }
 
+bool is_free(const Stages& stages, const std::string& tool) {
+  return std::ranges::any_of(stages.steps, [&](const auto& step) {
+    return free_motion_of(*step) != nullptr && step->tools().front() == tool;
+  });
+}
+
 /// All tools as time goes on, so close that none moves farther than kStep from one to the next.
 class Way {
  public:
-  Way(const Scene& scene, const Tooling& tooling, ForcedTools forced) : tooling_(tooling), stages_(scene) {
+  Way(const Scene& scene, const Tooling& tooling, ForcedTools forced)
+      : tooling_(tooling), forced_(forced), stages_(scene) {
     states_ = predicted(stages_, kSettlingGuess);
     if (forced == ForcedTools::stand)
       for (auto& state : states_) state.control = {};
@@ -60,7 +68,10 @@ class Way {
  private:
   Poses poses_at(double time) const {
     Poses poses;
-    for (const Tool& tool : tooling_.tools) poses.push_back(pose_of(stages_, states_, tool.spec.name, time));
+    for (const Tool& tool : tooling_.tools)
+      poses.push_back(forced_ == ForcedTools::stand && is_free(stages_, tool.spec.name)
+                          ? ToolPose()
+                          : pose_of(stages_, states_, tool.spec.name, time));
     return poses;
   }
   void go_to(double time, const Poses& poses, int halvings) {
@@ -78,6 +89,7 @@ class Way {
   }
 
   const Tooling& tooling_;
+  ForcedTools forced_;
   Stages stages_;
   std::vector<StepState> states_;
   std::vector<geometry::Box> boxes_;
@@ -138,7 +150,8 @@ std::optional<ToolCollision> collision_of(const Scene& scene, const Tooling& too
 bool under_force(const Scene& scene, const std::string& tool) {
   return std::any_of(scene.steps.begin(), scene.steps.end(), [&](const auto& step) {
     const auto tools = step->tools();
-    return step->control() != nullptr && std::find(tools.begin(), tools.end(), tool) != tools.end();
+    return (step->control() != nullptr || free_motion_of(*step) != nullptr) &&
+           std::find(tools.begin(), tools.end(), tool) != tools.end();
   });
 }
 

@@ -180,6 +180,26 @@ def row_of(row, source):
             text(high), kind, row["source"].replace(source + " ", ""), experiment_of(identity)]
 
 
+# Bulk processes of Dosta et al. 2024: mean of the codes' results, or of re-runs of two of them, and 5 % of it.
+BULK = (
+    ("DOS-I25", "case 3", "M1", "25,000 grains", "lowest place of the ball below its start", "mm", "138.35", "impact"),
+    ("DOS-I25-t", "case 3", "M1", "25,000 grains", "time of the ball's lowest place", "ms", "30", "impact"),
+    ("DOS-I50", "case 3", "M1", "50,000 grains", "lowest place of the ball below its start", "mm", "138.6", "impact"),
+    ("DOS-I50-t", "case 3", "M1", "50,000 grains", "time of the ball's lowest place", "ms", "44", "impact"),
+    ("DOS-SL", "case 1", "M1", "large opening", "grains a second through the opening", "1/s", "23200", "silo"),
+    ("DOS-SS", "case 1", "M1", "small opening", "grains a second through the opening", "1/s", "7737", "silo"),
+    ("DOS-SR", "case 1", "M1", "both openings", "rate of the large over the small opening", "1", "3.1", "silo"),
+)
+BULK_PLACE = {"DOS-SL": "mean of the codes", "DOS-SR": "mean of the codes", "DOS-SS": "re-run of MUSEN"}
+
+
+def bulk_rows():
+    for identity, section, model, setting, quantity, unit, published, experiment in BULK:
+        value = float(published)
+        yield [identity, "Dosta 2024", section, model, setting, quantity, unit, published, f"{0.95 * value:.10g}",
+               f"{1.05 * value:.10g}", "value", BULK_PLACE.get(identity, "re-runs of LIGGGHTS and MUSEN"), experiment]
+
+
 def main():
     if len(sys.argv) != 2:
         sys.exit(__doc__)
@@ -190,6 +210,7 @@ def main():
         with open(f"{sys.argv[1]}/targets-{file}.csv", newline="", encoding="utf-8") as table:
             for row in csv.DictReader(table):
                 writer.writerow(row_of(row, source))
+    writer.writerows(bulk_rows())
 
 
 main()

@@ -22,6 +22,12 @@ LabPlan plan_mean_fractions(const LabSetting& setting);
 LabPlan plan_fill_height(const LabSetting& setting);
 /// Stress over strain of beds of enlarged spheres, three methods of scaling (Hu 2024, section 4.2).
 LabPlan plan_uniaxial_compression(const LabSetting& setting);
+/// A steel ball that falls into two beds (Dosta et al. 2024, case 3).
+LabPlan plan_ball_impact(const LabSetting& setting);
+/// Discharge of a silo through two openings (Dosta et al. 2024, case 1).
+LabPlan plan_silo(const LabSetting& setting);
+/// A rotating drum with two materials (Dosta et al. 2024, case 2).
+LabPlan plan_drum(const LabSetting& setting);
 /// Apparent density, flow, density after vibration, angles of repose and discharge of one powder: a data
 /// sheet.
 LabPlan plan_powder_sheet(const LabSetting& setting);

@@ -21,6 +21,9 @@ const std::vector<SceneExperiment>& scene_experiments() {
        plan_packing_scatter},
       {"uniaxial_compression", "does a pressed bed of enlarged spheres resist like the original?",
        plan_uniaxial_compression},
+      {"impact", "how deep does a steel ball fall into a bed, beside other codes?", plan_ball_impact},
+      {"silo", "how fast does a silo discharge through two openings, beside other codes?", plan_silo},
+      {"drum", "how do grains of two materials spread in a rotating drum?", plan_drum},
       {"powder_sheet", "which density, flow and angles has a powder in the tests of powder metallurgists?",
        plan_powder_sheet},
   };

@@ -1,4 +1,9 @@
+#include <cmath>
+#include <numbers>
+
+#include "geometry/mesh/mesh.h"
 #include "process/scene/reading/plausibility.h"
+#include "process/scene/reading/read_sphere_file.h"
 #include "process/scene/reading/sections.h"
 #include "process/scene/setting.h"
 
@@ -13,7 +18,38 @@ constexpr QuantityRule kRimSpeed = {Dimension::velocity, "0.05 m/s", "0 m/s", "1
 constexpr NumberRule kLatticeConstant = {1, 5, false, "1.2"};
 constexpr NumberRule kRandomOffset = {0, 0.5, false, "0.1"};
 
+/// Of `grains_file`, which says all.
+PourSpec placed_pour(TableReader& table, bool has_setting) {
+  constexpr std::size_t kLargest = 1 << 28;  // bytes
+  for (const char* other : {"from", "to", "fill_height", "solid_fraction", "rim_speed", "lattice_constant",
+                            "random_offset", "around_tools", "layers"})
+    if (table.has(other)) table.reject(other, "pour.grains_file places all grains; remove the key");
+  if (has_setting)
+    table.reject(
+        "grains_file",
+        "a setting chooses the grain size, but the file has grains of one size; remove one of the two");
+  PourSpec pour;
+  pour.line = table.line();
+  geometry::Box box;
+  double solid = 0;
+  const auto grains = read_sphere_file(table, "grains_file", kLargest);
+  if (grains.empty()) table.reject("grains_file", "the file has no grain");
+  for (const auto& grain : grains) {
+    box.include(grain.centre + Eigen::Vector3d::Constant(grain.radius));
+    box.include(grain.centre - Eigen::Vector3d::Constant(grain.radius));
+    solid += 4.0 / 3 * std::numbers::pi * std::pow(grain.radius, 3);
+  }
+  table.finish();
+  pour.lower = box.lower;
+  pour.upper = box.upper;
+  pour.fill_height = box.size()[2];
+  // Of the box about the grains, so that estimates have their number.
+  pour.solid_fraction = solid / box.size().prod();
+  return pour;
+}
+
 PourSpec read(TableReader& table, const Scene& scene, bool height_of_box) {
+  if (table.has("grains_file")) return placed_pour(table, height_of_box);
   PourSpec pour;
   pour.line = table.line();
   pour.lower = table.required_point("from", kCorner);

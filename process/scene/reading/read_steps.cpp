@@ -2,6 +2,7 @@
 #include <functional>
 
 #include "process/input/scene_error.h"
+#include "process/machine/free_motion.h"
 #include "process/machine/step_registry.h"
 #include "process/scene/reading/sections.h"
 
@@ -106,6 +107,7 @@ std::vector<std::shared_ptr<const Step>> read_steps(TableReader& document,
     refuse_endless(*steps.back(), table);
   }
   refuse_steps_that_wait_for_themselves(steps);
+  refuse_driven_free_tools(steps);
   return steps;
 }
 

@@ -2,6 +2,7 @@
 
 #include "process/scene/contact_spec.h"
 #include "process/scene/powder_file.h"
+#include "process/scene/reading/free_tools.h"
 #include "process/scene/reading/sections.h"
 #include "process/scene/scene.h"
 #include "process/scene/scene_text.h"
@@ -77,6 +78,7 @@ Scene scene_of(toml::table& parsed, const std::string& text, const std::filesyst
   scene.measure = read_measure(table_or_empty(document, "measure", empty));
   read_economy(table_or_empty(document, "economy", empty), scene);
   if (auto suction = document.table("suction")) scene.suction = read_suction(*suction, scene);
+  refuse_free_tools_beside(scene);
   document.tables("variant");  // no matter of this scene's own: see variants.h
   document.finish();
   return scene;

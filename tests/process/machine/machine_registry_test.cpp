@@ -18,7 +18,7 @@ TEST(StepRegistry, NamesEachKindOnce) {
   }
   EXPECT_EQ(names,
             (std::set<std::string>{"passage", "settle", "wait", "move", "vibration", "rotational oscillation",
-                                   "rotation", "table", "piston", "rotor", "inflow", "clear", "change"}));
+                                   "rotation", "table", "piston", "rotor", "inflow", "clear", "change", "free motion"}));
   EXPECT_EQ(names.size(), step_kinds().size());
 }
 

@@ -35,7 +35,7 @@ TEST(PublishedFigures, HaveOneIdEachAndLimitsInOrder) {
       EXPECT_TRUE(figure.lower == figure.lower || figure.upper == figure.upper) << figure.id;
     }
   }
-  EXPECT_EQ(ids.size(), 374U);
+  EXPECT_EQ(ids.size(), 381U);
 }
 
 TEST(PublishedFigures, OfAnExperimentAreAllMeasuredByIt) {
@@ -51,7 +51,8 @@ TEST(PublishedFigures, OfAnExperimentAreAllMeasuredByIt) {
       ++count;
       EXPECT_TRUE(measured.contains(figure.id)) << experiment.name << " does not measure " << figure.id;
     }
-    EXPECT_EQ(count > 0, experiment.name != "powder_sheet") << experiment.name;
+    const bool nothing_published = experiment.name == "powder_sheet" || experiment.name == "drum";
+    EXPECT_EQ(count > 0, !nothing_published) << experiment.name;
   }
 }
 

@@ -1,0 +1,97 @@
+#include "process/laboratory/published/bulk_curves.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <fstream>
+#include <limits>
+
+#include "process/input/scene_error.h"
+#include "process/laboratory/published/csv_fields.h"
+
+namespace diefill::process::laboratory {
+namespace {
+
+constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+
+double number_in(const std::string& field, const std::string& where) {
+  char* end = nullptr;
+  const double value = std::strtod(field.c_str(), &end);
+  if (end == field.c_str() || *end != '\0')
+    throw SceneError(where + ": found \"" + field + "\", expected a number");
+  return value;
+}
+
+}  // namespace
+
+std::vector<CodeCurve> code_curves(const std::filesystem::path& scenes, const std::string& name) {
+  const std::filesystem::path file = scenes / "dosta/curves.csv";
+  std::ifstream stream(file);
+  if (!stream)
+    throw SceneError(file.string() +
+                     ": cannot be read; give the folder of the laboratory's scenes with --scenes");
+  std::vector<CodeCurve> curves;
+  std::string line;
+  std::getline(stream, line);
+  for (int number = 2; std::getline(stream, line); ++number) {
+    const std::string where = file.string() + ':' + std::to_string(number);
+    const auto fields = csv_fields(line);
+    if (fields.size() != 4) throw SceneError(where + ": expected case, code, time and value");
+    if (fields[0] != name) continue;
+    if (curves.empty() || curves.back().code != fields[1]) curves.push_back({fields[1], {}});
+    curves.back().curve.time.push_back(number_in(fields[2], where));
+    curves.back().curve.value.push_back(number_in(fields[3], where));
+  }
+  return curves;
+}
+
+TimeCurve probe_curve(const SeedResults& seed, const std::string& run, const std::string& probe,
+                      const std::string& column) {
+  for (const results::ProbeSeries& series : seed.of(run).probes) {
+    const auto found = std::find(series.columns.begin(), series.columns.end(), column);
+    if (series.name != probe || found == series.columns.end()) continue;
+    const std::size_t width = series.columns.size(),
+                      place = static_cast<std::size_t>(found - series.columns.begin());
+    TimeCurve curve;
+    for (std::size_t k = 0; k < series.values.size(); k += width) {
+      curve.time.push_back(series.values[k]);
+      curve.value.push_back(series.values[k + place]);
+    }
+    return curve;
+  }
+  throw results::ResultError("run \"" + run + "\": the results have no \"" + column + "\" of probe \"" +
+                             probe + '"');
+}
+
+double start_of_motion(const SeedResults& seed, const std::string& run, const std::string& tool) {
+  for (const auto& stage : seed.of(run).stages)
+    if (stage.tool == tool) return stage.start;
+  throw results::ResultError("run \"" + run + "\": tool \"" + tool + "\" has not moved");
+}
+
+double slope_of(const TimeCurve& curve, double from, double to) {
+  constexpr double kRounding = 1e-9;  // s
+  double count = 0, time = 0, value = 0, squares = 0, products = 0;
+  for (std::size_t k = 0; k < curve.time.size(); ++k) {
+    if (curve.time[k] < from - kRounding || curve.time[k] > to + kRounding) continue;
+    // From the window's start, so that no digits are lost.
+    const double since = curve.time[k] - from;
+    ++count;
+    time += since;
+    value += curve.value[k];
+    squares += since * since;
+    products += since * curve.value[k];
+  }
+  if (count < 2) return kNone;
+  return (count * products - time * value) / (count * squares - time * time);
+}
+
+double value_at(const TimeCurve& curve, double time) {
+  for (std::size_t k = 1; k < curve.time.size(); ++k) {
+    if (time < curve.time[k - 1] || time > curve.time[k]) continue;
+    const double share = (time - curve.time[k - 1]) / (curve.time[k] - curve.time[k - 1]);
+    return curve.value[k - 1] + share * (curve.value[k] - curve.value[k - 1]);
+  }
+  return kNone;
+}
+
+}  // namespace diefill::process::laboratory

@@ -1,0 +1,19 @@
+// Grains at the places that a file gives, such as a packing that was made before or that others published.
+#pragma once
+
+#include <filesystem>
+#include <vector>
+
+#include "engine/simulation/simulation.h"
+#include "process/scene/scene.h"
+#include "process/tooling/tooling.h"
+
+namespace diefill::process {
+
+/// Grains of `file` (grains_file_of) at rest, each of the type whose radius it has within a hundredth. Throws
+/// SceneError for clumps, for a radius that no powder of the scene has, and for a grain that starts in a
+/// tool.
+std::vector<engine::NewGrain> placed_grains(const Scene& scene, const engine::SimulationSettings& settings,
+                                            const Tooling& tooling, const std::filesystem::path& file);
+
+}  // namespace diefill::process
