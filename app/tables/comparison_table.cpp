@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <set>
 
 #include "app/tables/text_column.h"
 #include "process/results/rounding.h"
@@ -78,6 +79,18 @@ std::string runs_without_result(const results::Comparison& comparison) {
   return text;
 }
 
+/// A line for each reason why a finished run has no value of a measure.
+std::string values_missing(const results::Comparison& comparison) {
+  std::string text;
+  for (const auto& run : comparison.runs) {
+    std::set<std::string> reasons;
+    for (const auto& [key, reason] : run.no_value) reasons.insert(reason);
+    for (const auto& reason : reasons)
+      text += '"' + run.variant + "\", seed " + std::to_string(run.seed) + ": no value: " + reason + '\n';
+  }
+  return text;
+}
+
 }  // namespace
 
 std::string comparison_table(const results::Comparison& comparison) {
@@ -87,7 +100,8 @@ std::string comparison_table(const results::Comparison& comparison) {
   std::string text = comparison.title + "\n  " + left("", width) + right("mean", 12) + right("scatter", 11) +
                      right("seeds", 7) + "  difference from \"" + comparison.variants.front() + "\"\n";
   for (const auto& measure : comparison.measures) text += block(measure, comparison.variants, width);
-  return text + runs_without_result(comparison) + results::statistics_text() + '\n';
+  return text + runs_without_result(comparison) + values_missing(comparison) + results::statistics_text() +
+         '\n';
 }
 
 }  // namespace diefill::app

@@ -92,6 +92,7 @@ CalibrationPlan read_calibration(const std::filesystem::path& file) {
   const auto tables = document.tables("measurement");
   if (plan.powder.empty() && !tables.empty()) {
     TableReader first = tables.front();
+    if (first.has("experiment")) document.require("powder", "\"powder.toml\", or a scene with the powder");
     plan.powder = file.parent_path() / first.required_text("scene", "heap.toml");
   }
   plan.measurements = read_measurements(document, {plan.powder});

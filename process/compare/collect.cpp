@@ -8,6 +8,7 @@
 #include "process/compare/compared_measures.h"
 #include "process/compare/job_folder.h"
 #include "process/compare/statistics.h"
+#include "process/input/scene_error.h"
 #include "process/results/storage/result_file.h"
 
 namespace diefill::process {
@@ -27,8 +28,27 @@ void take_values(results::ComparedRun& run, const results::FillResult& result,
     if (std::isfinite(value)) keys.insert(key);
   for (const auto& measure : measures_of_named(keys)) run.values[measure.key] = value_of(measure, result);
   for (const FurtherMeasure& measure : further) {
-    const double value = measure.value(result);
-    if (std::isfinite(value)) run.values[measure.about.key] = value;
+    try {
+      const double value = measure.value(result);
+      if (std::isfinite(value)) run.values[measure.about.key] = value;
+    } catch (const SceneError& error) {
+      run.no_value[measure.about.key] = error.what();
+    }
+  }
+}
+
+/// Throws the reason of the first where no run has a value of a measure: the measured data are wrong then.
+void refuse_measures_of_no_run(const std::vector<results::ComparedRun>& runs,
+                               const std::vector<FurtherMeasure>& further) {
+  for (const FurtherMeasure& measure : further) {
+    const std::string* reason = nullptr;
+    bool some = false;
+    for (const results::ComparedRun& run : runs) {
+      some = some || run.values.contains(measure.about.key);
+      const auto found = run.no_value.find(measure.about.key);
+      if (reason == nullptr && found != run.no_value.end()) reason = &found->second;
+    }
+    if (!some && reason != nullptr) throw SceneError(*reason);
   }
 }
 
@@ -123,6 +143,7 @@ results::Comparison collect(const std::filesystem::path& directory,
   std::map<std::string, std::vector<results::Field2D>> fields;
   for (const auto& job : list.jobs)
     comparison.runs.push_back(compared_run(directory, job, further, fields[job.variant]));
+  refuse_measures_of_no_run(comparison.runs, further);
   comparison.measures = compare_runs(comparison.variants, comparison.runs, further);
   for (const auto& variant : comparison.variants) comparison.fields.push_back(mean_field(fields[variant]));
   return comparison;

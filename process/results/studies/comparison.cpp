@@ -24,6 +24,7 @@ Json run_entry(const ComparedRun& run) {
   }
   if (!run.state_hash.empty()) json["state_hash"] = run.state_hash;
   for (const auto& [key, value] : run.values) json["values"][key] = number(value);
+  for (const auto& [key, reason] : run.no_value) json["no_value"][key] = reason;
   return json;
 }
 

@@ -50,7 +50,8 @@ struct ComparedRun {
   std::string reason;  ///< why it failed; empty otherwise
   int exit_code = 0;   ///< of a run that failed
   std::string state_hash;
-  std::map<std::string, double> values;  ///< by ComparedMeasure::key, in its unit
+  std::map<std::string, double> values;         ///< by ComparedMeasure::key, in its unit
+  std::map<std::string, std::string> no_value;  ///< by the same key, why a finished run has none
 };
 
 struct Comparison {
