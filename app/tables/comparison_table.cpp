@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
-#include <set>
 
 #include "app/tables/text_column.h"
 #include "process/results/rounding.h"
@@ -69,24 +68,15 @@ std::string block(const results::ComparedMeasure& measure, const std::vector<std
   return text;
 }
 
+/// Runs that are not finished, and finished ones that lack values of a measure.
 std::string runs_without_result(const results::Comparison& comparison) {
   std::string text;
   for (const auto& run : comparison.runs) {
-    if (run.state == "finished") continue;
-    text += '"' + run.variant + "\", seed " + std::to_string(run.seed) + ": " + run.state +
-            (run.reason.empty() ? "" : ": " + run.reason) + '\n';
-  }
-  return text;
-}
-
-/// A line for each reason why a finished run has no value of a measure.
-std::string values_missing(const results::Comparison& comparison) {
-  std::string text;
-  for (const auto& run : comparison.runs) {
-    std::set<std::string> reasons;
-    for (const auto& [key, reason] : run.no_value) reasons.insert(reason);
-    for (const auto& reason : reasons)
-      text += '"' + run.variant + "\", seed " + std::to_string(run.seed) + ": no value: " + reason + '\n';
+    const bool finished = run.state == "finished";
+    if (finished && run.reason.empty()) continue;
+    text += '"' + run.variant + "\", seed " + std::to_string(run.seed) + ": " +
+            (finished ? std::string("no value") : run.state) + (run.reason.empty() ? "" : ": " + run.reason) +
+            '\n';
   }
   return text;
 }
@@ -100,8 +90,7 @@ std::string comparison_table(const results::Comparison& comparison) {
   std::string text = comparison.title + "\n  " + left("", width) + right("mean", 12) + right("scatter", 11) +
                      right("seeds", 7) + "  difference from \"" + comparison.variants.front() + "\"\n";
   for (const auto& measure : comparison.measures) text += block(measure, comparison.variants, width);
-  return text + runs_without_result(comparison) + values_missing(comparison) + results::statistics_text() +
-         '\n';
+  return text + runs_without_result(comparison) + results::statistics_text() + '\n';
 }
 
 }  // namespace diefill::app

@@ -45,7 +45,8 @@ laboratory::LabSetting read_setting(TableReader& table, const MeasurementContext
       {"coarse", LabSize::coarse}, {"medium", LabSize::medium}, {"published", LabSize::published}};
   laboratory::LabSetting setting;
   setting.size = table.choice("size", sizes).value_or(setting.size);
-  setting.scenes = laboratory::laboratory_folder();
+  const auto scenes = table.text("scenes");
+  setting.scenes = scenes ? table.file().parent_path() / *scenes : laboratory::laboratory_folder();
   setting.powder = context.powder;
   return setting;
 }

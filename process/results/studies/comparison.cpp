@@ -19,12 +19,11 @@ Json number(double value) {
 Json run_entry(const ComparedRun& run) {
   Json json = {{"variant", run.variant}, {"seed", run.seed}, {"folder", run.folder}, {"state", run.state}};
   if (!run.reason.empty()) {
-    json["exit_code"] = run.exit_code;
+    if (run.state != "finished") json["exit_code"] = run.exit_code;
     json["reason"] = run.reason;
   }
   if (!run.state_hash.empty()) json["state_hash"] = run.state_hash;
   for (const auto& [key, value] : run.values) json["values"][key] = number(value);
-  for (const auto& [key, reason] : run.no_value) json["no_value"][key] = reason;
   return json;
 }
 
