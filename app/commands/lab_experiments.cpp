@@ -16,6 +16,7 @@
 #include "process/input/scene_error.h"
 #include "process/laboratory/published/family_tables.h"
 #include "process/laboratory/published/fidelity.h"
+#include "process/laboratory/published/lab_folder.h"
 #include "process/laboratory/published/perform.h"
 #include "process/results/storage/atomic_file.h"
 #include "render/charts/experiment_chart.h"
@@ -30,7 +31,6 @@ namespace {
 namespace fs = std::filesystem;
 namespace laboratory = process::laboratory;
 
-constexpr const char* kFigures = "published_figures.csv";
 constexpr const char* kRemarks = "remarks.csv";
 constexpr const char* kSheet = "powder_sheet";
 constexpr const char* kSizes[] = {"coarse", "medium", "published"};
@@ -42,11 +42,8 @@ struct LabArguments {
   bool quiet = false, collect = false;
 };
 
-/// sample_tools/laboratory of the source tree that the program was built in, or of the current folder.
 fs::path scenes_folder(const std::string& wanted) {
-  if (!wanted.empty()) return wanted;
-  const fs::path beside = fs::read_symlink("/proc/self/exe").parent_path() / "../../sample_tools/laboratory";
-  return fs::exists(beside) ? fs::weakly_canonical(beside) : fs::path("sample_tools/laboratory");
+  return wanted.empty() ? laboratory::laboratory_folder() : fs::path(wanted);
 }
 
 laboratory::LabSize size_of(const std::string& name) {
@@ -83,7 +80,7 @@ laboratory::LabJobs jobs_of(const LabArguments& arguments, const fs::path& direc
 laboratory::LabOutcome perform_into(const fs::path& directory, const laboratory::SceneExperiment& experiment,
                                     const LabArguments& arguments) {
   const auto setting = setting_of(arguments);
-  const auto figures = laboratory::read_published_figures(setting.scenes / kFigures);
+  const auto figures = laboratory::read_published_figures(setting.scenes / laboratory::kPublishedFigures);
   make_output_directory(directory);
   const OutputDirectory output(directory, {"tools", "beginnings"});
   laboratory::LabOutcome outcome;
@@ -137,7 +134,7 @@ std::vector<results::LabTable> kept_tables(const fs::path& all, const fs::path& 
 int fidelity(LabArguments arguments) {
   set_up_drawing();
   const fs::path scenes = scenes_folder(arguments.scenes), all = all_of(arguments);
-  const auto figures = laboratory::read_published_figures(scenes / kFigures);
+  const auto figures = laboratory::read_published_figures(scenes / laboratory::kPublishedFigures);
   for (const auto& one : laboratory::scene_experiments())
     if (one.name != kSheet) perform_into(folder_of(all, one.name, arguments), one, arguments);
   const fs::path room = scenes / "../../process/laboratory";
@@ -200,7 +197,8 @@ void write_figures(const std::filesystem::path& directory, const results::Experi
 }
 
 std::string list_of_experiments(const std::string& scenes) {
-  const auto figures = laboratory::read_published_figures(scenes_folder(scenes) / kFigures);
+  const auto figures =
+      laboratory::read_published_figures(scenes_folder(scenes) / laboratory::kPublishedFigures);
   std::string text;
   for (const auto& one : laboratory::scene_experiments()) {
     int count = 0;
@@ -218,7 +216,9 @@ void add_lab_experiments(CLI::App& lab, Action& chosen) {
     auto* command = lab.add_subcommand(one.name, one.question);
     auto arguments = std::make_shared<LabArguments>();
     add_options(*command, *arguments);
-    command->add_option("--powder", arguments->powder, "powder file in place of the experiment's powders")
+    command
+        ->add_option("--powder", arguments->powder,
+                     "powder file, or scene with the powder, in place of the experiment's powders")
         ->check(CLI::ExistingFile);
     command->callback(
         [arguments, &one, &chosen] { chosen = [arguments, &one] { return experiment(one, *arguments); }; });

@@ -68,12 +68,15 @@ std::string block(const results::ComparedMeasure& measure, const std::vector<std
   return text;
 }
 
+/// Runs that are not finished, and finished ones that lack values of a measure.
 std::string runs_without_result(const results::Comparison& comparison) {
   std::string text;
   for (const auto& run : comparison.runs) {
-    if (run.state == "finished") continue;
-    text += '"' + run.variant + "\", seed " + std::to_string(run.seed) + ": " + run.state +
-            (run.reason.empty() ? "" : ": " + run.reason) + '\n';
+    const bool finished = run.state == "finished";
+    if (finished && run.reason.empty()) continue;
+    text += '"' + run.variant + "\", seed " + std::to_string(run.seed) + ": " +
+            (finished ? std::string("no value") : run.state) + (run.reason.empty() ? "" : ": " + run.reason) +
+            '\n';
   }
   return text;
 }

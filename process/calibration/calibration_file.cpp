@@ -11,10 +11,21 @@ namespace {
 
 constexpr int kMostSeeds = 100, kMostPoints = 10000;
 
+/// Every run's scene in the middle of the ranges: what is wrong there is not the ranges' fault.
+void check_runs(const CalibrationPlan& plan, const Measurement& measurement) {
+  try {
+    for (const MeasurementRun& run : measurement.runs)
+      scene_at(plan, run, std::vector<double>(plan.parameters.size(), 0.5));
+  } catch (const SceneError& error) {
+    throw SceneError(plan.file.string() + ": measurement \"" + measurement.name + "\": " + error.what());
+  }
+}
+
 /// Scenes that a run cannot have are found before hours are spent.
 void check_ends(const CalibrationPlan& plan) {
   const std::size_t count = plan.parameters.size();
   for (const Measurement& measurement : plan.measurements) {
+    check_runs(plan, measurement);
     const MeasurementRun& run = measurement.runs.front();
     for (std::size_t k = 0; k < count; ++k)
       for (const double end : {0.0, 1.0}) {
@@ -29,8 +40,6 @@ void check_ends(const CalibrationPlan& plan) {
                            plan.parameters[k].key + " at " + (end == 0 ? "\"from\"" : "\"to\"") + ")");
         }
       }
-    for (const MeasurementRun& other : measurement.runs)
-      scene_at(plan, other, std::vector<double>(count, 0.5));
   }
   const std::vector<double> middle(count, 0.5);
   if (!plan.finer_grains.empty())
@@ -70,7 +79,8 @@ void check_enough_data(const CalibrationPlan& plan) {
     if (measurement.fitted) data += measurement.data.size();
   if (data < plan.parameters.size())
     throw SceneError(
-        plan.file.string() + ": found " + std::to_string(data) + " measured values to fit " +
+        plan.file.string() + ": found " + std::to_string(data) +
+        (data == 1 ? " measured value to fit " : " measured values to fit ") +
         std::to_string(plan.parameters.size()) +
         " parameters; allowed: at least as many values as parameters; measure more or leave parameters out");
 }
@@ -92,6 +102,7 @@ CalibrationPlan read_calibration(const std::filesystem::path& file) {
   const auto tables = document.tables("measurement");
   if (plan.powder.empty() && !tables.empty()) {
     TableReader first = tables.front();
+    if (first.has("experiment")) document.require("powder", "\"powder.toml\", or a scene with the powder");
     plan.powder = file.parent_path() / first.required_text("scene", "heap.toml");
   }
   plan.measurements = read_measurements(document, {plan.powder});

@@ -16,9 +16,8 @@ Measurement read_field(TableReader& table, const MeasurementContext& context, co
   measurement.runs = {run_of_scene(table, context)};
   measurement.data = read_measured(table, places);
   const std::string where = table.where(key);
-  measurement.simulated = [=,
-                           data = measurement.data](const std::vector<const results::FillResult*>& results) {
-    return of_result(*results.front(), quantity, data, where);
+  measurement.simulated = [=, data = measurement.data](const std::vector<FinishedRun>& runs) {
+    return of_result(*runs.front().result, quantity, data, where);
   };
   return measurement;
 }

@@ -78,10 +78,9 @@ Measurement read_figure_measurement(TableReader& table, const MeasurementContext
   measurement.quantity = figure.name;
   measurement.runs = over ? runs_over(run, *over, measurement.data.places[0]) : std::vector{run};
   if (over) measurement.data.places[0].name = *over;
-  measurement.simulated = [factor,
-                           value = figure.value](const std::vector<const results::FillResult*>& results) {
+  measurement.simulated = [factor, value = figure.value](const std::vector<FinishedRun>& runs) {
     std::vector<double> values;
-    for (const results::FillResult* result : results) values.push_back(factor * value(*result));
+    for (const FinishedRun& each : runs) values.push_back(factor * value(*each.result));
     return values;
   };
   return measurement;

@@ -1,6 +1,5 @@
 // A measurement of a plant and how it is had from simulations. A kind of measurement, such as a figure of a
-// scene or an experiment of the laboratory, is one file with a function like read_figure_measurement and its
-// line in measurement_kinds.cpp.
+// scene, is one file with a function like read_figure_measurement and its line in measurement_kinds.cpp.
 #pragma once
 
 #include <functional>
@@ -21,6 +20,12 @@ struct MeasurementRun {
   std::string set;             ///< TOML that this run changes besides the parameters; empty: nothing
 };
 
+/// A run that is finished.
+struct FinishedRun {
+  std::filesystem::path folder;
+  const results::FillResult* result;
+};
+
 struct Measurement {
   std::string name;
   std::string kind;      ///< such as "figure"
@@ -30,7 +35,7 @@ struct Measurement {
   std::vector<MeasurementRun> runs;
   /// The measured values as the results of `runs` have them, in the data's unit, NaN where one has none.
   /// Throws SceneError where the results can have no such value.
-  std::function<std::vector<double>(const std::vector<const results::FillResult*>&)> simulated;
+  std::function<std::vector<double>(const std::vector<FinishedRun>&)> simulated;
 
   /// Whether it is a curve: one place for each value.
   bool is_curve() const { return data.places.size() == 1; }
@@ -59,10 +64,13 @@ std::vector<Measurement> read_measurements(TableReader& document, const Measurem
 
 /// `scene` of a measurement: the text with the starting powder in place of its own. Throws SceneError.
 MeasurementRun run_of_scene(TableReader& measurement, const MeasurementContext& context);
+/// `set` of a measurement, lines of TOML.
+std::string set_of(TableReader& measurement);
 
 /// The kinds.
 Measurement read_figure_measurement(TableReader& table, const MeasurementContext& context);
 Measurement read_profile_measurement(TableReader& table, const MeasurementContext& context);
 Measurement read_map_measurement(TableReader& table, const MeasurementContext& context);
+Measurement read_experiment_measurement(TableReader& table, const MeasurementContext& context);
 
 }  // namespace diefill::process::calibration

@@ -11,6 +11,7 @@ const std::vector<MeasurementKind>& measurement_kinds() {
       {"profile", "a profile of a scene's result, such as the fill level over the azimuth",
        read_profile_measurement},
       {"map", "a map or section of a scene's result", read_map_measurement},
+      {"experiment", "a quantity of an experiment of the laboratory", read_experiment_measurement},
   };
   return kinds;
 }
@@ -43,9 +44,13 @@ std::vector<Measurement> read_measurements(TableReader& document, const Measurem
 MeasurementRun run_of_scene(TableReader& measurement, const MeasurementContext& context) {
   const std::filesystem::path file =
       measurement.file().parent_path() / measurement.required_text("scene", "heap.toml");
+  return {with_starting_powder(file, context.powder), file, set_of(measurement)};
+}
+
+std::string set_of(TableReader& measurement) {
   std::string set;
   for (const std::string& line : measurement.texts("set", "step.1.velocity = '0.2 m/s'")) set += line + '\n';
-  return {with_starting_powder(file, context.powder), file, set};
+  return set;
 }
 
 }  // namespace diefill::process::calibration

@@ -132,16 +132,17 @@ std::vector<std::vector<double>> PointRuns::values_of(std::size_t measurement, s
   std::vector<std::vector<double>> rows;
   for (int k = 0; k < plan_.seeds; ++k) {
     std::vector<results::FillResult> read;
+    std::vector<FinishedRun> finished;
     for (const std::size_t run : measured_by_[measurement]) {
       const std::uint64_t seed = plan_.seed + static_cast<std::uint64_t>(k);
       const results::Job job{"", seed, folder_of(number, run) + "/seed-" + std::to_string(seed)};
       if (state_of(options_.directory, job).stage != JobState::Stage::finished) break;
-      read.push_back(results::read_results(options_.directory / job.folder));
+      finished.push_back({options_.directory / job.folder, nullptr});
+      read.push_back(results::read_results(finished.back().folder));
     }
     if (read.size() < measured_by_[measurement].size()) continue;
-    std::vector<const results::FillResult*> in_order;
-    for (const auto& result : read) in_order.push_back(&result);
-    auto values = plan_.measurements[measurement].simulated(in_order);
+    for (std::size_t r = 0; r < read.size(); ++r) finished[r].result = &read[r];
+    auto values = plan_.measurements[measurement].simulated(finished);
     if (std::all_of(values.begin(), values.end(), [](double value) { return std::isfinite(value); }))
       rows.push_back(std::move(values));
   }

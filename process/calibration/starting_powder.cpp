@@ -13,8 +13,8 @@ namespace {
 constexpr std::array<const char*, 3> kTables = {"powder", "contact", "walls"};
 
 /// A document with its powder file, if it names one, laid under it.
-toml::table document_of(const std::filesystem::path& file) {
-  toml::table document = parse_scene_text(load_scene_text(file), file);
+toml::table document_of(const std::string& text, const std::filesystem::path& file) {
+  toml::table document = parse_scene_text(text, file);
   take_powder_file(document, file);
   return document;
 }
@@ -22,10 +22,15 @@ toml::table document_of(const std::filesystem::path& file) {
 }  // namespace
 
 std::string with_starting_powder(const std::filesystem::path& scene, const std::filesystem::path& powder) {
-  toml::table document = document_of(scene);
+  return with_starting_powder(load_scene_text(scene), scene, powder);
+}
+
+std::string with_starting_powder(const std::string& text, const std::filesystem::path& file,
+                                 const std::filesystem::path& powder) {
+  toml::table document = document_of(text, file);
   std::error_code missing;
-  if (powder.empty() || std::filesystem::equivalent(powder, scene, missing)) return scene_text_of(document);
-  toml::table start = document_of(powder);
+  if (powder.empty() || std::filesystem::equivalent(powder, file, missing)) return scene_text_of(document);
+  toml::table start = document_of(load_scene_text(powder), powder);
   if (!start.contains("powder"))
     throw SceneError(powder.string() + ": found no [powder], expected a scene or a powder file");
   toml::table own = document["powder"].is_table() ? *document["powder"].as_table() : toml::table{};

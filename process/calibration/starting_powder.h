@@ -14,6 +14,10 @@ namespace diefill::process::calibration {
 /// Throws SceneError.
 std::string with_starting_powder(const std::filesystem::path& scene, const std::filesystem::path& powder);
 
+/// The same of a scene's text, read from `file`.
+std::string with_starting_powder(const std::string& text, const std::filesystem::path& file,
+                                 const std::filesystem::path& powder);
+
 /// [powder], [contact] and [walls] of a scene's text as a powder file, with what they were fitted with and,
 /// at its end, `account` (TOML, the table [calibration]). `comment`: lines at the top.
 std::string powder_file_text(const Scene& scene, const std::string& comment, const std::string& account,

@@ -8,6 +8,7 @@
 #include "process/compare/compared_measures.h"
 #include "process/compare/job_folder.h"
 #include "process/compare/statistics.h"
+#include "process/input/scene_error.h"
 #include "process/results/storage/result_file.h"
 
 namespace diefill::process {
@@ -15,8 +16,28 @@ namespace {
 
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
-void take_values(results::ComparedRun& run, const results::FillResult& result,
-                 const std::vector<FurtherMeasure>& further) {
+/// What a comparison has besides its runs: fields, and by a measure's key why a run has no value of it.
+struct Gathered {
+  std::map<std::string, std::vector<results::Field2D>> fields;  ///< by variant
+  std::map<std::string, std::string> reasons;
+};
+
+void take_further(results::ComparedRun& run, const results::FillResult& result,
+                  const std::vector<FurtherMeasure>& further, Gathered& gathered) {
+  std::set<std::string> reasons;  // several measures of one file have the same
+  for (const FurtherMeasure& measure : further) {
+    try {
+      const double value = measure.value(result);
+      if (std::isfinite(value)) run.values[measure.about.key] = value;
+    } catch (const SceneError& error) {
+      gathered.reasons.emplace(measure.about.key, error.what());
+      reasons.insert(error.what());
+    }
+  }
+  for (const std::string& reason : reasons) run.reason += (run.reason.empty() ? "" : "; ") + reason;
+}
+
+void take_values(results::ComparedRun& run, const results::FillResult& result) {
   run.state_hash = result.state_hash;
   for (const auto& measure : compared_measures()) {
     const double value = value_of(measure, result);
@@ -26,16 +47,19 @@ void take_values(results::ComparedRun& run, const results::FillResult& result,
   for (const auto& [key, value] : result.figures)
     if (std::isfinite(value)) keys.insert(key);
   for (const auto& measure : measures_of_named(keys)) run.values[measure.key] = value_of(measure, result);
-  for (const FurtherMeasure& measure : further) {
-    const double value = measure.value(result);
-    if (std::isfinite(value)) run.values[measure.about.key] = value;
-  }
 }
 
-/// The run as it stands; adds its field to `fields` if it is finished.
+/// Throws the first reason where no run has a value of a measure: the measured data are wrong then.
+void refuse_measures_of_no_run(const std::vector<results::ComparedRun>& runs,
+                               const std::map<std::string, std::string>& reasons) {
+  for (const auto& [key, reason] : reasons)
+    if (std::none_of(runs.begin(), runs.end(), [&](const auto& run) { return run.values.contains(key); }))
+      throw SceneError(reason);
+}
+
+/// The run as it stands; adds its field if it is finished.
 results::ComparedRun compared_run(const std::filesystem::path& directory, const results::Job& job,
-                                  const std::vector<FurtherMeasure>& further,
-                                  std::vector<results::Field2D>& fields) {
+                                  const std::vector<FurtherMeasure>& further, Gathered& gathered) {
   results::ComparedRun run;
   run.variant = job.variant;
   run.folder = job.folder;
@@ -49,9 +73,10 @@ results::ComparedRun compared_run(const std::filesystem::path& directory, const 
   if (state.stage != JobState::Stage::finished) return run;
   try {
     const auto result = results::read_results(directory / job.folder);
-    take_values(run, result, further);
+    take_values(run, result);
+    take_further(run, result, further, gathered);
     run.state = "finished";
-    if (const auto* field = compared_field(result)) fields.push_back(*field);
+    if (const auto* field = compared_field(result)) gathered.fields[job.variant].push_back(*field);
   } catch (const results::ResultError& error) {
     run.state = "failed";
     run.reason = error.what() + std::string("; move its folder away to run it again");
@@ -120,11 +145,13 @@ results::Comparison collect(const std::filesystem::path& directory,
   results::Comparison comparison;
   comparison.title = list.title;
   comparison.variants = list.variants;
-  std::map<std::string, std::vector<results::Field2D>> fields;
+  Gathered gathered;
   for (const auto& job : list.jobs)
-    comparison.runs.push_back(compared_run(directory, job, further, fields[job.variant]));
+    comparison.runs.push_back(compared_run(directory, job, further, gathered));
+  refuse_measures_of_no_run(comparison.runs, gathered.reasons);
   comparison.measures = compare_runs(comparison.variants, comparison.runs, further);
-  for (const auto& variant : comparison.variants) comparison.fields.push_back(mean_field(fields[variant]));
+  for (const auto& variant : comparison.variants)
+    comparison.fields.push_back(mean_field(gathered.fields[variant]));
   return comparison;
 }
 

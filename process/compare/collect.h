@@ -10,14 +10,16 @@
 
 namespace diefill::process {
 
-/// One more measure and how a result has it, in its unit.
+/// One more measure and how a result has it, in its unit. `value` throws SceneError where a result cannot
+/// have one; the comparison then says why.
 struct FurtherMeasure {
   MeasureOfComparison about;
   std::function<double(const results::FillResult&)> value;
 };
 
 /// Reads jobs.json in `directory` and the results of all jobs that are finished. Throws results::ResultError
-/// where there is no list of jobs; results that cannot be read count as a failed run.
+/// where there is no list of jobs; results that cannot be read count as a failed run. Throws SceneError where
+/// no finished run has a value of one of `further`.
 results::Comparison collect(const std::filesystem::path& directory,
                             const std::vector<FurtherMeasure>& further = {});
 

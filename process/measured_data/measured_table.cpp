@@ -27,8 +27,9 @@ std::vector<std::string> cells_of(const std::string& line) {
 MeasuredColumn column_of(const std::string& cell, const std::string& where) {
   const std::size_t open = cell.rfind('[');
   if (open == std::string::npos || cell.back() != ']')
-    throw SceneError(where + ": column \"" + one_line(cell) + "\" has no unit; write it as \"" +
-                     one_line(cell.empty() ? "mass" : cell) + " [g]\", or \"[1]\" for plain numbers");
+    throw SceneError(
+        where + ": column \"" + one_line(cell) +
+        "\" has no unit; write one behind the name, as in \"mass [g]\", or \"[1]\" for plain numbers");
   MeasuredColumn column{
       trimmed_cell(cell.substr(0, open)), trimmed_cell(cell.substr(open + 1, cell.size() - open - 2)), {}};
   try {

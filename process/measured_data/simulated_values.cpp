@@ -5,6 +5,7 @@
 #include <limits>
 #include <optional>
 
+#include "process/input/nearest_key.h"
 #include "process/input/scene_error.h"
 #include "process/input/unit_conversion.h"
 
@@ -73,10 +74,12 @@ double value_at(const results::Field2D& field, double first, double second) {
   return mixed(row(j->below), row(above), j->share);
 }
 
-std::string listed(const std::vector<std::string>& words) {
+/// The words there are, after the one that was probably meant.
+std::string listed(const std::vector<std::string>& words, const std::string& wanted) {
   std::string text;
   for (const auto& word : words) text += (text.empty() ? "\"" : ", \"") + word + '"';
-  return text.empty() ? "none" : text;
+  const auto meant = nearest_key(wanted, words);
+  return (text.empty() ? "none" : text) + (meant ? "; did you mean \"" + *meant + "\"?" : "");
 }
 
 /// Maps and sections by name.
@@ -100,7 +103,8 @@ std::vector<double> profile_values(const results::FillResult& result, const std:
     if (chosen == nullptr || profile.x_name == place.name) chosen = &profile;
   }
   if (chosen == nullptr)
-    throw SceneError(where + ": the result has no profile \"" + quantity + "\"; it has " + listed(known));
+    throw SceneError(where + ": the result has no profile \"" + quantity + "\"; it has " +
+                     listed(known, quantity));
   if (!can_convert(place.unit, chosen->x_unit))
     throw SceneError(where + ": found places as \"" + place.name + " [" + place.unit + "]\", but the " +
                      chosen->quantity + " of the result runs over \"" + chosen->x_name + " [" +
@@ -126,7 +130,7 @@ std::vector<double> map_values(const results::FillResult& result, const std::str
     return values;
   }
   throw SceneError(where + ": the result has no map or section \"" + quantity + "\"; it has " +
-                   listed(known));
+                   listed(known, quantity));
 }
 
 const results::Field2D* map_called(const results::FillResult& result, const std::string& quantity) {

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "tests/app/small_die.h"
+#include "tests/app/commands/variants.h"
 
 namespace diefill::app {
 namespace {
@@ -72,6 +72,34 @@ TEST(MeasuredData, AreHeldAgainstAResultByMapReportAndCompare) {
   const std::string all = json.dump();
   EXPECT_NE(all.find("measured_ruler_rms"), std::string::npos);
   EXPECT_NE(all.find("mass_share_in_lower_half"), std::string::npos);
+}
+
+TEST(MeasuredData, AVariantWithoutValuesLeavesTheOthersCompared) {
+  const SmallDie die;
+  add_variants(die);
+  die.write("ruler.csv", "way along the shoe's travel [mm], fill level [mm]\n1, 3.2\n2, 3.5\n3, 3.7\n");
+  const std::string measured = (die.folder() / "ruler.csv").string();
+  const Outcome outcome = run_program(compare_arguments(die, {"--quiet", "--measured", measured}));
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  const auto comparison = comparison_of(die.out());
+  // The shoe that stays beside the pocket leaves it empty.
+  for (const auto& run : comparison.at("runs")) {
+    const bool stays = run.at("variant") == "stays";
+    EXPECT_EQ(run.at("values").contains("measured_ruler_rms"), !stays) << run;
+    EXPECT_EQ(run.contains("reason"), stays) << run;
+  }
+  for (const auto& measure : comparison.at("measures"))
+    if (measure.at("key") == "measured_ruler_rms") {
+      EXPECT_TRUE(measure.at("variants")[0].at("mean").is_number());
+      EXPECT_EQ(measure.at("variants")[1].at("verdict"), "no value");
+    }
+  EXPECT_NE(outcome.out.find("\"stays\", seed 1: no value: "), std::string::npos) << outcome.out;
+
+  // Where no variant has a value the data are wrong.
+  die.write("ruler.csv", "way along the shoe's travel [mm], fill level [mm]\n100, 3.2\n200, 3.5\n");
+  const Outcome wrong = run_program({"compare", "--collect", die.out().string(), "--measured", measured});
+  EXPECT_EQ(wrong.exit_code, 2);
+  EXPECT_EQ(wrong.complaints(), 1U) << wrong.err;
 }
 
 TEST(MeasuredData, FaultsEndInOneLine) {

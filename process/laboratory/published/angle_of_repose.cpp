@@ -63,10 +63,14 @@ std::string creep_steps() {
          "[[snapshot]]\nname = \"second\"\nwhen = { with = \"draw\", delay = \"2 s\" }\n";
 }
 
-LabQuantity angle_of(const std::string& id, const std::string& run, const char* heap) {
-  return {.id = id, .quantity = "", .unit = "", .runs = {run}, .value = [=](const SeedResults& seed) {
-            return results::figure_of(seed.of(run), heap_figure(heap));
-          }};
+/// Of a published model the published figure says what it is.
+LabQuantity angle_of(bool published, const std::string& id, const std::string& run, const char* heap) {
+  return {
+      .id = id,
+      .quantity = published ? "" : "angle of repose, " + std::string(heap),
+      .unit = published ? "" : "deg",
+      .runs = {run},
+      .value = [=](const SeedResults& seed) { return results::figure_of(seed.of(run), heap_figure(heap)); }};
 }
 
 /// d/s, mean change of height of the grains between two instants a second apart.
@@ -138,8 +142,9 @@ LabPlan plan_angle_of_repose(const LabSetting& setting) {
     const std::string run = model.name;
     plan.runs.push_back({run, "repose.toml", repose_changes(setting, model.preset, *model.creep != '\0')});
     if (*model.on_slider != '\0') {
-      plan.quantities.push_back(angle_of(model.on_slider, run, kHeapOnSlider));
-      plan.quantities.push_back(angle_of(model.on_floor, run, kHeapOnFloor));
+      const bool published = !has_own_powder(setting);
+      plan.quantities.push_back(angle_of(published, model.on_slider, run, kHeapOnSlider));
+      plan.quantities.push_back(angle_of(published, model.on_floor, run, kHeapOnFloor));
     }
     if (*model.creep != '\0')
       plan.quantities.push_back({.id = model.creep,

@@ -1,7 +1,12 @@
 #include "process/laboratory/published/lab_powder.h"
 
-#include <cstdio>
+#include <toml++/toml.h>
 
+#include <algorithm>
+#include <cstdio>
+#include <sstream>
+
+#include "process/scene/powder_file.h"
 #include "process/scene/powder_presets.h"
 #include "process/scene/scene_text.h"
 
@@ -9,11 +14,61 @@ namespace diefill::process::laboratory {
 namespace {
 
 constexpr const char* kAnyScene = "bed.toml";  // that reads the powder file
+constexpr const char* kTables[] = {"powder", "contact", "walls"};
+
+/// A line for each value of a table, tables within it key by key.
+std::string lines_of(const toml::table& table, const std::string& path) {
+  std::string lines;
+  for (const auto& [key, node] : table) {
+    const std::string name = path + ".\"" + std::string(key.str()) + '"';
+    if (const toml::table* inner = node.as_table()) {
+      lines += lines_of(*inner, name);
+      continue;
+    }
+    std::ostringstream value;
+    node.visit([&](const auto& each) { value << each; });
+    lines += line(name, value.str());
+  }
+  return lines;
+}
+
+/// What puts the powder of a file into a scene: of a powder file by its name; of a scene its [powder],
+/// [contact] and [walls] in place of all others, but for the grain size.
+SceneChanges powder_changes(const std::filesystem::path& file) {
+  toml::table document = parse_scene_text(load_scene_text(file), file);
+  SceneChanges changes;
+  if (!document.contains("tool")) {
+    changes.without = {"powder"};
+    changes.set = line("powder.file", '"' + std::filesystem::absolute(file).string() + '"');
+    return changes;
+  }
+  take_powder_file(document, file);
+  if (toml::table* powder = document["powder"].as_table()) powder->erase("grain_diameter");
+  for (const char* name : kTables) {
+    changes.without.emplace_back(name);
+    if (const toml::table* table = document[name].as_table()) changes.set += lines_of(*table, name);
+  }
+  return changes;
+}
+
+/// The powder of a scene or powder file with its grain size.
+PowderSpec powder_in(const std::filesystem::path& file, const std::filesystem::path& any_scene,
+                     const SceneChanges& changes) {
+  if (parse_scene_text(load_scene_text(file), file).contains("tool")) return read_scene(file).powder;
+  return changed_scene(load_scene_text(any_scene), any_scene, changes).powder;
+}
 
 }  // namespace
 
 bool has_own_powder(const LabSetting& setting) {
   return !setting.powder.empty();
+}
+
+bool takes_own_powder(const LabPlan& plan) {
+  return std::all_of(plan.runs.begin(), plan.runs.end(), [](const LabRun& run) {
+    const auto& without = run.changes.without;
+    return std::find(without.begin(), without.end(), kTables[0]) != without.end();
+  });
 }
 
 LabPowder lab_powder(const LabSetting& setting, const std::string& preset, double scale) {
@@ -23,14 +78,10 @@ LabPowder lab_powder(const LabSetting& setting, const std::string& preset, doubl
     powder.solid_density = preset_solid_density(powder_preset(preset));
     powder.changes.set = line("powder.preset", '"' + preset + '"');
   } else {
-    const std::filesystem::path scene = setting.scenes / kAnyScene;
-    SceneChanges only;
-    only.without = {"powder"};
-    only.set = line("powder.file", '"' + std::filesystem::absolute(setting.powder).string() + '"');
-    const Scene read = changed_scene(load_scene_text(scene), scene, only);
-    powder.own_size = read.powder.grain_diameter / coarse_graining_factor(read.powder);
-    powder.solid_density = preset_solid_density(read.powder);
-    powder.changes = only;
+    powder.changes = powder_changes(setting.powder);
+    const PowderSpec read = powder_in(setting.powder, setting.scenes / kAnyScene, powder.changes);
+    powder.own_size = read.grain_diameter / coarse_graining_factor(read);
+    powder.solid_density = preset_solid_density(read);
   }
   powder.size = scale * powder.own_size;
   powder.changes.set += line("powder.grain_diameter", millimetres(powder.size));

@@ -21,6 +21,9 @@ LabPowder lab_powder(const LabSetting& setting, const std::string& preset, doubl
 /// Whether the setting has a powder of its own, so that an experiment over several presets has one.
 bool has_own_powder(const LabSetting& setting);
 
+/// Whether all runs of a plan for such a setting take that powder.
+bool takes_own_powder(const LabPlan& plan);
+
 /// "1.88 mm" in quotes, as scenes have lengths; a point of three lengths.
 std::string millimetres(double metres);
 std::string point_in_millimetres(double x, double y, double z);

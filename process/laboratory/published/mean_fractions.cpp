@@ -42,8 +42,14 @@ SceneChanges changes_of(const LabSetting& setting, const Model& model) {
   return changes;
 }
 
-LabQuantity fraction_of(const std::string& id, const std::string& run, const std::string& snapshot) {
-  return {.id = id, .quantity = "", .unit = "", .runs = {run}, .value = [=](const SeedResults& seed) {
+/// Of a published model the published figure says what it is.
+LabQuantity fraction_of(bool published, const std::string& id, const std::string& run,
+                        const std::string& snapshot) {
+  return {.id = id,
+          .quantity = published ? "" : "solid fraction of powder in the shoe, " + snapshot,
+          .unit = published ? "" : "1",
+          .runs = {run},
+          .value = [=](const SeedResults& seed) {
             return results::figure_of(seed.at(run, snapshot), "bulk_solid_fraction");
           }};
 }
@@ -87,8 +93,9 @@ LabPlan plan_mean_fractions(const LabSetting& setting) {
   LabPlan plan;
   for (const Model& model : models) {
     plan.runs.push_back({model.name, "shoe.toml", changes_of(setting, model)});
-    plan.quantities.push_back(fraction_of(model.settled, model.name, "settled"));
-    plan.quantities.push_back(fraction_of(model.moving, model.name, "moving"));
+    const bool published = !has_own_powder(setting);
+    plan.quantities.push_back(fraction_of(published, model.settled, model.name, "settled"));
+    plan.quantities.push_back(fraction_of(published, model.moving, model.name, "moving"));
   }
   plan.charts = [models](const std::vector<SeedResults>& seeds) {
     return std::vector{chart_of(models, seeds)};

@@ -28,7 +28,7 @@ std::string name_of(LabSize size);
 struct LabSetting {
   LabSize size = LabSize::coarse;
   std::filesystem::path scenes;  ///< folder of the scene files
-  std::filesystem::path powder;  ///< file of a powder that takes the place of all others; empty: none
+  std::filesystem::path powder;  ///< scene or powder file whose powder replaces all others; empty: none
   /// Enlargement of grains that goes with the size.
   double scale() const { return size == LabSize::coarse ? 4 : size == LabSize::medium ? 2 : 1; }
 };

@@ -19,7 +19,7 @@ Json number(double value) {
 Json run_entry(const ComparedRun& run) {
   Json json = {{"variant", run.variant}, {"seed", run.seed}, {"folder", run.folder}, {"state", run.state}};
   if (!run.reason.empty()) {
-    json["exit_code"] = run.exit_code;
+    if (run.state != "finished") json["exit_code"] = run.exit_code;
     json["reason"] = run.reason;
   }
   if (!run.state_hash.empty()) json["state_hash"] = run.state_hash;

@@ -47,7 +47,7 @@ struct ComparedRun {
   std::string variant, folder;
   std::uint64_t seed = 0;
   std::string state;   ///< finished, failed or not finished
-  std::string reason;  ///< why it failed; empty otherwise
+  std::string reason;  ///< why it failed, or lacks values of a measure; empty otherwise
   int exit_code = 0;   ///< of a run that failed
   std::string state_hash;
   std::map<std::string, double> values;  ///< by ComparedMeasure::key, in its unit
