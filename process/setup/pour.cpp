@@ -9,7 +9,9 @@
 #include "process/powder/pour_sizes.h"
 #include "process/powder/powder_mixture.h"
 #include "process/powder/random.h"
+#include "process/scene/saved_state.h"
 #include "process/setup/pour_fit.h"
+#include "process/setup/restored_grains.h"
 
 namespace diefill::process {
 
@@ -181,6 +183,7 @@ std::vector<engine::NewGrain> poured(const Scene& scene, const engine::Simulatio
 std::vector<engine::NewGrain> pour(const Scene& scene, const engine::SimulationSettings& settings,
                                    const Tooling& tooling) {
   const engine::GrainShape shape = mean_grain(scene);
+  if (const auto state = saved_state_of(scene)) return restored_grains(scene, settings, tooling, *state);
   refuse_powder_over_nothing(scene, tooling.standing);
   auto grains = poured(scene, settings, tooling, shape);
   refuse_beyond_period(scene, grains, largest_shape(settings).bounding_radius());
@@ -188,6 +191,7 @@ std::vector<engine::NewGrain> pour(const Scene& scene, const engine::SimulationS
 }
 
 double pour_height(const Scene& scene, const engine::SimulationSettings& settings) {
+  if (saved_state_of(scene)) return scene.pour.upper[2] - scene.pour.lower[2];
   const engine::GrainShape shape = mean_grain(scene);
   if (settings.types.size() > 1)
     return height_of_columns(scene, settings.types, columns_of(scene, settings),
