@@ -48,7 +48,7 @@ TEST(SavedState, BeginsWithTheGrainsOfTheOtherRunAtRest) {
 
 TEST(SavedState, IsCutAtAHeight) {
   const SmallDie die;
-  settle_and_go_on(die, "state = \"settled\"\nstate_below = \"-2.6 mm\"");
+  settle_and_go_on(die, "state = \"settled\"\nstate_below = \"-2.2 mm\"");
   ASSERT_EQ(die.run({"--quiet"}).exit_code, 0);
   const auto before = settled_report(die).at("grains").get<int>(),
              after = die.report().at("grains").get<int>();
