@@ -14,6 +14,7 @@
 #include "app/stop_signals.h"
 #include "app/tables/lab_table_text.h"
 #include "process/input/scene_error.h"
+#include "process/laboratory/published/comparisons.h"
 #include "process/laboratory/published/family_tables.h"
 #include "process/laboratory/published/fidelity.h"
 #include "process/laboratory/published/lab_folder.h"
@@ -32,6 +33,7 @@ namespace fs = std::filesystem;
 namespace laboratory = process::laboratory;
 
 constexpr const char* kRemarks = "remarks.csv";
+constexpr const char* kComparisons = "comparisons.csv";
 constexpr const char* kSheet = "powder_sheet";
 constexpr const char* kSizes[] = {"coarse", "medium", "published"};
 
@@ -141,10 +143,11 @@ int fidelity(LabArguments arguments) {
   fs::path page = arguments.page;
   if (page.empty())
     page = fs::exists(room) ? fs::weakly_canonical(room) / "FIDELITY.md" : all / "FIDELITY.md";
+  auto tables = kept_tables(all, room);
+  tables.push_back(laboratory::compared_figures(scenes / kComparisons, figures));
   write_output([&] {
-    results::write_text_atomically(page,
-                                   laboratory::fidelity_page(figures, kept_tables(all, room),
-                                                             laboratory::read_remarks(scenes / kRemarks)));
+    results::write_text_atomically(
+        page, laboratory::fidelity_page(figures, tables, laboratory::read_remarks(scenes / kRemarks)));
   });
   std::printf("%zu published figures in %s\n", figures.size(), page.string().c_str());
   return kDone;

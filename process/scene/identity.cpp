@@ -19,8 +19,8 @@ std::string bytes_of(const std::filesystem::path& file) {
   return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
 }
 
-/// Of the files of clumps' spheres and of placed grains, and of the tables that steps follow, in the order of
-/// the steps.
+/// Of the files of clumps' spheres, of placed grains, of the state that powder begins with, and of the tables
+/// that steps follow, in the order of the steps.
 void add_referred_files(engine::Fnv1a& hash, const toml::table& document, const std::filesystem::path& file) {
   if (const auto spheres = document["powder"]["spheres_file"].value<std::string>())
     hash.add(bytes_of(file.parent_path() / *spheres));
@@ -30,6 +30,8 @@ void add_referred_files(engine::Fnv1a& hash, const toml::table& document, const 
         hash.add(bytes_of(file.parent_path() / *spheres));
   if (const auto grains = document["pour"]["grains_file"].value<std::string>())
     hash.add(bytes_of(file.parent_path() / *grains));
+  if (const auto state = document["pour"]["state"].value<std::string>())
+    hash.add(bytes_of(file.parent_path() / *state / "results.h5"));
   const toml::array* steps = document["step"].as_array();
   if (steps == nullptr) return;
   for (const toml::node& step : *steps) {

@@ -242,6 +242,10 @@ std::string scene_text_with(const Scene& scene, std::uint64_t seed,
       for (toml::node& entry : *entries) move_file(entry.as_table(), key);
   move_file(document["powder"].as_table(), "spheres_file");
   move_file(document["pour"].as_table(), "grains_file");
+  // A directory stays where it is.
+  if (const auto state = document["pour"]["state"].value<std::string>())
+    document["pour"].as_table()->insert_or_assign(
+        "state", std::filesystem::absolute(scene.file.parent_path() / *state).lexically_normal().string());
   return as_comment(chosen_in(scene.text)) + scene_text_of(document);
 }
 

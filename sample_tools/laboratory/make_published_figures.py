@@ -8,6 +8,7 @@ FOLDER holds targets-bierwisch.csv, targets-hu.csv and targets-kottlan.csv. A ro
 CRITERIA gives the number that is measured in its place and the range in which the trend holds.
 """
 import csv
+import math
 import re
 import sys
 
@@ -15,12 +16,16 @@ SOURCES = (("bierwisch", "Bierwisch 2009"), ("hu", "Hu 2024"), ("kottlan", "Kott
 
 # Experiment of `diefill lab`: the rows that it measures, as regular expressions.
 EXPERIMENTS = {
+    "closed_forms": "V(0[1-9]|[12][0-9])",
     "clump_collision": "B0[1-4]",
     "bulk_formation": "K(0[1-9]|10)",
     "slit_flow": "F0[1-5]",
     "shoe_discharge": "S0[1-9]",
     "packing_scatter": "Q(0[1-9]|1[0-6])",
     "fill_height": "G0[1-5]",
+    "slit_fields": "L0[1-3]",
+    "moving_shoe": "E0[6-9]",
+    "hopper_design": "HOP-design-(half|minimum)",
     "angle_of_repose": "R(0[3-9]|10|11)",
     "mean_fractions": "N(0[1-9]|1[0-2])",
     "uniaxial_compression": "UNI-[1-3]",
@@ -28,11 +33,18 @@ EXPERIMENTS = {
 # Rows that a family of experiments with a table of its own measures.
 FAMILIES = {
     "bulk_density": "BED-(0|08|drop|coord)|CDT-(016|drop)|LN-02-(rho|z)-(0|80)",
+    "comparisons": "H0[125]|M(06|1[3-9]|2[0124])",
     "flow": "D(0[1-9]|1[0-5])|E0[1-5]",
 }
 
 # Row: label, unit, least and largest value that agree with the trend.
 CRITERIA = {
+    "V01": ("minimum of elastic+cohesive force, within 1e-6 of -3/2 pi w R_eff", "N",
+            -1.5 * math.pi * 0.01 * 3.92e-5 * (1 + 1e-6), -1.5 * math.pi * 0.01 * 3.92e-5 * (1 - 1e-6)),
+    "V15": ("v_z(0,z), within 0.5 % of the equation's -0.27703", "m/s", -0.27703 * 1.005, -0.27703 * 0.995),
+    "V16": ("v_z(0,z), within 0.5 % of the equation's -0.17900", "m/s", -0.179 * 1.005, -0.179 * 0.995),
+    "V17": ("order of the error, smooth fraction and velocity", "1", 0.95, None),
+    "V18": ("largest difference of A from the identity", "1", None, 1e-14),
     "B01": ("largest difference of contact energy density over sizes, over its peak", "1", None, 1e-6),
     "B02": ("the same, gamma_n fixed", "1", 0.02, None),
     "B03": ("the same, kappa_t fixed", "1", 0.02, None),
@@ -67,6 +79,25 @@ CRITERIA = {
     "D13": ("spread of v_z and v_x over sqrt(gD) over set-ups, over the peak", "1", None, 0.05),
     "D14": ("v_z over sqrt(gD) at z = 2 D, larger of set-ups 2 and 5 over mean of 1, 3 and 4", "1", None, 0.95),
     "D15": ("solid fraction above the slit, largest of set-ups 2 and 4 less smallest of 1, 3 and 5", "1", None, 0),
+    "L02": ("slow powder behind the slit, C1 and D1 over A1 and B1", "1", 1, None),
+    "L03": ("scatter of v/v_s over cells of 2 d, beyond 1.5 D", "1", None, 0.05),
+    "HOP-design-half": ("half angle, from the predicted shear test", "deg", 28, 42),
+    "HOP-design-minimum": ("slot width, from the predicted shear test", "m", 0.05, 0.2),
+    "H01": ("mean level of A1 less the lowest other one, larger of both speeds", "mm", None, 0),
+    "H02": ("mean level of A2 less the highest other one, smaller of both speeds", "mm", 0, None),
+    "H05": ("mean level at 0.2 m/s less that at 0.5 m/s", "mm", 0, None),
+    "M06": ("1st harmonic of the fraction over azimuth, away from 180 deg", "1", 0.003, None),
+    "M13": ("scatter of the fraction in the map, 0.022 over 0.09 m/s", "1", 1, None),
+    "M14": ("largest difference of the fraction's scatter over speeds", "1", None, 0.003),
+    "M15": ("change of the mean fraction", "1", None, 0.005),
+    "M16": ("2nd harmonic of the fraction, dense at 90 and 270 deg", "1", 0.003, None),
+    "M17": ("change of mean fraction and harmonics", "1", None, 0.002),
+    "M18": ("2nd harmonic of the fraction, dense at 0 and 180 deg", "1", 0.003, None),
+    "M19": ("2nd harmonic of the fraction, dense at 0 and 180 deg", "1", 0.003, None),
+    "M20": ("change of mean fraction and harmonics", "1", None, 0.002),
+    "M21": ("rise of the mean fraction at 8 Hz", "1", 0.002, None),
+    "M22": ("1st harmonic of the fraction over azimuth", "1", None, 0.003),
+    "M24": ("fraction of the lower part less that after a passage", "1", 0.003, None),
     "UNI-1": ("mean difference of stress from l = 1, M1, strain 0.03 to 0.1", "1", None, 0.1),
     "UNI-2": ("stress at strain 0.1, M2 over M1, over l^1.5", "1", 1 / 1.5, 1.5),
     "UNI-3": ("stress at strain 0.1, M3 over M1, over l", "1", 1 / 1.4, 1.4),
@@ -74,10 +105,7 @@ CRITERIA = {
 
 # Labels of rows whose trend is not a number yet.
 LABELS = {
-    "H01": "filling level, place among models", "H02": "filling level, place among models",
     "H03": "filling level near the measured one", "H04": "filling level near the measured one",
-    "H05": "incomplete filling, less at 0.5 m/s",
-    "L02": "slow zone behind the slit", "L03": "even velocity and fraction away from the slit",
     "R12": "toe and peak of heaps over d", "W02": "mu_eff over grid spacing",
     "MIX-shift": "speeds over gamma_L", "MIX-lin": "density linear in speed", "MIX-M1": "mean speed, M1",
     "MIX-M2": "peak of M2", "MIX-M3": "peak of M3", "MIX-liq": "peak over liquid", "MIX-jkr1": "M1, JKR",

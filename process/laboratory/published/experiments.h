@@ -5,6 +5,8 @@
 
 namespace diefill::process::laboratory {
 
+/// Laws, grains, turning, flow above a slit and discharge against exact results (physics reference, E0).
+LabPlan plan_closed_forms(const LabSetting& setting);
 /// Collisions of model D grains of three sizes, parameters scaled with the size or one of them held
 /// (Bierwisch 2009, section 3.1, E1).
 LabPlan plan_clump_collision(const LabSetting& setting);
@@ -14,6 +16,15 @@ LabPlan plan_bulk_formation(const LabSetting& setting);
 LabPlan plan_slit_flow(const LabSetting& setting);
 /// Discharge of the moving shoe over its speed, all powder models (sections 4.1.1 and 4.1.2, E4).
 LabPlan plan_shoe_discharge(const LabSetting& setting);
+/// Speeds of grains near the slit while the shoe passes (section 4.1.8, E9).
+LabPlan plan_slit_fields(const LabSetting& setting);
+/// Discharge of the moving shoe against the prediction from hopper flow (section 5.2.2, E15).
+LabPlan plan_moving_shoe(const LabSetting& setting);
+/// What Young's modulus changes (section 4.2.2, E11), and damping (section 4.2.3, E12).
+LabPlan plan_youngs_modulus(const LabSetting& setting);
+LabPlan plan_damping(const LabSetting& setting);
+/// Half angle and slot of a wedge hopper from a shear test (Kottlan 2018, section 3.4).
+LabPlan plan_hopper_design(const LabSetting& setting);
 /// Angles of the heaps on slider and floor (sections 4.1.3 and 4.1.4, E5).
 LabPlan plan_angle_of_repose(const LabSetting& setting);
 /// Mean solid fractions at rest and in the moving shoe (section 4.1.5, E6).

@@ -65,7 +65,11 @@ Line line_of(const PublishedFigure& figure, const Measured& measured) {
     if (std::isfinite(measured.row->grain_diameter))
       line.diameter = digits(1e3 * measured.row->grain_diameter, "%.3g");
     line.seconds = digits(measured.row->core_seconds, "%.0f");
-    if (!measured.row->values.empty())
+    const bool calculated = measured.row->values.size() == 1 && measured.row->core_seconds == 0 &&
+                            !std::isfinite(measured.row->grain_diameter);
+    if (calculated)
+      line.note = "calculated, without a bed";
+    else if (!measured.row->values.empty())
       line.note = measured.table->size + ", " + std::to_string(measured.row->values.size()) + " seed" +
                   (measured.row->values.size() > 1 ? "s" : "") + (line.note.empty() ? "" : "; " + line.note);
   }
@@ -130,7 +134,8 @@ std::string fidelity_page(const std::vector<PublishedFigure>& figures,
     const auto remark = remarks.find(figure.id);
     rows += row_text(figure, line, remark == remarks.end() ? "" : remark->second);
   }
-  return "# Fidelity\n\nWritten by `diefill lab fidelity` from its kept tables; do not edit. One row for "
+  return "# Fidelity\n\nWritten by `diefill lab fidelity` from its kept tables and "
+         "`sample_tools/laboratory/comparisons.csv`; do not edit. One row for "
          "every "
          "published figure.\nHere: mean +- standard deviation over seeds. d: the coarsest grains of its "
          "runs. "

@@ -4,6 +4,7 @@ namespace diefill::process::laboratory {
 
 const std::vector<SceneExperiment>& scene_experiments() {
   static const std::vector<SceneExperiment> all = {
+      {"closed_forms", "do laws, grains, turning and formulas give exact results?", plan_closed_forms},
       {"clump_collision", "are collisions the same for all grain sizes, and only with all parameters scaled?",
        plan_clump_collision},
       {"bulk_formation",
@@ -13,17 +14,24 @@ const std::vector<SceneExperiment>& scene_experiments() {
        plan_slit_flow},
       {"shoe_discharge", "does discharge from the moving shoe follow the measured curve over its speed?",
        plan_shoe_discharge},
+      {"slit_fields", "how do grains move near the slit while the shoe passes?", plan_slit_fields},
+      {"moving_shoe", "does flow out of a hopper predict the discharge of the moving shoe?",
+       plan_moving_shoe},
       {"angle_of_repose", "which angles do heaps on slider and floor have?", plan_angle_of_repose},
       {"mean_fractions", "which solid fraction has powder in the shoe, at rest and in motion?",
        plan_mean_fractions},
       {"fill_height", "does discharge depend on the depth of powder in the shoe?", plan_fill_height},
       {"packing_scatter", "how much does discharge scatter over packings of the same powder?",
        plan_packing_scatter},
+      {"youngs_modulus", "does Young's modulus change solid fraction and discharge?", plan_youngs_modulus},
+      {"damping", "does damping change solid fraction and discharge?", plan_damping},
       {"uniaxial_compression", "does a pressed bed of enlarged spheres resist like the original?",
        plan_uniaxial_compression},
       {"impact", "how deep does a steel ball fall into a bed, beside other codes?", plan_ball_impact},
       {"silo", "how fast does a silo discharge through two openings, beside other codes?", plan_silo},
       {"drum", "how do grains of two materials spread in a rotating drum?", plan_drum},
+      {"hopper_design", "which hopper does Jenike's procedure give for a published shear test?",
+       plan_hopper_design},
       {"powder_sheet", "which density, flow and angles has a powder in the tests of powder metallurgists?",
        plan_powder_sheet},
   };

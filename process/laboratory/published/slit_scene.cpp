@@ -48,6 +48,10 @@ double slice_depth(const LabPowder& powder, const SlitPassage& passage) {
   return passage.depth > 0 ? passage.depth : 4.6 * powder.size;
 }
 
+double time_over_slit(const SlitPassage& passage, double way) {
+  return (start_of(passage) + way) / passage.speed + passage.speed / (2 * kAcceleration);
+}
+
 double adjusted_slit(double width, const LabPowder& powder) {
   return width + 1.4 * (powder.size - powder.own_size);
 }
@@ -87,11 +91,9 @@ double steady_solid_rate(const SeedResults& seed, const std::string& run, const 
   const auto stage = std::find_if(result.stages.begin(), result.stages.end(),
                                   [](const auto& one) { return one.tool == "shoe"; });
   if (stage == result.stages.end()) return kNone;
-  const double covered = 0.5 * kInside - 0.5 * passage.width, start = start_of(passage);
-  const auto time_at = [&](double way) {
-    return stage->start + way / passage.speed + passage.speed / (2 * kAcceleration);
-  };
-  const double from = time_at(start - covered + kLeftOut * 2 * covered), to = time_at(start + covered);
+  const double covered = 0.5 * kInside - 0.5 * passage.width;
+  const double from = stage->start + time_over_slit(passage, -covered + kLeftOut * 2 * covered);
+  const double to = stage->start + time_over_slit(passage, covered);
   const auto& probe = slit_probe(result);
   const double mass = fallen(probe, to) - fallen(probe, from);
   if (!(mass > 0)) return kNone;

@@ -24,6 +24,9 @@ SceneChanges slit_changes(const LabSetting& setting, const LabPowder& powder, co
 /// m, the slice's depth that slit_changes takes.
 double slice_depth(const LabPowder& powder, const SlitPassage& passage);
 
+/// s after the step "passage" began, when the shoe's middle is `way` m beyond the slit's.
+double time_over_slit(const SlitPassage& passage, double way);
+
 /// m, width that lets grains of the model's size pass as wide a gap as the published ones: D + 1.4 (d' - d)
 /// (Bierwisch 2009, section 3.2.2).
 double adjusted_slit(double width, const LabPowder& powder);

@@ -28,6 +28,7 @@ Encounter meet_head_on(const engine::SimulationSettings& settings, double speed,
   const auto energy = engine::energy_of(simulation);
   end.energy = energy.kinetic() + energy.contacts;
   end.deepest = simulation.deepest_overlap_of_run();
+  end.time = simulation.time();
   return end;
 }
 

@@ -10,6 +10,7 @@ struct Encounter {
   double rebound = 0;  ///< m/s, speed of separation; 0 while they hold together
   double energy = 0;   ///< J, kinetic and in normal springs, at the end
   double deepest = 0;  ///< m, largest overlap
+  double time = 0;     ///< s, that it was watched
 };
 
 /// Grains fly at each other along x at relative speed `speed` (m/s), their centres on one line and arms

@@ -2,9 +2,11 @@
 #include <numbers>
 
 #include "geometry/mesh/mesh.h"
+#include "process/results/storage/result_file.h"
 #include "process/scene/reading/plausibility.h"
 #include "process/scene/reading/read_sphere_file.h"
 #include "process/scene/reading/sections.h"
+#include "process/scene/saved_state.h"
 #include "process/scene/setting.h"
 
 namespace diefill::process {
@@ -22,7 +24,7 @@ constexpr NumberRule kRandomOffset = {0, 0.5, false, "0.1"};
 PourSpec placed_pour(TableReader& table, bool has_setting) {
   constexpr std::size_t kLargest = 1 << 28;  // bytes
   for (const char* other : {"from", "to", "fill_height", "solid_fraction", "rim_speed", "lattice_constant",
-                            "random_offset", "around_tools", "layers"})
+                            "random_offset", "around_tools", "layers", "state", "state_below"})
     if (table.has(other)) table.reject(other, "pour.grains_file places all grains; remove the key");
   if (has_setting)
     table.reject(
@@ -48,8 +50,49 @@ PourSpec placed_pour(TableReader& table, bool has_setting) {
   return pour;
 }
 
+results::PowderState powder_in(const SavedState& state, const TableReader& table) {
+  try {
+    return powder_of(state);
+  } catch (const results::ResultError& error) {
+    table.reject("state", std::string("not the directory of a run's results: ") + error.what());
+  }
+}
+
+/// Of `state`, which says all.
+PourSpec saved_pour(TableReader& table, bool has_setting) {
+  for (const char* other : {"from", "to", "fill_height", "solid_fraction", "rim_speed", "lattice_constant",
+                            "random_offset", "around_tools", "layers"})
+    if (table.has(other)) table.reject(other, "pour.state gives all grains; remove the key");
+  if (has_setting)
+    table.reject("state",
+                 "a setting chooses the grain size, but the saved grains have theirs; remove one of the two");
+  SavedState state;
+  state.directory = table.file().parent_path() / table.required_text("state", "out/settled");
+  state.below = table.quantity("state_below", kCorner).value_or(state.below);
+  table.finish();
+  PourSpec pour;
+  pour.line = table.line();
+  const results::PowderState powder = powder_in(state, table);
+  if (powder.position.empty())
+    table.reject(std::isfinite(state.below) ? "state_below" : "state", "no grain of that run is left");
+  pour.lower = pour.upper = powder.position.front();
+  double solid = 0;
+  for (std::size_t k = 0; k < powder.position.size(); ++k) {
+    const Eigen::Vector3d half = Eigen::Vector3d::Constant(0.5 * powder.diameter_of(k));
+    pour.lower = pour.lower.cwiseMin(powder.position[k] - half);
+    pour.upper = pour.upper.cwiseMax(powder.position[k] + half);
+    solid += powder.solid_volume_of(k);
+  }
+  pour.fill_height = pour.upper[2] - pour.lower[2];
+  // Of the box about the grains, so that estimates have their number.
+  pour.solid_fraction = solid / (pour.upper - pour.lower).prod();
+  return pour;
+}
+
 PourSpec read(TableReader& table, const Scene& scene, bool height_of_box) {
   if (table.has("grains_file")) return placed_pour(table, height_of_box);
+  if (table.has("state")) return saved_pour(table, height_of_box);
+  if (table.has("state_below")) table.reject("state_below", "it cuts the powder of pour.state; give state");
   PourSpec pour;
   pour.line = table.line();
   pour.lower = table.required_point("from", kCorner);

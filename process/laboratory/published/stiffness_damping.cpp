@@ -1,0 +1,100 @@
+// What Young's modulus and damping change in the discharge of the shoe (Bierwisch 2009, sections 4.2.2 and
+// 4.2.3); the source's results are not in the tree, so that the rows have no published value.
+#include <cmath>
+
+#include "process/laboratory/published/experiments.h"
+#include "process/laboratory/published/slit_scene.h"
+#include "process/results/figure_table.h"
+
+namespace diefill::process::laboratory {
+namespace {
+
+constexpr double kModuli[] = {1e5, 1e7, 1e9};             // Pa, E~
+constexpr double kDampings[] = {1e4, 1e5, 1e6, 1e7};      // Pa s/m, gamma_n / R
+constexpr double kUsualModulus = 1e7, kUsualStep = 2e-6;  // Pa, s
+/// s at the published grain size: at gamma_n/R = 1e7 the dashpot limits the step.
+double step_of_damping(double damping) {
+  return damping > 5e6 ? 0.1 * kUsualStep : kUsualStep;
+}
+
+/// One run: a preset with one parameter changed.
+struct Case {
+  std::string name, quantity;
+  const char* preset;
+  std::string set;
+  SlitPassage passage;
+  double step;  ///< s, at the published grain size
+};
+
+std::vector<Case> modulus_cases() {
+  std::vector<Case> cases;
+  for (const double modulus : kModuli)
+    cases.push_back(
+        {"E = " + plain(modulus) + " Pa",
+         "E~ = " + plain(modulus) + " Pa",
+         "ASC100.29 initial D",
+         "powder.friction = 0.5\npowder.work_of_adhesion = \"0 J/m^2\"\npowder.reduced_modulus = \"" +
+             plain(modulus) + " Pa\"\n",
+         {.width = 0.006, .speed = 0.6},
+         kUsualStep * std::min(1.0, std::pow(modulus / kUsualModulus, -0.4))});
+  return cases;
+}
+
+std::vector<Case> damping_cases() {
+  std::vector<Case> cases;
+  for (const double damping : kDampings)
+    cases.push_back({"damping over R = " + plain(damping) + " Pa s per m",
+                     "gamma_n/R = " + plain(damping) + " Pa s/m",
+                     "ASC100.29 D2",
+                     "powder.damping_over_radius = \"" + plain(damping) + " Pa s/m\"\n",
+                     {.width = 0.010, .speed = 0.18},
+                     step_of_damping(damping)});
+  return cases;
+}
+
+void add_case(const LabSetting& setting, const Case& one, LabPlan& plan) {
+  const LabPowder powder = lab_powder(setting, one.preset, setting.scale());
+  SlitPassage passage = one.passage;
+  passage.width = adjusted_slit(passage.width, powder);
+  SceneChanges changes = slit_changes(setting, powder, passage);
+  changes.set += one.set;
+  const std::string usual =
+      line("numerics.time_step", '"' + plain(1e6 * kUsualStep * powder.size / powder.own_size) + " us\"");
+  if (const auto at = changes.set.find(usual); at != std::string::npos)
+    changes.set.replace(
+        at, usual.size(),
+        line("numerics.time_step", '"' + plain(1e6 * one.step * powder.size / powder.own_size) + " us\""));
+  const std::string run = one.name;
+  plan.runs.push_back({run, "slit.toml", changes});
+  plan.quantities.push_back({.id = "fraction, " + run,
+                             .quantity = "solid fraction settled, " + one.quantity,
+                             .unit = "1",
+                             .runs = {run},
+                             .value = [run](const SeedResults& seed) {
+                               return results::figure_of(seed.at(run, "settled"), "bulk_solid_fraction");
+                             }});
+  plan.quantities.push_back(
+      {.id = "area, " + run,
+       .quantity = "discharged area, " + one.quantity,
+       .unit = "mm^2",
+       .runs = {run},
+       .value = [run](const SeedResults& seed) { return 1e6 * discharged_area(seed, run); }});
+}
+
+LabPlan plan_of(const LabSetting& setting, const std::vector<Case>& cases) {
+  LabPlan plan;
+  for (const Case& one : cases) add_case(setting, one, plan);
+  return plan;
+}
+
+}  // namespace
+
+LabPlan plan_youngs_modulus(const LabSetting& setting) {
+  return plan_of(setting, modulus_cases());
+}
+
+LabPlan plan_damping(const LabSetting& setting) {
+  return plan_of(setting, damping_cases());
+}
+
+}  // namespace diefill::process::laboratory
