@@ -59,9 +59,9 @@ TEST_F(MeasuredCsv, MapsHaveTwoPlacesInAnyOrder) {
 }
 
 TEST_F(MeasuredCsv, EachFaultIsNamedInOneLineWithItsLine) {
-  EXPECT_EQ(
-      complaint("speed,mass [g],s [g]\n1,2,3\n"),
-      "data.csv:1: column \"speed\" has no unit; write one behind the name, as in \"mass [g]\", or \"[1]\" for plain numbers");
+  EXPECT_EQ(complaint("speed,mass [g],s [g]\n1,2,3\n"),
+            "data.csv:1: column \"speed\" has no unit; write one behind the name, as in \"mass [g]\", or "
+            "\"[1]\" for plain numbers");
   EXPECT_NE(complaint("speed [m/s],mass [grm],s [g]\n1,2,3\n").find("data.csv:1: column \"mass [grm]\""),
             std::string::npos);
   EXPECT_NE(complaint("speed [m/s],mass [g],s [mm]\n1,2,3\n").find("\"mm\" is not a unit of what has \"g\""),
