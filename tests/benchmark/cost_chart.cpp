@@ -104,7 +104,7 @@ void add_runs(const std::vector<Row>& rows, std::vector<Way>& ways) {
     for (const Row* row : series) {
       const double share = number(*row, "share");
       char title[80];
-      std::snprintf(title, sizeof title, "small dies, d/b = %.2g", share);
+      std::snprintf(title, sizeof title, "small dies, d/b = %.3g", share);
       by_share.try_emplace(-share, Way{title, {}, {}})
           .first->second.add(number(*row, "seconds"), number(*row, "filled") / limit_of(series) - 1);
     }

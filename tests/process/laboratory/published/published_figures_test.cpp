@@ -139,7 +139,7 @@ TEST(Fidelity, HasARowForEveryFigureAndSaysWhyThereIsNoValue) {
 TEST(FamilyTables, KeepWhatAnExperimentHasOfPublishedFigures) {
   PublishedFigure figure;
   figure.id = "D01", figure.quantity = "bulk fraction", figure.unit = "1", figure.published = "0.365";
-  figure.lower = 0.355, figure.upper = 0.375;
+  figure.lower = 0.355, figure.upper = 0.375, figure.experiment = "flow";
   PublishedFigure other = figure;
   other.id = "D02";
   results::ExperimentResult result;
