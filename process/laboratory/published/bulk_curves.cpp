@@ -7,6 +7,7 @@
 
 #include "process/input/scene_error.h"
 #include "process/laboratory/published/csv_fields.h"
+#include "process/results/storage/result_file.h"
 
 namespace diefill::process::laboratory {
 namespace {

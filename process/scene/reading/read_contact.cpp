@@ -68,16 +68,22 @@ void put_surface(TableReader& table, const ToolSpec& tool, ChosenLaw& law) {
 /// place of its own.
 ContactSpec read_laws(TableReader& contact, ContactTables own, const PowderSpec& powder,
                       const WallSpec& walls) {
-  own.push_back(&contact);
   std::deque<TableReader> of_walls;
   ContactTables at_walls;
-  for (TableReader* table : own) {
-    if (auto named = table->table("walls")) at_walls.push_back(&of_walls.emplace_back(*named));
-    at_walls.push_back(table);
-  }
+  const auto take = [&](TableReader& table) {
+    if (auto named = table.table("walls")) at_walls.push_back(&of_walls.emplace_back(*named));
+    at_walls.push_back(&table);
+  };
+  for (TableReader* table : own) take(*table);
+  // [contact.walls] is read as a whole by itself; beside more particular tables nothing of it may be left to
+  // read.
+  const std::size_t particular = of_walls.size();
+  const bool alone = own.empty();
+  take(contact);
+  own.push_back(&contact);
   const ChosenLaw among_grains = read_law(own, powder);
   const ChosenLaw with_walls = read_law(at_walls, against(powder, walls.friction, walls.work_of_adhesion));
-  for (const TableReader& table : of_walls) table.finish();
+  for (std::size_t k = 0; k < (alone ? of_walls.size() : particular); ++k) of_walls[k].finish();
   return {among_grains.pair(), with_walls.pair(), kBierwischScaling};
 }
 

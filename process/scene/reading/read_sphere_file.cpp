@@ -1,9 +1,11 @@
 #include "process/scene/reading/read_sphere_file.h"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <sstream>
 #include <stdexcept>
+#include <system_error>
 
 #include "process/input/scene_error.h"
 #include "process/input/text_file.h"
@@ -52,8 +54,12 @@ double unit_of_header(const std::string& header, const std::string& where) {
 }  // namespace
 
 std::vector<ClumpSphere> spheres_in_file(const std::filesystem::path& file, std::size_t largest) {
+  // As much memory as the file needs, not as the largest would.
+  std::error_code error;
+  const auto size = std::filesystem::file_size(file, error);
+  const std::size_t most = error ? largest : std::min<std::size_t>(largest, size);
   std::istringstream text(
-      load_text_file(file, {"file of spheres", "one line of columns, and a line for each sphere", largest}));
+      load_text_file(file, {"file of spheres", "one line of columns, and a line for each sphere", most}));
   std::string line;
   std::vector<ClumpSphere> spheres;
   double metres_per_unit = 0;

@@ -7,9 +7,10 @@ $fn = 128;
 // Cylinder of 100 mm inner radius and 300 mm height on a cone of 45 degrees; z = 0 where the two meet.
 silo_radius = 100;
 silo_height = 300;
+silo_wall = 8;   // outside nothing is met: thick, so that few wall spheres cover it
 cone = silo_radius - orifice;
 if (part == "silo") rotate_extrude() polygon([
-  [orifice, -cone], [orifice + wall, -cone], [silo_radius + wall, 0], [silo_radius + wall, silo_height],
+  [orifice, -cone], [orifice + silo_wall, -cone], [silo_radius + silo_wall, 0], [silo_radius + silo_wall, silo_height],
   [silo_radius, silo_height], [silo_radius, 0]]);
 // Closes the opening until the powder rests; z = 0 at its upper face.
 if (part == "gate") translate([-40, -40, -wall]) cube([80, 80, wall]);
