@@ -1,7 +1,7 @@
 // Discharge of a silo with a large and a small opening (Dosta et al. 2024, case 1, material M1). The other
 // codes start from a packing; here powder is poured and the gate leaves. Coarse and medium sizes have a
-// hundredth of the stiffness, which allows twenty times the step, and shorter times; the coarse one has 40,000
-// grains in place of 100,000.
+// hundredth of the stiffness, which allows twenty times the step, and shorter times; the coarse one has
+// 40,000 grains in place of 100,000.
 #include <cmath>
 
 #include "process/laboratory/published/bulk_curves.h"

@@ -16,9 +16,9 @@ TEST(StepRegistry, NamesEachKindOnce) {
     names.insert(name);
     EXPECT_NE(factory, nullptr);
   }
-  EXPECT_EQ(names,
-            (std::set<std::string>{"passage", "settle", "wait", "move", "vibration", "rotational oscillation",
-                                   "rotation", "table", "piston", "rotor", "inflow", "clear", "change", "free motion"}));
+  EXPECT_EQ(names, (std::set<std::string>{"passage", "settle", "wait", "move", "vibration",
+                                          "rotational oscillation", "rotation", "table", "piston", "rotor",
+                                          "inflow", "clear", "change", "free motion"}));
   EXPECT_EQ(names.size(), step_kinds().size());
 }
 
