@@ -193,8 +193,8 @@ void add_options(CLI::App& command, LabArguments& arguments) {
 
 void write_figures(const std::filesystem::path& directory, const results::ExperimentResult& result) {
   if (result.figures.empty()) return;
-  const auto table =
-      laboratory::table_of_figures(result, laboratory::read_published_figures(scenes_folder("") / kFigures));
+  const auto table = laboratory::table_of_figures(
+      result, laboratory::read_published_figures(scenes_folder("") / laboratory::kPublishedFigures));
   results::write_lab_table(directory, table);
   std::printf("%s", lab_table_text(table).c_str());
 }
