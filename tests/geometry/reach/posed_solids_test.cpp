@@ -13,7 +13,7 @@ TEST(PosedSolids, BlockNothingOutsideTheGrid) {
   const Mesh cube = sample::box({-0.01, -0.01, -0.01}, {0.01, 0.01, 0.01});
   const VoxelGrid grid = VoxelGrid::over({{-0.02, -0.02, -0.02}, {0.02, 0.02, 0.02}}, 1e-3);
   const std::vector<MovingSolid> solids = {{&cube, {Eigen::Matrix3d::Identity()}, {Eigen::Vector3d::Zero()}}};
-  const PosedSolids posed(solids, grid);
+  PosedSolids posed(solids, grid);
   SolidPose pose;
   EXPECT_FALSE(posed.blocked_by(0, pose).blocked.empty());
   for (const double away : {-10.0, -0.031, 0.031, 10.0}) {
