@@ -11,11 +11,12 @@ namespace {
 
 constexpr int kMostSeeds = 100, kMostPoints = 10000;
 
-/// Every run's scene in the middle of the ranges: what is wrong there is not the ranges' fault.
+/// Every run's scene with the powder to start from: what is wrong there is not the ranges' fault.
 void check_runs(const CalibrationPlan& plan, const Measurement& measurement) {
+  CalibrationPlan start = plan;
+  start.parameters.clear();
   try {
-    for (const MeasurementRun& run : measurement.runs)
-      scene_at(plan, run, std::vector<double>(plan.parameters.size(), 0.5));
+    for (const MeasurementRun& run : measurement.runs) scene_at(start, run, {});
   } catch (const SceneError& error) {
     throw SceneError(plan.file.string() + ": measurement \"" + measurement.name + "\": " + error.what());
   }
