@@ -29,7 +29,7 @@ void tell_lost(const Scene& scene, const results::FillResult& result, std::vecto
   const double left = figure(result, "grains_left"), share = figure(result, "grains_left_share");
   if (!(left > 0)) return;
   char text[300];
-  std::snprintf(text, sizeof text, "%.0f of %.0f grains (%.2g %%, %.3g g) left the tools%s", left,
+  std::snprintf(text, sizeof text, "%.0f of %.0f grains (%.3g %%, %.3g g) left the tools%s", left,
                 left / share, 100 * share, 1e3 * figure(result, "mass_left_kg"),
                 clears(scene) ? ", including those cleared away" : "");
   const bool meant = clears(scene) || !(result.cavity.volume > 0);
