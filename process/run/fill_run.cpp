@@ -7,7 +7,7 @@
 
 #include "engine/limits/pinched_grains.h"
 #include "process/input/units.h"
-#include "process/machine/clear.h"
+#include "process/machine/actions/clear.h"
 #include "process/measure/cavity_position.h"
 #include "process/powder/changed_scene.h"
 #include "process/powder/material.h"

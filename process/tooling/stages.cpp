@@ -4,8 +4,8 @@
 #include <cmath>
 #include <limits>
 
-#include "process/machine/passage.h"
-#include "process/machine/settle.h"
+#include "process/machine/actions/settle.h"
+#include "process/machine/motions/passage.h"
 #include "process/scene/placed_grains.h"
 
 namespace diefill::process {
