@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "process/machine/passage.h"
+#include "process/machine/motions/passage.h"
 #include "process/tooling/stages.h"
 
 namespace diefill::process::estimate {

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "process/machine/clear.h"
-#include "process/machine/powder_inflow.h"
+#include "process/machine/actions/clear.h"
+#include "process/machine/actions/powder_inflow.h"
 #include "process/powder/material.h"
 #include "process/powder/powder_mixture.h"
 #include "process/setup/pour.h"

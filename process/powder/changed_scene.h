@@ -1,7 +1,7 @@
 // The scene as steps of kind "change" leave it: other gravity, other contact laws.
 #pragma once
 
-#include "process/machine/powder_change.h"
+#include "process/machine/actions/powder_change.h"
 #include "process/scene/scene.h"
 
 namespace diefill::process {

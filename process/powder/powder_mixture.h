@@ -7,7 +7,7 @@
 
 #include "engine/powder/particle_types.h"
 #include "engine/powder/size_classes.h"
-#include "process/machine/powder_inflow.h"
+#include "process/machine/actions/powder_inflow.h"
 #include "process/scene/scene.h"
 
 namespace diefill::process {

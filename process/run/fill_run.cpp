@@ -7,7 +7,7 @@
 
 #include "engine/limits/pinched_grains.h"
 #include "process/input/units.h"
-#include "process/machine/clear.h"
+#include "process/machine/actions/clear.h"
 #include "process/measure/cavity_position.h"
 #include "process/powder/changed_scene.h"
 #include "process/powder/material.h"
@@ -132,7 +132,7 @@ void FillRun::duties() {
 
 std::vector<results::ProbeSeries> FillRun::probes() const {
   auto all = probes_.series();
-  for (auto& way : free_tools_.ways()) all.push_back(std::move(way));
+  for (auto& motion : free_tools_.recorded_motions()) all.push_back(std::move(motion));
   return all;
 }
 

@@ -6,7 +6,7 @@
 
 #include "engine/simulation/simulation.h"
 #include "geometry/solid/solid_query.h"
-#include "process/machine/powder_inflow.h"
+#include "process/machine/actions/powder_inflow.h"
 #include "process/run/schedule.h"
 #include "process/tooling/tooling.h"
 

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
+#include "process/machine/actions/powder_inflow.h"
 #include "process/machine/free_motion.h"
 #include "process/machine/moving_tool.h"
-#include "process/machine/powder_inflow.h"
 #include "process/powder/material.h"
 #include "process/tooling/die_frame.h"
 #include "process/tooling/half_model.h"

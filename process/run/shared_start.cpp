@@ -6,7 +6,7 @@
 
 #include "engine/numerics/fnv1a.h"
 #include "geometry/cad/mesh_import.h"
-#include "process/machine/powder_inflow.h"
+#include "process/machine/actions/powder_inflow.h"
 #include "process/machine/step.h"
 #include "process/results/storage/result_file.h"
 #include "process/scene/identity.h"

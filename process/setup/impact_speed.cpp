@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "process/machine/powder_change.h"
+#include "process/machine/actions/powder_change.h"
 #include "process/powder/material.h"
 #include "process/setup/pour.h"
 

@@ -4,7 +4,7 @@
 #include <cstdio>
 #include <numbers>
 
-#include "process/machine/powder_inflow.h"
+#include "process/machine/actions/powder_inflow.h"
 #include "process/powder/material.h"
 #include "process/powder/random.h"
 #include "process/setup/setup_findings.h"

@@ -5,7 +5,7 @@
 #include <cstdio>
 #include <limits>
 
-#include "process/machine/powder_inflow.h"
+#include "process/machine/actions/powder_inflow.h"
 #include "process/powder/material.h"
 #include "process/powder/powder_mixture.h"
 #include "process/scene/setting.h"

@@ -6,7 +6,7 @@
 #include <limits>
 #include <set>
 
-#include "process/machine/powder_inflow.h"
+#include "process/machine/actions/powder_inflow.h"
 #include "process/tooling/stages.h"
 #include "process/tooling/tooling.h"
 

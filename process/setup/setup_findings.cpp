@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cstdio>
 
+#include "process/machine/actions/powder_inflow.h"
 #include "process/machine/free_motion.h"
-#include "process/machine/powder_inflow.h"
 #include "process/powder/material.h"
 #include "process/powder/powder_mixture.h"
 #include "process/tooling/plan_view.h"

@@ -3,7 +3,7 @@
 #include <deque>
 
 #include "engine/coarse_graining/methods.h"
-#include "process/machine/powder_change.h"
+#include "process/machine/actions/powder_change.h"
 #include "process/scene/chosen_law.h"
 #include "process/scene/contact_spec.h"
 #include "process/scene/reading/sections.h"

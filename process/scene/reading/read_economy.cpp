@@ -1,7 +1,7 @@
 #include <cmath>
 
-#include "process/machine/powder_change.h"
-#include "process/machine/powder_inflow.h"
+#include "process/machine/actions/powder_change.h"
+#include "process/machine/actions/powder_inflow.h"
 #include "process/scene/contact_spec.h"
 #include "process/scene/reading/sections.h"
 

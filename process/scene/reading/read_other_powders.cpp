@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "engine/coarse_graining/methods.h"
-#include "process/machine/powder_inflow.h"
+#include "process/machine/actions/powder_inflow.h"
 #include "process/scene/contact_spec.h"
 #include "process/scene/reading/plausibility.h"
 #include "process/scene/reading/sections.h"

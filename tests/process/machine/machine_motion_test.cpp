@@ -8,11 +8,11 @@
 
 #include "process/input/scene_error.h"
 #include "process/machine/force_control.h"
-#include "process/machine/move.h"
-#include "process/machine/rotation.h"
-#include "process/machine/rotational_oscillation.h"
-#include "process/machine/table_motion.h"
-#include "process/machine/vibration.h"
+#include "process/machine/motions/move.h"
+#include "process/machine/motions/rotation.h"
+#include "process/machine/motions/rotational_oscillation.h"
+#include "process/machine/motions/table_motion.h"
+#include "process/machine/motions/vibration.h"
 #include "process/tooling/stages.h"
 #include "tests/support/temporary_folder.h"
 

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "process/input/scene_error.h"
-#include "process/machine/passage.h"
+#include "process/machine/motions/passage.h"
 
 namespace diefill::process {
 namespace {

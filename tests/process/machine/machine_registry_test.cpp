@@ -3,9 +3,9 @@
 
 #include <set>
 
-#include "process/machine/settle.h"
+#include "process/machine/actions/settle.h"
+#include "process/machine/actions/wait.h"
 #include "process/machine/step_registry.h"
-#include "process/machine/wait.h"
 
 namespace diefill::process {
 namespace {

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "process/machine/powder_change.h"
+#include "process/machine/actions/powder_change.h"
 #include "process/powder/changed_scene.h"
 #include "process/powder/material.h"
 #include "process/setup/pour.h"

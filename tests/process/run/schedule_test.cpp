@@ -6,10 +6,10 @@
 
 #include <map>
 
-#include "process/machine/move.h"
-#include "process/machine/settle.h"
-#include "process/machine/vibration.h"
-#include "process/machine/wait.h"
+#include "process/machine/actions/settle.h"
+#include "process/machine/actions/wait.h"
+#include "process/machine/motions/move.h"
+#include "process/machine/motions/vibration.h"
 #include "process/powder/material.h"
 #include "process/run/snapshots.h"
 #include "process/scene/powder_presets.h"

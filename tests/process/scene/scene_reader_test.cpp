@@ -1,7 +1,7 @@
 // A full scene with every key set ends up in the typed scene; a short one has the documented defaults.
 #include <gtest/gtest.h>
 
-#include "process/machine/passage.h"
+#include "process/machine/motions/passage.h"
 #include "process/scene/scene.h"
 #include "tests/process/scene_files.h"
 #include "tests/support/scene_text.h"

@@ -6,7 +6,7 @@
 #include <filesystem>
 
 #include "process/input/shown_value.h"
-#include "process/machine/table_motion.h"
+#include "process/machine/motions/table_motion.h"
 #include "process/scene/scene.h"
 #include "process/scene/variants.h"
 #include "tests/process/scene_files.h"

@@ -1,7 +1,7 @@
 // Variants of a scene: what they change, what they leave alone, and what is said about wrong ones.
 #include <gtest/gtest.h>
 
-#include "process/machine/passage.h"
+#include "process/machine/motions/passage.h"
 #include "process/scene/variants.h"
 #include "tests/process/scene_files.h"
 #include "tests/process/wrong_scene.h"

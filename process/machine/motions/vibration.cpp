@@ -1,4 +1,4 @@
-#include "process/machine/vibration.h"
+#include "process/machine/motions/vibration.h"
 
 #include "process/machine/moving_tool.h"
 

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "process/machine/ramped_motion.h"
+#include "process/machine/motions/ramped_motion.h"
 
 namespace diefill::process {
 

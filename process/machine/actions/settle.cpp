@@ -1,4 +1,4 @@
-#include "process/machine/settle.h"
+#include "process/machine/actions/settle.h"
 
 namespace diefill::process {
 namespace {

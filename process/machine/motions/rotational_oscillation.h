@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "process/machine/oscillation.h"
+#include "process/machine/motions/oscillation.h"
 #include "process/machine/rotation_axis.h"
 #include "process/machine/tool_spec.h"
 

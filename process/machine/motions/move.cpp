@@ -1,4 +1,4 @@
-#include "process/machine/move.h"
+#include "process/machine/motions/move.h"
 
 #include <cmath>
 

@@ -1,4 +1,4 @@
-#include "process/machine/ramped_motion.h"
+#include "process/machine/motions/ramped_motion.h"
 
 #include <algorithm>
 #include <limits>

@@ -1,4 +1,4 @@
-#include "process/machine/table_motion.h"
+#include "process/machine/motions/table_motion.h"
 
 #include <algorithm>
 #include <sstream>

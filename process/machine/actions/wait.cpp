@@ -1,4 +1,4 @@
-#include "process/machine/wait.h"
+#include "process/machine/actions/wait.h"
 
 namespace diefill::process {
 namespace {

@@ -1,4 +1,4 @@
-#include "process/machine/powder_change.h"
+#include "process/machine/actions/powder_change.h"
 
 #include "process/input/scene_error.h"
 

@@ -1,4 +1,4 @@
-#include "process/machine/oscillation.h"
+#include "process/machine/motions/oscillation.h"
 
 #include <cmath>
 #include <numbers>

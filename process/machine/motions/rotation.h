@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "process/machine/ramped_motion.h"
+#include "process/machine/motions/ramped_motion.h"
 #include "process/machine/rotation_axis.h"
 #include "process/machine/tool_spec.h"
 

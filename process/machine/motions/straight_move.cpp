@@ -1,4 +1,4 @@
-#include "process/machine/straight_move.h"
+#include "process/machine/motions/straight_move.h"
 
 #include <algorithm>
 #include <cmath>

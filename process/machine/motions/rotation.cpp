@@ -1,4 +1,4 @@
-#include "process/machine/rotation.h"
+#include "process/machine/motions/rotation.h"
 
 #include <numbers>
 

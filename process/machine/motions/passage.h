@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "process/input/table_reader.h"
+#include "process/machine/motions/straight_move.h"
 #include "process/machine/step.h"
-#include "process/machine/straight_move.h"
 #include "process/machine/tool_spec.h"
 
 namespace diefill::process {

@@ -1,4 +1,4 @@
-#include "process/machine/passage.h"
+#include "process/machine/motions/passage.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "process/machine/clear.h"
+#include "process/machine/actions/clear.h"
 
 namespace diefill::process {
 namespace {

@@ -1,4 +1,4 @@
-#include "process/machine/powder_inflow.h"
+#include "process/machine/actions/powder_inflow.h"
 
 namespace diefill::process {
 namespace {

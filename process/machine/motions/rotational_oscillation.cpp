@@ -1,4 +1,4 @@
-#include "process/machine/rotational_oscillation.h"
+#include "process/machine/motions/rotational_oscillation.h"
 
 #include <numbers>
 
