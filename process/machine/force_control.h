@@ -1,8 +1,11 @@
 // A tool that follows the powder's resistance instead of a prescribed path: pushed with a given force, or
-// turned with a given torque, by PI control of its speed.
+// turned with a given torque, by PI control of its speed. A piston may seek several forces in turn, unload
+// between them, and retreat.
 #pragma once
 
+#include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,33 +18,49 @@ namespace diefill::process {
 
 /// State of a controlled tool. All that a restart needs.
 struct ControlState {
-  double coordinate = 0;  ///< m or rad at time `since`
-  double rate = 0;        ///< m/s or rad/s from then on
-  double integral = 0;    ///< m/s or rad/s, the integral part of the rate
-  double since = 0;       ///< s
+  double coordinate = 0;     ///< m or rad at time `since`
+  double rate = 0;           ///< m/s or rad/s from then on
+  double integral = 0;       ///< m/s or rad/s, the integral part of the rate
+  double since = 0;          ///< s
+  std::uint64_t passed = 0;  ///< targets that were held long enough; one more after the retreat
+  double reached = -1;       ///< s, when the present target was; negative: not yet
+  double turned_back = 0;    ///< m, coordinate where the last target was left
 
   double coordinate_at(double time) const { return coordinate + rate * (time - since); }
 };
 
-/// Target and limits of the control. Units of a line, with those of a rotation in brackets.
+/// Targets and limits of the control. Units of a line, with those of a rotation in brackets.
 struct ForceControl {
-  bool turns = false;        ///< a torque about the axis, not a force along it
-  RotationAxis axis;         ///< of pushing or turning
-  double target = 0;         ///< N (N m), wanted resistance of the powder
-  double speed_limit = 0;    ///< m/s (rad/s)
-  double acceleration = 10;  ///< m/s^2 (rad/s^2), at most
-  double gain = 0;           ///< m/s per N (rad/s per N m), proportional part
-  double integral_time = 0;  ///< s
-  double travel = 0;         ///< m (rad), farthest from the start; never goes back behind the start
+  static constexpr double kReached = 0.01;  ///< of a target: as near as this it counts as reached
+  static constexpr double kNear = 0.02;     ///< of a target: the integral part of a piston acts within this
 
+  bool turns = false;           ///< a torque about the axis, not a force along it
+  RotationAxis axis;            ///< of pushing or turning
+  std::vector<double> targets;  ///< N (N m), wanted resistance of the powder, one after the other
+  double speed_limit = 0;       ///< m/s (rad/s)
+  double gain = 0.5;            ///< speed without resistance over the speed limit
+  double integral_time = 0;     ///< s
+  double travel = 0;            ///< m (rad), farthest from the start; never goes back behind the start
+  std::optional<double> pause;  ///< s for which each target is held; nothing: the first one is held for ever
+  double retreat = 0;           ///< m, way back after the last one
+
+  /// The target that is sought or held.
+  double wanted(const ControlState& state) const;
+  double largest_target() const;
+  /// Whether all targets were held, and the way back is over.
+  bool done(const ControlState& state) const;
   /// The powder's resistance, N (N m), to a body on which it acts with `force` (N) and `torque` (N m, about
   /// `place`, m).
   double resistance(const Eigen::Vector3d& force, const Eigen::Vector3d& torque,
                     const Eigen::Vector3d& place) const;
   /// Advances `state` to `now` (s) and sets its rate for the next `interval` s, from the mean `measured`
-  /// resistance since the last call. The integral is held while the speed limit acts.
+  /// resistance since the last call.
   void update(ControlState& state, double measured, double now, double interval) const;
   ToolMotion motion(double coordinate, double rate) const;
+
+ private:
+  void pass_targets(ControlState& state, double measured, double now) const;
+  double asked_rate(ControlState& state, double measured, double interval) const;
 };
 
 /// A tool under force control. Its motion as a function of time, used to see what it can reach, is that
@@ -52,7 +71,7 @@ class ControlledTool final : public Step {
       : tools_(std::move(tools)), control_(control), duration_(duration) {}
 
   std::vector<std::string> tools() const override { return tools_; }
-  bool open_ended() const override { return !duration_; }
+  bool open_ended() const override { return !duration_ && !control_.pause; }
   std::optional<double> duration() const override { return duration_; }
   bool stays() const override { return control_.turns; }
   ToolMotion motion(double time) const override;

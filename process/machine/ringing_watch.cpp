@@ -20,20 +20,17 @@ void RingingWatch::look(double share, double now, double longest) {
   ++swings;
 }
 
-void watch_for_ringing(RingingWatch& watch, const ForceControl& control, double measured, double now,
-                       const std::string& tools) {
-  // A tool that bounces as fast as allowed takes this long to reverse.
-  const double longest = control.integral_time + 4 * control.speed_limit / control.acceleration;
-  watch.look(measured / control.target, now, longest);
+void watch_for_ringing(RingingWatch& watch, const ForceControl& control, double target, double measured,
+                       double now, const std::string& tools) {
+  watch.look(measured / target, now, control.integral_time);
   if (!watch.rings()) return;
   char text[400];
   std::snprintf(text, sizeof text,
                 "the force control of %s is unstable: the resistance of the powder oscillated %u times in a "
                 "row between %.2f and %.2f times the target of %.3g %s by t = %.6g s with nothing else "
                 "moving (STABILITY.md, force-controlled pistons); reduce gain (now %.3g)",
-                tools.c_str(), static_cast<unsigned>(watch.swings), watch.lowest, watch.highest,
-                control.target, control.turns ? "N m" : "N", now,
-                control.gain * control.target / control.speed_limit);
+                tools.c_str(), static_cast<unsigned>(watch.swings), watch.lowest, watch.highest, target,
+                control.turns ? "N m" : "N", now, control.gain);
   throw engine::OutOfRange(text);
 }
 

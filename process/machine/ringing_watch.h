@@ -25,9 +25,9 @@ struct RingingWatch {
   bool rings() const { return swings >= kMost; }
 };
 
-/// Checks the `measured` resistance (N or N m) of powder to `tools` under `control`, where nothing else moves
-/// tools. Throws engine::OutOfRange when it keeps oscillating.
-void watch_for_ringing(RingingWatch& watch, const ForceControl& control, double measured, double now,
-                       const std::string& tools);
+/// Checks the `measured` resistance (N or N m) of powder to `tools` under `control` with a `target`, where
+/// nothing else moves tools. Throws engine::OutOfRange when it keeps oscillating.
+void watch_for_ringing(RingingWatch& watch, const ForceControl& control, double target, double measured,
+                       double now, const std::string& tools);
 
 }  // namespace diefill::process

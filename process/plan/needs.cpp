@@ -34,7 +34,7 @@ double piston_pressure(const Scene& scene, const Tooling& tooling) {
     double area = 0;
     for (const auto& name : step->tools())
       area += facing_area(tooling.tools[tooling.index_of(name)].mesh, control->axis.direction);
-    if (area > 0) hardest = std::max(hardest, control->target / area);
+    if (area > 0) hardest = std::max(hardest, control->largest_target() / area);
   }
   return hardest;
 }

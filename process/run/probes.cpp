@@ -21,8 +21,9 @@ struct Heading {
 Heading heading(ProbeQuantity quantity) {
   switch (quantity) {
     case ProbeQuantity::load:
-      return {{"force x", "force y", "force z", "torque x", "torque y", "torque z"},
-              {"N", "N", "N", "N m", "N m", "N m"}};
+      return {{"force x", "force y", "force z", "torque x", "torque y", "torque z", "shift x", "shift y",
+               "shift z"},
+              {"N", "N", "N", "N m", "N m", "N m", "m", "m", "m"}};
     case ProbeQuantity::flow:
       return {{"mass", "mass rate"}, {"kg", "kg/s"}};
     case ProbeQuantity::filled_mass:
@@ -95,7 +96,8 @@ void Probes::add_row(std::size_t k, const engine::Simulation& simulation) {
     case ProbeQuantity::load: {
       const Eigen::Vector3d force = state.force / steps, torque = state.torque / steps;
       append({force[0], force[1], force[2], torque[0], torque[1], torque[2]});
-      return;
+      const Eigen::Vector3d shift = simulation.body_motion(tooling_.index_of(spec.tool)).translation;
+      return append({shift[0], shift[1], shift[2]});
     }
     case ProbeQuantity::flow: {
       const double mass = mass_beyond(spec, simulation, tooling_) + state.gone - state.beyond;

@@ -99,6 +99,7 @@ bool Schedule::stops(std::size_t k, const engine::Simulation& simulation) {
     const double come = static_cast<double>(state.grains_come) * mean_grain_mass(scene_, *inflow, simulation);
     if (come >= *inflow->mass) return true;
   }
+  if (const ForceControl* law = step.control(); law != nullptr && law->done(state.control)) return true;
   if (step.plan.until) return holds(*step.plan.until, state.until, simulation);
   const bool only_waits = step.open_ended() && step.tools().empty() && step.inflow() == nullptr;
   return only_waits && state.until.rest.at_rest(simulation, grain_diameter_);
@@ -156,11 +157,12 @@ bool Schedule::control(engine::Simulation& simulation) {
     StepState& state = state_.steps[k];
     if (law == nullptr || !state.is_on() || state.started >= now || !(interval > 0)) continue;
     const double resistance = mean_resistance(*stages_.steps[k], simulation);
+    const double target = law->wanted(state.control);
     law->update(state.control, resistance, now, interval);
-    if (prescribed_motion_is_on())
+    if (prescribed_motion_is_on() || target != law->wanted(state.control))
       state.ringing = {};
     else
-      watch_for_ringing(state.ringing, *law, resistance, now, names_text(stages_.steps[k]->tools()));
+      watch_for_ringing(state.ringing, *law, target, resistance, now, names_text(stages_.steps[k]->tools()));
     any = true;
   }
   return any;

@@ -110,9 +110,9 @@ double stiffness_at(const PressedBed& bed, double target) {
 double scatter(const PressedBed& bed, double target, double gain, double duration) {
   ForceControl control;
   control.axis.direction = -Eigen::Vector3d::UnitZ();
-  control.target = target;
+  control.targets = {target};
   control.speed_limit = kSpeedLimit;
-  control.gain = gain * kSpeedLimit / target;
+  control.gain = gain;
   control.integral_time = kIntegralTime;
   control.travel = 0.5 * bed.top;
   double sum = 0, squares = 0, counted = 0;

@@ -86,8 +86,8 @@ TEST(Strategies, ShakenToolingComesBackAndIsMeasuredWhereItIs) {
   EXPECT_NEAR(-loads.back().at(3) / weight, 1, 0.1);
   const auto result = results::read_results(die.out());
   ASSERT_EQ(result.probes.size(), 2U);
-  EXPECT_EQ(result.probes[1].columns.size(), 7U);
-  EXPECT_EQ(result.probes[1].values.size(), 7 * loads.size());
+  EXPECT_EQ(result.probes[1].columns.size(), 10U);
+  EXPECT_EQ(result.probes[1].values.size(), 10 * loads.size());
   const auto snapshot = results::read_results(die.out() / "snapshots" / "passed");
   EXPECT_LT(snapshot.powder.time, result.powder.time);
   EXPECT_GT(snapshot.powder.time, 0.1);
@@ -185,6 +185,71 @@ interval = "10 ms"
     }
   ASSERT_GT(count, 5);
   EXPECT_NEAR(sum / count, 0.05, 0.005);
+}
+
+/// The pocket full of powder, pressed and unloaded by a piston in turn.
+void press_in_cycles(const SmallDie& die) {
+  die.pour_into_the_pocket();
+  die.add_tool("piston", "punch", cad::prism(cad::rectangle(-4.8, -1.2, -1.8, 1.8), 2, 4),
+               "[\"0 mm\", \"0 mm\", \"1 mm\"]");
+  die.exchange_passage(R"([[step]]
+kind = "piston"
+tool = "piston"
+direction = "-z"
+forces = ["0.05 N", "0.01 N", "0.05 N", "0.01 N"]
+pause = "10 ms"
+retreat = "0.3 mm"
+speed_limit = "0.05 m/s"
+travel = "6.5 mm"
+
+[[probe]]
+name = "piston"
+quantity = "load"
+tool = "piston"
+interval = "1 ms"
+)");
+}
+
+TEST(Strategies, APistonCyclesBetweenForcesAndRetreats) {
+  const SmallDie die;
+  press_in_cycles(die);
+  const Outcome outcome = die.run({"--quiet"});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  const auto rows = rows_of(die, "probe_piston.csv");
+  double highest = 0, lowest = 0;
+  bool low = true;
+  int loads = 0, unloads = 0;
+  for (const auto& row : rows) {
+    const double force = row.at(3);
+    highest = std::max(highest, force);
+    lowest = std::min(lowest, row.at(9));
+    if (low && force > 0.99 * 0.05) ++loads, low = false;
+    if (!low && force < 1.01 * 0.01) ++unloads, low = true;
+  }
+  EXPECT_EQ(loads, 2);
+  EXPECT_EQ(unloads, 2);
+  EXPECT_LE(highest, 1.02 * 0.05);
+  // Unloading takes a part of the way back, the retreat the rest; then it stands clear of the powder.
+  EXPECT_GT(rows.back().at(9) - lowest, 0.3e-3);
+  EXPECT_LT(rows.back().at(9) - lowest, 0.6e-3);
+  EXPECT_EQ(rows.back().at(3), 0);
+}
+
+TEST(Strategies, APistonThatCyclesGoesOnAfterAKill) {
+  const SmallDie die, other;
+  press_in_cycles(die);
+  press_in_cycles(other);
+  ASSERT_EQ(other.run({"--quiet"}).exit_code, 0);
+  for (const int milliseconds : {1200, 1500}) {
+    Program program(die.run_arguments({"--resume", "--quiet"}));
+    std::this_thread::sleep_for(std::chrono::milliseconds(milliseconds));
+    program.send(SIGTERM);
+    program.wait();
+  }
+  const Outcome last = die.run({"--resume", "--quiet"});
+  ASSERT_EQ(last.exit_code, 0) << last.err;
+  EXPECT_EQ(die.report().at("state_hash"), other.report().at("state_hash"));
+  EXPECT_EQ(contents(die.out() / "probe_piston.csv"), contents(other.out() / "probe_piston.csv"));
 }
 
 TEST(Strategies, PowderComesInAndIsClearedAway) {

@@ -317,9 +317,9 @@ double settle_against_spring(const ForceControl& control, double stiffness, doub
 
 TEST(ForceControl, ReachesItsForceWithinTheSpeedLimit) {
   ForceControl control;
-  control.target = 2;
+  control.targets = {2};
   control.speed_limit = 0.02;
-  control.gain = 0.5 * 0.02 / 2;
+  control.gain = 0.5;
   control.integral_time = 0.02;
   control.travel = 0.05;
   EXPECT_NEAR(settle_against_spring(control, 1e4, 5e-3, 2), 2, 2e-3);

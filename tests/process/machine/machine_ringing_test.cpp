@@ -46,11 +46,10 @@ TEST(RingingWatch, ApproachFromNothingIsNoSwing) {
 /// force of each interval, for `duration` (s).
 void press_a_spring(double stiffness, double gain, double duration) {
   ForceControl control;
-  control.target = 1;
+  control.targets = {1};
   control.speed_limit = 0.05;
-  control.gain = gain * control.speed_limit / control.target;
+  control.gain = gain;
   control.integral_time = 0.02;
-  control.acceleration = 1e6;
   control.travel = 1;
   ControlState state;
   RingingWatch watch;
@@ -58,7 +57,7 @@ void press_a_spring(double stiffness, double gain, double duration) {
     const double from = state.coordinate, to = state.coordinate_at(now);
     const double mean = stiffness * 0.5 * (from + to);
     control.update(state, mean, now, kInterval);
-    watch_for_ringing(watch, control, mean, now, "piston");
+    watch_for_ringing(watch, control, 1, mean, now, "piston");
   }
 }
 
