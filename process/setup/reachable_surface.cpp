@@ -141,8 +141,9 @@ ReachableSurface::ReachableSurface(const Scene& scene, const Tooling& tooling, d
   // Voxels a quarter of a grain wide: fine enough for walls, coarse enough for a scene of a few hundred
   // millimetres.
   constexpr double kMostVoxels = 2e7;
-  request.voxel = std::max(0.25 * grain_diameter, std::cbrt(extent.prod() / kMostVoxels));
-  request.voxel = std::clamp(request.voxel, 1e-5, 5e-4);
+  const double of_grains = 0.25 * grain_diameter;
+  request.voxel = std::max(of_grains, std::cbrt(extent.prod() / kMostVoxels));
+  request.voxel = std::clamp(request.voxel, 1e-5, std::max(5e-4, of_grains));
   // Wider where tools are far apart: powder does not come through openings half a grain wide.
   constexpr double kManyVoxels = 1e8;
   const double for_many = std::cbrt(tooling.standing.size().prod() / kManyVoxels);
