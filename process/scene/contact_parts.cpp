@@ -1,6 +1,7 @@
 #include "process/scene/contact_parts.h"
 
 #include "process/scene/contact_key.h"
+#include "process/scene/luding_keys.h"
 
 namespace diefill::process {
 namespace {
@@ -29,6 +30,9 @@ constexpr NumberRule kRollingDamping = {0, 0.3, false, "0.3"};
 constexpr NumberRule kRatio = {0, 1e3, true, "1"};
 constexpr NumberRule kDepth = {0, 1, true, "0.05"};
 constexpr NumberRule kPlasticity = {0, 0.99, false, "0.5"};
+constexpr NumberRule kReferenceOverlap = {0, 0.5, true, "0.01"};
+constexpr NumberRule kUnloadingRatio = {1, 1e3, true, "5"};
+constexpr NumberRule kCohesionRatio = {0, 1e3, false, "0.1"};
 constexpr NumberRule kLiquid = {0, 1, false, "0.05"};
 
 /// The entry of a `Part`, with its keys.
@@ -119,10 +123,14 @@ const ContactParts<AnyNormal::Parameters>& normal_parts() {
       normal<LinearNormal>("linear",
                            {quantity_key("stiffness", &LinearNormal::Parameters::stiffness, kStiffness)}),
       normal<LudingNormal>(
-          "Luding", {quantity_key("loading_stiffness", &Luding::loading, kStiffness),
-                     quantity_key("unloading_stiffness", &Luding::unloading, kUnloading),
-                     quantity_key("cohesion_stiffness", &Luding::cohesion, kLimb, Need::optional),
-                     number_key("plasticity_depth", &Luding::plasticity_depth, kDepth, Need::optional)}),
+          "Luding",
+          {loading_or_modulus(quantity_key("loading_stiffness", &Luding::loading, kStiffness), kModulus.rule,
+                              kReferenceOverlap),
+           stiffness_or_ratio(quantity_key("unloading_stiffness", &Luding::unloading, kUnloading),
+                              "unloading_ratio", &Luding::unloading, kUnloadingRatio),
+           stiffness_or_ratio(quantity_key("cohesion_stiffness", &Luding::cohesion, kLimb, Need::optional),
+                              "cohesion_ratio", &Luding::cohesion, kCohesionRatio),
+           number_key("plasticity_depth", &Luding::plasticity_depth, kDepth, Need::optional)}),
       normal<EdinburghNormal>(
           "Edinburgh",
           {choice_key("branch", &Edinburgh::branch, kBranches),

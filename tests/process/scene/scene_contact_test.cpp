@@ -92,6 +92,36 @@ rolling = { law = "Luding", rolling_friction = 0.2 }
   EXPECT_EQ(rolls.rolling.of<LudingRolling>()->tangential_stiffness, 60);
 }
 
+/// Luding's spring with `keys`.
+std::string luding(const std::string& keys) {
+  return "[contact]\nnormal = { law = \"Luding\", " + keys + " }\n";
+}
+
+TEST(SceneContact, LudingsStiffnessesFollowFromAModulusAndRatios) {
+  const Scene scene = with_contact(luding(
+      "young_modulus = \"17 MPa\", reference_overlap = 0.04, unloading_ratio = 5.33, cohesion_ratio = 0.5"));
+  const auto* given = scene.contact->grains.law.normal.of<LudingNormal>();
+  ASSERT_NE(given, nullptr);
+  const double k = 4.0 / 3 * 17e6 * scene.powder.sphere_radius * 0.2;
+  EXPECT_NEAR(given->loading / k, 1, 1e-12);
+  EXPECT_NEAR(given->unloading / k, 5.33, 1e-12);
+  EXPECT_NEAR(given->cohesion / k, 0.5, 1e-12);
+  const std::string modulus = "young_modulus = \"17 MPa\", ";
+  for (const auto& [keys, word] : std::vector<std::pair<std::string, std::string>>{
+           {modulus + "loading_stiffness = \"100 N/m\", unloading_ratio = 5",
+            "loading_stiffness is given as well"},
+           {modulus + "unloading_stiffness = \"1e6 N/m\", unloading_ratio = 5",
+            "unloading_stiffness is given as well"},
+           {"loading_stiffness = \"100 N/m\", reference_overlap = 0.01, unloading_ratio = 5", "unknown key"},
+           {modulus + "unloading_ratio = 1", "unloading_ratio"}})
+    try {
+      with_contact(luding(keys));
+      ADD_FAILURE() << "not refused: " << keys;
+    } catch (const SceneError& error) {
+      EXPECT_NE(std::string(error.what()).find(word), std::string::npos) << error.what();
+    }
+}
+
 /// The Edinburgh law with `keys` beside its ratio and its surface energy.
 std::string edinburgh(const std::string& keys) {
   return "[contact]\nnormal = { law = \"Edinburgh\", plasticity_ratio = 0.6, surface_energy = \"2 J/m^2\", " +
