@@ -17,6 +17,7 @@
 #include "process/laboratory/published/comparisons.h"
 #include "process/laboratory/published/family_tables.h"
 #include "process/laboratory/published/fidelity.h"
+#include "process/laboratory/published/kept_results.h"
 #include "process/laboratory/published/lab_folder.h"
 #include "process/laboratory/published/perform.h"
 #include "process/results/storage/atomic_file.h"
@@ -123,9 +124,9 @@ int experiment(const laboratory::SceneExperiment& one, const LabArguments& argum
   return kDone;
 }
 
-/// The tables of families kept in the room of the laboratory, and those below `all`, coarse ones first.
-std::vector<results::LabTable> kept_tables(const fs::path& all, const fs::path& room) {
-  std::vector<results::LabTable> tables = laboratory::family_tables(room);
+/// The tables below `all`, coarse ones first.
+std::vector<results::LabTable> tables_below(const fs::path& all) {
+  std::vector<results::LabTable> tables;
   for (const char* size : kSizes)
     for (const auto& one : laboratory::scene_experiments())
       if (fs::exists(all / one.name / size / (one.name + ".json")))
@@ -137,19 +138,26 @@ int fidelity(LabArguments arguments) {
   set_up_drawing();
   const fs::path scenes = scenes_folder(arguments.scenes), all = all_of(arguments);
   const auto figures = laboratory::read_published_figures(scenes / laboratory::kPublishedFigures);
-  for (const auto& one : laboratory::scene_experiments())
-    if (one.name != kSheet) perform_into(folder_of(all, one.name, arguments), one, arguments);
   const fs::path room = scenes / "../../process/laboratory";
   fs::path page = arguments.page;
   if (page.empty())
     page = fs::exists(room) ? fs::weakly_canonical(room) / "FIDELITY.md" : all / "FIDELITY.md";
-  auto tables = kept_tables(all, room);
+  const fs::path values = page.parent_path() / laboratory::kKeptResults;
+  auto kept = laboratory::read_kept_results(values, figures);
+  for (const auto& one : laboratory::scene_experiments())
+    if (one.name != kSheet) perform_into(folder_of(all, one.name, arguments), one, arguments);
+  const auto measured = tables_below(all);
+  laboratory::take_over(kept, measured);
+  auto tables = laboratory::tables_with_kept(kept, measured);
+  for (auto& table : laboratory::family_tables(room)) tables.push_back(std::move(table));
   tables.push_back(laboratory::compared_figures(scenes / kComparisons, figures));
   write_output([&] {
+    results::write_text_atomically(values, laboratory::csv_of(kept));
     results::write_text_atomically(
         page, laboratory::fidelity_page(figures, tables, laboratory::read_remarks(scenes / kRemarks)));
   });
-  std::printf("%zu published figures in %s\n", figures.size(), page.string().c_str());
+  std::printf("%zu published figures in %s, values in %s\n", figures.size(), page.string().c_str(),
+              values.string().c_str());
   return kDone;
 }
 

@@ -134,7 +134,7 @@ std::string fidelity_page(const std::vector<PublishedFigure>& figures,
     const auto remark = remarks.find(figure.id);
     rows += row_text(figure, line, remark == remarks.end() ? "" : remark->second);
   }
-  return "# Fidelity\n\nWritten by `diefill lab fidelity` from its kept tables and "
+  return "# Fidelity\n\nWritten by `diefill lab fidelity` from `kept_results.csv` and "
          "`sample_tools/laboratory/comparisons.csv`; do not edit. One row for "
          "every "
          "published figure.\nHere: mean +- standard deviation over seeds. d: the coarsest grains of its "

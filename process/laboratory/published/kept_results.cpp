@@ -1,0 +1,127 @@
+#include "process/laboratory/published/kept_results.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdlib>
+#include <fstream>
+#include <sstream>
+
+#include "process/input/scene_error.h"
+#include "process/laboratory/published/csv_fields.h"
+#include "process/laboratory/published/perform.h"
+#include "process/results/csv_field.h"
+
+namespace diefill::process::laboratory {
+namespace {
+
+constexpr std::size_t kColumns = 6;
+const std::array<std::string, 3> kSizes = {"coarse", "medium", "published"};
+
+std::size_t fineness(const std::string& size) {
+  return static_cast<std::size_t>(std::find(kSizes.begin(), kSizes.end(), size) - kSizes.begin());
+}
+
+double number_in(const std::string& field, const std::string& where) {
+  char* end = nullptr;
+  const double value = std::strtod(field.c_str(), &end);
+  if (end == field.c_str() || *end != '\0')
+    throw SceneError(where + ": found \"" + field + "\", expected a number");
+  return value;
+}
+
+KeptResult result_of(const std::vector<std::string>& fields, const PublishedFigure& figure,
+                     const std::string& where) {
+  KeptResult kept;
+  kept.size = fields[1];
+  if (fineness(kept.size) == kSizes.size())
+    throw SceneError(where + ": found \"" + kept.size + "\", expected coarse, medium or published");
+  kept.row.id = figure.id;
+  take_published(figure, kept.row);
+  std::istringstream values(fields[2]);
+  for (std::string value; values >> value;) kept.row.values.push_back(number_in(value, where));
+  if (!fields[3].empty()) kept.row.grain_diameter = 1e-3 * number_in(fields[3], where);
+  kept.row.core_seconds = number_in(fields[4], where);
+  kept.row.reason = fields[5];
+  kept.row.verdict = verdict_of(kept.row);
+  return kept;
+}
+
+auto find_in(std::vector<KeptResult>& kept, const std::string& id) {
+  return std::find_if(kept.begin(), kept.end(), [&](const KeptResult& one) { return one.row.id == id; });
+}
+
+bool is_kept(const std::vector<KeptResult>& kept, const std::string& id) {
+  return std::any_of(kept.begin(), kept.end(), [&](const KeptResult& one) { return one.row.id == id; });
+}
+
+bool replaces(const results::LabRow& row, const std::string& size, const KeptResult& earlier) {
+  if (row.values.empty()) return earlier.row.values.empty();
+  return earlier.row.values.empty() || fineness(size) >= fineness(earlier.size);
+}
+
+}  // namespace
+
+std::vector<KeptResult> read_kept_results(const std::filesystem::path& file,
+                                          const std::vector<PublishedFigure>& figures) {
+  std::vector<KeptResult> kept;
+  std::ifstream stream(file);
+  std::string text;
+  std::getline(stream, text);
+  for (int number = 2; std::getline(stream, text); ++number) {
+    const std::string where = file.string() + ':' + std::to_string(number);
+    const auto fields = csv_fields(text);
+    if (fields.size() != kColumns)
+      throw SceneError(where + ": found " + std::to_string(fields.size()) + " fields, expected " +
+                       std::to_string(kColumns));
+    const auto figure = std::find_if(figures.begin(), figures.end(),
+                                     [&](const PublishedFigure& one) { return one.id == fields[0]; });
+    if (figure != figures.end()) kept.push_back(result_of(fields, *figure, where));
+  }
+  return kept;
+}
+
+void take_over(std::vector<KeptResult>& kept, const std::vector<results::LabTable>& measured) {
+  for (const auto& table : measured)
+    for (const auto& row : table.rows) {
+      if (row.published.empty() || !(row.core_seconds > 0)) continue;
+      const auto earlier = find_in(kept, row.id);
+      if (earlier == kept.end())
+        kept.push_back({table.size, row});
+      else if (replaces(row, table.size, *earlier))
+        *earlier = {table.size, row};
+    }
+}
+
+std::string csv_of(const std::vector<KeptResult>& kept) {
+  std::string text = "id,size,values,d_mm,core_seconds,reason\n";
+  for (const auto& [size, row] : kept) {
+    std::string values;
+    for (const double value : row.values) {
+      if (!values.empty()) values += ' ';
+      values += results::csv_number(value);
+    }
+    text += row.id + ',' + size + ',' + values + ',' + results::csv_number(1e3 * row.grain_diameter, 6) +
+            ',' + results::csv_number(row.core_seconds, 4) + ',' + results::csv_text(row.reason) + '\n';
+  }
+  return text;
+}
+
+std::vector<results::LabTable> tables_with_kept(const std::vector<KeptResult>& kept,
+                                                std::vector<results::LabTable> measured) {
+  std::vector<results::LabTable> tables;
+  for (const std::string& size : kSizes) {
+    results::LabTable table;
+    table.size = size;
+    for (const auto& one : kept)
+      if (one.size == size) table.rows.push_back(one.row);
+    tables.push_back(std::move(table));
+  }
+  for (auto& table : measured) {
+    std::erase_if(table.rows, [&](const results::LabRow& row) { return is_kept(kept, row.id); });
+    tables.push_back(std::move(table));
+  }
+  return tables;
+}
+
+}  // namespace diefill::process::laboratory
