@@ -26,6 +26,8 @@ EXPERIMENTS = {
     "slit_fields": "L0[1-3]",
     "moving_shoe": "E0[6-9]",
     "hopper_design": "HOP-design-(half|minimum)",
+    "packing": "PACK-1",
+    "confined_compression": "L(100|220)-pred-(beta|k_load|k_unload)|SCR-order",
     "angle_of_repose": "R(0[3-9]|10|11)",
     "mean_fractions": "N(0[1-9]|1[0-2])",
     "uniaxial_compression": "UNI-[1-3]",
@@ -83,6 +85,9 @@ CRITERIA = {
     "L03": ("scatter of v/v_s over cells of 2 d, beyond 1.5 D", "1", None, 0.05),
     "HOP-design-half": ("half angle, from the predicted shear test", "deg", 28, 42),
     "HOP-design-minimum": ("slot width, from the predicted shear test", "m", 0.05, 0.2),
+    "PACK-1": ("drop of the fraction from the largest to the smallest spheres, clusters less plain falling", "1", 0,
+               None),
+    "SCR-order": ("k_unload over k_load, smaller of LH100 and LH220", "1", 1, None),
     "H01": ("mean level of A1 less the lowest other one, larger of both speeds", "mm", None, 0),
     "H02": ("mean level of A2 less the highest other one, smaller of both speeds", "mm", 0, None),
     "H05": ("mean level at 0.2 m/s less that at 0.5 m/s", "mm", 0, None),
@@ -116,12 +121,12 @@ LABELS = {
     "PACK-2": "fractions of LH100 and LH220", "HOP-1": "arching in the hopper",
     "ROLL-1": "stability of rolling model", "CAL-mus": "tau_pre over mu_s", "CAL-err": "error with interactions",
     "SCR-phi0": "effects on initial fraction", "SCR-beta": "effects on beta", "SCR-phif": "effects on final fraction",
-    "SCR-kload": "effects on k_load", "SCR-kunload": "effects on k_unload", "SCR-order": "k_unload above k_load",
+    "SCR-kload": "effects on k_load", "SCR-kunload": "effects on k_unload",
     "SCR-tens": "range of tensile strength", "SCR-tens2": "gradual fracture", "SCR-taupre": "effects on tau_pre",
     "SCR-tau0": "effects on tau_0", "SCR-kYL": "effects on k_YL", "SCR-neg": "factors without effect",
     "SCR-invalid": "pre-shear above the locus",
     "AOR-M1": "deviation of M1 from the original", "AOR-range": "Carr classes over mu_r",
-    "AOR-M1b": "deviation of M1 over mu_r", "AOR-M3": "angle, M3", "PACK-1": "solid fraction over diameter",
+    "AOR-M1b": "deviation of M1 over mu_r", "AOR-M3": "angle, M3",
 }
 
 NOT_A_TARGET = re.compile(r"input|not a target|context only|^measurement|^taken as")

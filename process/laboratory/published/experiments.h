@@ -23,6 +23,10 @@ LabPlan plan_moving_shoe(const LabSetting& setting);
 /// What Young's modulus changes (section 4.2.2, E11), and damping (section 4.2.3, E12).
 LabPlan plan_youngs_modulus(const LabSetting& setting);
 LabPlan plan_damping(const LabSetting& setting);
+/// Solid fraction of adhesive beds over diameter and way of packing (Kottlan 2018, section 3.1).
+LabPlan plan_packing(const LabSetting& setting);
+/// Adhesive beds pressed in five cycles (Kottlan 2018, section 2.7.2).
+LabPlan plan_confined_compression(const LabSetting& setting);
 /// Half angle and slot of a wedge hopper from a shear test (Kottlan 2018, section 3.4).
 LabPlan plan_hopper_design(const LabSetting& setting);
 /// Angles of the heaps on slider and floor (sections 4.1.3 and 4.1.4, E5).

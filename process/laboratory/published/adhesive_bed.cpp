@@ -1,0 +1,187 @@
+#include "process/laboratory/published/adhesive_bed.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <numbers>
+
+#include "process/laboratory/published/lab_powder.h"
+
+namespace diefill::process::laboratory {
+namespace {
+
+constexpr double kDensity = 1545, kGravity = 9.81;  // kg/m^3, m/s^2
+constexpr double kReferenceOverlap = 0.01;          // over r
+constexpr double kWallRatio = 30;                   // k_1 of walls over that of grains
+constexpr double kWallFriction = 0.2;
+constexpr double kSmallestGap = 5e-9, kLargestGap = 1e-6;  // m
+constexpr double kLattice = 1.6, kLoose = 0.5;             // d; solid fraction that `fill` is told with
+constexpr double kAir = 1.8e-5;                            // Pa s
+/// Spheres fly, then stick, for this long; they fall for as long as the lattice is high, and half as long.
+constexpr double kFly = 3, kFall = 1.5;  // sqrt(d / g); over the time of falling
+constexpr double kSpeed = 5;             // sqrt(g d), standard deviation of a component
+
+std::string with_unit(double value, const char* unit) {
+  return '"' + plain(value) + ' ' + unit + '"';
+}
+
+std::string friction_part(const AdhesivePowder& powder, double friction) {
+  return "{ law = \"Luding\", static_friction = " + plain(friction) +
+         ", dynamic_friction = " + plain(powder.dynamic_ratio * friction) +
+         ", stiffness = " + with_unit(powder.tangential_ratio * powder.loading_stiffness(), "N/m") +
+         ", damping = " + with_unit(powder.damping_ratio * powder.damping(), "N s/m") + " }";
+}
+
+std::string attraction_part(const AdhesivePowder& powder, Packing packing) {
+  if (packing == Packing::free) return "{ law = \"none\" }";
+  const double range = packing == Packing::clusters ? kLargestGap : kSmallestGap;
+  return "{ law = \"van der Waals\", hamaker_constant = " + with_unit(powder.hamaker, "J") +
+         ", smallest_gap = " + with_unit(kSmallestGap, "m") + ", largest_gap = " + with_unit(range, "m") +
+         " }";
+}
+
+std::string powder_lines(const AdhesivePowder& powder, Packing packing) {
+  const double k = powder.loading_stiffness();
+  std::string set = line("powder.sphere_radius", with_unit(powder.radius, "m"));
+  set += line("powder.grain_mass", with_unit(powder.mass(), "kg"));
+  set += line("powder.grain_diameter", with_unit(powder.diameter(), "m"));
+  if (packing == Packing::slow) set += line("powder.air_viscosity", with_unit(kAir, "Pa s"));
+  set +=
+      line("contact.normal", "{ law = \"Luding\", loading_stiffness = " + with_unit(k, "N/m") +
+                                 ", unloading_stiffness = " + with_unit(powder.unloading_ratio * k, "N/m") +
+                                 ", cohesion_stiffness = " +
+                                 with_unit(packing == Packing::free ? 0 : powder.cohesion_ratio * k, "N/m") +
+                                 ", plasticity_depth = " + plain(powder.depth) + " }");
+  set += line("contact.damping",
+              "{ law = \"linear restitution\", restitution = " + plain(powder.restitution) + " }");
+  set += line("contact.friction", friction_part(powder, powder.friction));
+  set +=
+      line("contact.rolling", "{ law = \"elastic CDT\", rolling_friction = " + plain(powder.rolling) + " }");
+  set += line("contact.attraction", attraction_part(powder, packing));
+  set += line("contact.walls.normal",
+              "{ law = \"linear\", stiffness = " + with_unit(kWallRatio * k, "N/m") + " }");
+  set += line("contact.walls.friction", friction_part(powder, kWallFriction));
+  return set;
+}
+
+std::string seconds(double value) {
+  return with_unit(value, "s");
+}
+
+/// d, of the lattice that the spheres begin in, in whole layers.
+double lattice_height(const AdhesiveBed& bed) {
+  const double grains = bed.width * bed.width * bed.fill * kLoose * 6 / std::numbers::pi;
+  const double across = std::floor(bed.width / kLattice);
+  return std::ceil(grains / (across * across)) * kLattice;
+}
+
+std::string step_lines(const AdhesivePowder& powder, const AdhesiveBed& bed) {
+  const double d = powder.diameter(), unit = std::sqrt(d / kGravity), height = lattice_height(bed);
+  const bool waits = bed.packing == Packing::clusters || bed.packing == Packing::motion;
+  std::string set = line("step.stir.random_velocity", with_unit(kSpeed * std::sqrt(kGravity * d), "m/s"));
+  set += line("step.fly.duration", seconds(kFly * unit));
+  set += line("step.stick.contact", "{ attraction = " + attraction_part(powder, bed.packing) + " }");
+  set += line("step.cluster.duration", seconds((waits ? kFly : 0.01) * unit));
+  double fall = std::sqrt(2 * height) * unit;
+  // In air no faster than Stokes' terminal speed.
+  if (bed.packing == Packing::slow)
+    fall = std::max(fall, height * d * 18 * kAir / (kDensity * kGravity * d * d));
+  set += line("step.fall.duration", seconds(kFall * fall));
+  return set;
+}
+
+/// Volume (m^3) of a sphere below a height over its centre.
+double cap_below(double radius, double height) {
+  const double h = std::clamp(height + radius, 0.0, 2 * radius);
+  return std::numbers::pi * h * h * (radius - h / 3);
+}
+
+}  // namespace
+
+double AdhesivePowder::mass() const {
+  return kDensity * 4.0 / 3 * std::numbers::pi * radius * radius * radius;
+}
+
+double AdhesivePowder::loading_stiffness() const {
+  return 4.0 / 3 * young * radius * std::sqrt(kReferenceOverlap);
+}
+
+double AdhesivePowder::damping() const {
+  const double ratio = std::numbers::pi / std::log(restitution);
+  return std::sqrt(4 * 0.5 * mass() * loading_stiffness() / (1 + ratio * ratio));
+}
+
+AdhesivePowder lh100() {
+  return {33.33e-19, 5.33, 0.7, 17e6, 0.0133, 66.67e-6, 0.1, 0.0667};
+}
+
+AdhesivePowder lh220() {
+  return {50e-19, 12, 0.6, 21e6, 0.0267, 10e-6, 0.1, 0.2667};
+}
+
+double plate_height(const AdhesiveBed& bed) {
+  return lattice_height(bed) + 2;
+}
+
+std::string packed_bed_lines(const AdhesivePowder& powder, const AdhesiveBed& bed) {
+  constexpr double kBlock = 2e-3;  // m, thickness of the plate
+  const double d = powder.diameter(), half = 0.5 * bed.width * d;
+  std::string set = powder_lines(powder, bed.packing) + step_lines(powder, bed);
+  set += line("pour.from", point_in_millimetres(-half, -half, 0));
+  set += line("pour.to", point_in_millimetres(half, half, bed.fill * d));
+  set += line("pour.fill_height", millimetres(bed.fill * d));
+  set += line("pour.solid_fraction", plain(kLoose));
+  set += line("pour.lattice_constant", plain(kLattice));
+  set += line("tool.plate.position", point_in_millimetres(0, 0, plate_height(bed) * d + kBlock));
+  set +=
+      line("numerics.periodic", "{ x = " + millimetres(2 * half) + ", y = " + millimetres(2 * half) + " }");
+  set += line("measure.averaging_width", millimetres(d));
+  return set;
+}
+
+std::string pressed_bed_lines(const AdhesivePowder& powder, const AdhesiveBed& bed, const Loads& loads) {
+  const double d = powder.diameter(), top = plate_height(bed) * d,
+               lowered = std::min(top, 1.6 * bed.fill * d);
+  const double area = bed.width * bed.width * d * d;
+  std::string forces;
+  for (const double stress : loads.stresses) {
+    if (!forces.empty()) forces += ", ";
+    forces += with_unit(stress * area, "N");
+  }
+  std::string set = packed_bed_lines(powder, bed);
+  set += line("step.lower.distance", millimetres(top - lowered));
+  set += line("step.press.forces", '[' + forces + ']');
+  set += line("step.press.travel", millimetres(lowered - d));
+  set += line("step.press.speed_limit", with_unit(loads.speed, "m/s"));
+  set += line("step.press.pause", seconds(loads.pause * std::sqrt(d / kGravity)));
+  set += line("probe.plate.interval", seconds(loads.interval * std::sqrt(d / kGravity)));
+  return set;
+}
+
+std::string unpressed_lines() {
+  const std::string nothing = "{ kind = \"wait\", duration = \"1 us\" }";
+  return line("step.lower", nothing) + line("step.press", nothing) + line("probe.plate.interval", "\"1 ms\"");
+}
+
+double surface_of(const results::PowderState& powder) {
+  std::vector<double> tops;
+  for (std::size_t k = 0; k < powder.position.size(); ++k)
+    tops.push_back(powder.position[k][2] + powder.sphere_radius_of(k));
+  const std::size_t count = std::min(tops.size(), std::max<std::size_t>(5, tops.size() / 100));
+  std::partial_sort(tops.begin(), tops.begin() + static_cast<std::ptrdiff_t>(count), tops.end(),
+                    std::greater<>());
+  double sum = 0;
+  for (std::size_t k = 0; k < count; ++k) sum += tops[k];
+  return sum / static_cast<double>(count);
+}
+
+double fraction_between(const results::PowderState& powder, double from, double to) {
+  double volume = 0;
+  for (std::size_t k = 0; k < powder.position.size(); ++k) {
+    const double radius = powder.sphere_radius_of(k), height = powder.position[k][2];
+    volume += cap_below(radius, to - height) - cap_below(radius, from - height);
+  }
+  return volume / (powder.period[0] * powder.period[1] * (to - from));
+}
+
+}  // namespace diefill::process::laboratory

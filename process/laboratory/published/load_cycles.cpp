@@ -1,0 +1,51 @@
+#include "process/laboratory/published/load_cycles.h"
+
+namespace diefill::process::laboratory {
+namespace {
+
+constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+
+/// The first row from `from` on whose stress is at least (`rising`) or at most `stress`.
+std::size_t reach(const LoadCurve& curve, std::size_t from, double stress, bool rising) {
+  for (std::size_t k = from; k < curve.stress.size(); ++k)
+    if (rising ? curve.stress[k] >= stress : curve.stress[k] <= stress) return k;
+  return curve.stress.size();
+}
+
+/// m, where the curve crosses `stress` between rows k - 1 and k.
+double height_at(const LoadCurve& curve, std::size_t k, double stress) {
+  if (k == 0 || k >= curve.stress.size()) return kNone;
+  const double share = (stress - curve.stress[k - 1]) / (curve.stress[k] - curve.stress[k - 1]);
+  return curve.height[k - 1] + share * (curve.height[k] - curve.height[k - 1]);
+}
+
+}  // namespace
+
+Stiffness stiffness_of(const LoadCurve& curve, const LoadCycle& loads) {
+  constexpr double kWithin = 0.01;
+  Stiffness found;
+  std::size_t k = reach(curve, 0, (1 - kWithin) * loads.high, true);
+  if (k >= curve.stress.size()) return found;
+  const double first = curve.height[k];
+  found.beta = (curve.height.front() - first) / curve.height.front();
+  double loading = 0, unloading = 0;
+  for (int cycle = 0; cycle < loads.cycles; ++cycle) {
+    // The place and load from which it unloads: the last row near the high load.
+    const std::size_t down = reach(curve, k, (1 - 3 * kWithin) * loads.high, false);
+    const std::size_t half_down = reach(curve, down, loads.half, false);
+    const std::size_t low = reach(curve, half_down, (1 + kWithin) * loads.low, false);
+    const std::size_t up = reach(curve, low, (1 + 10 * kWithin) * loads.low, true);
+    const std::size_t half_up = reach(curve, up, loads.half, true);
+    if (half_up >= curve.stress.size()) return {found.beta, kNone, kNone};
+    unloading += (curve.stress[down - 1] - loads.half) * first /
+                 (height_at(curve, half_down, loads.half) - curve.height[down - 1]);
+    loading += (loads.half - curve.stress[up - 1]) * first /
+               (curve.height[up - 1] - height_at(curve, half_up, loads.half));
+    k = reach(curve, half_up, (1 - kWithin) * loads.high, true);
+  }
+  found.loading = loading / loads.cycles;
+  found.unloading = unloading / loads.cycles;
+  return found;
+}
+
+}  // namespace diefill::process::laboratory
