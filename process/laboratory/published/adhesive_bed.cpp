@@ -18,8 +18,9 @@ constexpr double kSmallestGap = 5e-9, kLargestGap = 1e-6;  // m
 constexpr double kLattice = 1.6, kLoose = 0.5;             // d; solid fraction that `fill` is told with
 constexpr double kAir = 1.8e-5;                            // Pa s
 /// Spheres fly, then stick, for this long; they fall for as long as the lattice is high, and half as long.
-constexpr double kFly = 3, kFall = 1.5;  // sqrt(d / g); over the time of falling
-constexpr double kSpeed = 5;             // sqrt(g d), standard deviation of a component
+constexpr double kFly = 3, kFall = 1.5;          // sqrt(d / g); over the time of falling
+constexpr double kPulled = 3, kPullSpeed = 0.2;  // d, sqrt(g d)
+constexpr double kSpeed = 5;                     // sqrt(g d), standard deviation of a component
 
 std::string with_unit(double value, const char* unit) {
   return '"' + plain(value) + ' ' + unit + '"';
@@ -32,10 +33,15 @@ std::string friction_part(const AdhesivePowder& powder, double friction) {
          ", damping = " + with_unit(powder.damping_ratio * powder.damping(), "N s/m") + " }";
 }
 
-std::string attraction_part(const AdhesivePowder& powder, Packing packing) {
+/// Attraction of glued walls over that of spheres (Kottlan 2018, Eq. 34).
+double glue_of(const AdhesivePowder& powder) {
+  return 10 + 90 * (powder.radius - 5e-6) / 45e-6;
+}
+
+std::string attraction_part(const AdhesivePowder& powder, Packing packing, double times = 1) {
   if (packing == Packing::free) return "{ law = \"none\" }";
   const double range = packing == Packing::clusters ? kLargestGap : kSmallestGap;
-  return "{ law = \"van der Waals\", hamaker_constant = " + with_unit(powder.hamaker, "J") +
+  return "{ law = \"van der Waals\", hamaker_constant = " + with_unit(times * powder.hamaker, "J") +
          ", smallest_gap = " + with_unit(kSmallestGap, "m") + ", largest_gap = " + with_unit(range, "m") +
          " }";
 }
@@ -155,12 +161,19 @@ std::string pressed_bed_lines(const AdhesivePowder& powder, const AdhesiveBed& b
   set += line("step.press.speed_limit", with_unit(loads.speed, "m/s"));
   set += line("step.press.pause", seconds(loads.pause * std::sqrt(d / kGravity)));
   set += line("probe.plate.interval", seconds(loads.interval * std::sqrt(d / kGravity)));
+  set += line("step.pull.distance", millimetres(kPulled * d));
+  set += line("step.pull.velocity", with_unit(kPullSpeed * std::sqrt(kGravity * d), "m/s"));
+  // Glued, so that the bed breaks within and not at the plate or the floor.
+  for (const char* tool : {"plate", "floor"})
+    set += line(std::string("tool.") + tool + ".contact",
+                "{ attraction = " + attraction_part(powder, bed.packing, glue_of(powder)) + " }");
   return set;
 }
 
 std::string unpressed_lines() {
   const std::string nothing = "{ kind = \"wait\", duration = \"1 us\" }";
-  return line("step.lower", nothing) + line("step.press", nothing) + line("probe.plate.interval", "\"1 ms\"");
+  return line("step.lower", nothing) + line("step.press", nothing) + line("step.pull", nothing) +
+         line("probe.plate.interval", "\"1 ms\"");
 }
 
 double surface_of(const results::PowderState& powder) {

@@ -1,76 +1,84 @@
-// Confined compression of adhesive beds in five cycles between 0.5 and 15 kPa (Kottlan 2018, section 2.7.2):
-// compressibility, stiffness on loading and unloading, final solid fraction. Beds are periodic in x and y in
-// place of the cylinder and are not cut: the initial height is that of the plate at 50 Pa. Coarse: 8 d wide,
-// 15 d of powder; medium: 10 d and 20 d; published: 16 d and 20 d.
+// Confined compression in five cycles and tension of the calibrated lactoses (Kottlan 2018, sections 2.7.2
+// and 2.7.3). Beds are periodic in x and y in place of the cylinder, of spheres of one size, and not cut.
+// Coarse: 8 d wide, 15 d of powder; medium: 10 d and 20 d; published: 16 d and 20 d.
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
-#include "process/laboratory/published/adhesive_bed.h"
-#include "process/laboratory/published/bulk_curves.h"
 #include "process/laboratory/published/experiments.h"
-#include "process/laboratory/published/lab_powder.h"
-#include "process/laboratory/published/load_cycles.h"
+#include "process/laboratory/published/pressed_bed.h"
 
 namespace diefill::process::laboratory {
 namespace {
 
-constexpr LoadCycle kLoads;
-constexpr double kTouch = 50, kRest = 100;  // Pa
-constexpr const char* kPacked = "packed";
-
-struct Powder {
-  const char *name, *id;
-  AdhesivePowder parameters;
+struct Lactose {
+  std::string id;  ///< of its published figures
+  PressedBed bed;
 };
 
-std::vector<Powder> powders() {
-  return {{"LH100", "L100", lh100()}, {"LH220", "L220", lh220()}};
+std::vector<Lactose> lactoses(LabSize size) {
+  const AdhesiveBed bed = size == LabSize::coarse   ? AdhesiveBed{8, 15}
+                          : size == LabSize::medium ? AdhesiveBed{10, 20}
+                                                    : AdhesiveBed{16, 20};
+  return {{"L100", {"LH100", lh100(), bed}}, {"L220", {"LH220", lh220(), bed}}};
 }
 
-AdhesiveBed bed_of(LabSize size) {
-  if (size == LabSize::coarse) return {8, 15};
-  return size == LabSize::medium ? AdhesiveBed{10, 20} : AdhesiveBed{16, 20};
+using OfBed = double (*)(const BedMetrics&);
+
+LabQuantity quantity(const Lactose& one, const std::string& id, OfBed value) {
+  return {
+      .id = id, .quantity = "", .unit = "", .runs = {one.bed.name}, .value = [=](const SeedResults& seed) {
+        return value(metrics_of(seed, one.bed));
+      }};
 }
 
-LabRun run_of(const Powder& powder, LabSize size) {
-  Loads loads;
-  loads.stresses = {kLoads.high};
-  for (int k = 0; k < kLoads.cycles; ++k)
-    loads.stresses.insert(loads.stresses.end(), {kLoads.low, kLoads.high});
-  loads.stresses.push_back(kRest);
-  return {powder.name, "adhesive_bed.toml", {pressed_bed_lines(powder.parameters, bed_of(size), loads), {}}};
+LabQuantity fraction(const Lactose& one, const std::string& when, OfBed value) {
+  LabQuantity of = quantity(one, one.bed.name + "-phi-" + when, value);
+  of.quantity = one.bed.name + ": solid fraction " + when + " compression";
+  of.unit = "1";
+  return of;
 }
 
-LoadCurve curve_of(const SeedResults& seed, const Powder& powder, LabSize size) {
-  const double d = powder.parameters.diameter(), width = bed_of(size).width * d;
-  const double start = plate_height(bed_of(size)) * d;
-  const TimeCurve force = probe_curve(seed, powder.name, "plate", "force z"),
-                  shift = probe_curve(seed, powder.name, "plate", "shift z");
-  const double lowered = start_of_motion(seed, powder.name, "plate");
-  LoadCurve curve;
-  for (std::size_t k = 0; k < force.value.size(); ++k) {
-    const double stress = force.value[k] / (width * width);
-    // Flying spheres hit the plate, too, before it moves.
-    if (force.time[k] < lowered || (curve.stress.empty() && stress < kTouch)) continue;
-    curve.height.push_back(start + shift.value[k]);
-    curve.stress.push_back(stress);
-  }
-  return curve;
+/// The smaller one of both powders.
+LabQuantity smaller(const std::vector<Lactose>& all, const char* id, OfBed value) {
+  LabQuantity of{.id = id, .quantity = "", .unit = "", .runs = {}, .value = [=](const SeedResults& seed) {
+                   double least = std::numeric_limits<double>::infinity();
+                   for (const Lactose& one : all) least = std::min(least, value(metrics_of(seed, one.bed)));
+                   return least;
+                 }};
+  for (const Lactose& one : all) of.runs.push_back(one.bed.name);
+  return of;
 }
 
-results::ExperimentChart chart_of(const LabSetting& setting, const SeedResults& seed) {
+void add_quantities(LabPlan& plan, const Lactose& one) {
+  const std::string id = one.id + "-pred-";
+  plan.quantities.push_back(
+      quantity(one, id + "beta", [](const BedMetrics& of) { return 100 * of.stiffness.beta; }));
+  plan.quantities.push_back(
+      quantity(one, id + "k_load", [](const BedMetrics& of) { return 1e-6 * of.stiffness.loading; }));
+  plan.quantities.push_back(
+      quantity(one, id + "k_unload", [](const BedMetrics& of) { return 1e-6 * of.stiffness.unloading; }));
+  plan.quantities.push_back(
+      quantity(one, id + "sigma_tens", [](const BedMetrics& of) { return 1e-3 * of.strength; }));
+  plan.quantities.push_back(
+      fraction(one, "before", [](const BedMetrics& of) { return of.initial_fraction; }));
+  plan.quantities.push_back(fraction(one, "after", [](const BedMetrics& of) { return of.final_fraction; }));
+}
+
+results::ExperimentSeries empty_series(const Lactose& one) {
+  return {.name = one.bed.name, .role = results::ExperimentSeries::Role::predicted, .x = {}, .y = {}};
+}
+
+results::ExperimentChart load_chart(const std::vector<Lactose>& all, const SeedResults& seed) {
   results::ExperimentChart chart;
   chart.name = "confined_compression";
   chart.title = "Confined compression of lactose in five cycles";
   chart.subtitle = "Periodic beds, spheres of one size, calibrated sets (Kottlan 2018)";
-  chart.x = {.label = "Height over that at 50 Pa, decrease [%]"};
+  chart.x = {.label = "Compression from 50 Pa on [%]"};
   chart.y = {.label = "Stress on the plate [kPa]"};
-  for (const Powder& powder : powders()) {
-    if (!seed.has(powder.name)) continue;
-    const LoadCurve curve = curve_of(seed, powder, setting.size);
-    results::ExperimentSeries series{
-        .name = powder.name, .role = results::ExperimentSeries::Role::predicted, .x = {}, .y = {}};
+  for (const Lactose& one : all) {
+    if (!seed.has(one.bed.name)) continue;
+    const LoadCurve curve = load_curve(seed, one.bed);
+    results::ExperimentSeries series = empty_series(one);
     for (std::size_t k = 0; k < curve.height.size(); ++k) {
       series.x.push_back(100 * (1 - curve.height[k] / curve.height.front()));
       series.y.push_back(1e-3 * curve.stress[k]);
@@ -80,65 +88,40 @@ results::ExperimentChart chart_of(const LabSetting& setting, const SeedResults& 
   return chart;
 }
 
-using OfStiffness = double (*)(const Stiffness&);
-
-LabQuantity stiffness_quantity(const Powder& powder, const std::string& id, LabSize size, OfStiffness value) {
-  return {.id = id, .quantity = "", .unit = "", .runs = {powder.name}, .value = [=](const SeedResults& seed) {
-            return value(stiffness_of(curve_of(seed, powder, size), kLoads));
-          }};
-}
-
-/// Of the bed's middle six tenths.
-double middle_fraction(const results::PowderState& powder) {
-  const double top = surface_of(powder);
-  return fraction_between(powder, 0.2 * top, 0.8 * top);
-}
-
-void add_fractions(LabPlan& plan, const Powder& powder) {
-  const std::string run = powder.name;
-  plan.quantities.push_back(
-      {.id = run + "-phi_initial",
-       .quantity = run + ": solid fraction before compression",
-       .unit = "1",
-       .runs = {run},
-       .value = [run](const SeedResults& seed) { return middle_fraction(seed.at(run, kPacked).powder); }});
-  plan.quantities.push_back(
-      {.id = run + "-phi_final",
-       .quantity = run + ": solid fraction after compression",
-       .unit = "1",
-       .runs = {run},
-       .value = [run](const SeedResults& seed) { return middle_fraction(seed.of(run).powder); }});
+results::ExperimentChart pull_chart(const std::vector<Lactose>& all, const SeedResults& seed) {
+  results::ExperimentChart chart;
+  chart.name = "tension";
+  chart.title = "Lactose pulled apart after compression";
+  chart.subtitle = "Plate and floor glued, calibrated sets (Kottlan 2018)";
+  chart.x = {.label = "Way of the plate [d]"};
+  chart.y = {.label = "Pull on the plate [kPa]"};
+  for (const Lactose& one : all) {
+    if (!seed.has(one.bed.name)) continue;
+    const PullCurve curve = pull_curve(seed, one.bed);
+    results::ExperimentSeries series = empty_series(one);
+    for (std::size_t k = 0; k < curve.way.size(); ++k) {
+      series.x.push_back((curve.way[k] - curve.way.front()) / one.bed.powder.diameter());
+      series.y.push_back(1e-3 * curve.pull[k] / one.bed.area());
+    }
+    chart.series.push_back(std::move(series));
+  }
+  return chart;
 }
 
 }  // namespace
 
 LabPlan plan_confined_compression(const LabSetting& setting) {
+  const std::vector<Lactose> all = lactoses(setting.size);
   LabPlan plan;
-  for (const Powder& powder : powders()) {
-    plan.runs.push_back(run_of(powder, setting.size));
-    const std::string id = std::string(powder.id) + "-pred-";
-    plan.quantities.push_back(stiffness_quantity(powder, id + "beta", setting.size,
-                                                 [](const Stiffness& of) { return 100 * of.beta; }));
-    plan.quantities.push_back(stiffness_quantity(powder, id + "k_load", setting.size,
-                                                 [](const Stiffness& of) { return 1e-6 * of.loading; }));
-    plan.quantities.push_back(stiffness_quantity(powder, id + "k_unload", setting.size,
-                                                 [](const Stiffness& of) { return 1e-6 * of.unloading; }));
-    add_fractions(plan, powder);
+  for (const Lactose& one : all) {
+    plan.runs.push_back(run_of(one.bed));
+    add_quantities(plan, one);
   }
-  plan.quantities.push_back({.id = "SCR-order",
-                             .quantity = "",
-                             .unit = "",
-                             .runs = {"LH100", "LH220"},
-                             .value = [size = setting.size](const SeedResults& seed) {
-                               double least = std::numeric_limits<double>::infinity();
-                               for (const Powder& powder : powders()) {
-                                 const Stiffness of = stiffness_of(curve_of(seed, powder, size), kLoads);
-                                 least = std::min(least, of.unloading / of.loading);
-                               }
-                               return least;
-                             }});
-  plan.charts = [setting](const std::vector<SeedResults>& seeds) {
-    return std::vector{chart_of(setting, seeds.front())};
+  plan.quantities.push_back(smaller(
+      all, "SCR-order", [](const BedMetrics& of) { return of.stiffness.unloading / of.stiffness.loading; }));
+  plan.quantities.push_back(smaller(all, "SCR-tens2", [](const BedMetrics& of) { return of.fracture; }));
+  plan.charts = [all](const std::vector<SeedResults>& seeds) {
+    return std::vector{load_chart(all, seeds.front()), pull_chart(all, seeds.front())};
   };
   return plan;
 }

@@ -27,6 +27,12 @@ LabPlan plan_damping(const LabSetting& setting);
 LabPlan plan_packing(const LabSetting& setting);
 /// Adhesive beds pressed in five cycles (Kottlan 2018, section 2.7.2).
 LabPlan plan_confined_compression(const LabSetting& setting);
+/// The same for the 33 beds of each published design: screening (Table 17), calibration over a large range
+/// (Table 18) and over the ranges of LH100 and LH220 (Table 8).
+LabPlan plan_lactose_screening(const LabSetting& setting);
+LabPlan plan_lactose_large_range(const LabSetting& setting);
+LabPlan plan_lh100_range(const LabSetting& setting);
+LabPlan plan_lh220_range(const LabSetting& setting);
 /// Half angle and slot of a wedge hopper from a shear test (Kottlan 2018, section 3.4).
 LabPlan plan_hopper_design(const LabSetting& setting);
 /// Angles of the heaps on slider and floor (sections 4.1.3 and 4.1.4, E5).

@@ -28,4 +28,19 @@ struct Stiffness {
 /// Means over the cycles (Eqs. 31 to 33), strain over h_1. Loads count as reached within 1 %.
 Stiffness stiffness_of(const LoadCurve& curve, const LoadCycle& loads);
 
+/// A plate that is pulled off: its way (m) and the pull of the bed on it (N), in order of time.
+struct PullCurve {
+  std::vector<double> way, pull;
+};
+
+/// What the curve says; NaN where it has fewer than 20 rows.
+struct Tension {
+  double strength = std::numeric_limits<double>::quiet_NaN();  ///< N, peak less what stays on the plate
+  /// m, from the peak to where the pull has fallen to a tenth of the strength for good.
+  double fracture = std::numeric_limits<double>::quiet_NaN();
+};
+
+/// The weight of what stays is the mean over the last twentieth of the rows (Kottlan 2018, section 2.7.3).
+Tension tension_of(const PullCurve& curve);
+
 }  // namespace diefill::process::laboratory

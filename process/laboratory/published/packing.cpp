@@ -4,9 +4,9 @@
 #include <cmath>
 #include <string>
 
-#include "process/laboratory/published/adhesive_bed.h"
 #include "process/laboratory/published/experiments.h"
 #include "process/laboratory/published/lab_powder.h"
+#include "process/laboratory/published/pressed_bed.h"
 
 namespace diefill::process::laboratory {
 namespace {
@@ -51,11 +51,8 @@ LabRun run_of(const Way& way, double diameter, LabSize size) {
           {packed_bed_lines(centre_of_screening(diameter), bed) + unpressed_lines(), {}}};
 }
 
-/// Of the middle six tenths of the bed.
 double fraction(const SeedResults& seed, const Way& way, double diameter) {
-  const results::PowderState& powder = seed.of(run_name(way, diameter)).powder;
-  const double top = surface_of(powder);
-  return fraction_between(powder, 0.2 * top, 0.8 * top);
+  return middle_fraction(seed.of(run_name(way, diameter)).powder);
 }
 
 /// How much less the smallest spheres fill than the largest.

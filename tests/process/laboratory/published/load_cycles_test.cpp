@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -46,6 +47,20 @@ TEST(LoadCycles, ACurveThatEndsTooSoonHasNoStiffness) {
   const Stiffness found = stiffness_of(curve, {});
   EXPECT_NEAR(found.beta, 0.2, 0.003);
   EXPECT_TRUE(std::isnan(found.loading));
+}
+
+TEST(LoadCycles, TensionIsThePeakLessWhatStaysOnThePlate) {
+  PullCurve curve;
+  for (int n = 0; n <= 1000; ++n) {
+    const double way = 1e-6 * n;
+    curve.way.push_back(way);
+    // Rises to 1 N beside 0.2 N of weight, and falls in a straight line.
+    curve.pull.push_back(0.2 + (n <= 100 ? n / 100.0 : std::max(0.0, 1 - (n - 100) / 400.0)));
+  }
+  const Tension tension = tension_of(curve);
+  EXPECT_NEAR(tension.strength, 1, 1e-12);
+  EXPECT_NEAR(tension.fracture, 360e-6, 2e-6);
+  EXPECT_TRUE(std::isnan(tension_of({}).strength));
 }
 
 TEST(AdhesiveBed, StiffnessAndDampingAreThoseOfTheSource) {
