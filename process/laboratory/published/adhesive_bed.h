@@ -46,7 +46,7 @@ enum class Packing {
 
 /// A bed, in grain diameters.
 struct AdhesiveBed {
-  double width = 8, fill = 15;
+  double width = 6, fill = 10;
   Packing packing = Packing::clusters;
 };
 

@@ -16,8 +16,8 @@ struct Lactose {
 };
 
 std::vector<Lactose> lactoses(LabSize size) {
-  const AdhesiveBed bed = size == LabSize::coarse   ? AdhesiveBed{8, 15}
-                          : size == LabSize::medium ? AdhesiveBed{10, 20}
+  const AdhesiveBed bed = size == LabSize::coarse   ? AdhesiveBed{6, 10}
+                          : size == LabSize::medium ? AdhesiveBed{8, 15}
                                                     : AdhesiveBed{16, 20};
   return {{"L100", {"LH100", lh100(), bed}}, {"L220", {"LH220", lh220(), bed}}};
 }
