@@ -52,7 +52,7 @@ std::vector<ProfileChart> profile_charts(const results::FillResult& result) {
     charts.push_back({&profile, (level ? "fill_level" : "height_profile") + suffix + ".png"});
   }
   if (charts.empty() && !result.profiles.empty())
-    charts.push_back({&result.profiles.front(), "height_profile.png"});
+    charts.push_back({&result.profiles.front(), std::string("height_profile.png")});
   return charts;
 }
 
