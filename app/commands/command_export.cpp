@@ -63,8 +63,8 @@ std::vector<PointArray> grid_arrays(const results::FillResult& result, const ren
 
 /// The powder at the end, and powder and tools at all instants where the results hold any.
 std::vector<std::filesystem::path> write_powder(const results::FillResult& result,
-                                                const std::filesystem::path& out) {
-  auto written = write_filling_series(result, out, out / "filling.pvd");
+                                                const std::filesystem::path& out, const FieldWriter& fields) {
+  auto written = write_filling_series(result, out, out / "filling.pvd", fields);
   if (!written.empty()) return written;
   render::write_points(out / "powder.vtp", result.powder.position, grain_arrays(result));
   return {out / "powder.vtp"};
@@ -95,12 +95,17 @@ int export_results(const std::string& directory, const std::string& wanted_out, 
     export_density(result, density, averaging_width, out);
     return kDone;
   }
-  auto written = write_powder(result, out);
+  const auto grid = grid_over(result, 0.5 * averaging_width);
+  const FieldWriter write_fields = [&](const results::FillResult& then, const std::filesystem::path& file) {
+    render::write_grid(file, grid, grid_arrays(then, grid, averaging_width));
+  };
+  auto written = write_powder(result, out, write_fields);
   render::write_tools(out / "tools.vtp", result.tools);
   written.push_back(out / "tools.vtp");
-  const auto grid = grid_over(result, 0.5 * averaging_width);
-  render::write_grid(out / "fields.vti", grid, grid_arrays(result, grid, averaging_width));
-  written.push_back(out / "fields.vti");
+  if (result.instants.empty()) {
+    write_fields(result, out / "fields.vti");
+    written.push_back(out / "fields.vti");
+  }
   for (const auto& file : written) std::printf("%s\n", file.c_str());
   return kDone;
 }
@@ -123,7 +128,9 @@ void add_export(CLI::App& program, Action& chosen) {
   command->footer(
       "Writes powder.vtp (grains with velocity, solid fraction, pressure), tools.vtp, and fields.vti "
       "(Gaussian averages over the cavity). If the scene sets measure.snapshot_interval, also writes "
-      "filling.pvd, which plays powder and tools over time, and its files powder_*.vtp and tool_*.vtp. "
+      "filling.pvd, which plays powder, tools and fields over time, and its files powder_*.vtp, tool_*.vtp "
+      "and "
+      "fields_*.vti. "
       "Lengths are in m.\n\nWith --density-for or --density-grid it writes the density instead: CSV, VTU or "
       "VTI, "
       "and *INITIAL CONDITIONS cards for Abaqus (relative density) and CalculiX.\n\n"
