@@ -67,6 +67,10 @@ for part in die core_rods punch shoe; do
   make_part gear/gear.scad gear/$part.stl -D "part=\"$part\""
 done
 
+for part in die punch_low punch_high shoe; do
+  make_part stepped_part/stepped_part.scad stepped_part/$part.stl -D "part=\"$part\""
+done
+
 # make_small_die NAME SHAPE WIDTH PARTS
 make_small_die() {
   for part in $4; do

@@ -2,6 +2,7 @@
 #include <thread>
 
 #include "app/commands/commands.h"
+#include "app/commands/renderer_choice.h"
 #include "app/commands/scene_choice.h"
 #include "app/exit_code.h"
 #include "app/kept_notes.h"
@@ -148,6 +149,7 @@ void add_compare(CLI::App& program, Action& chosen) {
       ->check(CLI::Range(1, 1000));
   command->add_option("--jobs", arguments->jobs, "runs at a time, sharing the cores (default: 1)")
       ->check(CLI::Range(1, 1024));
+  add_renderer(*command);
   add_setting(*command, arguments->setting);
   auto* measured =
       command

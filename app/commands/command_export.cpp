@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "app/commands/commands.h"
+#include "app/commands/export_density.h"
 #include "app/exit_code.h"
 #include "app/pictures/paraview_series.h"
 #include "process/input/units.h"
@@ -62,8 +63,8 @@ std::vector<PointArray> grid_arrays(const results::FillResult& result, const ren
 
 /// The powder at the end, and powder and tools at all instants where the results hold any.
 std::vector<std::filesystem::path> write_powder(const results::FillResult& result,
-                                                const std::filesystem::path& out) {
-  auto written = write_filling_series(result, out, out / "filling.pvd");
+                                                const std::filesystem::path& out, const FieldWriter& fields) {
+  auto written = write_filling_series(result, out, out / "filling.pvd", fields);
   if (!written.empty()) return written;
   render::write_points(out / "powder.vtp", result.powder.position, grain_arrays(result));
   return {out / "powder.vtp"};
@@ -80,7 +81,8 @@ double averaging_width_of(const std::string& given, const results::FillResult& r
   throw process::SceneError("--averaging-width: found \"" + given + "\", allowed: more than 0");
 }
 
-int export_results(const std::string& directory, const std::string& wanted_out, const std::string& width) {
+int export_results(const std::string& directory, const std::string& wanted_out, const std::string& width,
+                   const DensityOptions& density) {
   const auto result = results::read_results(directory);
   if (result.powder.position.empty())
     throw process::SceneError(directory +
@@ -89,12 +91,21 @@ int export_results(const std::string& directory, const std::string& wanted_out, 
   const std::filesystem::path out =
       wanted_out.empty() ? std::filesystem::path(directory) / "paraview" : std::filesystem::path(wanted_out);
   std::filesystem::create_directories(out);
-  auto written = write_powder(result, out);
+  if (density.wanted()) {
+    export_density(result, density, averaging_width, out);
+    return kDone;
+  }
+  const auto grid = grid_over(result, 0.5 * averaging_width);
+  const FieldWriter write_fields = [&](const results::FillResult& then, const std::filesystem::path& file) {
+    render::write_grid(file, grid, grid_arrays(then, grid, averaging_width));
+  };
+  auto written = write_powder(result, out, write_fields);
   render::write_tools(out / "tools.vtp", result.tools);
   written.push_back(out / "tools.vtp");
-  const auto grid = grid_over(result, 0.5 * averaging_width);
-  render::write_grid(out / "fields.vti", grid, grid_arrays(result, grid, averaging_width));
-  written.push_back(out / "fields.vti");
+  if (result.instants.empty()) {
+    write_fields(result, out / "fields.vti");
+    written.push_back(out / "fields.vti");
+  }
   for (const auto& file : written) std::printf("%s\n", file.c_str());
   return kDone;
 }
@@ -105,6 +116,7 @@ void add_export(CLI::App& program, Action& chosen) {
   auto* command = program.add_subcommand("export", "Write results as VTK files, for ParaView");
   struct Arguments {
     std::string directory, out, averaging_width;
+    DensityOptions density;
   };
   auto arguments = std::make_shared<Arguments>();
   command->add_option("DIR", arguments->directory, "results directory of a run")->required();
@@ -112,14 +124,23 @@ void add_export(CLI::App& program, Action& chosen) {
   command->add_option("--averaging-width", arguments->averaging_width,
                       "Gaussian width sigma of the fields, such as '1 mm' (default: the larger of 0.5 mm and "
                       "half the grain size)");
+  add_density_options(*command, arguments->density);
   command->footer(
       "Writes powder.vtp (grains with velocity, solid fraction, pressure), tools.vtp, and fields.vti "
       "(Gaussian averages over the cavity). If the scene sets measure.snapshot_interval, also writes "
-      "filling.pvd, which plays powder and tools over time, and its files powder_*.vtp and tool_*.vtp. "
-      "Lengths are in m.\n\nExample:\n  diefill export out/narrow_ring");
+      "filling.pvd, which plays powder, tools and fields over time, and its files powder_*.vtp, tool_*.vtp "
+      "and "
+      "fields_*.vti. "
+      "Lengths are in m.\n\nWith --density-for or --density-grid it writes the density instead: CSV, VTU or "
+      "VTI, "
+      "and *INITIAL CONDITIONS cards for Abaqus (relative density) and CalculiX.\n\n"
+      "Examples:\n  diefill export out/narrow_ring\n"
+      "  diefill export out/stepped_part --density-for stepped_part.msh --mesh-unit mm\n"
+      "  diefill export out/stepped_part --density-grid '0.5 mm'");
   command->callback([arguments, &chosen] {
     chosen = [arguments] {
-      return export_results(arguments->directory, arguments->out, arguments->averaging_width);
+      return export_results(arguments->directory, arguments->out, arguments->averaging_width,
+                            arguments->density);
     };
   });
 }

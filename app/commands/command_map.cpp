@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "app/commands/commands.h"
+#include "app/commands/renderer_choice.h"
 #include "app/exit_code.h"
 #include "app/output.h"
 #include "app/pictures/drawing.h"
@@ -282,7 +283,9 @@ void add_look_options(CLI::App& command, MapArguments& arguments) {
       .add_option("--camera", arguments.camera,
                   "front, side, corner, above, top, or azimuth and elevation in degrees, such as 30,20")
       ->capture_default_str();
-  command.add_flag("--ambient-occlusion", arguments.ambient_occlusion, "shade gaps between grains");
+  add_renderer(command);
+  command.add_flag("--ambient-occlusion", arguments.ambient_occlusion,
+                   "shade gaps between grains with --renderer opengl; embree always does");
   command.add_option("--width", arguments.width, "width of PNG files in pixels")
       ->check(CLI::Range(400, 6400))
       ->capture_default_str();

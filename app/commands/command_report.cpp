@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/commands/commands.h"
+#include "app/commands/renderer_choice.h"
 #include "app/exit_code.h"
 #include "app/output.h"
 #include "app/pictures/drawing.h"
@@ -104,6 +105,7 @@ void add_report(CLI::App& program, Action& chosen) {
       ->add_option("--measured", arguments->measured,
                    "CSV of a measured profile or map to hold the results against")
       ->allow_extra_args(false);
+  add_renderer(*command);
   command->add_flag("--pdf", arguments->pdf, "also write a PDF next to the HTML page");
   command->add_option("--out", arguments->out,
                       "file of the HTML page (default: report.html in the first DIR)");

@@ -5,6 +5,7 @@
 #include "app/commands/commands.h"
 #include "app/commands/earlier_run.h"
 #include "app/commands/powder_sample_runs.h"
+#include "app/commands/renderer_choice.h"
 #include "app/commands/scene_choice.h"
 #include "app/exit_code.h"
 #include "app/freed_memory.h"
@@ -191,6 +192,7 @@ void add_run(CLI::App& program, Action& chosen) {
       ->add_option("--threads", arguments->threads,
                    "number of threads (default: all cores); does not affect results")
       ->check(CLI::Range(1, 1024));
+  add_renderer(*command);
   add_setting(*command, arguments->setting);
   command->add_flag("--resume", arguments->resume,
                     "continue from the checkpoint in the results directory; a finished run is kept");

@@ -66,6 +66,12 @@ class SeriesWriter {
     add(time, static_cast<int>(number) + 1, tool.name, last.file);
   }
 
+  void grid(const FieldWriter& write, const results::FillResult& then, const std::string& name) {
+    write(then, folder_ / name);
+    add(then.powder.time, static_cast<int>(then.tools.size()) + 1, "fields", name);
+    written_.push_back(folder_ / name);
+  }
+
   std::vector<std::filesystem::path> finish() {
     render::write_series(series_, files_);
     written_.push_back(series_);
@@ -115,18 +121,22 @@ std::vector<PointArray> grain_arrays(const results::FillResult& result) {
 
 std::vector<std::filesystem::path> write_filling_series(const results::FillResult& result,
                                                         const std::filesystem::path& folder,
-                                                        const std::filesystem::path& series) {
+                                                        const std::filesystem::path& series,
+                                                        const FieldWriter& fields) {
   if (result.instants.empty()) return {};
   std::filesystem::create_directories(folder);
   SeriesWriter writer(folder, series);
   for (std::size_t n = 0; n < result.instants.size(); ++n) {
-    const auto then = process::result_at(result, result.instants[n].time, false);
+    auto then = process::result_at(result, result.instants[n].time, static_cast<bool>(fields));
+    then.contact_stress = {};  // known at the end alone
     writer.powder(then, numbered("powder_%04zu.vtp", n));
     for (std::size_t k = 0; k < then.tools.size(); ++k) writer.tool(then.tools[k], k, n, then.powder.time);
+    if (fields) writer.grid(fields, then, numbered("fields_%04zu.vti", n));
   }
   writer.powder(result, "powder.vtp");
   for (std::size_t k = 0; k < result.tools.size(); ++k)
     writer.tool(result.tools[k], k, result.instants.size(), result.powder.time);
+  if (fields) writer.grid(fields, result, "fields.vti");
   return writer.finish();
 }
 

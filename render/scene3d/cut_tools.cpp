@@ -30,7 +30,7 @@ Tone tone_of(const std::string& role) {
 
 }  // namespace
 
-vtkSmartPointer<vtkActor> make_cut_tool(const results::ToolState& tool, double cut_y) {
+vtkSmartPointer<vtkPolyData> cut_surface(const results::ToolState& tool, double cut_y) {
   if (tool.triangles.empty()) return nullptr;
   const Tone tone = tone_of(tool.role);
   const auto plane = vtkSmartPointer<vtkPlane>::New();
@@ -50,9 +50,14 @@ vtkSmartPointer<vtkActor> make_cut_tool(const results::ToolState& tool, double c
   normals->ConsistencyOff();
   normals->Update();
   if (normals->GetOutput()->GetNumberOfCells() == 0) return nullptr;
+  return normals->GetOutput();
+}
 
+vtkSmartPointer<vtkActor> make_cut_tool(const results::ToolState& tool, double cut_y) {
+  const auto surface = cut_surface(tool, cut_y);
+  if (!surface) return nullptr;
   const auto mapper = vtkSmartPointer<vtkPolyDataMapper>::New();
-  mapper->SetInputData(normals->GetOutput());
+  mapper->SetInputData(surface);
   mapper->SetScalarModeToUseCellData();
   auto actor = vtkSmartPointer<vtkActor>::New();
   actor->SetMapper(mapper);

@@ -23,13 +23,13 @@
 
 #include "render/offscreen/offscreen.h"
 #include "render/scene3d/cut_tools.h"
+#include "render/scene3d/traced_view.h"
 
 namespace diefill::render {
 namespace {
 
 constexpr int kOversampling = 2;
 constexpr const char* kRadius = "radius";
-constexpr double kTranslucency = 0.13;  // opacity of tools seen through
 
 // Spheres of the grains whose centre lies behind the cut; whole grains, so that none is drawn in part.
 vtkSmartPointer<vtkPolyData> spheres_behind_cut(const results::PowderState& powder,
@@ -126,10 +126,25 @@ QImage read_back(OffscreenWindow& window, int width, int height) {
   return QImage(pixels->GetPointer(0), width, height, 3 * width, QImage::Format_RGB888).mirrored();
 }
 
+Renderer& chosen_renderer() {
+  static Renderer chosen = Renderer::kEmbree;
+  return chosen;
+}
+
 }  // namespace
+
+Renderer renderer() {
+  return chosen_renderer();
+}
+
+void set_renderer(Renderer chosen) {
+  chosen_renderer() = chosen;
+}
 
 QImage draw_grains(const results::FillResult& result, const std::vector<Rgb>& grain_colours,
                    const ViewChoice& view, int width, int height, const SceneLook& look) {
+  if (look.drawn_by == Renderer::kEmbree)
+    return trace_grains(result, grain_colours, view, width, height, look);
   const auto window = vtkSmartPointer<OffscreenWindow>::New();
   window->open(kOversampling * width, kOversampling * height);
   const auto renderer = vtkSmartPointer<vtkRenderer>::New();

@@ -18,15 +18,30 @@ enum class ToolLook {
   kHidden
 };
 
-/// What a shaded view shows besides its framing.
-struct SceneLook {
-  ToolLook tools = ToolLook::kCut;
-  bool cut_powder = true;          ///< grains before the view's plane are taken away
-  bool ambient_occlusion = false;  ///< darkens gaps between grains
+/// What draws shaded views.
+enum class Renderer {
+  kEmbree,  ///< traces rays: soft shadow, ambient light, no OpenGL
+  kOpenGl   ///< VTK through OSMesa
 };
 
-/// Draws the scene as `view` frames it, on white, width x height pixels, smoothed by twofold oversampling.
-/// `grain_colours`: one a grain. Throws std::runtime_error when no software renderer is available.
+/// What draws where nothing else is said: Embree, until set_renderer. One for the program.
+Renderer renderer();
+void set_renderer(Renderer chosen);
+
+/// What a shaded view shows besides its framing.
+struct SceneLook {
+  Renderer drawn_by = renderer();
+  ToolLook tools = ToolLook::kCut;
+  bool cut_powder = true;          ///< grains before the view's plane are taken away
+  bool ambient_occlusion = false;  ///< OpenGL: darkens gaps between grains; Embree always does
+};
+
+/// Opacity of translucent tools.
+inline constexpr double kTranslucency = 0.13;
+
+/// Draws the scene as `view` frames it, on white, width x height pixels, smoothed by twofold oversampling,
+/// with the renderer of `look`. `grain_colours`: one a grain. Throws std::runtime_error when the renderer
+/// cannot be started.
 QImage draw_grains(const results::FillResult& result, const std::vector<Rgb>& grain_colours,
                    const ViewChoice& view, int width, int height, const SceneLook& look = {});
 

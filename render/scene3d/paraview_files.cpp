@@ -71,6 +71,16 @@ void write_grid(const std::filesystem::path& file, const PointGrid& grid,
   write<vtkXMLImageDataWriter>(file, data);
 }
 
+void write_cells(const std::filesystem::path& file, const PointGrid& grid,
+                 const std::vector<PointArray>& arrays) {
+  const auto data = vtkSmartPointer<vtkImageData>::New();
+  data->SetOrigin(grid.origin.x(), grid.origin.y(), grid.origin.z());
+  data->SetSpacing(grid.spacing, grid.spacing, grid.spacing);
+  data->SetDimensions(grid.counts.x() + 1, grid.counts.y() + 1, grid.counts.z() + 1);
+  for (const auto& array : arrays) data->GetCellData()->AddArray(vtk_array(array, grid.size()));
+  write<vtkXMLImageDataWriter>(file, data);
+}
+
 void write_tools(const std::filesystem::path& file, const std::vector<results::ToolState>& tools,
                  int counted_from) {
   const auto points = vtkSmartPointer<vtkPoints>::New();

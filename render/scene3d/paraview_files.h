@@ -34,6 +34,10 @@ struct PointGrid {
 void write_grid(const std::filesystem::path& file, const PointGrid& grid,
                 const std::vector<PointArray>& arrays);
 
+/// The same with values in cells: `grid` has its first corner as origin and `counts` cells along each axis.
+void write_cells(const std::filesystem::path& file, const PointGrid& grid,
+                 const std::vector<PointArray>& arrays);
+
 /// Writes tools (m) as one .vtp; "tool" counts them from `first`, in the order of the results.
 void write_tools(const std::filesystem::path& file, const std::vector<results::ToolState>& tools,
                  int first = 0);

@@ -39,6 +39,7 @@ const std::vector<Rule>& rules() {
        {"process/results/", "process/calibration/methods/"},
        {"Eigen/", "boost/math/", "boost/random/", "nlopt.h"}},
       {"render/", {"process/results/", "render/"}, {"Eigen/", "Q", "vtk", "GL/"}},
+      {"render/tracing/", {"render/"}, {"Eigen/", "Q", "embree3/", "oneapi/tbb/"}},
       {"render/report/critical_speed.cpp", {"render/", "process/results/"}, {"boost/math/"}},
       {"app/", {"engine/", "geometry/", "process/", "render/", "app/"}, {"Eigen/", "CLI/", "nlohmann/"}},
       {"app/freed_memory.cpp", {"app/"}, {"malloc.h"}},  // GNU's, where there is one

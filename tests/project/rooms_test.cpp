@@ -19,9 +19,9 @@ const std::map<std::string, std::vector<std::string>>& rooms() {
         "simulation", "observe", "limits"}},
       {"geometry", {"grids", "mesh", "solid", "cad", "voronoi", "reach", "cavity", "wall_spheres"}},
       {"process",
-       {"results", "measure", "input", "machine", "scene", "measured_data", "powder", "tooling", "setup",
-        "run", "plan", "compare", "tradeoff", "continuum", "laboratory", "calibration", "estimate"}},
-      {"render", {"style", "offscreen", "fields", "charts", "scene3d", "report"}},
+       {"results", "measure", "input", "machine", "scene", "measured_data", "press_mesh", "powder", "tooling",
+        "setup", "run", "plan", "compare", "tradeoff", "continuum", "laboratory", "calibration", "estimate"}},
+      {"render", {"style", "offscreen", "tracing", "fields", "charts", "scene3d", "report"}},
       {"app", {"tables", "pictures", "commands"}},
   };
   return all;

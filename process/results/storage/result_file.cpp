@@ -3,11 +3,13 @@
 #include <new>
 
 #include "process/results/storage/atomic_file.h"
+#include "process/results/storage/group_names.h"
 #include "process/results/storage/hdf5_read.h"
 #include "process/results/storage/hdf5_write.h"
 #include "process/results/storage/result_check.h"
 #include "process/results/storage/schema.h"
 #include "process/results/storage/sealed_file.h"
+#include "process/results/storage/shown_instants.h"
 #include "process/results/storage/sphere_view.h"
 #include "process/results/storage/unsealed_file.h"
 #include "process/results/storage/xdmf.h"
@@ -38,7 +40,29 @@ void write_spheres(Hdf5Writer& file, const FillResult& result) {
   });
 }
 
-std::string file_image(const FillResult& result) {
+/// The same over time.
+void write_shown(Hdf5Writer& file, const FillResult& result, const std::vector<ShownInstant>& instants) {
+  const auto names = shown_names(result);
+  std::vector<std::string> tools;
+  for (const ToolState& tool : result.tools) tools.push_back(tool.name);
+  tools = group_names(tools);
+  file.group("shown", "every instant, and the end, derived for results.xdmf", [&] {
+    for (std::size_t n = 0; n < instants.size(); ++n)
+      file.group(names[n], "", [&] {
+        file.field("diameter", instants[n].diameter, "m", "diameter of each grain");
+        if (!instants[n].solid_share.empty())
+          file.field("solid_share", instants[n].solid_share, "1",
+                     "solid volume over volume of each cell of the grid in results.xdmf, x fastest");
+        file.group("tools", "vertices of the tools that stand elsewhere than in /tools", [&] {
+          for (std::size_t t = 0; t < tools.size(); ++t)
+            if (!instants[n].vertices[t].empty())
+              file.field(tools[t], instants[n].vertices[t], "m", "mesh vertices, laboratory frame");
+        });
+      });
+  });
+}
+
+std::string file_image(const FillResult& result, const std::vector<ShownInstant>& instants) {
   Hdf5Writer file;
   file.file_attribute("format", kFormat);
   file.file_attribute("schema_version", kSchemaVersion);
@@ -50,6 +74,7 @@ std::string file_image(const FillResult& result) {
       "otherwise; every dataset is described by its attribute `description`.");
   describe(file, result);
   write_spheres(file, result);
+  write_shown(file, result, instants);
   return file.finish();
 }
 
@@ -85,7 +110,7 @@ std::string earlier_image(const std::filesystem::path& path) {
   if (file.file_number(kSealed) == 1)
     throw ResultError(path.string() +
                       ": damaged or truncated: the hash at its end is missing; run the scene again");
-  return file_image(described_in(file, path));
+  return file_image(described_in(file, path), {});
 }
 
 FillResult read_checked(const std::filesystem::path& path) {
@@ -113,8 +138,10 @@ FillResult read_checked(const std::filesystem::path& path) {
 void write_results(const std::filesystem::path& directory, const FillResult& result) {
   check_lengths(result);
   make_directory(directory);
-  write_text_atomically(directory / kFileName, sealed(file_image(result)));
-  write_text_atomically(directory / "results.xdmf", xdmf_text(result, kFileName));
+  const ShownGrid grid = shown_grid(result);
+  const auto instants = shown_instants(result, grid);
+  write_text_atomically(directory / kFileName, sealed(file_image(result, instants)));
+  write_text_atomically(directory / "results.xdmf", xdmf_text(result, instants, grid, kFileName));
 }
 
 FillResult read_results(const std::filesystem::path& directory) {

@@ -33,14 +33,23 @@ Shown read_part(const fs::path& file) {
   return {0.5 * (box[0] + box[1]), 0.5 * (box[4] + box[5]), reader->GetOutput()->GetNumberOfPoints()};
 }
 
-Series read_series(const fs::path& pvd) {
+/// Parts whose name matches `names`.
+Series read_series(const fs::path& pvd, const std::string& names = "[^\"]*") {
   const std::string text = contents(pvd);
-  const std::regex entry(
-      "timestep=\"([^\"]*)\" group=\"\" part=\"[0-9]+\" name=\"([^\"]*)\" file=\"([^\"]*)\"");
+  const std::regex entry("timestep=\"([^\"]*)\" group=\"\" part=\"[0-9]+\" name=\"(" + names +
+                         ")\" file=\"([^\"]*)\"");
   Series series;
   for (std::sregex_iterator at(text.begin(), text.end(), entry), end; at != end; ++at)
     series[(*at)[2]][std::stod((*at)[1])] = read_part(pvd.parent_path() / (*at)[3].str());
   return series;
+}
+
+/// How many files of this part there are.
+std::size_t times_of(const fs::path& pvd, const std::string& name) {
+  const std::string text = contents(pvd);
+  const std::regex entry("name=\"" + name + "\"");
+  return static_cast<std::size_t>(
+      std::distance(std::sregex_iterator(text.begin(), text.end(), entry), std::sregex_iterator()));
 }
 
 void expect_moving(const Series& series, std::size_t least) {
@@ -74,7 +83,12 @@ TEST(ParaviewSeries, PlaysPowderAndToolsOfARunFromOneFile) {
 
   const auto exported = die.folder() / "exported";
   ASSERT_EQ(run_program({"export", die.out().string(), "--out", exported.string()}).exit_code, 0);
-  expect_moving(read_series(exported / "filling.pvd"), 4);
+  const Series whole = read_series(exported / "filling.pvd", "powder|die|shoe");
+  expect_moving(whole, 4);
+  // One grid of the fields for every time.
+  EXPECT_EQ(times_of(exported / "filling.pvd", "fields"), whole.at("powder").size());
+  EXPECT_TRUE(fs::exists(exported / "fields_0000.vti"));
+  EXPECT_TRUE(fs::exists(exported / "fields.vti"));
 }
 
 }  // namespace

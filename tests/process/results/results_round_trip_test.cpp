@@ -3,6 +3,7 @@
 #include <sys/resource.h>
 
 #include <chrono>
+#include <cmath>
 #include <csignal>
 #include <cstring>
 #include <fstream>
@@ -11,6 +12,7 @@
 
 #include "process/results/storage/result_file.h"
 #include "process/results/storage/schema.h"
+#include "process/results/storage/shown_instants.h"
 #include "tests/process/results_sample.h"
 #include "tests/support/temporary_folder.h"
 
@@ -264,6 +266,38 @@ TEST(ResultXdmf, PointsAtSpheresAndTriangles) {
           "Format=\"HDF\">results.h5:/tools/die/triangles<"));
   EXPECT_TRUE(has("results.h5:/tools/a_b_c/vertices<"));
   EXPECT_FALSE(has("a_b_c_2"));  // that tool has no triangles
+}
+
+TEST(ResultXdmf, HoldsAllInstantsWithMovingToolsAndTheSolidShare) {
+  const support::TemporaryFolder scratch;
+  write_results(scratch.path(), sample_result(5));
+  const std::string text = contents(scratch.path() / "results.xdmf");
+  const auto count = [&](const std::string& part) {
+    int found = 0;
+    for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++found;
+    return found;
+  };
+  EXPECT_EQ(count("<Time Value="), 3);
+  EXPECT_EQ(count("Name=\"powder\""), 3);
+  EXPECT_EQ(count("Name=\"solid share\""), 3);
+  EXPECT_EQ(count("Name=\"spheres\""), 1);
+  EXPECT_EQ(count("results.h5:/instants/instant_2/position<"), 1);
+  EXPECT_EQ(count("results.h5:/shown/instant/tools/die<"), 1);  // it moved
+  EXPECT_EQ(count("results.h5:/tools/die/vertices<"), 1);       // at the end
+  EXPECT_LT(text.find("<Time Value=\"0.10000000000000001\""),
+            text.find("<Time Value=\"0.20000000000000001\""));
+}
+
+TEST(ResultXdmf, SolidShareHasTheVolumeOfTheGrainsInside) {
+  FillResult result = sample_result(5);
+  result.cavity.lower_corner = {-5e-3, -5e-3, -5e-3};
+  result.cavity.upper_corner = {5e-3, 5e-3, 5e-3};
+  const ShownGrid grid = shown_grid(result);
+  const auto instants = shown_instants(result, grid);
+  ASSERT_EQ(instants.size(), 3U);
+  double solid = 0;
+  for (const double share : instants.back().solid_share) solid += share * std::pow(grid.spacing, 3);
+  EXPECT_NEAR(solid / (5 * result.powder.grain_solid_volume), 1, 1e-12);
 }
 
 }  // namespace

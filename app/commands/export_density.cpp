@@ -1,0 +1,234 @@
+#include "app/commands/export_density.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <stdexcept>
+
+#include "app/output.h"
+#include "process/input/scene_error.h"
+#include "process/input/units.h"
+#include "process/measure/choose_cavity.h"
+#include "process/measure/fields/element_density.h"
+#include "process/measure/measure.h"
+#include "process/press_mesh/density_files.h"
+#include "process/press_mesh/density_grid.h"
+#include "process/press_mesh/read_press_mesh.h"
+#include "process/results/storage/atomic_file.h"
+#include "render/scene3d/paraview_files.h"
+#include "render/scene3d/solid_mesh_vtu.h"
+
+namespace diefill::app {
+namespace {
+
+double quantity(const std::string& option, const std::string& text, process::Dimension dimension) {
+  try {
+    return process::parse_quantity(text, dimension);
+  } catch (const process::UnitError& error) {
+    throw process::SceneError(option + ": found \"" + text + "\": " + error.what());
+  }
+}
+
+double positive(const std::string& option, const std::string& text, process::Dimension dimension) {
+  const double value = quantity(option, text, dimension);
+  if (value > 0) return value;
+  throw process::SceneError(option + ": found \"" + text + "\", allowed: more than 0");
+}
+
+results::SolidMesh read_mesh(const DensityOptions& options) {
+  const std::filesystem::path file = options.mesh;
+  const double unit = positive("--mesh-unit", "1 " + options.mesh_unit, process::Dimension::length);
+  const std::string ending = file.extension().string();
+  results::SolidMesh mesh;
+  if (ending == ".msh") {
+    mesh = process::read_gmsh(file, unit);
+  } else if (ending == ".inp") {
+    mesh = process::read_inp(file, unit);
+  } else if (ending == ".vtu") {
+    try {
+      mesh = render::read_vtu(file, unit);
+    } catch (const std::invalid_argument& error) {
+      throw process::SceneError(options.mesh + ": " + error.what());
+    }
+  } else {
+    throw process::SceneError("--density-for: found \"" + options.mesh +
+                              "\", allowed: a mesh ending in .vtu, .msh (Gmsh) or .inp (Abaqus, CalculiX)");
+  }
+  Eigen::Vector3d shift = Eigen::Vector3d::Zero();
+  for (std::size_t axis = 0; axis < options.mesh_position.size(); ++axis)
+    shift[static_cast<Eigen::Index>(axis)] =
+        quantity("--mesh-position", options.mesh_position[axis], process::Dimension::length);
+  for (auto& node : mesh.nodes) node += shift;
+  return mesh;
+}
+
+/// kg, of the whole cavity.
+double cavity_mass(const results::FillResult& result, const DensityOptions& options) {
+  if (options.mass == "filled") {
+    const double mass = process::filled_mass(result.powder, result.solid_fraction);
+    if (mass > 0) return mass;
+    throw process::SceneError(
+        "--mass filled: the cavity holds no powder; fill it, or give the mass, such as '12.3 g'");
+  }
+  if (options.mass != "expected") return positive("--mass", options.mass, process::Dimension::mass);
+  for (const char* figure : {"expected_mass_kg", "estimated_mass_kg"}) {
+    const auto found = result.figures.find(figure);
+    if (found != result.figures.end() && found->second > 0) return found->second;
+  }
+  throw process::SceneError(
+      "--mass expected: the report has no mass of the real powder; give it, such as '12.3 g'");
+}
+
+std::string box_text(const Eigen::Vector3d& lower, const Eigen::Vector3d& upper) {
+  char text[160];
+  std::snprintf(text, sizeof text, "x %.4g to %.4g, y %.4g to %.4g, z %.4g to %.4g mm", 1e3 * lower.x(),
+                1e3 * upper.x(), 1e3 * lower.y(), 1e3 * upper.y(), 1e3 * lower.z(), 1e3 * upper.z());
+  return text;
+}
+
+process::ElementDensity density_of(const results::FillResult& result, const results::SolidMesh& mesh,
+                                   const DensityOptions& options, double averaging_width, double mass) {
+  try {
+    return process::element_density(result, mesh, {averaging_width, options.mesh_share * mass});
+  } catch (const std::invalid_argument&) {
+    Eigen::Vector3d lower = mesh.nodes.front(), upper = lower;
+    for (const auto& node : mesh.nodes) lower = lower.cwiseMin(node), upper = upper.cwiseMax(node);
+    throw process::SceneError(options.mesh + ": no element lies in the powder: the mesh spans " +
+                              box_text(lower, upper) + ", the cavity " +
+                              box_text(result.cavity.lower_corner, result.cavity.upper_corner) +
+                              "; see --mesh-unit and --mesh-position");
+  }
+}
+
+/// "17, 18, 23 and 4 more".
+std::string list_text(const std::vector<std::uint64_t>& numbers) {
+  constexpr std::size_t kMost = 20;
+  std::string text;
+  for (std::size_t n = 0; n < std::min(kMost, numbers.size()); ++n)
+    text += (n == 0 ? "" : ", ") + std::to_string(numbers[n]);
+  if (numbers.size() > kMost) text += " and " + std::to_string(numbers.size() - kMost) + " more";
+  return text;
+}
+
+void print_density(const results::FillResult& result, const results::SolidMesh& mesh,
+                   const process::ElementDensity& density, const DensityOptions& options) {
+  double mass = 0, least = 1e300, most = 0;
+  for (std::size_t e = 0; e < density.mass.size(); ++e) {
+    mass += density.mass[e];
+    if (!(density.relative[e] > 0)) continue;
+    least = std::min(least, density.relative[e]);
+    most = std::max(most, density.relative[e]);
+  }
+  std::printf("mesh: %zu elements, %zu nodes, %.6g mm^3", mesh.elements.size(), mesh.nodes.size(),
+              1e9 * density.total_volume);
+  if (mesh.left_out > 0) std::printf("; %zu elements without volume left out", mesh.left_out);
+  std::printf("\nmass of the elements: %.7g g\n", 1e3 * mass);
+  std::printf("relative density: mean %.4f, %.4f to %.4f; solid %.0f kg/m^3\n",
+              mass / (density.solid_density * density.total_volume), least, most, density.solid_density);
+  std::printf("factor that conserves the mass: %.4f\n", density.scale);
+  if (!density.outside.empty())
+    std::printf("outside the powder: %zu elements: %s\n", density.outside.size(),
+                list_text(density.outside).c_str());
+  constexpr double kDifference = 0.05;
+  const double expected = options.mesh_share * result.cavity.volume;
+  if (expected > 0 && std::abs(density.total_volume / expected - 1) > kDifference)
+    std::fprintf(stderr,
+                 "diefill: the mesh has %.0f %% of the volume of %s (%.6g mm^3), and gets its whole mass; "
+                 "--mesh-share 0.25 stands for a quarter model\n",
+                 100 * density.total_volume / expected,
+                 options.mesh_share == 1 ? "the cavity" : "that share of the cavity", 1e9 * expected);
+}
+
+using Files = std::vector<std::filesystem::path>;
+
+void write_mesh_density(const results::FillResult& result, const DensityOptions& options,
+                        double averaging_width, const std::filesystem::path& out, Files& written) {
+  const results::SolidMesh mesh = read_mesh(options);
+  const auto density = density_of(result, mesh, options, averaging_width, cavity_mass(result, options));
+  print_density(result, mesh, density, options);
+  const std::string stem = process::file_stem(options.mesh);
+  const process::DensityNote note{std::filesystem::path(options.mesh).filename().string(), result.title};
+  for (auto& file : process::write_density_files(out, stem, mesh, density, note))
+    written.push_back(std::move(file));
+  const auto in_kg = [&](std::vector<double> relative) {
+    for (double& value : relative) value *= density.solid_density;
+    return relative;
+  };
+  written.push_back(out / (stem + "_density.vtu"));
+  render::write_vtu(
+      written.back(), mesh,
+      {{"relative density", 1, density.node_relative}, {"density [kg/m^3]", 1, in_kg(density.node_relative)}},
+      {{"relative density", 1, density.relative},
+       {"density [kg/m^3]", 1, in_kg(density.relative)},
+       {"mass [kg]", 1, density.mass},
+       {"share in powder", 1, density.filled}});
+}
+
+void write_grid_density(const results::FillResult& result, const DensityOptions& options,
+                        double averaging_width, const std::filesystem::path& out, Files& written) {
+  const double spacing = positive("--density-grid", options.grid, process::Dimension::length);
+  process::DensityGrid grid;
+  try {
+    grid = process::density_grid(result, spacing, averaging_width, cavity_mass(result, options));
+  } catch (const std::invalid_argument& error) {
+    throw process::SceneError("--density-grid: " + std::string(error.what()));
+  }
+  written.push_back(out / "density_grid.csv");
+  results::write_text_atomically(written.back(),
+                                 process::density_grid_csv(grid, process::solid_density(result)));
+  written.push_back(out / "density_grid.vti");
+  render::write_cells(written.back(), {grid.origin, grid.spacing, grid.cells},
+                      {{"relative density", 1, grid.relative}, {"mass [kg]", 1, grid.mass}});
+}
+
+}  // namespace
+
+void add_density_options(CLI::App& command, DensityOptions& options) {
+  const std::string group = "For a press simulation";
+  const auto add = [&](const char* name, auto& value, const char* text) {
+    return command.add_option(name, value, text)->group(group);
+  };
+  add("--density-for", options.mesh,
+      "finite-element mesh (.vtu, .msh of Gmsh, .inp of Abaqus or CalculiX): write the density of its "
+      "elements "
+      "and nodes");
+  add("--mesh-unit", options.mesh_unit, "unit of length of the mesh")->capture_default_str();
+  add("--mesh-position", options.mesh_position,
+      "where the mesh's origin is in the scene, such as '0 mm' '0 mm' '-5 mm'")
+      ->expected(3);
+  add("--mesh-share", options.mesh_share,
+      "share of the cavity that the mesh covers, such as 0.25 of a quarter model")
+      ->check(CLI::Range(1e-6, 1.0))
+      ->capture_default_str();
+  add("--mass", options.mass,
+      "mass of the cavity that the elements share: filled (of the model powder), expected (of the real "
+      "powder, "
+      "as in the report), or as weighed, such as '12.3 g'")
+      ->capture_default_str();
+  add("--density-grid", options.grid,
+      "edge of the cells of a regular grid over the cavity, such as '1 mm': write density_grid.csv and .vti");
+  add("--cavity", options.cavity, "cavity by its number in the report")->capture_default_str();
+}
+
+void export_density(const results::FillResult& whole, const DensityOptions& options, double averaging_width,
+                    const std::filesystem::path& out) {
+  results::FillResult result = whole;
+  try {
+    process::choose_cavity(result, options.cavity);
+  } catch (const std::invalid_argument& error) {
+    throw process::SceneError("--cavity: " + std::string(error.what()));
+  }
+  if (result.solid_fraction.solid_fraction.size() != result.powder.position.size() ||
+      std::find(result.solid_fraction.open.begin(), result.solid_fraction.open.end(), 0) ==
+          result.solid_fraction.open.end())
+    throw process::SceneError(
+        "--density-for: the result holds no measured solid fraction; run the scene to its end");
+  Files written;
+  write_output([&] {
+    if (!options.mesh.empty()) write_mesh_density(result, options, averaging_width, out, written);
+    if (!options.grid.empty()) write_grid_density(result, options, averaging_width, out, written);
+  });
+  for (const auto& file : written) std::printf("%s\n", file.c_str());
+}
+
+}  // namespace diefill::app

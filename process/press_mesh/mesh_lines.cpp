@@ -1,0 +1,98 @@
+#include "process/press_mesh/mesh_lines.h"
+
+#include <charconv>
+#include <cmath>
+#include <stdexcept>
+
+#include "process/input/scene_error.h"
+#include "process/input/text_file.h"
+
+namespace diefill::process {
+namespace {
+
+constexpr std::size_t kLargest = std::size_t{2} << 30;  // bytes
+constexpr std::size_t kShown = 60;                      // letters of a line in messages
+constexpr const char* kBlanks = " \t\r\n\f\v";
+
+std::string_view trimmed(std::string_view text) {
+  const std::size_t first = text.find_first_not_of(kBlanks);
+  if (first == std::string_view::npos) return {};
+  return text.substr(first, text.find_last_not_of(kBlanks) - first + 1);
+}
+
+}  // namespace
+
+MeshLines::MeshLines(const std::filesystem::path& file) : name_(file.string()) {
+  try {
+    text_ = load_text_file(file, {"mesh file", "a finite-element mesh is one text file", kLargest});
+  } catch (const std::runtime_error& reason) {
+    throw SceneError(name_ + ": " + reason.what());
+  }
+}
+
+bool MeshLines::next() {
+  if (again_) {
+    again_ = false;
+    return true;
+  }
+  while (place_ < text_.size()) {
+    const std::size_t end = std::min(text_.find('\n', place_), text_.size());
+    line_ = trimmed(std::string_view(text_).substr(place_, end - place_));
+    place_ = end + 1;
+    ++number_;
+    if (!line_.empty()) return true;
+  }
+  return false;
+}
+
+std::string_view MeshLines::require(const std::string& wanted) {
+  if (!next())
+    throw SceneError(name_ + ": the file ends after line " + std::to_string(number_) + ", expected " +
+                     wanted + "; write the mesh again");
+  return line_;
+}
+
+void MeshLines::reject(const std::string& expected) const {
+  std::string shown(line_.substr(0, kShown));
+  if (line_.size() > kShown) shown += "...";
+  reject_text("found \"" + shown + "\", expected " + expected);
+}
+
+void MeshLines::reject_text(const std::string& message) const {
+  throw SceneError(name_ + ":" + std::to_string(number_) + ": " + message);
+}
+
+std::vector<std::string_view> cells_of_line(std::string_view line, bool comma) {
+  std::vector<std::string_view> cells;
+  while (!line.empty()) {
+    if (!comma) {
+      const std::size_t first = line.find_first_not_of(kBlanks);
+      if (first == std::string_view::npos) break;
+      line.remove_prefix(first);
+    }
+    const std::size_t end = std::min(line.find_first_of(comma ? "," : kBlanks), line.size());
+    cells.push_back(trimmed(line.substr(0, end)));
+    line.remove_prefix(std::min(end + 1, line.size()));
+  }
+  return cells;
+}
+
+std::uint64_t whole_number(std::string_view cell, const MeshLines& lines) {
+  std::uint64_t value = 0;
+  const auto [end, error] = std::from_chars(cell.data(), cell.data() + cell.size(), value);
+  if (error != std::errc() || end != cell.data() + cell.size() || cell.empty())
+    lines.reject_text("found \"" + std::string(cell.substr(0, kShown)) + "\", expected a whole number");
+  return value;
+}
+
+double decimal_number(std::string_view cell, const MeshLines& lines) {
+  std::string_view digits = cell;
+  if (digits.starts_with('+')) digits.remove_prefix(1);
+  double value = 0;
+  const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
+  if (error != std::errc() || end != digits.data() + digits.size() || digits.empty() || !std::isfinite(value))
+    lines.reject_text("found \"" + std::string(cell.substr(0, kShown)) + "\", expected a number");
+  return value;
+}
+
+}  // namespace diefill::process

@@ -1,0 +1,11 @@
+// A loop on all cores; apart from Qt, whose `emit` is also a name of oneTBB.
+#pragma once
+
+#include <functional>
+
+namespace diefill::render {
+
+/// Calls `work(n)` for all n below `count`; returns when all are done.
+void on_all_cores(int count, const std::function<void(int)>& work);
+
+}  // namespace diefill::render

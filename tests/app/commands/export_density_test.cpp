@@ -1,0 +1,96 @@
+// A run's density in the mesh of a press simulation, from the command line.
+#include <gtest/gtest.h>
+
+#include <sstream>
+
+#include "tests/app/small_die.h"
+
+namespace diefill::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// 2 x 2 x 2 hexahedra over the pocket of the small die in mm, numbered from 101, and one far away, 200.
+std::string pocket_mesh() {
+  std::ostringstream text;
+  text << "*NODE\n";
+  int number = 0;
+  for (int k = 0; k < 3; ++k)
+    for (int j = 0; j < 3; ++j)
+      for (int i = 0; i < 3; ++i)
+        text << ++number << ", " << -5 + 2 * i << ", " << -2 + 2 * j << ", " << -4 + 2 * k << "\n";
+  for (int k = 0; k < 2; ++k)
+    for (int j = 0; j < 2; ++j)
+      for (int i = 0; i < 2; ++i) text << ++number << ", " << 50 + i << ", " << j << ", " << k << "\n";
+  text << "*ELEMENT, TYPE=C3D8R\n";
+  int element = 100;
+  for (int k = 0; k < 2; ++k)
+    for (int j = 0; j < 2; ++j)
+      for (int i = 0; i < 2; ++i) {
+        const int first = (k * 3 + j) * 3 + i + 1;
+        text << ++element;
+        for (const int node : {0, 1, 4, 3, 9, 10, 13, 12}) text << ", " << first + node;
+        text << "\n";
+      }
+  text << "200, 28, 29, 31, 30, 32, 33, 35, 34\n";
+  return text.str();
+}
+
+/// Sum of a column (from 0) of a CSV.
+double sum_of_column(const fs::path& csv, int column) {
+  std::istringstream lines(contents(csv));
+  std::string line;
+  std::getline(lines, line);
+  double sum = 0;
+  while (std::getline(lines, line)) {
+    std::istringstream cells(line);
+    std::string cell;
+    for (int n = 0; n <= column; ++n) std::getline(cells, cell, ',');
+    if (!cell.empty()) sum += std::stod(cell);
+  }
+  return sum;
+}
+
+TEST(ExportDensity, OfARunConservesItsMassAndNamesElementsOutside) {
+  const SmallDie die;
+  ASSERT_EQ(die.run({"--quiet", "--no-pictures"}).exit_code, 0);
+  die.write("pocket.inp", pocket_mesh());
+  const auto mesh = (die.folder() / "pocket.inp").string();
+  const auto out = die.folder() / "density";
+  const auto exported = [&](const std::vector<std::string>& more) {
+    std::vector<std::string> arguments = {"export", die.out().string(), "--out", out.string()};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return run_program(arguments);
+  };
+  const Outcome outcome = exported({"--density-for", mesh, "--density-grid", "1 mm"});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_NE(outcome.out.find("outside the powder: 1 elements: 200"), std::string::npos) << outcome.out;
+  const double mass = die.report()["filled_mass_kg"];
+  EXPECT_NEAR(sum_of_column(out / "pocket_density_elements.csv", 7) / mass, 1, 1e-6);
+  EXPECT_NEAR(sum_of_column(out / "density_grid.csv", 3) / mass, 1, 1e-6);
+  for (const char* name : {"pocket_density.vtu", "pocket_density_abaqus.inp", "pocket_density_calculix.inp",
+                           "pocket_density_nodes.csv", "pocket_density_outside.csv", "density_grid.vti"})
+    EXPECT_TRUE(fs::exists(out / name)) << name;
+
+  // The mesh that was written is a mesh to start from: in m, with the same mass.
+  ASSERT_EQ(
+      exported({"--density-for", (out / "pocket_density.vtu").string(), "--mesh-unit", "m", "--mass", "2 g"})
+          .exit_code,
+      0);
+  EXPECT_NEAR(sum_of_column(out / "pocket_density_density_elements.csv", 7), 2e-3, 2e-9);
+
+  const auto refused = [&](const std::vector<std::string>& more, const std::string& reason) {
+    const Outcome bad = exported(more);
+    EXPECT_EQ(bad.exit_code, 2) << reason;
+    EXPECT_EQ(bad.complaints(), 1U) << bad.err;
+    EXPECT_NE(bad.err.find(reason), std::string::npos) << bad.err;
+  };
+  refused({"--density-for", mesh, "--mesh-unit", "m"}, "no element lies in the powder");
+  refused({"--density-for", mesh, "--mesh-unit", "kg"}, "--mesh-unit");
+  refused({"--density-for", mesh, "--mass", "-1 g"}, "allowed: more than 0");
+  refused({"--density-for", "mesh.stl"}, "a mesh ending in .vtu, .msh");
+  refused({"--density-grid", "0.001 mm"}, "20 million cells");
+}
+
+}  // namespace
+}  // namespace diefill::app
