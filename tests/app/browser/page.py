@@ -20,13 +20,14 @@ class Page:
 
     def __init__(self, chromium, width=1280, height=900, flags=()):
         self.console, self.requests, self.number = [], [], 0
-        self.profile = tempfile.TemporaryDirectory()
+        self.profile = tempfile.TemporaryDirectory(ignore_cleanup_errors=True)
         to_browser, self.to = os.pipe()
         self.come, from_browser = os.pipe()
 
         def at_three_and_four():
             os.dup2(to_browser, 60), os.dup2(from_browser, 61)
             os.dup2(60, 3), os.dup2(61, 4)
+            os.closerange(5, 62)
 
         self.browser = subprocess.Popen(
             [chromium, *FLAGS, *flags, "--user-data-dir=" + self.profile.name, "about:blank"],
@@ -44,7 +45,11 @@ class Page:
 
     def __exit__(self, *_):
         self.browser.terminate()
-        self.browser.wait()
+        try:
+            self.browser.wait(10)
+        except subprocess.TimeoutExpired:
+            self.browser.kill()
+            self.browser.wait()
         for end in (self.to, self.come):
             os.close(end)
         self.profile.cleanup()
@@ -72,7 +77,10 @@ class Page:
         while b"\0" not in self.rest:
             if not select.select([self.come], [], [], max(0, end - time.monotonic()))[0]:
                 raise TimeoutError("the browser does not answer")
-            self.rest += os.read(self.come, 1 << 20)
+            more = os.read(self.come, 1 << 20)
+            if not more:
+                raise RuntimeError("the browser has ended")
+            self.rest += more
         message, self.rest = self.rest.split(b"\0", 1)
         return json.loads(message)
 
