@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <cstdlib>
 #include <limits>
 #include <thread>
 
@@ -64,10 +65,12 @@ fs::path film_path(const FilmArguments& arguments) {
   return folder / (arguments.turntable ? "turntable_compared.mp4" : "film_compared.mp4");
 }
 
-void draw_frames(const FilmFrames& frames, const PictureRequest& request, const fs::path& folder,
+void draw_frames(FilmFrames& frames, const PictureRequest& request, const fs::path& folder,
                  std::size_t jobs) {
   fs::create_directories(folder);
   in_processes(frames.size(), jobs, [&](std::size_t n) {
+    // The drawing library's own threads would only wait for each other.
+    if (jobs > 1) ::setenv("LP_NUM_THREADS", "1", 1);
     set_up_drawing();
     char name[32];
     std::snprintf(name, sizeof name, "%05zu.png", n);
@@ -84,7 +87,7 @@ int film(const FilmArguments& arguments) {
   const std::size_t jobs = arguments.jobs > 0 ? static_cast<std::size_t>(arguments.jobs) : cores;
   try {
     write_output([&] {
-      const FilmFrames frames(request, arguments.turntable);
+      FilmFrames frames(request, arguments.turntable);
       fs::remove_all(folder);
       draw_frames(frames, request, folder, jobs);
       const bool written = write_film(folder, file, arguments.frames_a_second);

@@ -1,6 +1,5 @@
 #include "app/commands/live_run.h"
 
-#include <QBuffer>
 #include <cfenv>
 #include <cmath>
 #include <cstdio>
@@ -12,6 +11,7 @@
 #include "process/run/assemble.h"
 #include "process/run/live_state.h"
 #include "render/scene3d/snapshot.h"
+#include "render/style/picture_file.h"
 
 namespace diefill::app {
 namespace {
@@ -22,20 +22,12 @@ constexpr double kEvery = 5;              // s between pages
 constexpr double kFirstPicture = 10;      // s after the start
 constexpr double kPictureShare = 0.01;    // of the time that drawing may take
 constexpr std::size_t kMostPoints = 400;  // of a curve
-constexpr double kPictureScale = 0.5;     // of a snapshot's layout
+constexpr int kPictureWidth = 1000;       // pixels
 
 std::string formatted(const char* format, double value) {
   char text[80];
   std::snprintf(text, sizeof text, format, value);
   return text;
-}
-
-QByteArray png_of(const QImage& image) {
-  QByteArray bytes;
-  QBuffer buffer(&bytes);
-  buffer.open(QIODevice::WriteOnly);
-  image.save(&buffer, "PNG");
-  return bytes;
 }
 
 }  // namespace
@@ -103,9 +95,8 @@ void LiveRun::draw(const process::FillRun& run) {
   set_up_drawing();
   const auto shown = process::powder_and_tools(scene_, tooling_, run);
   render::ViewOptions options;
-  options.pixels = kPictureScale;
   colour_grains(options, "speed", shown, shown);
-  page_.picture = png_of(render::compose_snapshot(shown, options).image);
+  page_.picture = render::png_bytes(render::compose_snapshot(shown, options).image, kPictureWidth);
   page_.picture_caption = "Powder and tools at t = " + formatted("%.4f s", run.simulation().time()) +
                           ", cut open; grains coloured by speed.";
   std::fesetenv(&floating_point);

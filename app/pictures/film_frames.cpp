@@ -1,18 +1,18 @@
 #include "app/pictures/film_frames.h"
 
-#include <QPainter>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "app/pictures/grain_colours.h"
+#include "app/pictures/picture_files.h"
 #include "process/measure/earlier_instant.h"
 #include "render/fields/pictures.h"
+#include "render/style/picture_file.h"
 
 namespace diefill::app {
 namespace {
-
-constexpr double kCanvasWidth = 1600;  // layout points of a snapshot
 
 /// The times at which any source has an instant, rising, each once; the end comes last.
 std::vector<double> times_of(const std::vector<PictureSource>& sources) {
@@ -60,13 +60,19 @@ FilmFrames::FilmFrames(const PictureRequest& request, bool turntable)
   for (const auto& source : request.sources)
     if (!turntable && source.result.instants.empty())
       process::result_at(source.result, -1);  // says what is missing
+}
+
+/// The scale and the view that all frames share.
+void FilmFrames::prepare() {
+  if (std::exchange(prepared_, true)) return;
+  const PictureRequest& request = request_;
   const auto results = results_of(request);
   common_.lower = request.lower;
   common_.upper = request.upper;
   common_.look = request.look;
   common_.camera = request.camera;
-  const double columns = request.sources.size() > 1 ? 2 : 1;
-  common_.pixels = request.width / columns / kCanvasWidth;
+  // Of several, one pixel a layout point is enough.
+  common_.pixels = request.sources.size() > 1 ? 1 : pixels_of(request);
   if (request.colour_by == "solid-fraction" && std::isnan(request.lower)) {
     const auto range = render::solid_fraction_range(results);
     common_.lower = range.lower;
@@ -97,17 +103,11 @@ QImage FilmFrames::of_source(const PictureSource& source, std::size_t n) const {
   return render::compose_snapshot(shown, options).image;
 }
 
-QImage FilmFrames::frame(std::size_t n) const {
+QImage FilmFrames::frame(std::size_t n) {
+  prepare();
   std::vector<QImage> parts;
   for (const auto& source : request_.sources) parts.push_back(of_source(source, n));
-  if (parts.size() == 1) return parts.front();
-  const int width = parts.front().width(), height = parts.front().height();
-  QImage whole(2 * width, (parts.size() > 2 ? 2 : 1) * height, QImage::Format_RGB32);
-  whole.fill(Qt::white);
-  QPainter painter(&whole);
-  for (std::size_t k = 0; k < parts.size(); ++k)
-    painter.drawImage(static_cast<int>(k % 2) * width, static_cast<int>(k / 2) * height, parts[k]);
-  return whole;
+  return parts.size() == 1 ? parts.front() : render::side_by_side(parts);
 }
 
 }  // namespace diefill::app

@@ -1,7 +1,6 @@
 // The frames of a film: powder and tools of one run or several at an instant, in one picture.
 #pragma once
 
-#include <QImage>
 #include <string>
 #include <vector>
 
@@ -13,7 +12,8 @@ namespace diefill::app {
 /// Most runs in one frame: two above two.
 inline constexpr std::size_t kMostRunsInAFilm = 4;
 
-/// What the frames of a film have in common. The sources must outlive it.
+/// What the frames of a film have in common. The sources must outlive it. Draws nothing before the first
+/// frame, so that frames can be drawn in processes of their own.
 class FilmFrames {
  public:
   /// `request`: sources, colours, look, camera, width in pixels of a whole frame. `turntable`: the end from
@@ -21,16 +21,17 @@ class FilmFrames {
   FilmFrames(const PictureRequest& request, bool turntable);
 
   std::size_t size() const { return turntable_ ? kTurntableFrames : times_.size(); }
-  /// Throws what colour_grains throws.
-  QImage frame(std::size_t n) const;
+  /// set_up_drawing() must have been called. Throws what colour_grains throws.
+  QImage frame(std::size_t n);
 
  private:
   static constexpr std::size_t kTurntableFrames = 120;
+  void prepare();
   QImage of_source(const PictureSource& source, std::size_t n) const;
   render::ViewOptions options_of(const results::FillResult& shown, std::size_t n) const;
 
   const PictureRequest& request_;
-  bool turntable_;
+  bool turntable_, prepared_ = false;
   std::vector<double> times_;  ///< s
   render::ViewOptions common_;
   render::ViewChoice view_;

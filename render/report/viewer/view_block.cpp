@@ -1,14 +1,13 @@
 #include "render/report/viewer/view_block.h"
 
-#include <QBuffer>
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 
 #include "render/scene3d/snapshot.h"
 #include "render/style/colour_map.h"
+#include "render/style/picture_file.h"
 
 namespace diefill::render::report {
 namespace {
@@ -24,13 +23,7 @@ QString palette() {
   return QString::fromLatin1(bytes.toBase64());
 }
 
-QByteArray png_of(const QImage& image) {
-  QByteArray bytes;
-  QBuffer buffer(&bytes);
-  buffer.open(QIODevice::WriteOnly);
-  if (!image.save(&buffer, "PNG")) throw std::runtime_error("cannot write a picture of the report");
-  return bytes;
-}
+constexpr int kStillWidth = 1000;  // pixels
 
 /// As packed_run, within so many bytes where fewer instants can do that.
 PackedRun packed_within(const ViewedRun& run, std::size_t most_bytes) {
@@ -47,7 +40,7 @@ Figure still_of(const ViewedRun& run, const ColourRange& range) {
   options.lower = range.lower;
   options.upper = range.upper;
   const std::string caption = "Powder and tools at the end, cut open; grains coloured by solid fraction.";
-  return {png_of(compose_snapshot(*run.result, options).image),
+  return {png_bytes(compose_snapshot(*run.result, options).image, kStillWidth),
           run.name.empty() ? caption : run.name + ". " + caption};
 }
 
