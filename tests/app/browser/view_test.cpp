@@ -22,7 +22,7 @@ std::string faults(const std::filesystem::path& page, const std::filesystem::pat
 
 TEST(View, EveryControlWorksInABrowserThatAsksNobody) {
   const SmallDie die;
-  die.write("scene.toml", contents(die.scene()) + "\n[measure]\nsnapshot_interval = \"40 ms\"\n");
+  die.write("scene.toml", contents(die.scene()) + "snapshot_interval = \"40 ms\"\n");
   ASSERT_EQ(die.run({"--quiet", "--no-pictures"}).exit_code, 0);
   ASSERT_EQ(run_program({"report", die.out().string()}).exit_code, 0);
   EXPECT_EQ(faults(die.out() / "report.html", die.folder()), "");
@@ -30,7 +30,7 @@ TEST(View, EveryControlWorksInABrowserThatAsksNobody) {
 
 TEST(View, RunsOfAComparisonStandSideBySideUnderOneCamera) {
   const SmallDie die;
-  die.write("scene.toml", contents(die.scene()) + "\n[measure]\nsnapshot_interval = \"40 ms\"\n");
+  die.write("scene.toml", contents(die.scene()) + "snapshot_interval = \"40 ms\"\n");
   ASSERT_EQ(die.run({"--quiet", "--no-pictures"}).exit_code, 0);
   const auto page = die.folder() / "compared.html";
   die.exchange("velocity = \"0.1 m/s\"", "velocity = \"0.3 m/s\"");

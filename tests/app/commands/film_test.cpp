@@ -8,7 +8,7 @@ namespace {
 
 TEST(Film, DrawsEveryInstantAndTheEnd) {
   const SmallDie die;
-  die.write("scene.toml", contents(die.scene()) + "\n[measure]\nsnapshot_interval = \"20 ms\"\n");
+  die.write("scene.toml", contents(die.scene()) + "snapshot_interval = \"20 ms\"\n");
   ASSERT_EQ(die.run({"--quiet", "--no-pictures"}).exit_code, 0);
   const Outcome outcome = run_program({"film", die.out().string(), "--keep-frames", "--width", "400",
                                        "--tools", "translucent", "--colour-by", "speed", "--jobs", "2"});
