@@ -6,7 +6,7 @@
 #include <stdexcept>
 
 #include "app/commands/commands.h"
-#include "app/commands/renderer_choice.h"
+#include "app/commands/look_options.h"
 #include "app/exit_code.h"
 #include "app/output.h"
 #include "app/pictures/drawing.h"
@@ -27,11 +27,10 @@ namespace {
 
 struct MapArguments {
   std::vector<std::string> directories, pictures, origin, measured;
-  std::string out, averaging_width, normal, from, to, colour_by = "solid-fraction", tools = "cut",
-                                                      camera = "front";
-  std::vector<double> range;
-  int width = 1600, cavity = 1;
-  bool pdf = false, ambient_occlusion = false, time_average = false;
+  std::string out, averaging_width, normal, from, to;
+  LookArguments look;
+  int cavity = 1;
+  bool pdf = false, time_average = false;
 };
 
 double quantity(const char* option, const std::string& text, process::Dimension dimension) {
@@ -46,23 +45,6 @@ double length(const char* option, const std::string& text) {
   return quantity(option, text, process::Dimension::length);
 }
 
-std::vector<double> numbers_in(const std::string& text) {
-  std::vector<double> numbers;
-  for (std::size_t at = 0; at <= text.size();) {
-    const std::size_t comma = std::min(text.find(',', at), text.size());
-    const std::string part = text.substr(at, comma - at);
-    std::size_t used = 0;
-    try {
-      numbers.push_back(std::stod(part, &used));
-    } catch (const std::exception&) {
-      return {};
-    }
-    if (used != part.size() || !std::isfinite(numbers.back())) return {};
-    at = comma + 1;
-  }
-  return numbers;
-}
-
 /// x, y, z or three numbers such as 1,0,1.
 Eigen::Vector3d normal_of(const std::string& text) {
   if (text == "x") return Eigen::Vector3d::UnitX();
@@ -75,30 +57,6 @@ Eigen::Vector3d normal_of(const std::string& text) {
   }
   throw process::SceneError("--normal: found \"" + text +
                             "\", allowed: x, y, z, or three numbers not all 0, such as 1,0,1");
-}
-
-/// A preset, or azimuth and elevation in degrees.
-render::Camera camera_of(const std::string& text) {
-  constexpr double kDegree = std::numbers::pi / 180;
-  if (text == "front") return {};
-  if (text == "side") return {90 * kDegree, 20 * kDegree};
-  if (text == "corner") return {35 * kDegree, 30 * kDegree};
-  if (text == "above") return {0, 60 * kDegree};
-  if (text == "top") return {0, 90 * kDegree};
-  const auto numbers = numbers_in(text);
-  if (numbers.size() == 2 && std::abs(numbers[1]) <= 90) return {numbers[0] * kDegree, numbers[1] * kDegree};
-  throw process::SceneError("--camera: found \"" + text +
-                            "\", allowed: front, side, corner, above, top, or azimuth and elevation in "
-                            "degrees, such as 30,20");
-}
-
-render::SceneLook look_of(const MapArguments& arguments) {
-  render::SceneLook look;
-  look.ambient_occlusion = arguments.ambient_occlusion;
-  if (arguments.tools == "translucent") look.tools = render::ToolLook::kTranslucent;
-  if (arguments.tools == "hidden") look.tools = render::ToolLook::kHidden;
-  look.cut_powder = arguments.tools == "cut";
-  return look;
 }
 
 double averaging_width_of(const MapArguments& arguments, const std::vector<PictureSource>& sources) {
@@ -184,14 +142,14 @@ PictureRequest request_of(const MapArguments& arguments) {
   if (!arguments.from.empty()) request.from = quantity("--from", arguments.from, process::Dimension::time);
   if (!arguments.to.empty()) request.to = quantity("--to", arguments.to, process::Dimension::time);
   const double none = std::numeric_limits<double>::quiet_NaN();
-  request.lower = arguments.range.empty() ? none : arguments.range[0];
-  request.upper = arguments.range.empty() ? none : arguments.range[1];
+  request.lower = arguments.look.range.empty() ? none : arguments.look.range[0];
+  request.upper = arguments.look.range.empty() ? none : arguments.look.range[1];
   if (request.lower >= request.upper)
     throw process::SceneError("--range: the first number must be less than the second");
-  request.colour_by = arguments.colour_by;
-  request.look = look_of(arguments);
-  request.camera = camera_of(arguments.camera);
-  request.width = arguments.width;
+  request.colour_by = arguments.look.colour_by;
+  request.look = look_of(arguments.look);
+  request.camera = camera_of(arguments.look.camera);
+  request.width = arguments.look.width;
   request.pdf = arguments.pdf;
   if (arguments.time_average) average_over_time(request);
   return request;
@@ -267,31 +225,6 @@ std::string kinds_text() {
   return text;
 }
 
-void add_look_options(CLI::App& command, MapArguments& arguments) {
-  command
-      .add_option(
-          "--range", arguments.range,
-          "limits of the colour scale, such as 0.3 0.42; for a difference, the second applies to both sides")
-      ->expected(2);
-  command.add_option("--colour-by", arguments.colour_by, "colour of grains in views and frames")
-      ->check(CLI::IsMember({"solid-fraction", "speed", "layer", "coordination", "diameter", "powder"}))
-      ->capture_default_str();
-  command.add_option("--tools", arguments.tools, "tools in views and frames")
-      ->check(CLI::IsMember({"cut", "translucent", "hidden"}))
-      ->capture_default_str();
-  command
-      .add_option("--camera", arguments.camera,
-                  "front, side, corner, above, top, or azimuth and elevation in degrees, such as 30,20")
-      ->capture_default_str();
-  add_renderer(command);
-  command.add_flag("--ambient-occlusion", arguments.ambient_occlusion,
-                   "shade gaps between grains with --renderer opengl; embree always does");
-  command.add_option("--width", arguments.width, "width of PNG files in pixels")
-      ->check(CLI::Range(400, 6400))
-      ->capture_default_str();
-  command.add_flag("--pdf", arguments.pdf, "also write charts as PDF");
-}
-
 }  // namespace
 
 void add_map(CLI::App& program, Action& chosen) {
@@ -327,7 +260,8 @@ void add_map(CLI::App& program, Action& chosen) {
   command->add_option("--to", arguments->to, "time of a later instant, or of the view (default: the end)");
   command->add_flag("--time-average", arguments->time_average,
                     "average over all stored instants between --from and --to");
-  add_look_options(*command, *arguments);
+  add_look_options(*command, arguments->look);
+  command->add_flag("--pdf", arguments->pdf, "also write charts as PDF");
   command->footer(
       kinds_text() +
       "Examples:\n"

@@ -7,6 +7,8 @@
 #include "app/exit_code.h"
 #include "app/output.h"
 #include "app/pictures/drawing.h"
+#include "app/pictures/film_file.h"
+#include "app/pictures/view_extras.h"
 #include "process/input/scene_error.h"
 #include "process/measured_data/hold_against.h"
 #include "process/results/storage/atomic_file.h"
@@ -59,6 +61,21 @@ void add_runs(std::vector<render::report::Run>& runs, const fs::path& directory)
     runs.push_back({directory.string(), results::read_results(directory), ""});
 }
 
+/// The films of a run that are small enough for a page.
+std::vector<render::report::Film> films_in(const fs::path& directory) {
+  constexpr std::uintmax_t kLargest = 8'000'000;  // bytes
+  std::vector<render::report::Film> films;
+  for (const auto& [file, caption] :
+       {std::pair{kFilmFile, "Filling over time."}, {kTurntableFile, "The end from all sides."}}) {
+    const fs::path path = directory / file;
+    if (!fs::exists(path) || fs::file_size(path) > kLargest) continue;
+    std::ifstream stream(path, std::ios::binary);
+    const std::string bytes((std::istreambuf_iterator<char>(stream)), {});
+    films.push_back({QByteArray::fromStdString(bytes), caption});
+  }
+  return films;
+}
+
 /// m, with which the result's own fields were averaged; 0: it has none.
 double averaging_width_of(const results::FillResult& result) {
   return result.maps.empty() ? 0 : result.maps.front().averaging_width;
@@ -69,6 +86,7 @@ int report(const ReportArguments& arguments) {
   std::vector<render::report::Run> runs;
   for (const auto& directory : arguments.directories) add_runs(runs, directory);
   for (auto& run : runs) run.other_cavities = of_other_cavities(run.result, averaging_width_of(run.result));
+  for (auto& run : runs) run.films = films_in(run.name);
   for (auto& run : runs)
     for (const auto& file : measured) run.measured.push_back(process::hold_against(file, run.result));
   const fs::path html = arguments.out.empty() ? fs::path(arguments.directories.front()) / "report.html"
@@ -80,7 +98,7 @@ int report(const ReportArguments& arguments) {
   make_output_directory(html.parent_path().empty() ? fs::path(".") : html.parent_path());
   write_output([&] {
     set_up_drawing();
-    const auto document = render::report::report_of(runs);
+    const auto document = render::report::report_of(runs, view_extras);
     results::write_text_atomically(html, render::report::html_page(document));
     std::printf("%s\n", html.string().c_str());
     if (!arguments.pdf) return;

@@ -15,6 +15,7 @@ void add_commands(CLI::App& program, Action& chosen) {
   add_tradeoff(program, chosen);
   add_calibrate(program, chosen);
   add_map(program, chosen);
+  add_film(program, chosen);
   add_report(program, chosen);
   add_export(program, chosen);
   add_info(program, chosen);

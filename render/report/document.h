@@ -41,7 +41,22 @@ struct Listing {
   std::string text;
 };
 
-using Block = std::variant<Paragraph, Table, Figures, Listing>;
+/// A view that a reader turns, cuts and plays where the page can do that (viewer/); its still pictures stand
+/// elsewhere.
+struct View3D {
+  QByteArray description;        ///< JSON: runs, colours, and where in `data` what lies
+  std::vector<QByteArray> data;  ///< one a run, base64
+  std::vector<Figure> stills;    ///< one a run
+  std::string remark;            ///< what is left out; may be empty
+};
+
+/// A film as the bytes of an MP4 file.
+struct Film {
+  QByteArray mp4;
+  std::string caption;
+};
+
+using Block = std::variant<Paragraph, Table, Figures, Listing, View3D, Film>;
 
 /// A section; level 1 are chapters.
 struct Section {

@@ -1,14 +1,20 @@
 #include "render/report/html.h"
 
 #include <QString>
+#include <algorithm>
+
+#include "render/report/viewer/page_parts.h"
 
 namespace diefill::render::report {
 namespace {
 
-// Asks browsers to load nothing that is not inside the page.
-constexpr const char* kPolicy =
-    "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; img-src data:; style-src "
-    "'unsafe-inline'\">\n";
+/// Asks browsers to load nothing that is not inside the page, and to run nothing but `scripts`.
+std::string policy(const std::string& scripts) {
+  return "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; img-src data:; "
+         "media-src "
+         "data:; style-src 'unsafe-inline'" +
+         scripts + "\">\n";
+}
 
 constexpr const char* kStyle = R"(<style>
 :root { color-scheme: light; }
@@ -30,7 +36,7 @@ thead th { border-bottom: 2px solid #777; vertical-align: bottom; }
 table.numbers td, table.numbers thead th + th { text-align: right; padding-right: 0; padding-left: .9rem; }
 tbody th { font-weight: normal; color: #333; min-width: 8rem; }
 figure { margin: 1rem 0; break-inside: avoid; }
-figure img { display: block; width: 100%; max-width: 50rem; height: auto; }
+figure img, figure video { display: block; width: 100%; max-width: 50rem; height: auto; }
 figcaption { font-size: .85rem; color: #444; margin-top: .3rem; }
 .pictures { display: grid; grid-template-columns: repeat(auto-fit, minmax(min(100%, 25rem), 1fr)); gap: 1rem; }
 .pictures figure { margin: 0; }
@@ -75,6 +81,14 @@ class Writer {
     page += "</div>\n";
   }
 
+  void operator()(const View3D& view) { page += view_html(view); }
+
+  void operator()(const Film& film) {
+    page += "<figure><video controls loop muted src=\"data:video/mp4;base64,";
+    page += film.mp4.toBase64().toStdString();
+    page += "\"></video><figcaption>" + escaped(film.caption) + "</figcaption></figure>\n";
+  }
+
   void operator()(const Listing& listing) { page += "<pre>" + escaped(listing.text) + "</pre>\n"; }
 
   std::string page;
@@ -97,6 +111,11 @@ std::string contents(const Document& document) {
   return list + "</ul></nav>\n";
 }
 
+bool holds_view(const Section& section) {
+  return std::any_of(section.blocks.begin(), section.blocks.end(),
+                     [](const Block& block) { return std::holds_alternative<View3D>(block); });
+}
+
 }  // namespace
 
 std::string escaped(const std::string& text) {
@@ -111,10 +130,11 @@ std::string escaped(const std::string& text) {
 std::string html_page(const Document& document) {
   Writer writer;
   writer.page = "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n";
-  writer.page += kPolicy;
+  const bool views = std::any_of(document.sections.begin(), document.sections.end(), holds_view);
+  writer.page += policy(views ? viewer_script_policy() : "");
   writer.page += "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n";
   writer.page += "<link rel=\"icon\" href=\"data:,\">\n<title>" + escaped(document.title) + "</title>\n";
-  writer.page += kStyle;
+  writer.page += kStyle + (views ? viewer_style() : std::string());
   writer.page += "</head>\n<body>\n<h1>" + escaped(document.title) + "</h1>\n<p class=\"subtitle\">" +
                  escaped(document.subtitle) + "</p>\n" + contents(document) + "<main>\n";
   for (std::size_t n = 0; n < document.sections.size(); ++n) {
@@ -125,7 +145,7 @@ std::string html_page(const Document& document) {
     for (const Block& block : section.blocks) std::visit(writer, block);
     writer.page += "</section>\n";
   }
-  return writer.page + "</main>\n</body>\n</html>\n";
+  return writer.page + "</main>\n" + (views ? viewer_scripts() : std::string()) + "</body>\n</html>\n";
 }
 
 }  // namespace diefill::render::report

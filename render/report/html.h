@@ -1,5 +1,5 @@
-// A report as one HTML page that needs nothing else: styles and pictures are inside, there is no script and
-// no reference to anywhere.
+// A report as one HTML page that needs nothing else: styles, pictures, films and interactive views are
+// inside, there is no reference to anywhere. Scripts are those of the views only.
 #pragma once
 
 #include <string>

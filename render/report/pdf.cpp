@@ -110,6 +110,12 @@ class Setter {
     cursor_.movePosition(QTextCursor::End);
   }
 
+  // On paper nothing turns; the pictures of the run stand in sections of their own.
+  void operator()(const View3D&) {
+    (*this)(Paragraph{"The HTML page of this report has an interactive view here."});
+  }
+  void operator()(const Film&) { (*this)(Paragraph{"The HTML page of this report has a film here."}); }
+
   void operator()(const Listing& listing) {
     QTextBlockFormat format = spacing(0, 0);
     format.setBackground(QColor(245, 245, 245));

@@ -1,6 +1,5 @@
 #include "render/report/pictures_of.h"
 
-#include <QBuffer>
 #include <QFile>
 #include <QTemporaryDir>
 #include <algorithm>
@@ -16,17 +15,10 @@
 #include "render/fields/field_places.h"
 #include "render/report/timeline.h"
 #include "render/scene3d/snapshot.h"
+#include "render/style/picture_file.h"
 
 namespace diefill::render::report {
 namespace {
-
-QByteArray png_of(const QImage& image) {
-  QByteArray bytes;
-  QBuffer buffer(&bytes);
-  buffer.open(QIODevice::WriteOnly);
-  if (!image.save(&buffer, "PNG")) throw std::runtime_error("cannot write a picture of the report");
-  return bytes;
-}
 
 QByteArray bytes_of(const std::filesystem::path& path) {
   QFile file(QString::fromStdString(path.string()));
@@ -128,23 +120,23 @@ std::vector<Figure> tool_views(const results::FillResult& result) {
   bare.powder.velocity.clear();
   bare.powder.angular_velocity.clear();
   bare.solid_fraction = {};
-  return {{png_of(compose_snapshot(bare).image), "The tools at the end of the run, cut open."}};
+  return {{png_bytes(compose_snapshot(bare).image), "The tools at the end of the run, cut open."}};
 }
 
 std::vector<Figure> timeline_of(const results::FillResult& result) {
   if (result.stages.empty()) return {};
-  return {{png_of(compose_timeline(result.stages)), "Schedule of the machine. Grey: no tool moved."}};
+  return {{png_bytes(compose_timeline(result.stages)), "Schedule of the machine. Grey: no tool moved."}};
 }
 
 Figure field_picture(const results::Field2D& field, const std::string& title, const std::string& subtitle,
                      const ColourRange& range, const std::string& caption, const FieldStyle& style) {
-  return {png_of(compose_field(field, title, subtitle, range, style).image), caption};
+  return {png_bytes(compose_field(field, title, subtitle, range, style).image), caption};
 }
 
 Figure difference_picture(const results::Field2D& difference, const std::string& title,
                           const std::string& subtitle, const std::string& caption, const FieldStyle& style) {
   const double from_data = std::numeric_limits<double>::quiet_NaN();
-  return {png_of(compose_difference(difference, title, subtitle, from_data, style).image), caption};
+  return {png_bytes(compose_difference(difference, title, subtitle, from_data, style).image), caption};
 }
 
 Figure chart_picture(const Chart& chart, const std::string& caption) {

@@ -7,6 +7,7 @@
 #include "render/report/comparison.h"
 #include "render/report/measured_section.h"
 #include "render/report/run_sections.h"
+#include "render/report/viewer/view_block.h"
 
 namespace diefill::render::report {
 namespace {
@@ -28,18 +29,48 @@ void add_measured(std::vector<Section>& sections, const Run& run, int level) {
                     measured_section(run.measured, level));
 }
 
-Document single(const Run& run) {
+bool has_something_to_show(const Run& run) {
+  return !run.result.powder.position.empty() || !run.result.tools.empty();
+}
+
+/// The runs in three dimensions, and their films.
+Section view_section(const std::vector<const Run*>& runs, const ColourRange& range,
+                     const MeasureForView& measure) {
+  Section section{"In three dimensions", 1, {}};
+  std::vector<ViewExtras> extras(runs.size());
+  std::vector<ViewedRun> viewed;
+  for (std::size_t n = 0; n < runs.size(); ++n) {
+    if (!has_something_to_show(*runs[n])) continue;
+    if (measure && viewed.size() < kMostViewedRuns) extras[n] = measure(runs[n]->result);
+    const std::string name = runs[n]->strategy.empty() ? runs[n]->name : runs[n]->strategy;
+    viewed.push_back({runs.size() > 1 ? name : "", &runs[n]->result, &extras[n]});
+  }
+  if (!viewed.empty()) section.blocks.emplace_back(view_of(viewed, range));
+  for (const Run* run : runs)
+    for (const Film& film : run->films) section.blocks.emplace_back(film);
+  return section;
+}
+
+/// Behind the first section, unless there is nothing to show.
+void add_view(std::vector<Section>& sections, Section view) {
+  if (!view.blocks.empty())
+    sections.insert(sections.begin() + std::min<std::ptrdiff_t>(1, std::ssize(sections)), std::move(view));
+}
+
+Document single(const Run& run, const MeasureForView& measure) {
   const auto& result = run.result;
   Document document;
   document.title = result.title.empty() ? run.name : result.title;
   document.subtitle = "Die filling: " + result.powder_name + ", " + result.strategy + ". diefill " +
                       result.program_version + ", results in " + run.name;
-  document.sections = run_sections(result, 1, {range_of({&run}), &run.other_cavities});
+  const ColourRange range = range_of({&run});
+  document.sections = run_sections(result, 1, {range, &run.other_cavities});
   add_measured(document.sections, run, 1);
+  add_view(document.sections, view_section({&run}, range, measure));
   return document;
 }
 
-Document several(const std::vector<Run>& runs) {
+Document several(const std::vector<Run>& runs, const MeasureForView& measure) {
   const auto strategies = strategies_of(runs);
   Document document;
   document.title = std::to_string(strategies.size()) +
@@ -51,6 +82,7 @@ Document several(const std::vector<Run>& runs) {
   for (const auto& strategy : strategies) shown.push_back(strategy.runs.front());
   const ColourRange range = range_of(shown);
   document.sections = comparison_sections(strategies, range);
+  add_view(document.sections, view_section(shown, range, measure));
   for (const auto& strategy : strategies) {
     Section chapter{"Strategy: " + strategy.name, 1, {}};
     std::string names;
@@ -69,9 +101,9 @@ Document several(const std::vector<Run>& runs) {
 
 }  // namespace
 
-Document report_of(const std::vector<Run>& runs) {
+Document report_of(const std::vector<Run>& runs, const MeasureForView& measure) {
   if (runs.empty()) throw std::invalid_argument("a report needs a run");
-  return runs.size() == 1 ? single(runs.front()) : several(runs);
+  return runs.size() == 1 ? single(runs.front(), measure) : several(runs, measure);
 }
 
 }  // namespace diefill::render::report

@@ -13,7 +13,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::array kDecisive = {"checkpoint.bin", "results.h5", "report.json"};
-constexpr std::array kFiles = {"results.xdmf", "report.html", "snapshots", "paraview"};
+constexpr std::array kFiles = {"results.xdmf", "report.html", "live.html", "snapshots", "paraview"};
 constexpr std::array kPictures = {".png", ".pdf", ".mp4"};
 
 template <class Names>
@@ -26,7 +26,7 @@ bool is_one_of(const std::string& name, const Names& names) {
 bool belongs_to_run(const fs::directory_entry& entry) {
   const std::string name = entry.path().filename().string();
   if (is_one_of(name, kDecisive) || is_one_of(name, kFiles)) return true;
-  if (entry.is_directory()) return name == "frames" || name.starts_with("frames_");
+  if (entry.is_directory()) return name == "frames" || name.starts_with("frames_") || name.ends_with("_frames");
   if (name.starts_with("probe_") && name.ends_with(".csv")) return true;
   return is_one_of(entry.path().extension().string(), kPictures);
 }

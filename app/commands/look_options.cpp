@@ -1,0 +1,79 @@
+#include "app/commands/look_options.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+
+#include "app/commands/renderer_choice.h"
+#include "app/pictures/grain_colours.h"
+#include "process/input/scene_error.h"
+
+namespace diefill::app {
+
+std::vector<double> numbers_in(const std::string& text) {
+  std::vector<double> numbers;
+  for (std::size_t at = 0; at <= text.size();) {
+    const std::size_t comma = std::min(text.find(',', at), text.size());
+    const std::string part = text.substr(at, comma - at);
+    std::size_t used = 0;
+    try {
+      numbers.push_back(std::stod(part, &used));
+    } catch (const std::exception&) {
+      return {};
+    }
+    if (used != part.size() || !std::isfinite(numbers.back())) return {};
+    at = comma + 1;
+  }
+  return numbers;
+}
+
+/// A preset, or azimuth and elevation in degrees.
+render::Camera camera_of(const std::string& text) {
+  constexpr double kDegree = std::numbers::pi / 180;
+  if (text == "front") return {};
+  if (text == "side") return {90 * kDegree, 20 * kDegree};
+  if (text == "corner") return {35 * kDegree, 30 * kDegree};
+  if (text == "above") return {0, 60 * kDegree};
+  if (text == "top") return {0, 90 * kDegree};
+  const auto numbers = numbers_in(text);
+  if (numbers.size() == 2 && std::abs(numbers[1]) <= 90) return {numbers[0] * kDegree, numbers[1] * kDegree};
+  throw process::SceneError("--camera: found \"" + text +
+                            "\", allowed: front, side, corner, above, top, or azimuth and elevation in "
+                            "degrees, such as 30,20");
+}
+
+render::SceneLook look_of(const LookArguments& arguments) {
+  render::SceneLook look;
+  look.ambient_occlusion = arguments.ambient_occlusion;
+  if (arguments.tools == "translucent") look.tools = render::ToolLook::kTranslucent;
+  if (arguments.tools == "hidden") look.tools = render::ToolLook::kHidden;
+  look.cut_powder = arguments.tools == "cut";
+  return look;
+}
+
+void add_look_options(CLI::App& command, LookArguments& arguments) {
+  command
+      .add_option(
+          "--range", arguments.range,
+          "limits of the colour scale, such as 0.3 0.42; for a difference, the second applies to both sides")
+      ->expected(2);
+  command.add_option("--colour-by", arguments.colour_by, "colour of grains in views and frames")
+      ->check(CLI::IsMember(grain_colours()))
+      ->capture_default_str();
+  command.add_option("--tools", arguments.tools, "tools in views and frames")
+      ->check(CLI::IsMember({"cut", "translucent", "hidden"}))
+      ->capture_default_str();
+  command
+      .add_option("--camera", arguments.camera,
+                  "front, side, corner, above, top, or azimuth and elevation in degrees, such as 30,20")
+      ->capture_default_str();
+  add_renderer(command);
+  command.add_flag("--ambient-occlusion", arguments.ambient_occlusion,
+                   "shade gaps between grains with --renderer opengl; embree always does");
+  command.add_option("--width", arguments.width, "width of PNG files in pixels")
+      ->check(CLI::Range(400, 6400))
+      ->capture_default_str();
+}
+
+}  // namespace diefill::app

@@ -1,0 +1,98 @@
+#include "app/pictures/grain_colours.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <set>
+
+#include "process/input/scene_error.h"
+#include "process/measure/coordination.h"
+#include "process/measure/earlier_instant.h"
+#include "render/style/ticks.h"
+
+namespace diefill::app {
+namespace {
+
+/// Height of every grain, mm, at the first instant kept, by its identity: the layer it comes from.
+std::vector<double> origin_layers(const results::FillResult& result, const results::FillResult& whole) {
+  if (whole.instants.empty()) process::result_at(whole, -1);  // says what is missing
+  const auto& first = whole.instants.front();
+  std::vector<std::pair<std::uint64_t, double>> heights;
+  for (std::size_t k = 0; k < first.id.size(); ++k)
+    heights.emplace_back(first.id[k], 1e3 * first.position[k].z());
+  std::sort(heights.begin(), heights.end());
+  std::vector<double> values;
+  for (const auto id : result.powder.id) {
+    const auto found = std::lower_bound(heights.begin(), heights.end(),
+                                        std::pair(id, -std::numeric_limits<double>::infinity()));
+    values.push_back(found != heights.end() && found->first == id ? found->second : std::nan(""));
+  }
+  return values;
+}
+
+/// The powder of every grain as a number, and what the numbers mean.
+void colour_by_powder(render::ViewOptions& options, const results::PowderState& powder) {
+  const std::vector<std::string>& names = powder.kinds.material;
+  const std::set<std::string> different(names.begin(), names.end());
+  if (different.size() < 2)
+    throw process::SceneError(
+        "--colour-by powder: the result holds one powder only; choose another colour, such as diameter");
+  const std::vector<std::string> sorted(different.begin(), different.end());
+  std::vector<double> numbers;  // of kinds
+  for (const auto& name : names) {
+    const auto place = std::lower_bound(sorted.begin(), sorted.end(), name);
+    numbers.push_back(static_cast<double>(1 + (place - sorted.begin())));
+  }
+  for (std::size_t n = 0; n < sorted.size(); ++n)
+    options.quantity += (n == 0 ? "powder: " : ", ") + std::to_string(n + 1) + " " + sorted[n];
+  for (const auto kind : powder.kind) options.values.push_back(numbers[kind]);
+}
+
+}  // namespace
+
+const std::vector<std::string>& grain_colours() {
+  static const std::vector<std::string> names = {"solid-fraction", "speed",    "layer",
+                                                 "coordination",   "diameter", "powder"};
+  return names;
+}
+
+void colour_grains(render::ViewOptions& options, const std::string& by, const results::FillResult& result,
+                   const results::FillResult& whole) {
+  options.values.clear();
+  if (by == "solid-fraction") return;
+  options.grey_means = "no value";
+  if (by == "speed") {
+    options.quantity = "speed";
+    options.unit = "m/s";
+    for (const auto& velocity : result.powder.velocity) options.values.push_back(velocity.norm());
+  } else if (by == "powder") {
+    options.quantity.clear();
+    colour_by_powder(options, result.powder);
+  } else if (by == "diameter") {
+    options.quantity = "grain diameter";
+    options.unit = "mm";
+    for (std::size_t k = 0; k < result.powder.position.size(); ++k)
+      options.values.push_back(1e3 * result.powder.diameter_of(k));
+  } else if (by == "coordination") {
+    options.quantity = "grains touched";
+    for (const int number : process::coordination_numbers(result.powder)) options.values.push_back(number);
+  } else {
+    options.quantity = "height at the first stored instant";
+    options.unit = "mm";
+    options.values = origin_layers(result, whole);
+  }
+}
+
+void fix_speed_scale(render::ViewOptions& options, const std::string& by,
+                     const std::vector<const results::FillResult*>& results) {
+  if (by != "speed" || !std::isnan(options.upper)) return;
+  std::vector<double> speeds;
+  for (const auto* result : results)
+    for (const auto& instant : result->instants)
+      for (const auto& velocity : instant.velocity) speeds.push_back(velocity.norm());
+  if (speeds.empty()) return;
+  options.lower = 0;
+  options.upper = render::robust_range(speeds).upper;
+}
+
+}  // namespace diefill::app

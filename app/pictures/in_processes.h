@@ -1,0 +1,15 @@
+// Work on many pictures at once, each share in a process of its own: a drawing context belongs to one
+// process.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+
+namespace diefill::app {
+
+/// Calls `work` for every number below `count`, in `jobs` processes that see memory as it is now and leave
+/// Throws std::runtime_error where one fails; it has said why on
+/// standard error.
+void in_processes(std::size_t count, std::size_t jobs, const std::function<void(std::size_t)>& work);
+
+}  // namespace diefill::app

@@ -1,0 +1,13 @@
+// What the interactive view of a report shows besides the results as they are stored: the averaged density on
+// a grid over the cavities, and solid fractions at kept instants.
+#pragma once
+
+#include "render/report/viewer/viewed_run.h"
+
+namespace diefill::app {
+
+/// Measures both. The grid has at most some 70 points along its longest side; points in tools and outside the
+/// powder have no value. Instants are those of spread_instants().
+render::report::ViewExtras view_extras(const results::FillResult& result);
+
+}  // namespace diefill::app
