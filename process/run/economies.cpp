@@ -25,11 +25,12 @@ std::string left_out(const engine::Simulation& simulation, std::uint64_t sphere_
 std::vector<std::string> economies_text(const Scene& scene, const engine::Simulation& simulation,
                                         std::uint64_t sphere_steps) {
   std::vector<std::string> lines;
-  if (scene.economy.mirror)
-    lines.push_back(std::string("half model: only one side of the plane ") +
-                    (*scene.economy.mirror == 0 ? "x" : "y") +
+  if (scene.economy.mirror) {
+    const std::string axis = *scene.economy.mirror == 0 ? "x" : "y";
+    lines.push_back("half model: only one side of the plane " + axis +
                     " = 0 was computed; the other half is its mirror image, so differences between the "
                     "halves are not captured");
+  }
   if (scene.economy.sleep)
     lines.push_back("settled grains were frozen (economy.sleep): " + left_out(simulation, sphere_steps));
   if (scene.economy.carry_beyond)
