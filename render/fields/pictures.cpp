@@ -51,8 +51,10 @@ std::vector<ProfileChart> profile_charts(const results::FillResult& result) {
     const std::string suffix = cavity > 1 ? "_cavity_" + std::to_string(cavity) : "";
     charts.push_back({&profile, (level ? "fill_level" : "height_profile") + suffix + ".png"});
   }
-  if (charts.empty() && !result.profiles.empty())
-    charts.push_back({&result.profiles.front(), "height_profile.png"});
+  if (charts.empty() && !result.profiles.empty()) {
+    const std::string file = "height_profile.png";
+    charts.push_back({&result.profiles.front(), file});
+  }
   return charts;
 }
 
