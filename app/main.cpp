@@ -4,8 +4,8 @@
 #include "app/commands/commands.h"
 #include "app/exit_code.h"
 #include "app/output.h"
+#include "app/shell/program_options.h"
 #include "process/input/shown_value.h"
-#include "process/run/assemble.h"
 
 namespace {
 
@@ -23,11 +23,11 @@ std::string in_one_line(const CLI::App* program, const CLI::Error& error) {
 int main(int argc, char** argv) {
   CLI::App program(
       "diefill predicts how powder fills a die: density maps from CAD tools and a short scene file.");
-  program.set_version_flag("--version", diefill::process::program_version());
   program.require_subcommand(1);
   program.failure_message(in_one_line);
   program.footer(
       "Examples:\n"
+      "  diefill new my_die                                   write a scene with tools to start from\n"
       "  diefill check sample_tools/narrow_ring/fill.toml     check tools and scene without simulating\n"
       "  diefill plan sample_tools/narrow_ring/fill.toml      predict size, memory and wall time\n"
       "  diefill powders                                      list the built-in powders\n"
@@ -38,6 +38,7 @@ int main(int argc, char** argv) {
       "  diefill bench clumps                                 measure the speed of this machine");
   diefill::app::Action chosen;
   diefill::app::add_commands(program, chosen);
+  diefill::app::add_program_options(program);
   try {
     program.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

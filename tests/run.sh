@@ -6,7 +6,7 @@
 set -eu
 cd "$(dirname "$0")/.."
 preset=${1:-release}
-sh app/install_packages.sh clang-format-14 chromium ffmpeg || sh app/install_packages.sh
+sh app/install_packages.sh clang-format-14 chromium ffmpeg python3-numpy python3-pytest || sh app/install_packages.sh
 sh tests/format.sh
 case $preset in
   release | slow) sh app/build.sh ;;

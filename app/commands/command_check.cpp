@@ -27,6 +27,7 @@ namespace {
 
 struct CheckArguments {
   std::string scene, picture, setting;
+  std::vector<std::string> changes;
   bool json = false;
 };
 
@@ -159,7 +160,7 @@ void print_simulation(const process::Scene& scene, const process::Tooling& tooli
 }
 
 int check(const CheckArguments& arguments) {
-  process::Scene scene = wanted_scene(arguments.scene, arguments.setting);
+  process::Scene scene = wanted_scene(arguments.scene, arguments.setting, arguments.changes);
   if (arguments.json || !arguments.picture.empty()) refuse_unusable(arguments, scene);
   const double sphere = process::smallest_sphere(process::engine_settings(scene, 1.0));
   const auto tooling = checked_tooling(arguments, scene);
@@ -194,6 +195,7 @@ void add_check(CLI::App& program, Action& chosen) {
   auto arguments = std::make_shared<CheckArguments>();
   command->add_option("SCENE", arguments->scene, "scene file (TOML)")->required();
   add_setting(*command, arguments->setting);
+  add_changes(*command, arguments->changes);
   command->add_flag("--json", arguments->json, "print the findings about the tools as JSON, lengths in m");
   command->add_option("--picture", arguments->picture, "write a PNG of the tools with each finding marked");
   command->footer(

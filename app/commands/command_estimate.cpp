@@ -15,6 +15,7 @@ namespace {
 
 struct EstimateArguments {
   std::string scene, setting, particle_diameter, discharge;
+  std::vector<std::string> changes;
   bool json = false;
 };
 
@@ -40,7 +41,7 @@ int run_estimate(const EstimateArguments& arguments) {
   process::estimate::EstimateOptions options;
   if (!arguments.particle_diameter.empty()) options.particle_diameter = diameter(arguments.particle_diameter);
   if (!arguments.discharge.empty()) options.law = process::estimate::read_discharge(arguments.discharge);
-  const process::Scene scene = wanted_scene(arguments.scene, arguments.setting);
+  const process::Scene scene = wanted_scene(arguments.scene, arguments.setting, arguments.changes);
   auto began = std::chrono::steady_clock::now();
   const auto tooling = [&] {
     process::Progress progress(true);
@@ -72,6 +73,7 @@ void add_estimate(CLI::App& program, Action& chosen) {
   auto arguments = std::make_shared<EstimateArguments>();
   command->add_option("SCENE", arguments->scene, "scene file (TOML)")->required();
   add_setting(*command, arguments->setting);
+  add_changes(*command, arguments->changes);
   command->add_option("--particle-diameter", arguments->particle_diameter,
                       "size of the real particles, such as '80 um', for the effect of air (default: that of "
                       "[suction]; 0.1 mm for presets)");

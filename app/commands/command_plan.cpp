@@ -23,6 +23,7 @@ namespace {
 
 struct PlanArguments {
   std::string scene, setting;
+  std::vector<std::string> changes;
   std::optional<double> minutes, error;
   int threads = 0;
   bool json = false, no_benchmark = false, variants = false, new_pilot = false;
@@ -99,7 +100,7 @@ int plan(const PlanArguments& arguments) {
     };
     options.narrowest_opening = process::estimate::narrowest_hole;
     give_back_freed_memory();  // as the runs will whose memory is foretold
-    return process::plan::make_plan(process::read_scene(arguments.scene), options);
+    return process::plan::make_plan(changed_scene(arguments.scene, arguments.changes), options);
   }();
   std::optional<process::plan::Choice> in_time;
   std::optional<std::size_t> in_error;
@@ -154,6 +155,8 @@ void add_plan(CLI::App& program, Action& chosen) {
                        ->excludes(minutes)
                        ->excludes(error);
   add_setting(*command, arguments->setting)->needs(variants);
+  add_changes(*command, arguments->changes);
+  variants->excludes("--set");
   command->add_flag("--json", arguments->json, "print JSON, SI units");
   command->footer(
       "Reads the tools, begins with what diefill estimate says, runs the scene with less and coarser powder "

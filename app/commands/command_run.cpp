@@ -32,6 +32,7 @@ namespace {
 
 struct RunArguments {
   std::string scene, directory, setting, shared_starts;
+  std::vector<std::string> changes;
   int threads = 0;
   bool resume = false, quiet = false, no_pictures = false;
   PowderSampleArguments samples;
@@ -156,7 +157,7 @@ int deliver(const RunArguments& arguments, const process::Scene& scene, const pr
 }
 
 int run(const RunArguments& arguments) {
-  process::Scene scene = wanted_scene(arguments.scene, arguments.setting);
+  process::Scene scene = wanted_scene(arguments.scene, arguments.setting, arguments.changes);
   process::RunOptions options = options_of(arguments, scene);
   if (arguments.samples.powders > 0) return run_samples(arguments, scene, options.directory);
   std::optional<OutputDirectory> output;
@@ -209,6 +210,7 @@ void add_run(CLI::App& program, Action& chosen) {
       ->check(CLI::Range(1, 1024));
   add_renderer(*command);
   add_setting(*command, arguments->setting);
+  add_changes(*command, arguments->changes);
   command->add_flag("--resume", arguments->resume,
                     "continue from the checkpoint in the results directory; a finished run is kept");
   command->add_option("--beginnings", arguments->shared_starts,

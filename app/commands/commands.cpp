@@ -5,6 +5,7 @@
 namespace diefill::app {
 
 void add_commands(CLI::App& program, Action& chosen) {
+  add_new(program, chosen);
   add_run(program, chosen);
   add_check(program, chosen);
   add_estimate(program, chosen);

@@ -11,6 +11,7 @@ namespace diefill::app {
 using Action = std::function<int()>;
 
 /// Adds its command to the program; `chosen` is set when the user asks for it.
+void add_new(CLI::App& program, Action& chosen);
 void add_run(CLI::App& program, Action& chosen);
 void add_check(CLI::App& program, Action& chosen);
 void add_map(CLI::App& program, Action& chosen);

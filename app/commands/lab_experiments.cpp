@@ -194,7 +194,7 @@ void add_options(CLI::App& command, LabArguments& arguments) {
   command.add_option("--out", arguments.out, "folder of all experiments (default: out/lab)");
   command.add_option(
       "--scenes", arguments.scenes,
-      "folder of the laboratory's scenes (default: sample_tools/laboratory of the source tree)");
+      "folder of the laboratory's scenes (default: sample_tools/laboratory that comes with the program)");
   command.add_flag("--collect", arguments.collect, "do not run: only what is finished");
   command.add_flag("--quiet", arguments.quiet, "print no progress");
 }

@@ -12,6 +12,7 @@
 #include "process/plan/setting.h"
 #include "process/plan/variant_setting.h"
 #include "process/powder/material.h"
+#include "process/scene/scene_text.h"
 #include "process/setup/build_tooling.h"
 #include "process/setup/predicted_work.h"
 
@@ -79,10 +80,26 @@ void say_what_was_chosen(const process::Scene& scene) {
     std::fprintf(stderr, k == 0 ? "%s:\n" : "  %s\n", chosen[k].c_str());
 }
 
-process::Scene wanted_scene(const std::string& file, const std::string& setting) {
+CLI::Option* add_changes(CLI::App& command, std::vector<std::string>& changes) {
+  return command
+      .add_option(
+          "--set", changes,
+          "change a key of the scene, such as 'step.1.velocity = \"0.1 m/s\"'; may be given several times")
+      ->allow_extra_args(false);
+}
+
+process::Scene changed_scene(const std::string& file, const std::vector<std::string>& changes) {
+  if (changes.empty()) return process::read_scene(file);
+  process::SceneChanges wanted;
+  for (const auto& change : changes) wanted.set += change + '\n';
+  return process::changed_scene(process::load_scene_text(file), file, wanted);
+}
+
+process::Scene wanted_scene(const std::string& file, const std::string& setting,
+                            const std::vector<std::string>& changes) {
   std::optional<process::Setting> wanted;
   if (!setting.empty()) wanted = process::setting_named(setting);
-  auto scene = process::plan::settled_scene(process::read_scene(file), wanted);
+  auto scene = process::plan::settled_scene(changed_scene(file, changes), wanted);
   process::refuse_endless(scene);
   say_what_was_chosen(scene);
   return scene;

@@ -3,6 +3,7 @@
 
 #include <CLI/CLI.hpp>
 #include <string>
+#include <vector>
 
 #include "process/scene/scene.h"
 #include "process/scene/variants.h"
@@ -13,12 +14,20 @@ namespace diefill::app {
 /// Adds --setting to a command; returns it for conditions.
 CLI::Option* add_setting(CLI::App& command, std::string& setting);
 
+/// Adds --set to a command: keys of the scene that are changed, a TOML assignment each. Returns it for
+/// conditions.
+CLI::Option* add_changes(CLI::App& command, std::vector<std::string>& changes);
+
+/// Reads the scene with `changes` (of --set) applied. Throws process::SceneError.
+process::Scene changed_scene(const std::string& file, const std::vector<std::string>& changes);
+
 /// Says on standard error what a setting chose and replaced in the scene, if one did.
 void say_what_was_chosen(const process::Scene& scene);
 
-/// Reads the scene. A setting of this name (empty: the scene's own, if it has one) is turned into numbers,
-/// and what it chose is said. Throws process::SceneError.
-process::Scene wanted_scene(const std::string& file, const std::string& setting);
+/// Reads the scene with `changes` (of --set). A setting of this name (empty: the scene's own, if it has one)
+/// is turned into numbers, and what it chose is said. Throws process::SceneError.
+process::Scene wanted_scene(const std::string& file, const std::string& setting,
+                            const std::vector<std::string>& changes);
 
 /// Reads the scene's variants. A setting of this name (empty: none) gives all of them the same numbers, and
 /// what it chose is said, once where it is the same. Throws process::SceneError.

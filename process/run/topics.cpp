@@ -4,6 +4,7 @@
 #include <cstdio>
 
 #include "engine/coarse_graining/methods.h"
+#include "engine/numerics/vector_instructions.h"
 #include "process/powder/law_terms.h"
 #include "process/powder/scene_laws.h"
 #include "process/powder/tool_surface.h"
@@ -207,15 +208,22 @@ void add_setting_topic(const Scene& scene, std::vector<results::Topic>& topics) 
   topics.push_back(std::move(topic));
 }
 
+/// For people.
+const char* name_of(engine::InstructionSet set) {
+  if (set == engine::InstructionSet::avx512) return "AVX-512";
+  return set == engine::InstructionSet::avx2 ? "AVX2" : "baseline of the compiler";
+}
+
+}  // namespace
+
 results::Topic versions_topic() {
   results::Topic topic{"versions", {}, {}};
   state(topic, "diefill", program_version());
   state(topic, "Compiler", __VERSION__);
+  state(topic, "Instruction set", name_of(engine::best_instruction_set()));
   state(topic, "Libraries", DIEFILL_LIBRARIES);
   return topic;
 }
-
-}  // namespace
 
 std::vector<results::Topic> topics(const Scene& scene, const FillRun& run) {
   std::vector<results::Topic> topics = {

@@ -9,6 +9,9 @@
 
 namespace diefill::process {
 
+/// Version of the program, compiler, instruction set in use, libraries.
+results::Topic versions_topic();
+
 /// Statements with their units, in the order in which they are to be read. Topics "powder", "model", "walls",
 /// "numerics", "assumptions" and "versions".
 std::vector<results::Topic> topics(const Scene& scene, const FillRun& run);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <cstdlib>
 
 namespace diefill::process {
 
@@ -11,6 +12,14 @@ namespace {
 
 constexpr double kQuietStart = 2, kOnTerminal = 0.1, kElsewhere = 10;  // s
 constexpr int kBarWidth = 24;
+
+/// s between lines where standard error is no terminal; the environment states it for programs that show
+/// progress themselves.
+double seconds_between_lines() {
+  const char* text = std::getenv("DIEFILL_PROGRESS_SECONDS");
+  const double seconds = text == nullptr ? 0 : std::strtod(text, nullptr);
+  return seconds > 0 ? seconds : kElsewhere;
+}
 
 double seconds_between(std::chrono::steady_clock::time_point a, std::chrono::steady_clock::time_point b) {
   return std::chrono::duration<double>(b - a).count();
@@ -29,7 +38,9 @@ void Progress::show(double share, const std::string& doing, const std::string& r
   const auto now = Clock::now();
   if (first_share_ < 0) first_share_ = share;
   const double elapsed = seconds_between(start_, now);
-  if (elapsed < kQuietStart || seconds_between(last_, now) < (terminal_ ? kOnTerminal : kElsewhere)) return;
+  const double interval = terminal_ ? kOnTerminal : seconds_between_lines();
+  const double quiet_start = terminal_ ? kQuietStart : std::min(kQuietStart, interval);
+  if (elapsed < quiet_start || seconds_between(last_, now) < interval) return;
   last_ = now;
   share = std::clamp(share, 0.0, 1.0);
   const double done = share - first_share_;

@@ -42,6 +42,7 @@ const std::vector<Rule>& rules() {
       {"render/tracing/", {"render/"}, {"Eigen/", "Q", "embree3/", "oneapi/tbb/"}},
       {"render/report/critical_speed.cpp", {"render/", "process/results/"}, {"boost/math/"}},
       {"app/", {"engine/", "geometry/", "process/", "render/", "app/"}, {"Eigen/", "CLI/", "nlohmann/"}},
+      {"app/python/", {"process/results/", "app/python/"}, {"Eigen/", "pybind11/"}},
       {"app/freed_memory.cpp", {"app/"}, {"malloc.h"}},  // GNU's, where there is one
   };
   return all;

@@ -22,7 +22,7 @@ const std::map<std::string, std::vector<std::string>>& rooms() {
        {"results", "measure", "input", "machine", "scene", "measured_data", "press_mesh", "powder", "tooling",
         "setup", "run", "plan", "compare", "tradeoff", "continuum", "laboratory", "calibration", "estimate"}},
       {"render", {"style", "offscreen", "tracing", "fields", "charts", "scene3d", "report"}},
-      {"app", {"tables", "pictures", "commands"}},
+      {"app", {"tables", "pictures", "shell", "commands", "python"}},
   };
   return all;
 }

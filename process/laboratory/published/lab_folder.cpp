@@ -1,11 +1,11 @@
 #include "process/laboratory/published/lab_folder.h"
 
+#include "process/input/sample_tools.h"
+
 namespace diefill::process::laboratory {
 
 std::filesystem::path laboratory_folder() {
-  namespace fs = std::filesystem;
-  const fs::path beside = fs::read_symlink("/proc/self/exe").parent_path() / "../../sample_tools/laboratory";
-  return fs::exists(beside) ? fs::weakly_canonical(beside) : fs::path("sample_tools/laboratory");
+  return sample_tools_folder() / "laboratory";
 }
 
 }  // namespace diefill::process::laboratory

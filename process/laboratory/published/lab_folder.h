@@ -7,7 +7,7 @@ namespace diefill::process::laboratory {
 
 inline constexpr const char* kPublishedFigures = "published_figures.csv";  ///< in that folder
 
-/// sample_tools/laboratory of the source tree that the program was built in, or else of the current folder.
+/// `laboratory` in the folder of the sample tools (process/input/sample_tools.h).
 std::filesystem::path laboratory_folder();
 
 }  // namespace diefill::process::laboratory

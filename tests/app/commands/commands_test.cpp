@@ -9,7 +9,7 @@
 namespace diefill::app {
 namespace {
 
-const char* const kCommands[] = {"run", "check", "map", "info", "powders", "bench"};
+const char* const kCommands[] = {"new", "run", "check", "map", "info", "powders", "bench"};
 
 TEST(CommandLine, HelpShowsAnExampleOfEveryCommand) {
   for (const std::string command : kCommands) {
@@ -26,10 +26,12 @@ TEST(CommandLine, HelpShowsAnExampleOfEveryCommand) {
     EXPECT_NE(outcome.out.find("  diefill " + command + " "), std::string::npos) << outcome.out;
 }
 
-TEST(CommandLine, VersionIsOneLine) {
+TEST(CommandLine, VersionNamesCompilerInstructionSetAndLibraries) {
   const Outcome outcome = run_program({"--version"});
   EXPECT_EQ(outcome.exit_code, 0);
-  EXPECT_EQ(std::count(outcome.out.begin(), outcome.out.end(), '\n'), 1) << outcome.out;
+  EXPECT_TRUE(outcome.out.starts_with("diefill ")) << outcome.out;
+  for (const char* name : {"\nCompiler: ", "\nInstruction set: ", "\nLibraries: Eigen ", ", VTK ", ", Qt "})
+    EXPECT_NE(outcome.out.find(name), std::string::npos) << name << " in " << outcome.out;
 }
 
 TEST(CommandLine, WrongWordsExitWithTwo) {

@@ -1,0 +1,35 @@
+# Debian packages by CPack: `cpack --config build/CPackConfig.cmake -B build/packages`. Dependencies on shared libraries
+# are found by dpkg-shlibdeps; those on files that are opened while the program runs stand here.
+set(CPACK_GENERATOR DEB)
+set(CPACK_PACKAGE_NAME diefill)
+set(CPACK_PACKAGE_CONTACT "The diefill authors")
+set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "predicts how powder fills a die")
+set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
+set(CPACK_STRIP_FILES ON)
+set(CPACK_DEBIAN_PACKAGE_SECTION science)
+set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
+set(CPACK_DEB_COMPONENT_INSTALL ON)
+set(CPACK_COMPONENTS_ALL program development)
+
+set(CPACK_DEBIAN_PROGRAM_PACKAGE_NAME diefill)
+set(CPACK_COMPONENT_PROGRAM_DESCRIPTION "Density maps of filled dies from CAD tools and a short scene file, by a \
+discrete element method\nwith coarse graining. Program, manual page, documentation and sample tools.")
+set(CPACK_DEBIAN_PROGRAM_PACKAGE_SHLIBDEPS ON)
+set(CPACK_DEBIAN_PROGRAM_PACKAGE_DEPENDS "fonts-dejavu-core, libgl1-mesa-dri")
+
+set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME libdiefill-dev)
+set(CPACK_COMPONENT_DEVELOPMENT_DESCRIPTION "Static libraries and headers of diefill, for find_package(diefill).")
+set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS "libeigen3-dev, libtbb-dev")
+set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_RECOMMENDS "libboost-dev, libassimp-dev, libcgal-dev, libhdf5-dev, \
+libtomlplusplus-dev, nlohmann-json3-dev, libocct-data-exchange-dev, lib3mf-dev, libudunits2-dev, voro++-dev, \
+libnlopt-dev, zlib1g-dev")
+
+if(TARGET _results)
+  list(APPEND CPACK_COMPONENTS_ALL python)
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_NAME python3-diefill)
+  set(CPACK_COMPONENT_PYTHON_DESCRIPTION "Python package of diefill: scenes run, results as NumPy arrays.")
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_SHLIBDEPS ON)
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS
+    "diefill (= ${PROJECT_VERSION}), python3 (>= ${Python3_VERSION_MAJOR}.${Python3_VERSION_MINOR}), python3-numpy")
+endif()
+include(CPack)

@@ -1,0 +1,121 @@
+"""Scenes: changed, checked, estimated, planned, run and compared."""
+import json
+import os
+import tempfile
+from pathlib import Path
+from typing import Any, Dict, List, Mapping, Optional, Sequence, Union
+
+from . import _results
+from .comparison import Comparison, read_comparison
+from .program import Callback, call
+from .reading import read
+
+Value = Union[str, bool, int, float, Sequence[Any]]
+"""Of a key: quantities are texts with a unit, such as "0.1 m/s"."""
+Changes = Mapping[str, Value]
+"""Value by key, such as {"step.1.velocity": "0.1 m/s", 'tool."core rod".position': ["0 mm", "0 mm", "1 mm"]}."""
+PathLike = Union[str, "os.PathLike[str]"]
+
+
+def _toml(value: Value) -> str:
+    """The value as TOML writes it."""
+    if isinstance(value, bool):
+        return "true" if value else "false"
+    if isinstance(value, str):
+        return json.dumps(value, ensure_ascii=False)
+    if isinstance(value, (int, float)):
+        return repr(value)
+    return "[" + ", ".join(_toml(one) for one in value) + "]"
+
+
+def _lines(changes: Changes) -> List[str]:
+    return [f"{key} = {_toml(value)}" for key, value in changes.items()]
+
+
+def _write_whole(file: Path, text: str) -> None:
+    """Writes the file whole or not at all."""
+    temporary = file.with_name(f"{file.name}.{os.getpid()}.tmp")
+    temporary.write_text(text, encoding="utf-8")
+    os.replace(temporary, file)
+
+
+class Scene:
+    """A scene file, with changes that leave the file as it is. It is read and checked whenever it is used; BadInput
+    then names file, line and key."""
+
+    def __init__(self, file: PathLike, changes: Optional[Changes] = None):
+        self.file = Path(file)
+        self.changes: Dict[str, Value] = dict(changes or {})
+
+    def __repr__(self) -> str:
+        return f"diefill.Scene({str(self.file)!r}, {self.changes!r})"
+
+    def changed(self, changes: Changes) -> "Scene":
+        """The same scene with these keys changed as well."""
+        return Scene(self.file, {**self.changes, **changes})
+
+    def _arguments(self) -> List[str]:
+        return [str(self.file)] + [f"--set={line}" for line in _lines(self.changes)]
+
+    def check(self) -> Dict[str, Any]:
+        """What `diefill check` finds: meshes, fit of the tools, wall spheres, cavity, set-up."""
+        return json.loads(call(["check", *self._arguments(), "--json"]))
+
+    def estimate(self) -> Dict[str, Any]:
+        """By formula, without grains, in about a second: mass and share filled, critical shoe speed, crossings, air.
+        SI units; `diefill estimate --json` has the same entries."""
+        return json.loads(call(["estimate", *self._arguments(), "--json"]))
+
+    def plan(self, *, minutes: Optional[float] = None, threads: Optional[int] = None, pilot: bool = True,
+             callback: Optional[Callback] = None) -> Dict[str, Any]:
+        """Grains, steps, memory and wall time as written and with each setting. `minutes`: also the finest grains
+        that fit this wall time, as "within_minutes". `pilot`: run a pilot of about ten seconds, without which wall
+        times are unknown."""
+        arguments: List[object] = ["plan", *self._arguments(), "--json"]
+        arguments += [] if minutes is None else ["--minutes", minutes]
+        arguments += [] if threads is None else ["--threads", threads]
+        arguments += [] if pilot else ["--no-benchmark"]
+        return json.loads(call(arguments, callback))
+
+    def run(self, out: PathLike, *, threads: Optional[int] = None, resume: bool = False,
+            setting: Optional[str] = None, pictures: bool = False,
+            callback: Optional[Callback] = None) -> _results.Results:
+        """Runs the scene; results go to the folder `out`, earlier ones in it to previous-1 and so on. `threads`: of
+        the run, default all cores. `resume`: goes on from a checkpoint. `setting`: "quick", "working" or "reference".
+        `pictures`: draws maps as well. `callback`: see Callback. Ctrl-C leaves a checkpoint. Raises OutOfRange where
+        the run leaves the method's range; warns with UnfinishedWarning where numerics.max_time ended it."""
+        arguments: List[object] = ["run", *self._arguments(), "--out", out]
+        arguments += [] if threads is None else ["--threads", threads]
+        arguments += [] if setting is None else ["--setting", setting]
+        arguments += ["--resume"] if resume else []
+        arguments += [] if pictures else ["--no-pictures"]
+        call(arguments, callback)
+        return read(out)
+
+    def compare(self, variants: Mapping[str, Changes], out: PathLike, *, seeds: int = 1, jobs: int = 1,
+                callback: Optional[Callback] = None) -> Comparison:
+        """Runs the scene once for each of `variants` (name: changed keys) and seed, and holds them against the first:
+        what differs by more than the scatter over seeds. Goes on where it was stopped. The scene with its variants is
+        `out`.toml."""
+        tables = [f"\n[[variant]]\nname = {_toml(name)}\n" + "\n".join(_lines(changes)) + "\n"
+                  for name, changes in variants.items()]
+        with tempfile.TemporaryDirectory() as folder:
+            text = self.write(Path(folder) / "scene").read_text(encoding="utf-8")
+        file = Path(f"{os.fspath(out)}.toml")
+        file.parent.mkdir(parents=True, exist_ok=True)
+        _write_whole(file, text + "".join(tables))
+        call(["compare", file, "--out", out, "--seeds", seeds, "--jobs", jobs], callback)
+        return read_comparison(out)
+
+    def write(self, folder: PathLike) -> Path:
+        """Writes the scene with its changes as `folder`/fill.toml, which names its CAD files where they lie. Raises
+        BadInput where the folder exists."""
+        call(["new", folder, "--from", *self._arguments()])
+        return Path(folder) / "fill.toml"
+
+
+def new(folder: PathLike, kind: str = "rectangular_die") -> Scene:
+    """Writes a commented scene with tools to start from and returns it. `kind`: "rectangular_die", "ring" or "gear".
+    Raises BadInput where the folder exists."""
+    call(["new", folder, "--kind", kind])
+    return Scene(Path(folder) / "fill.toml")

@@ -1,0 +1,116 @@
+#include <pybind11/stl.h>
+
+#include <algorithm>
+
+#include "app/python/array_views.h"
+#include "app/python/results_module.h"
+#include "process/results/fill_result.h"
+
+namespace diefill::python {
+
+namespace {
+
+using results::CavityState;
+using results::Field2D;
+using results::ProbeSeries;
+using results::Profile;
+using results::SectionField;
+using results::ToolState;
+
+/// A copy of three numbers.
+py::array_t<double> three(const Eigen::Vector3d& vector) {
+  return py::array_t<double>(3, vector.data());
+}
+
+template <class Owner>
+auto vector_of(Eigen::Vector3d Owner::*member) {
+  return [member](const Owner& owner) { return three(owner.*member); };
+}
+
+auto plane_vector(Eigen::Vector3d results::SectionPlane::*member) {
+  return [member](const SectionField& section) { return three(section.plane.*member); };
+}
+
+py::array values_of(const py::object& self) {
+  const auto& field = self.cast<const Field2D&>();
+  return view_of(
+      field.value.data(),
+      {static_cast<py::ssize_t>(field.second.size()), static_cast<py::ssize_t>(field.first.size())}, self);
+}
+
+py::array rows_of(const py::object& self) {
+  const auto& probe = self.cast<const ProbeSeries&>();
+  const auto columns = static_cast<py::ssize_t>(probe.columns.size());
+  const auto rows = columns == 0 ? 0 : static_cast<py::ssize_t>(probe.values.size()) / columns;
+  return view_of(probe.values.data(), {rows, columns}, self);
+}
+
+py::array column_of(const py::object& self, const std::string& name) {
+  const auto& columns = self.cast<const ProbeSeries&>().columns;
+  const auto found = std::find(columns.begin(), columns.end(), name);
+  if (found == columns.end()) throw py::key_error(name);
+  return rows_of(self)[py::make_tuple(py::ellipsis(), found - columns.begin())];
+}
+
+void add_curves(py::module_& module) {
+  py::class_<Profile>(module, "Profile", "A curve, such as the fill level over the azimuth.")
+      .def_readonly("quantity", &Profile::quantity)
+      .def_readonly("unit", &Profile::unit, "of y")
+      .def_readonly("x_name", &Profile::x_name)
+      .def_readonly("x_unit", &Profile::x_unit)
+      .def_property_readonly("x", shown(&Profile::x), "(n,) in x_unit")
+      .def_property_readonly("y", shown(&Profile::y), "(n,) in unit; NaN where nothing was found");
+  py::class_<ProbeSeries>(module, "Probe",
+                          "What a probe recorded while the scene ran; probe[column] is one column.")
+      .def_readonly("name", &ProbeSeries::name, "in the scene")
+      .def_readonly("columns", &ProbeSeries::columns, "names; the first is the time")
+      .def_readonly("units", &ProbeSeries::units, "one a column")
+      .def_property_readonly("values", rows_of, "(rows, columns)")
+      .def("__getitem__", column_of);
+}
+
+}  // namespace
+
+void add_fields(py::module_& module) {
+  py::class_<Field2D>(module, "Field", "A field on a rectangular grid.")
+      .def_readonly("quantity", &Field2D::quantity, "such as \"solid fraction\"")
+      .def_readonly("first_name", &Field2D::first_name)
+      .def_readonly("first_unit", &Field2D::first_unit)
+      .def_readonly("second_name", &Field2D::second_name)
+      .def_readonly("second_unit", &Field2D::second_unit)
+      .def_readonly("averaging_width", &Field2D::averaging_width, "m, sigma of Bierwisch 2009, Eq. 2.27")
+      .def_property_readonly("first", shown(&Field2D::first), "(a,) nodes in first_unit")
+      .def_property_readonly("second", shown(&Field2D::second), "(b,) nodes in second_unit")
+      .def_property_readonly("values", values_of,
+                             "(b, a): values[j, i] at first[i], second[j]; NaN: no powder");
+  py::class_<SectionField>(module, "Section", "A field on a plane, coordinates in mm from its origin.")
+      .def_property_readonly("name", [](const SectionField& section) { return section.plane.name; })
+      .def_property_readonly("origin", plane_vector(&results::SectionPlane::origin), "(3,) m")
+      .def_property_readonly("normal", plane_vector(&results::SectionPlane::normal), "(3,) unit vector")
+      .def_property_readonly("first_axis", plane_vector(&results::SectionPlane::first_axis),
+                             "(3,) unit vector")
+      .def_property_readonly("second_axis", plane_vector(&results::SectionPlane::second_axis),
+                             "(3,) unit vector")
+      .def_readonly("field", &SectionField::field);
+  add_curves(module);
+  py::class_<ToolState>(module, "Tool", "A tool as it stood at the end of the run, laboratory frame.")
+      .def_readonly("name", &ToolState::name)
+      .def_readonly("role", &ToolState::role, "die, core, punch, shoe or plate")
+      .def_readonly("wall_sphere_radius", &ToolState::wall_sphere_radius, "m")
+      .def_property_readonly("vertices", shown(&ToolState::vertices), "(v, 3) m")
+      .def_property_readonly("triangles", shown(&ToolState::triangles),
+                             "(t, 3) numbers of vertices, counter-clockwise seen from outside")
+      .def_property_readonly("wall_sphere_centres", shown(&ToolState::wall_sphere_centres), "(w, 3) m");
+  py::class_<CavityState>(module, "Cavity", "Where the powder is collected.")
+      .def_readonly("is_ring", &CavityState::is_ring)
+      .def_readonly("inner_radius", &CavityState::inner_radius, "m, of rings")
+      .def_readonly("outer_radius", &CavityState::outer_radius, "m, of rings")
+      .def_readonly("volume", &CavityState::volume, "m^3 below the fill plane; 0: unknown")
+      .def_readonly("narrowest_width", &CavityState::narrowest_width, "m; 0: unknown")
+      .def_property_readonly("axis_origin", vector_of(&CavityState::axis_origin), "(3,) m")
+      .def_property_readonly("lower_corner", vector_of(&CavityState::lower_corner), "(3,) m")
+      .def_property_readonly("upper_corner", vector_of(&CavityState::upper_corner),
+                             "(3,) m; its z is the fill plane");
+}
+
+}  // namespace diefill::python

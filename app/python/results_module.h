@@ -1,0 +1,15 @@
+// The compiled part of the Python package: results.h5 as objects with NumPy arrays.
+#pragma once
+
+#include <pybind11/pybind11.h>
+
+namespace diefill::python {
+
+/// Powder, solid fraction, contact stress and instants: arrays over grains.
+void add_grains(pybind11::module_& module);
+/// Maps, sections, profiles, probes, tools and the cavity.
+void add_fields(pybind11::module_& module);
+/// A whole run, and the function that reads it.
+void add_run(pybind11::module_& module);
+
+}  // namespace diefill::python

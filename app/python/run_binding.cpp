@@ -1,0 +1,98 @@
+#include <pybind11/stl.h>
+
+#include "app/python/results_module.h"
+#include "process/results/figure_table.h"
+#include "process/results/storage/result_file.h"
+
+namespace diefill::python {
+
+namespace py = pybind11;
+
+namespace {
+
+using results::FillResult;
+
+/// A property: the entries of a list in `owner` by name, each alive as long as it is looked at.
+template <class Entry, class Name>
+auto by_name(std::vector<Entry> FillResult::*list, const Name& name) {
+  return [list, name](const py::object& self) {
+    py::dict entries;
+    for (const Entry& entry : self.cast<const FillResult&>().*list)
+      entries[py::str(name(entry))] = py::cast(&entry, py::return_value_policy::reference_internal, self);
+    return entries;
+  };
+}
+
+/// The topics of the run: statement by name, for each topic.
+py::dict topics_of(const FillResult& result) {
+  py::dict topics;
+  for (const auto& topic : result.topics) {
+    py::dict statements;
+    for (std::size_t k = 0; k < topic.name.size(); ++k) statements[py::str(topic.name[k])] = topic.text[k];
+    topics[py::str(topic.topic)] = statements;
+  }
+  return topics;
+}
+
+py::list instants_of(const py::object& self) {
+  py::list instants;
+  for (const auto& instant : self.cast<const FillResult&>().instants)
+    instants.append(py::cast(&instant, py::return_value_policy::reference_internal, self));
+  return instants;
+}
+
+void add_texts(py::class_<FillResult>& run) {
+  run.def_readonly("title", &FillResult::title)
+      .def_readonly("strategy", &FillResult::strategy, "one line, such as \"1 passage at 0.2 m/s\"")
+      .def_readonly("powder_name", &FillResult::powder_name)
+      .def_readonly("scene_text", &FillResult::scene_text, "the scene file as it was run")
+      .def_readonly("program_version", &FillResult::program_version, "of the program that ran it")
+      .def_readonly("seed", &FillResult::seed)
+      .def_readonly("state_hash", &FillResult::state_hash, "the same hash: the same state, bit for bit")
+      .def_readonly("warnings", &FillResult::warnings, "remarks of the run")
+      .def_property_readonly("topics", topics_of, "statements on powder, model, walls, numerics, ...")
+      .def("__repr__", [](const FillResult& result) {
+        return "<diefill.Results " + result.title + ": " + std::to_string(result.powder.id.size()) +
+               " grains>";
+      });
+}
+
+}  // namespace
+
+void add_run(py::module_& module) {
+  py::register_exception<results::ResultError>(module, "ResultError", PyExc_ValueError);
+  py::class_<FillResult> run(module, "Results", "One run: powder, tools, fields and figures. SI units.");
+  add_texts(run);
+  run.def_readonly("powder", &FillResult::powder)
+      .def_readonly("solid_fraction", &FillResult::solid_fraction, "of every grain")
+      .def_readonly("contact_stress", &FillResult::contact_stress, "of every grain")
+      .def_readonly("cavity", &FillResult::cavity)
+      .def_readonly("figures", &FillResult::figures,
+                    "numbers of report.json by name; figure_meaning() explains them")
+      .def_readonly("phase_seconds", &FillResult::phase_seconds, "s of wall-clock time by phase of the step")
+      .def_property_readonly("maps", by_name(&FillResult::maps, [](const auto& map) { return map.quantity; }),
+                             "fields by quantity")
+      .def_property_readonly(
+          "sections", by_name(&FillResult::sections, [](const auto& section) { return section.plane.name; }))
+      .def_property_readonly(
+          "profiles", by_name(&FillResult::profiles, [](const auto& profile) { return profile.quantity; }))
+      .def_property_readonly("probes",
+                             by_name(&FillResult::probes, [](const auto& probe) { return probe.name; }))
+      .def_property_readonly("tools", by_name(&FillResult::tools, [](const auto& tool) { return tool.name; }))
+      .def_property_readonly("instants", instants_of, "earlier times, ascending (measure.snapshot_interval)");
+  module.def(
+      "read", [](const std::string& directory) { return results::read_results(directory); },
+      py::arg("directory"),
+      "Reads directory/results.h5. Raises ResultError naming the file and what is wrong with it.");
+  module.def("figure_meaning", &results::figure_meaning, py::arg("name"),
+             "Unit of a figure (\"1\": a plain number), and how it is formed.");
+}
+
+}  // namespace diefill::python
+
+PYBIND11_MODULE(_results, module) {
+  module.doc() = "Results of diefill as NumPy arrays, without copies.";
+  diefill::python::add_grains(module);
+  diefill::python::add_fields(module);
+  diefill::python::add_run(module);
+}

@@ -1,0 +1,69 @@
+#include "app/shell/manual_page.h"
+
+namespace diefill::app {
+
+namespace {
+
+/// `text` so that roff prints it as it is, line by line.
+std::string roff(const std::string& text) {
+  std::string safe;
+  bool begins_line = true;
+  for (const char c : text) {
+    if (begins_line && (c == '.' || c == '\'')) safe += "\\&";
+    if (c == '\\')
+      safe += "\\e";
+    else if (c == '-')
+      safe += "\\-";
+    else
+      safe += c;
+    begins_line = c == '\n';
+  }
+  return safe;
+}
+
+std::string option_entry(const OptionText& option) {
+  std::string head;
+  for (const auto& name : option.names) head += (head.empty() ? "" : ", ") + ("\\fB" + roff(name) + "\\fR");
+  if (!option.positional && !option.value.empty()) head += " \\fI" + roff(option.value) + "\\fR";
+  std::string text = ".TP\n" + head + "\n" + roff(option.description) + "\n";
+  if (option.choices.empty()) return text;
+  text += "One of:";
+  for (const auto& choice : option.choices) text += ' ' + roff(choice);
+  return text + ".\n";
+}
+
+/// Indented text whose lines stay as they are.
+std::string as_it_is(const std::string& text) {
+  return text.empty() ? "" : ".PP\n.nf\n" + roff(text) + "\n.fi\n";
+}
+
+std::string usage_of(const CommandText& command) {
+  std::string text = "diefill " + command.path();
+  for (const auto& option : command.options)
+    if (option.positional) text += ' ' + option.names.front();
+  return text + (command.commands.empty() ? " [OPTIONS]" : " COMMAND [OPTIONS]");
+}
+
+std::string section_of(const CommandText& command) {
+  std::string text = ".SS \"" + roff(usage_of(command)) + "\"\n" + roff(command.description) + "\n";
+  for (const auto& option : command.options)
+    if (option.names.back() != "--help") text += option_entry(option);
+  return text + as_it_is(command.footer);
+}
+
+}  // namespace
+
+std::string manual_page(const CommandText& program, const std::string& version) {
+  std::string text = ".TH DIEFILL 1 \"\" \"diefill " + roff(version) +
+                     "\" \"User Commands\"\n.SH NAME\ndiefill \\- " +
+                     roff("predicts how powder fills a die") +
+                     "\n.SH SYNOPSIS\n.B diefill\n\\fICOMMAND\\fR [\\fIARGUMENTS\\fR] [\\fIOPTIONS\\fR]\n" +
+                     ".SH DESCRIPTION\n" + roff(program.description) + "\n.SH OPTIONS\n";
+  for (const auto& option : program.options) text += option_entry(option);
+  text += ".SH COMMANDS\n";
+  for (const auto* command : all_commands(program))
+    if (!command->words.empty()) text += section_of(*command);
+  return text + ".SH EXAMPLES\n" + as_it_is(program.footer);
+}
+
+}  // namespace diefill::app

@@ -1,0 +1,16 @@
+#include "process/input/sample_tools.h"
+
+#include <array>
+
+namespace diefill::process {
+
+std::filesystem::path sample_tools_folder() {
+  namespace fs = std::filesystem;
+  const fs::path program = fs::read_symlink("/proc/self/exe").parent_path();
+  constexpr std::array kPlaces = {"../../sample_tools", "../share/diefill/sample_tools"};
+  for (const char* place : kPlaces)
+    if (fs::exists(program / place)) return fs::weakly_canonical(program / place);
+  return "sample_tools";
+}
+
+}  // namespace diefill::process
