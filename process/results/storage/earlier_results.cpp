@@ -26,7 +26,8 @@ bool is_one_of(const std::string& name, const Names& names) {
 bool belongs_to_run(const fs::directory_entry& entry) {
   const std::string name = entry.path().filename().string();
   if (is_one_of(name, kDecisive) || is_one_of(name, kFiles)) return true;
-  if (entry.is_directory()) return name == "frames" || name.starts_with("frames_") || name.ends_with("_frames");
+  if (entry.is_directory())
+    return name == "frames" || name.starts_with("frames_") || name.ends_with("_frames");
   if (name.starts_with("probe_") && name.ends_with(".csv")) return true;
   return is_one_of(entry.path().extension().string(), kPictures);
 }
