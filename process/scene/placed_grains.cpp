@@ -1,6 +1,5 @@
 #include "process/scene/placed_grains.h"
 
-#include "process/input/scene_error.h"
 #include "process/scene/reading/read_sphere_file.h"
 
 namespace diefill::process {

@@ -22,7 +22,7 @@ constexpr NumberRule kRandomOffset = {0, 0.5, false, "0.1"};
 
 /// Rejects keys of the lattice, and a setting that chooses the grain size, beside `key`, which gives all
 /// grains.
-void refuse_keys_beside(TableReader& table, const std::string& key, bool has_setting) {
+void refuse_keys_beside(const TableReader& table, const std::string& key, bool has_setting) {
   for (const char* other :
        {"from", "to", "fill_height", "solid_fraction", "rim_speed", "lattice_constant", "random_offset",
         "around_tools", "layers", "state", "state_below", "grains_file"}) {
