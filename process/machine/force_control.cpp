@@ -81,7 +81,9 @@ void ForceControl::pass_targets(ControlState& state, double measured, double now
 
 double ForceControl::asked_rate(ControlState& state, double measured, double interval) const {
   const double target = wanted(state);
-  const double proportional = gain * speed_limit * (target - measured) / target;
+  // Powder that was pressed harder before is as stiff as that has left it.
+  const double scale = state.passed > 0 ? std::max(target, targets[state.passed - 1]) : target;
+  const double proportional = gain * speed_limit * (target - measured) / scale;
   // An integral that grew on the way to the powder would press beyond the target. A rotor turns steadily
   // against its torque and needs it at all times, but while the limit acts.
   const double grown = state.integral + proportional * interval / integral_time;

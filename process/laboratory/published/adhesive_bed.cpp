@@ -39,9 +39,10 @@ double glue_of(const AdhesivePowder& powder) {
 }
 
 std::string attraction_part(const AdhesivePowder& powder, Packing packing, double times = 1) {
-  if (packing == Packing::free) return "{ law = \"none\" }";
   const double range = packing == Packing::clusters ? kLargestGap : kSmallestGap;
-  return "{ law = \"van der Waals\", hamaker_constant = " + with_unit(times * powder.hamaker, "J") +
+  // The same law without attraction, so that its keys replace those of the scene.
+  const double hamaker = packing == Packing::free ? 0 : times * powder.hamaker;
+  return "{ law = \"van der Waals\", hamaker_constant = " + with_unit(hamaker, "J") +
          ", smallest_gap = " + with_unit(kSmallestGap, "m") + ", largest_gap = " + with_unit(range, "m") +
          " }";
 }

@@ -44,7 +44,7 @@ AdhesivePowder powder_of(const std::vector<double>& n) {
 std::vector<int> levels_of(const std::vector<std::vector<double>>& rows, std::size_t factor) {
   double least = rows.front()[factor], most = least;
   for (const auto& row : rows) least = std::min(least, row[factor]), most = std::max(most, row[factor]);
-  const double middle = 0.5 * (least + most), near = 0.2 * (most - least);
+  const double middle = 0.5 * (least + most), near = 0.1 * (most - least);
   std::vector<int> levels;
   for (const auto& row : rows)
     levels.push_back(row[factor] > middle + near ? 1 : row[factor] < middle - near ? -1 : 0);

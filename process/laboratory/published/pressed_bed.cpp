@@ -6,7 +6,7 @@ namespace diefill::process::laboratory {
 namespace {
 
 constexpr LoadCycle kLoads;
-constexpr double kTouch = 50, kRest = 100;  // Pa
+constexpr double kTouch = 50;  // Pa
 constexpr const char *kPlate = "plate", *kPacked = "packed", *kPressed = "pressed";
 
 }  // namespace
@@ -21,7 +21,7 @@ LabRun run_of(const PressedBed& bed) {
   loads.stresses = {kLoads.high};
   for (int k = 0; k < kLoads.cycles; ++k)
     loads.stresses.insert(loads.stresses.end(), {kLoads.low, kLoads.high});
-  loads.stresses.push_back(kRest);
+  loads.stresses.push_back(kLoads.low);
   return {bed.name, "adhesive_bed.toml", {pressed_bed_lines(bed.powder, bed.bed, loads), {}}};
 }
 
