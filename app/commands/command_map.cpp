@@ -285,7 +285,7 @@ void add_look_options(CLI::App& command, MapArguments& arguments) {
       ->capture_default_str();
   add_renderer(command);
   command.add_flag("--ambient-occlusion", arguments.ambient_occlusion,
-                   "shade gaps between grains with --renderer opengl; embree always does");
+                   "shade gaps between grains; --renderer embree always does");
   command.add_option("--width", arguments.width, "width of PNG files in pixels")
       ->check(CLI::Range(400, 6400))
       ->capture_default_str();
