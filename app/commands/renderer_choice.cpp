@@ -11,11 +11,11 @@ void add_renderer(CLI::App& command) {
       .add_option_function<std::string>(
           "--renderer",
           [](const std::string& name) {
-            render::set_renderer(name == "opengl" ? render::Renderer::kOpenGl : render::Renderer::kEmbree);
+            render::set_renderer(name == "embree" ? render::Renderer::kEmbree : render::Renderer::kOpenGl);
           },
           "what draws shaded views: embree (ray tracer, soft shadow) or opengl (software OpenGL)")
       ->check(CLI::IsMember({"embree", "opengl"}))
-      ->default_str("embree");
+      ->default_str("opengl");
 }
 
 }  // namespace diefill::app

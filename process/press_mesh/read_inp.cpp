@@ -123,7 +123,8 @@ class InpFile {
     const std::string type = keyword.value("TYPE");
     if (type.empty()) lines_.reject("the type of the elements, such as *ELEMENT, TYPE=C3D4");
     const auto shape = shape_of(type);
-    if (!shape && type.starts_with("C3D")) lines_.reject("C3D4, C3D5, C3D6, C3D8, C3D10, C3D15 or C3D20");
+    if (!shape && type.starts_with("C3D"))
+      lines_.reject_text("found TYPE=" + type + ", expected C3D4, C3D5, C3D6, C3D8, C3D10, C3D15 or C3D20");
     if (!shape) {
       while (next_data())
         if (!lines_.line().ends_with(',')) builder_.leave_out(1);

@@ -127,7 +127,7 @@ QImage read_back(OffscreenWindow& window, int width, int height) {
 }
 
 Renderer& chosen_renderer() {
-  static Renderer chosen = Renderer::kEmbree;
+  static Renderer chosen = Renderer::kOpenGl;
   return chosen;
 }
 

@@ -24,7 +24,7 @@ enum class Renderer {
   kOpenGl   ///< VTK through OSMesa
 };
 
-/// What draws where nothing else is said: Embree, until set_renderer. One for the program.
+/// What draws where nothing else is said: OpenGL, until set_renderer. One for the program.
 Renderer renderer();
 void set_renderer(Renderer chosen);
 

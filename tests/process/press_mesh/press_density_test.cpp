@@ -85,7 +85,7 @@ TEST(PressDensity, OfUniformPowderIsUniform) {
 
 TEST(PressDensity, NamesElementsOutsideThePowder) {
   const auto result = filled_block([](const Eigen::Vector3d&) { return 0.42; });
-  auto mesh = cube_mesh(2, 6e-3, {3e-3 + 3.3e-3, 0, 0});  // half of it beyond the block
+  auto mesh = cube_mesh(2, 6e-3, {4e-3, 0, 0});  // half of it beyond the block
   const auto density = element_density(result, mesh, {kWidth, 1e-3});
   EXPECT_EQ(density.outside, (std::vector<std::uint64_t>{2, 4, 6, 8}));
   EXPECT_EQ(density.mass[1], 0);
@@ -100,7 +100,7 @@ TEST(PressDensity, FilesHoldEveryElementAndNodeAndTheMass) {
   const support::TemporaryFolder folder;
   const auto result = filled_block([](const Eigen::Vector3d& p) { return 0.4 + 20 * p.x(); });
   const auto mesh = cube_mesh(2, 6.6e-3);
-  const auto density = element_density(result, mesh, {kWidth, 2e-3});
+  const auto density = element_density(result, mesh, {kWidth, 1.3e-4});
   const auto files = write_density_files(folder.path(), "m", mesh, density, {"m.inp", "a\nb"});
   EXPECT_EQ(files.size(), 5U);
   std::istringstream elements(support::contents(folder.path() / "m_density_elements.csv"));
@@ -115,7 +115,7 @@ TEST(PressDensity, FilesHoldEveryElementAndNodeAndTheMass) {
     mass += cells[7];
   }
   EXPECT_EQ(rows, 8);
-  EXPECT_NEAR(mass / 2e-3, 1, 1e-6);
+  EXPECT_NEAR(mass / 1.3e-4, 1, 1e-6);
   const std::string card = support::contents(folder.path() / "m_density_abaqus.inp");
   EXPECT_NE(card.find("\n*INITIAL CONDITIONS, TYPE=RELATIVE DENSITY\n1, 0."), std::string::npos) << card;
   EXPECT_NE(card.find("** run: a b\n"), std::string::npos);
@@ -128,7 +128,7 @@ TEST(PressDensity, FilesHoldEveryElementAndNodeAndTheMass) {
 TEST(PressDensity, NodesOutsideGetNoCard) {
   const support::TemporaryFolder folder;
   const auto result = filled_block([](const Eigen::Vector3d&) { return 0.42; });
-  const auto mesh = cube_mesh(2, 6e-3, {3e-3 + 3.3e-3, 0, 0});
+  const auto mesh = cube_mesh(2, 6e-3, {4e-3, 0, 0});
   write_density_files(folder.path(), "m", mesh, element_density(result, mesh, {kWidth, 1e-3}), {"m.inp", ""});
   const std::string card = support::contents(folder.path() / "m_density_abaqus.inp");
   EXPECT_NE(card.find("\n1, "), std::string::npos);

@@ -47,7 +47,7 @@ TEST(SolidMeshVtu, BadFilesAreRefusedWithTheReason) {
   EXPECT_EQ(refusal(file), "found VTK data of kind PolyData, expected an UnstructuredGrid (.vtu)");
   write_vtu(file, two_tetrahedra(), {}, {});
   const std::string whole = support::contents(file);
-  folder.write("a.vtu", whole.substr(0, whole.size() - 200));
+  folder.write("a.vtu", whole.substr(0, whole.size() / 2));
   EXPECT_NE(refusal(file), "read");
 }
 
