@@ -1,6 +1,7 @@
 #include <cstdio>
 
 #include "app/commands/commands.h"
+#include "app/commands/live_jobs.h"
 #include "app/exit_code.h"
 #include "app/kept_notes.h"
 #include "app/output.h"
@@ -118,6 +119,8 @@ int calibrate(const CalibrateArguments& arguments) {
   const OutputDirectory output(directory, {"tools"});
   auto options = options_of(arguments, directory);
   options.points.jobs.stop = &heed_stop_signals();
+  options.points.jobs.watch =
+      live_jobs(directory, (arguments.screen ? "Screening: " : "Calibration: ") + arguments.file);
   const auto account =
       arguments.screen ? calibration::screen(plan, options) : calibration::calibrate(plan, options);
   if (!arguments.export_to.empty()) return say_exported(directory, account);

@@ -2,6 +2,7 @@
 #include <thread>
 
 #include "app/commands/commands.h"
+#include "app/commands/live_jobs.h"
 #include "app/commands/scene_choice.h"
 #include "app/exit_code.h"
 #include "app/kept_notes.h"
@@ -133,6 +134,7 @@ int compare(const CompareArguments& arguments) {
   options.share_starts = true;
   options.show_progress = !arguments.quiet;
   options.stop = &heed_stop_signals();
+  options.watch = live_jobs(directory, "Comparison: " + list.title);
   process::run_jobs(directory, list, options);
   return gather(directory, measured);
 }

@@ -4,6 +4,7 @@
 
 #include "app/commands/commands.h"
 #include "app/commands/earlier_run.h"
+#include "app/commands/live_run.h"
 #include "app/commands/powder_sample_runs.h"
 #include "app/commands/scene_choice.h"
 #include "app/exit_code.h"
@@ -113,6 +114,18 @@ auto snapshot_writer(const process::Scene& scene, const process::Tooling& toolin
   };
 }
 
+/// Runs to the end; the page that tells of it says how it ended.
+void run_watched(process::FillRun& fill, LiveRun& live) {
+  try {
+    fill.run();
+  } catch (const std::exception& error) {
+    live.end(fill, std::string("stopped: ") + error.what(), false);
+    throw;
+  }
+  const std::string unfinished = fill.why_unfinished();
+  live.end(fill, unfinished.empty() ? "done" : "unfinished: " + unfinished, unfinished.empty());
+}
+
 /// Writes all results and says where they are. Returns the exit code.
 int deliver(const RunArguments& arguments, const process::Scene& scene, const process::Tooling& tooling,
             const std::filesystem::path& directory, const process::FillRun& fill) {
@@ -149,6 +162,8 @@ int run(const RunArguments& arguments) {
   scene = process::with_prepared_steps(std::move(scene), tooling);
   if (arguments.resume && is_finished(options.directory, scene, tooling)) return kDone;
   options.snapshot = snapshot_writer(scene, tooling, options.directory);
+  LiveRun live(scene, tooling, options.directory, !arguments.no_pictures);
+  options.watch = [&live](const process::FillRun& under_way) { live.look(under_way); };
   give_back_freed_memory();
   options.stop = &heed_stop_signals();
   process::FillRun fill(scene, tooling, options);  // refuses what cannot be begun, in one line
@@ -156,7 +171,7 @@ int run(const RunArguments& arguments) {
   if (!output) output.emplace(options.directory);
   if (!options.shared_starts.empty()) make_output_directory(options.shared_starts);
   keep_earlier_results(options.directory, arguments.resume);
-  fill.run();
+  run_watched(fill, live);
   return deliver(arguments, scene, tooling, options.directory, fill);
 }
 

@@ -5,6 +5,7 @@
 #include <thread>
 
 #include "app/commands/commands.h"
+#include "app/commands/live_jobs.h"
 #include "app/exit_code.h"
 #include "app/kept_notes.h"
 #include "app/output.h"
@@ -136,6 +137,7 @@ int trade_off(const TradeoffArguments& arguments) {
   auto plan = process::plan_tradeoff(scene, knobs, options);
   const OutputDirectory output(options.directory, {"tools"});
   options.jobs.stop = &heed_stop_signals();
+  options.jobs.watch = live_jobs(options.directory, "Trade-off: " + scene.title);
   const auto tradeoff = process::trade_off(scene, std::move(plan), options);
   const auto written = write_all(options.directory, tradeoff);
   std::printf("%sin %s:", tradeoff_table(tradeoff).c_str(), options.directory.string().c_str());

@@ -7,6 +7,7 @@
 #include <memory>
 #include <thread>
 
+#include "app/commands/live_jobs.h"
 #include "app/exit_code.h"
 #include "app/kept_notes.h"
 #include "app/output.h"
@@ -75,6 +76,7 @@ laboratory::LabJobs jobs_of(const LabArguments& arguments, const fs::path& direc
   if (arguments.budget > 0) jobs.options.cpu_seconds = 60 * arguments.budget;
   jobs.options.show_progress = !arguments.quiet;
   jobs.options.stop = &heed_stop_signals();
+  jobs.options.watch = live_jobs(directory, "Laboratory: " + directory.parent_path().filename().string());
   return jobs;
 }
 

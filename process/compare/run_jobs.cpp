@@ -26,6 +26,7 @@ using Clock = std::chrono::steady_clock;
 
 constexpr useconds_t kPause = 20000;                 // microseconds between looks at the jobs
 constexpr const char* kSharedStarts = "beginnings";  // folder, while jobs are under way
+constexpr std::chrono::seconds kTellEvery(5);
 constexpr int kBadSignal = 128;  // exit codes from here on: ended by a signal, or stopped and resumable
 
 /// Share of the work that a job's log last told of, 0 to 1.
@@ -62,14 +63,18 @@ struct RunningJob {
 class JobPool {
  public:
   JobPool(const fs::path& directory, const results::JobList& list, const JobOptions& options)
-      : directory_(directory), options_(options), progress_(options.show_progress), all_(list.jobs.size()) {
+      : directory_(directory),
+        list_(list),
+        options_(options),
+        progress_(options.show_progress),
+        all_(list.jobs.size()) {
     for (const auto& job : list.jobs) {
       const JobState state = state_of(directory, job);
       const bool over = state.stage == JobState::Stage::finished || state.out_of_range();
       if (!over) waiting_.push_back(&job);
       spent_ += results::read_job_cost(directory / job.folder).cpu_seconds;
     }
-    done_ = all_ - waiting_.size();
+    done_ = done_before_ = all_ - waiting_.size();
     if (done_ > 0)
       progress_.say(std::to_string(done_) + " of " + std::to_string(all_) + " runs are already done");
   }
@@ -82,7 +87,9 @@ class JobPool {
       take_ended();
       if (left() <= 0) end_early();
       show();
+      if (Clock::now() - told_ > kTellEvery) tell();
     }
+    tell();
     remove_shared_starts(directory_ / kSharedStarts);
   }
 
@@ -167,10 +174,36 @@ class JobPool {
       for (const RunningJob& running : running_)
         share_of_running_ += share_in(directory_ / running.job->folder / kJobLog);
     }
-    const double share = (static_cast<double>(done_) + share_of_running_) /
-                         static_cast<double>(std::max<std::size_t>(all_, 1));
-    progress_.show(share, std::to_string(done_) + " of " + std::to_string(all_) + " runs done",
+    progress_.show(share_done(), std::to_string(done_) + " of " + std::to_string(all_) + " runs done",
                    std::to_string(running_.size()) + " running");
+  }
+
+  double share_done() const {
+    return (static_cast<double>(done_) + share_of_running_) /
+           static_cast<double>(std::max<std::size_t>(all_, 1));
+  }
+
+  JobUnderWay state_now(const results::Job& job) const {
+    for (const RunningJob& running : running_)
+      if (running.job == &job)
+        return {&job, "running", share_in(directory_ / job.folder / kJobLog),
+                std::chrono::duration<double>(Clock::now() - running.started).count()};
+    if (std::find(waiting_.begin(), waiting_.end(), &job) != waiting_.end()) return {&job, "waiting", 0, 0};
+    const JobState state = state_of(directory_, job);
+    if (state.stage == JobState::Stage::finished) return {&job, "finished", 1, 0};
+    return {&job, state.stage == JobState::Stage::failed ? state.reason : "not finished", 0, 0};
+  }
+
+  /// Tells who watches.
+  void tell() {
+    told_ = Clock::now();
+    if (!options_.watch) return;
+    JobsUnderWay all;
+    for (const auto& job : list_.jobs) all.jobs.push_back(state_now(job));
+    all.share = share_done();
+    all.seconds = std::chrono::duration<double>(Clock::now() - began_).count();
+    all.first_share = static_cast<double>(done_before_) / static_cast<double>(std::max<std::size_t>(all_, 1));
+    options_.watch(all);
   }
 
   void stop_running() {
@@ -195,15 +228,16 @@ class JobPool {
   }
 
   const fs::path& directory_;
+  const results::JobList& list_;
   const JobOptions& options_;
   Progress progress_;
   std::vector<const results::Job*> waiting_;
   std::vector<RunningJob> running_;
-  std::size_t all_, done_ = 0;
+  std::size_t all_, done_ = 0, done_before_ = 0;
   double share_of_running_ = 0;
   double spent_ = 0;  ///< s of processor time of all jobs that are not at work
   bool ending_early_ = false;
-  Clock::time_point looked_ = Clock::now();
+  Clock::time_point looked_ = Clock::now(), began_ = looked_, told_ = looked_;
 };
 
 }  // namespace

@@ -6,10 +6,28 @@
 #include <filesystem>
 #include <functional>
 #include <limits>
+#include <string>
+#include <vector>
 
 #include "process/results/studies/job_list.h"
 
 namespace diefill::process {
+
+/// A run of a list while the list is at work.
+struct JobUnderWay {
+  const results::Job* job = nullptr;
+  std::string state;   ///< "waiting", "running", "finished", or why it failed
+  double share = 0;    ///< of its work that is done, 0 to 1
+  double seconds = 0;  ///< of wall time so far, of this attempt; 0: unknown
+};
+
+/// All runs of a list, in its order.
+struct JobsUnderWay {
+  std::vector<JobUnderWay> jobs;
+  double share = 0;        ///< of the work that is done, 0 to 1
+  double seconds = 0;      ///< since the call
+  double first_share = 0;  ///< of the work that earlier calls had done
+};
 
 struct JobOptions {
   std::filesystem::path program;  ///< diefill itself
@@ -27,6 +45,8 @@ struct JobOptions {
   std::function<bool(const results::Job&, double left)> starts;
   bool show_progress = true;
   const std::atomic<bool>* stop = nullptr;  ///< set from a signal handler
+  /// Told every few seconds, and at the end, how the runs are going. Nothing: nobody is.
+  std::function<void(const JobsUnderWay&)> watch;
 };
 
 /// Runs every job that is not finished, from its checkpoint where it has one; one that left the method's

@@ -146,7 +146,6 @@ void add_figures(const Scene& scene, results::FillResult& result, const Tooling&
   figures["steps"] = static_cast<double>(simulation.steps());
   figures["time_step_s"] = settings.time_step;
   figures["critical_time_step_s"] = run.critical_time_step();
-  figures["time_step_fraction"] = settings.time_step / run.critical_time_step();
   figures["cycle_time_s"] = cycle_time(scene, run.schedule());
   figures["simulated_s"] = simulation.time();
   figures["wall_seconds"] = run.wall_seconds();
@@ -154,23 +153,14 @@ void add_figures(const Scene& scene, results::FillResult& result, const Tooling&
   figures["sphere_steps_left_out"] = static_cast<double>(engine::sphere_steps_left_out(simulation));
   figures["sphere_steps_per_second"] = static_cast<double>(run.sphere_steps()) / run.wall_seconds();
   figures["threads"] = settings.threads;
-  figures["energy_balance_error"] = engine::energy_balance_error(simulation);
-  const engine::DeepestOverlap& deepest = simulation.overlaps_of_run();
-  const bool monodisperse = simulation.types().monodisperse();
-  figures["deepest_overlap_ratio"] =
-      monodisperse ? deepest.grains / settings.shape().sphere_radius : deepest.grains_over_radius;
-  figures["deepest_wall_overlap_ratio"] =
-      monodisperse ? deepest.walls / settings.shape().sphere_radius : deepest.walls_over_radius;
+  add_margin_figures(result, run);
   const double left = copies(tooling) * static_cast<double>(run.grains_left());
   figures["grains_left"] = left;
   figures["grains_sheared"] = copies(tooling) * static_cast<double>(run.grains_sheared());
   figures["grains_left_share"] = left > 0 ? left / (left + grains + figures["grains_sheared"]) : 0;
   figures["mass_left_kg"] = copies(tooling) * run.mass_left();
-  figures["overlap_limit_ratio"] = engine::ValidityLimits{}.forbidden_overlap;
-  figures["wall_overlap_limit_ratio"] = engine::ValidityLimits{}.forbidden_wall_overlap;
-  figures["energy_error_limit"] = engine::ValidityLimits{}.energy_error;
   figures["grain_diameter_m"] = result.powder.grain_diameter;
-  if (!monodisperse) {
+  if (!simulation.types().monodisperse()) {
     figures["smallest_grain_diameter_m"] = smallest_grain(scene);
     figures["largest_grain_diameter_m"] = largest_grain(scene);
   }
@@ -217,11 +207,28 @@ std::string hexadecimal(std::uint64_t value) {
 
 }  // namespace
 
+void add_margin_figures(results::FillResult& result, const FillRun& run) {
+  const engine::Simulation& simulation = run.simulation();
+  auto& figures = result.figures;
+  figures["time_step_fraction"] = simulation.settings().time_step / run.critical_time_step();
+  figures["energy_balance_error"] = engine::energy_balance_error(simulation);
+  const engine::DeepestOverlap& deepest = simulation.overlaps_of_run();
+  const bool monodisperse = simulation.types().monodisperse();
+  figures["deepest_overlap_ratio"] = monodisperse
+                                         ? deepest.grains / simulation.settings().shape().sphere_radius
+                                         : deepest.grains_over_radius;
+  figures["deepest_wall_overlap_ratio"] =
+      monodisperse ? deepest.walls / simulation.settings().shape().sphere_radius : deepest.walls_over_radius;
+  figures["overlap_limit_ratio"] = engine::ValidityLimits{}.forbidden_overlap;
+  figures["wall_overlap_limit_ratio"] = engine::ValidityLimits{}.forbidden_wall_overlap;
+  figures["energy_error_limit"] = engine::ValidityLimits{}.energy_error;
+}
+
 std::string program_version() {
   return DIEFILL_VERSION;
 }
 
-results::FillResult assemble(const Scene& scene, const Tooling& tooling, const FillRun& run) {
+results::FillResult powder_and_tools(const Scene& scene, const Tooling& tooling, const FillRun& run) {
   results::FillResult result;
   const std::string mark = unfinished_mark(run);
   result.title = scene.title + mark;
@@ -230,20 +237,26 @@ results::FillResult assemble(const Scene& scene, const Tooling& tooling, const F
   result.scene_text = scene.text;
   result.program_version = program_version();
   result.seed = scene.seed;
-  result.state_hash = hexadecimal(run.simulation().hash());
   const DieFrame die(run.simulation().body_motion(tooling.die));
   result.powder = powder_state(scene, run.simulation());
   add_images(tooling, result.powder);
   // A die that stands at its place up to rounding is not to blur results.
   if (!die.at_home()) result.powder = die.powder(std::move(result.powder));
-  result.contact_stress = contact_stress(run.simulation(), die);
-  add_images(tooling, result.contact_stress);
   for (std::size_t k = 0; k < tooling.tools.size(); ++k) {
     const engine::BodyMotion& motion = run.simulation().body_motion(k);
     result.tools.push_back(tool_state(tooling.tools[k], die.at_home() ? motion : die.pose(motion)));
     add_images(tooling, result.tools.back().wall_sphere_centres);
   }
   result.cavity = cavity_now(scene, tooling, run);
+  return result;
+}
+
+results::FillResult assemble(const Scene& scene, const Tooling& tooling, const FillRun& run) {
+  results::FillResult result = powder_and_tools(scene, tooling, run);
+  result.state_hash = hexadecimal(run.simulation().hash());
+  const DieFrame die(run.simulation().body_motion(tooling.die));
+  result.contact_stress = contact_stress(run.simulation(), die);
+  add_images(tooling, result.contact_stress);
   result.instants = instants_of(run);
   for (auto& instant : result.instants) add_images(tooling, result.powder, instant);
   result.probes = run.probes();

@@ -294,12 +294,18 @@ std::size_t FillRun::place_of(std::uint64_t id) const {
 }
 
 void FillRun::show_progress() {
-  const double now = simulation_->time(), left = schedule_.time_left(now, kSettlingGuess);
+  const double now = simulation_->time();
   char rate[96], doing[160];
   std::snprintf(rate, sizeof rate, "%.2f million sphere-steps/s",
                 1e-6 * static_cast<double>(sphere_steps_) / wall_seconds());
   std::snprintf(doing, sizeof doing, "t = %.4f s, %s", now, schedule_.description().c_str());
-  progress_.show(now / (now + left), doing, rate);
+  progress_.show(share_done(), doing, rate);
+  if (options_.watch) options_.watch(*this);
+}
+
+double FillRun::share_done() const {
+  const double now = simulation_->time(), left = schedule_.time_left(now, kSettlingGuess);
+  return now + left > 0 ? now / (now + left) : 0;
 }
 
 double FillRun::wall_seconds() const {

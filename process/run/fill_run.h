@@ -37,6 +37,8 @@ struct RunOptions {
   /// Called with the name of every snapshot whose time has come; after a restart possibly once more, in the
   /// same state.
   std::function<void(const FillRun&, const std::string&)> snapshot;
+  /// Called every few steps, to look at the run and change nothing.
+  std::function<void(const FillRun&)> watch;
 };
 
 /// The user stopped the run; a checkpoint has been written, unless the message says otherwise.
@@ -56,6 +58,8 @@ class FillRun {
   void run();
   /// Whether numerics.max_time was over before the scene.
   bool ran_out_of_time() const { return !schedule_.finished() && out_of_time(); }
+  /// Share of the simulated time that is over, 0 to 1, as far as can be foreseen.
+  double share_done() const;
   /// Why the scene is not over, for messages; empty once it is.
   std::string why_unfinished() const;
 

@@ -18,10 +18,10 @@ constexpr std::size_t kNumber = 8;    // digits of the number behind a name
 
 /// What the program writes into a directory of runs, each with any ending; and names that Windows keeps for
 /// itself.
-constexpr std::array<std::string_view, 23> kReserved = {
+constexpr std::array<std::string_view, 24> kReserved = {
     "beginnings",  "checkpoint", "comparison", "cost",  "exit_code", "jobs",  "report",   "results",
     "run",         "run_here",   "scene",      "slurm", "snapshots", "tools", "tradeoff", "paraview",
-    "calibration", "screening",  "powder",     "aux",   "con",       "nul",   "prn"};
+    "calibration", "screening",  "powder",     "live",  "aux",       "con",   "nul",      "prn"};
 constexpr std::array<std::string_view, 4> kReservedStarts = {"knob_", "previous-", "frames", "probe_"};
 
 std::string lower(std::string text) {

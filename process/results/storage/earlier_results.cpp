@@ -13,7 +13,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::array kDecisive = {"checkpoint.bin", "results.h5", "report.json"};
-constexpr std::array kFiles = {"results.xdmf", "report.html", "snapshots", "paraview"};
+constexpr std::array kFiles = {"results.xdmf", "report.html", "live.html", "snapshots", "paraview"};
 constexpr std::array kPictures = {".png", ".pdf", ".mp4"};
 
 template <class Names>
