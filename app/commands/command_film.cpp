@@ -5,7 +5,7 @@
 #include <limits>
 #include <thread>
 
-#include "app/commands/commands.h"
+#include "app/commands/film_command.h"
 #include "app/commands/look_options.h"
 #include "app/exit_code.h"
 #include "app/output.h"

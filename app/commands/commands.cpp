@@ -1,5 +1,6 @@
 #include "app/commands/commands.h"
 
+#include "app/commands/film_command.h"
 #include "app/commands/formula_commands.h"
 
 namespace diefill::app {

@@ -15,7 +15,6 @@ void add_new(CLI::App& program, Action& chosen);
 void add_run(CLI::App& program, Action& chosen);
 void add_check(CLI::App& program, Action& chosen);
 void add_map(CLI::App& program, Action& chosen);
-void add_film(CLI::App& program, Action& chosen);
 void add_report(CLI::App& program, Action& chosen);
 void add_export(CLI::App& program, Action& chosen);
 void add_info(CLI::App& program, Action& chosen);

@@ -11,7 +11,7 @@
 #include "process/run/assemble.h"
 #include "process/run/live_state.h"
 #include "render/scene3d/snapshot.h"
-#include "render/style/picture_file.h"
+#include "render/style/picture_bytes.h"
 
 namespace diefill::app {
 namespace {

@@ -9,7 +9,7 @@
 #include "app/pictures/picture_files.h"
 #include "process/measure/earlier_instant.h"
 #include "render/fields/pictures.h"
-#include "render/style/picture_file.h"
+#include "render/style/picture_bytes.h"
 
 namespace diefill::app {
 namespace {

@@ -58,7 +58,7 @@ class FillRun {
   void run();
   /// Whether numerics.max_time was over before the scene.
   bool ran_out_of_time() const { return !schedule_.finished() && out_of_time(); }
-  /// Share of the simulated time that is over, 0 to 1, as far as can be foreseen.
+  /// Share of the simulated time that is over, 0 to 1, as far as can be predicted.
   double share_done() const;
   /// Why the scene is not over, for messages; empty once it is.
   std::string why_unfinished() const;

@@ -13,7 +13,7 @@ namespace diefill::process {
 /// How far the run is and how it goes.
 struct LiveState {
   double time = 0;            ///< s of the scene
-  double share = 0;           ///< of the scene that is over, 0 to 1, as far as can be foreseen
+  double share = 0;           ///< of the scene that is over, 0 to 1, as far as can be predicted
   double filled_mass = 0;     ///< kg of model powder in all cavities
   double kinetic_energy = 0;  ///< J, of all grains
   double sphere_steps_per_second = 0;

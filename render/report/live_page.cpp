@@ -69,8 +69,10 @@ std::string drawing(const LiveCurve& curve) {
            number(kWidth - kRight) + "\"/>" + text_at(kLeft - 6, up(tick) + 4, "end", number(tick));
   }
   std::string line;
-  for (std::size_t k = 0; k < curve.x.size(); ++k)
-    line += (line.empty() ? "M" : "L") + number(across(curve.x[k])) + " " + number(up(curve.y[k]));
+  for (std::size_t k = 0; k < curve.x.size(); ++k) {
+    line += k == 0 ? 'M' : 'L';
+    line += number(across(curve.x[k])) + " " + number(up(curve.y[k]));
+  }
   svg += "<path fill=\"none\" stroke=\"#3b528b\" stroke-width=\"2\" d=\"" + line + "\"/>";
   svg += text_at(kLeft, 16, "start", curve.name + " [" + curve.unit + "]") +
          text_at(kWidth - kRight, kHeight - 6, "end", "time of the scene [s]");

@@ -15,7 +15,7 @@
 #include "render/fields/field_places.h"
 #include "render/report/timeline.h"
 #include "render/scene3d/snapshot.h"
-#include "render/style/picture_file.h"
+#include "render/style/picture_bytes.h"
 
 namespace diefill::render::report {
 namespace {

@@ -1,12 +1,10 @@
 // Pictures on disk: a PNG is written whole or not at all.
 #pragma once
 
-#include <QByteArray>
 #include <QImage>
 #include <QPainter>
 #include <filesystem>
 #include <functional>
-#include <vector>
 
 namespace diefill::render {
 
@@ -25,12 +23,5 @@ void write_png(const std::filesystem::path& png, const QImage& image);
 
 /// The same scaled to exactly `width` pixels for a print of the same size.
 void write_png(const std::filesystem::path& png, const QImage& image, int width);
-
-/// The picture as the bytes of a PNG file, scaled to `width` pixels unless that is 0. Throws
-/// std::runtime_error where Qt cannot write it.
-QByteArray png_bytes(const QImage& image, int width = 0);
-
-/// Pictures of one size in one: two side by side, more in rows of two.
-QImage side_by_side(const std::vector<QImage>& pictures);
 
 }  // namespace diefill::render

@@ -24,17 +24,16 @@ std::vector<Lactose> lactoses(LabSize size) {
 
 using OfBed = double (*)(const BedMetrics&);
 
-LabQuantity quantity(const Lactose& one, const std::string& id, OfBed value) {
+LabQuantity quantity(const Lactose& one, const std::string& id, OfBed value, const std::string& unit = {}) {
   return {
-      .id = id, .quantity = "", .unit = "", .runs = {one.bed.name}, .value = [=](const SeedResults& seed) {
+      .id = id, .quantity = "", .unit = unit, .runs = {one.bed.name}, .value = [=](const SeedResults& seed) {
         return value(metrics_of(seed, one.bed));
       }};
 }
 
 LabQuantity fraction(const Lactose& one, const std::string& when, OfBed value) {
-  LabQuantity of = quantity(one, one.bed.name + "-phi-" + when, value);
+  LabQuantity of = quantity(one, one.bed.name + "-phi-" + when, value, "1");
   of.quantity = one.bed.name + ": solid fraction " + when + " compression";
-  of.unit = "1";
   return of;
 }
 

@@ -7,7 +7,7 @@
 
 #include "render/scene3d/snapshot.h"
 #include "render/style/colour_map.h"
-#include "render/style/picture_file.h"
+#include "render/style/picture_bytes.h"
 
 namespace diefill::render::report {
 namespace {
