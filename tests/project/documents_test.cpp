@@ -106,7 +106,7 @@ TEST(Documents, NameCommandsThatTheProgramHas) {
     commands.insert(std::regex_replace((*match)[1].str(), std::regex("_"), "-"));
   ASSERT_FALSE(commands.empty());
   std::vector<std::string> unknown;
-  for_each_match(std::regex(R"(`(?:build/bin/)?diefill ([a-z_-]*[a-z]))"),
+  for_each_match(std::regex(R"(`(?:build/bin/)?diefill ([a-z][a-z_-]*[a-z]))"),
                  [&](const auto& file, const auto& name) {
                    if (!commands.contains(name)) unknown.push_back(file + ": diefill " + name);
                  });
