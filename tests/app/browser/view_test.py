@@ -87,6 +87,7 @@ def try_controls(page):
 
 
 def try_hands(page):
+    page.run("document.querySelector('.viewer canvas').scrollIntoView({ block: 'center' })")
     box = page.run("(() => { const box = document.querySelector('.viewer canvas').getBoundingClientRect();"
                    "return [box.left, box.top, box.width, box.height]; })()")
     x, y = box[0] + 0.5 * box[2], box[1] + 0.5 * box[3]
