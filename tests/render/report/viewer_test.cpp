@@ -136,7 +136,7 @@ TEST_F(ViewDrawing, LeavesOutInstantsWhereTheDataWouldBeTooLarge) {
 }
 
 TEST_F(ViewDrawing, PagesRunTheirOwnScriptsOnlyAndHoldStillPictures) {
-  Run run;
+  report::Run run;
   run.name = "</script><b>";
   run.result = test::make_ring();
   const std::string page = html_page(report_of({run}));
