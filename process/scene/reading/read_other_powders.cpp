@@ -44,7 +44,8 @@ OtherPowder read_other(TableReader& table, const Scene& scene) {
   if (table.has("fitted_with")) table.reject("fitted_with", "a key of [powder]");
   table.table("contact");  // read with [contact], once all powders are known
   other.powder = read_powder(table);
-  check_wall_is_tight(table, scene.walls.sphere_radius, scene.walls.spacing, other.powder);
+  if (scene.walls.kind == WallKind::spheres)
+    check_wall_is_tight(table, scene.walls.sphere_radius, scene.walls.spacing, other.powder);
   return other;
 }
 

@@ -106,8 +106,9 @@ ToolSpec read_tool(TableReader& document, TableReader& table, const WallSpec& wa
   tool.work_of_adhesion = table.quantity("work_of_adhesion", kWallAdhesion);
   tool.contact = read_tool_contact(document, table, tool, powder, walls);
   table.finish();
-  check_wall_is_tight(table, tool.sphere_radius.value_or(walls.sphere_radius),
-                      tool.spacing.value_or(walls.spacing), powder);
+  if (tool.walls.value_or(walls.kind) == WallKind::spheres)
+    check_wall_is_tight(table, tool.sphere_radius.value_or(walls.sphere_radius),
+                        tool.spacing.value_or(walls.spacing), powder);
   return tool;
 }
 

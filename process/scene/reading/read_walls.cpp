@@ -14,7 +14,7 @@ WallSpec read_walls(TableReader table, const PowderSpec& powder) {
   walls.friction = table.number("friction", kWallFriction).value_or(walls.friction);
   walls.work_of_adhesion = table.quantity("work_of_adhesion", kWallAdhesion).value_or(walls.work_of_adhesion);
   table.finish();
-  check_wall_is_tight(table, walls.sphere_radius, walls.spacing, powder);
+  if (walls.kind == WallKind::spheres) check_wall_is_tight(table, walls.sphere_radius, walls.spacing, powder);
   return walls;
 }
 

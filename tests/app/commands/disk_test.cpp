@@ -30,8 +30,9 @@ TEST(FullDisk, KeepsEarlierResultsAndLetsTheRunBeFinishedLater) {
   for (std::size_t k = 0; k < files.size(); ++k)
     EXPECT_TRUE(contents(kept / files[k]) == before[k]) << files[k];
   EXPECT_EQ(run_program({"info", kept.string()}).exit_code, 0);
-  // Only the checkpoint is new, and nothing is left half written.
-  EXPECT_EQ(SmallDie::files_in(die.out()), (std::vector<std::string>{"checkpoint.bin", "previous-1"}));
+  // Only checkpoint and live page are new, and nothing is left half written.
+  EXPECT_EQ(SmallDie::files_in(die.out()),
+            (std::vector<std::string>{"checkpoint.bin", "live.html", "previous-1"}));
 
   // With room again the run is finished from there, and another seed has given another packing.
   const Outcome resumed = die.run({"--resume"});
@@ -48,7 +49,7 @@ TEST(FullDisk, WithoutRoomForACheckpointWarns) {
   EXPECT_EQ(outcome.exit_code, 1);
   EXPECT_NE(outcome.err.find("warning: no checkpoint written"), std::string::npos) << outcome.err;
   EXPECT_NE(outcome.err.find("diefill: cannot write "), std::string::npos) << outcome.err;
-  EXPECT_EQ(SmallDie::files_in(die.out()), std::vector<std::string>{});
+  EXPECT_EQ(SmallDie::files_in(die.out()), std::vector<std::string>{"live.html"});
 }
 
 /// Commands of a shell that run the program where its output does not fit, then where it does. The place is a
@@ -83,7 +84,7 @@ TEST(FullDisk, OfASmallFileSystemLosesNothingAndTheResumedRunEndsAlike) {
   const std::string said = contents(die.folder() / "said");
   EXPECT_NE(said.find("diefill: cannot write " + (die.out() / "results.h5").string()), std::string::npos)
       << said;
-  EXPECT_EQ(contents(die.folder() / "files"), "checkpoint.bin\n");
+  EXPECT_EQ(contents(die.folder() / "files"), "checkpoint.bin\nlive.html\n");
   const auto report = nlohmann::json::parse(contents(die.folder() / "report.json"));
   for (const char* key : {"state_hash", "steps", "filled_mass_kg", "solid_fraction"})
     EXPECT_EQ(report.at(key), other.report().at(key)) << key;

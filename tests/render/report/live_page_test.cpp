@@ -40,8 +40,8 @@ TEST(LivePage, TellsProgressMarginsAndRuns) {
 TEST(LivePage, DrawsCurvesToTheScaleOfTheirAxes) {
   LivePage page = some_page();
   const std::string html = live_html(page);
-  // 0 to 2 s, 0 to 15 g: the curve begins at the lower left and ends at the right, below the top.
-  EXPECT_NE(html.find("d=\"M62 192L254 138.7L446 64\""), std::string::npos)
+  // 0 to 2 s over 384, 0 to 15 g over 164: 5 g lie 54.7 above the lower axis at 192, 12 g 131.2.
+  EXPECT_NE(html.find("d=\"M62 192L254 137.3L446 60.8\""), std::string::npos)
       << html.substr(html.find("<path fill"));
   page.curves[0] = {"nothing yet", "g", {}, {}};
   EXPECT_NE(live_html(page).find("nothing yet [g]"), std::string::npos);
