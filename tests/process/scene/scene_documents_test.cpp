@@ -10,6 +10,7 @@
 #include "project_paths.h"
 #include "tests/process/scene_files.h"
 #include "tests/process/wrong_scene.h"
+#include "tests/support/scene_text.h"
 #include "tests/support/temporary_folder.h"
 
 namespace diefill::process {
@@ -75,12 +76,26 @@ TEST(SceneReadme, ListsEveryPresetAndKindOfStep) {
   }
 }
 
+/// A scene with the powder of this file: the bed of fine powder with its own powder taken out.
+std::string scene_with_powder_of(const std::filesystem::path& file) {
+  std::string scene = contents(kSource / "sample_tools/laboratory/adhesive_bed.toml");
+  const std::size_t from = scene.find("[powder]"), to = scene.find("[walls]");
+  scene.replace(from, to - from, "[powder]\nfile = \"" + file.string() + "\"\n\n");
+  const std::string tools = (kSource / "sample_tools/tradeoff/").string();
+  // Of both tools.
+  return support::exchanged(support::exchanged(scene, "../tradeoff/", tools), "../tradeoff/", tools);
+}
+
 TEST(SampleScenes, CanAllBeRead) {
+  const SceneFolder folder;
   int scenes = 0;
   for (const auto& entry : std::filesystem::recursive_directory_iterator(kSource / "sample_tools")) {
     if (entry.path().extension() != ".toml") continue;
     ++scenes;
-    if (contents(entry.path()).find("\n[[measurement]]\n") != std::string::npos)
+    const std::string text = contents(entry.path());
+    if (text.find("\n[[tool]]\n") == std::string::npos && text.find("\n[powder]") != std::string::npos)
+      EXPECT_NO_THROW(read_scene(folder.write(scene_with_powder_of(entry.path())))) << entry.path();
+    else if (text.find("\n[[measurement]]\n") != std::string::npos)
       EXPECT_NO_THROW(calibration::read_calibration(entry.path())) << entry.path();
     else
       EXPECT_NO_THROW(read_scene(entry.path())) << entry.path();
