@@ -39,9 +39,8 @@ void check(const toml::table& parsed, const std::filesystem::path& file) {
   TableReader table = document.required_table("powder");
   read_coarse_graining(table);
   const PowderSpec powder = read_powder(table);
-  const toml::table empty;
   const auto given = document.table("walls");
-  const WallSpec walls = read_walls(given ? *given : TableReader(empty, file, "walls"), powder);
+  const WallSpec walls = given ? read_walls(*given, powder) : WallSpec{};  // else those of the scene
   read_contact(document, powder, walls);
   document.table("calibration");
   document.finish();
