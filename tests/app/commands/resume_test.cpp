@@ -67,7 +67,7 @@ TEST(Resume, EndsAsTheUnbrokenRunAfterStopsAndKills) {
   EXPECT_EQ(stopped.exit_code, 130) << stopped.err;
   EXPECT_NE(stopped.err.find("diefill: stopped at t = 0."), std::string::npos) << stopped.err;
   EXPECT_NE(stopped.err.find("run the same command with --resume to continue"), std::string::npos);
-  EXPECT_EQ(SmallDie::files_in(die.out()), std::vector<std::string>{"checkpoint.bin"});
+  EXPECT_EQ(SmallDie::files_in(die.out()), (std::vector<std::string>{"checkpoint.bin", "live.html"}));
 
   for (const int milliseconds : {0, 80, 300}) {  // killed right after a checkpoint was written, and later
     const std::string before = checkpoint_now(die);

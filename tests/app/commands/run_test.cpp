@@ -70,9 +70,9 @@ TEST(Run, WritesResultsReportAndPicturesAndSaysSo) {
   const SmallDie die;
   const Outcome outcome = die.run();
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
-  const std::vector<std::string> expected = {"fill_level.png", "fill_level_map.png", "height_profile.png",
-                                             "plan_map.png",   "report.json",        "results.h5",
-                                             "results.xdmf",   "section.png",        "snapshot.png"};
+  const std::vector<std::string> expected = {
+      "fill_level.png", "fill_level_map.png", "height_profile.png", "live.html",   "plan_map.png",
+      "report.json",    "results.h5",         "results.xdmf",       "section.png", "snapshot.png"};
   EXPECT_EQ(SmallDie::files_in(die.out()), expected);  // no checkpoint, no temporary files
   std::set<std::string> pictures;
   for (const auto& name : expected) {
