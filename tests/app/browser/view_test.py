@@ -102,6 +102,7 @@ def try_hands(page):
     expect(page.run(VIEW + ".state.instant") != before, "key , does not step")
     page.key(".")
     page.run(VIEW + ".frameCavity()")
+    x = box[0] + 0.5 * box[2] / page.run("Math.min(2, %s.cells.length)" % VIEW)  # in the middle of the first run
     page.mouse("mouseMoved", x, y)
     page.run(VIEW + ".pointer.show({ clientX: %f, clientY: %f })" % (x, y))
     tip = page.run("document.querySelector('.tip').textContent")

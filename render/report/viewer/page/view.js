@@ -238,6 +238,7 @@ class View {
 
   /** Gives every run its part of the canvas: side by side, below each other where it is narrow. */
   arrange() {
+    this.pointer.tip.hidden = true;  // its place was that of the old width
     const width = this.stage.clientWidth, count = this.cells.length;
     const columns = Math.max(1, Math.min(count, Math.floor(width / 300), count === 4 ? 2 : 3)), rows = Math.ceil(count / columns);
     const across = width / columns, high = Math.min(Math.round(across * (count > 1 ? 0.95 : 0.75)), 620);
