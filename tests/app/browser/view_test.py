@@ -102,7 +102,9 @@ def try_hands(page):
     expect(page.run(VIEW + ".state.instant") != before, "key , does not step")
     page.key(".")
     page.run(VIEW + ".frameCavity()")
-    x = box[0] + 0.5 * box[2] / page.run("Math.min(2, %s.cells.length)" % VIEW)  # in the middle of the first run
+    middle = page.run("(() => { const cell = %s.cells[0]; return [cell.x + 0.5 * cell.width,"
+                      "cell.y + 0.5 * cell.height]; })()" % VIEW)
+    x, y = box[0] + middle[0], box[1] + middle[1]  # of the first run
     page.mouse("mouseMoved", x, y)
     page.run(VIEW + ".pointer.show({ clientX: %f, clientY: %f })" % (x, y))
     tip = page.run("document.querySelector('.tip').textContent")
