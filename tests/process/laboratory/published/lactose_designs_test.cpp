@@ -1,5 +1,5 @@
 // Published designs: planted effects come back, and the regression describes what it can.
-#include "process/laboratory/published/lactose_designs.h"
+#include "process/laboratory/published/lactose/lactose_designs.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // Beds pressed in cycles: what is read off their curves, and the beds themselves.
-#include "process/laboratory/published/load_cycles.h"
+#include "process/laboratory/published/lactose/load_cycles.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "process/laboratory/published/adhesive_bed.h"
+#include "process/laboratory/published/lactose/adhesive_bed.h"
 
 namespace diefill::process::laboratory {
 namespace {

@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "process/laboratory/published/experiments.h"
-#include "process/laboratory/published/pressed_bed.h"
+#include "process/laboratory/published/lactose/pressed_bed.h"
 
 namespace diefill::process::laboratory {
 namespace {

@@ -6,7 +6,7 @@
 
 #include "process/laboratory/published/experiments.h"
 #include "process/laboratory/published/lab_powder.h"
-#include "process/laboratory/published/pressed_bed.h"
+#include "process/laboratory/published/lactose/pressed_bed.h"
 
 namespace diefill::process::laboratory {
 namespace {

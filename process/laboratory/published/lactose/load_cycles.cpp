@@ -1,4 +1,4 @@
-#include "process/laboratory/published/load_cycles.h"
+#include "process/laboratory/published/lactose/load_cycles.h"
 
 #include <algorithm>
 #include <numeric>

@@ -5,8 +5,8 @@
 #include <limits>
 #include <string>
 
-#include "process/laboratory/published/adhesive_bed.h"
-#include "process/laboratory/published/load_cycles.h"
+#include "process/laboratory/published/lactose/adhesive_bed.h"
+#include "process/laboratory/published/lactose/load_cycles.h"
 
 namespace diefill::process::laboratory {
 

@@ -1,4 +1,4 @@
-#include "process/laboratory/published/adhesive_bed.h"
+#include "process/laboratory/published/lactose/adhesive_bed.h"
 
 #include <algorithm>
 #include <cmath>

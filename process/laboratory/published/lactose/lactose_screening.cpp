@@ -8,8 +8,8 @@
 #include <limits>
 
 #include "process/laboratory/published/experiments.h"
-#include "process/laboratory/published/lactose_designs.h"
-#include "process/laboratory/published/pressed_bed.h"
+#include "process/laboratory/published/lactose/lactose_designs.h"
+#include "process/laboratory/published/lactose/pressed_bed.h"
 
 namespace diefill::process::laboratory {
 namespace {

@@ -1,4 +1,4 @@
-#include "process/laboratory/published/lactose_designs.h"
+#include "process/laboratory/published/lactose/lactose_designs.h"
 
 #include <Eigen/QR>
 #include <algorithm>

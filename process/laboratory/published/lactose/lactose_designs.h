@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "process/laboratory/published/adhesive_bed.h"
+#include "process/laboratory/published/lactose/adhesive_bed.h"
 
 namespace diefill::process::laboratory {
 

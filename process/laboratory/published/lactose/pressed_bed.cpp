@@ -1,4 +1,4 @@
-#include "process/laboratory/published/pressed_bed.h"
+#include "process/laboratory/published/lactose/pressed_bed.h"
 
 #include "process/laboratory/published/bulk_curves.h"
 
