@@ -29,7 +29,11 @@ if(TARGET _results)
   set(CPACK_DEBIAN_PYTHON_PACKAGE_NAME python3-diefill)
   set(CPACK_COMPONENT_PYTHON_DESCRIPTION "Python package of diefill: scenes run, results as NumPy arrays.")
   set(CPACK_DEBIAN_PYTHON_PACKAGE_SHLIBDEPS ON)
-  set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS
-    "diefill (= ${PROJECT_VERSION}), python3 (>= ${Python3_VERSION_MAJOR}.${Python3_VERSION_MINOR}), python3-numpy")
+  # The module is compiled for one version of Python.
+  get_directory_property(major DIRECTORY ${CMAKE_SOURCE_DIR}/app/python DEFINITION Python3_VERSION_MAJOR)
+  get_directory_property(minor DIRECTORY ${CMAKE_SOURCE_DIR}/app/python DEFINITION Python3_VERSION_MINOR)
+  math(EXPR next "${minor} + 1")
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS "diefill (= ${PROJECT_VERSION}), python3 (>= ${major}.${minor}), \
+python3 (<< ${major}.${next}), python3-numpy")
 endif()
 include(CPack)

@@ -12,6 +12,9 @@ if [ ! -x "$root/usr/bin/apt-get" ]; then
 fi
 mkdir -p "$root/packages"
 cp "$packages"/diefill_*.deb "$packages"/python3-diefill_*.deb "$root/packages"
+mkdir -p "$root/proc"
+mountpoint -q "$root/proc" || mount -t proc proc "$root/proc"
+trap 'umount "$root/proc"' EXIT
 in_root() { chroot "$root" env DEBIAN_FRONTEND=noninteractive LC_ALL=C.UTF-8 PATH=/usr/sbin:/usr/bin:/sbin:/bin "$@"; }
 in_root apt-get update -qq
 in_root sh -c 'apt-get install -y -qq --no-install-recommends /packages/*.deb' >"$root/packages/install.log"
