@@ -38,6 +38,9 @@ template <class Writer>
 void write(const std::filesystem::path& file, vtkDataObject* data) {
   const auto writer = vtkSmartPointer<Writer>::New();
   writer->SetInputDataObject(data);
+  // Appended data, the default, are not read by VTK 9.1 and ParaView 5.11 with the expat of Debian 12's
+  // updates.
+  writer->SetDataModeToBinary();
   writer->WriteToOutputStringOn();
   writer->Write();
   results::write_text_atomically(file, writer->GetOutputString());

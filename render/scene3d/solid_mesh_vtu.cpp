@@ -170,6 +170,9 @@ void write_vtu(const std::filesystem::path& file, const SolidMesh& mesh,
   add_arrays(grid->GetCellData(), element_arrays, mesh.elements.size());
   const auto writer = vtkSmartPointer<vtkXMLUnstructuredGridWriter>::New();
   writer->SetInputData(grid);
+  // Appended data, the default, are not read by VTK 9.1 and ParaView 5.11 with the expat of Debian 12's
+  // updates.
+  writer->SetDataModeToBinary();
   writer->WriteToOutputStringOn();
   writer->Write();
   results::write_text_atomically(file, writer->GetOutputString());

@@ -27,10 +27,11 @@ COLUMNS = ("scene", "powder", "length_mm", "share", "seed", "figure", "value", "
 def figures(folder):
     """Name and value of each figure of a run that is told here."""
     report = json.loads((folder / "report.json").read_text())
-    flows = [probe for probe in report.get("probes", []) if probe["quantity"] == "flow"]
-    if flows:
-        yield "mass through the opening", 1e3 * flows[0]["mass_kg"]
-        return
+    for probe in sorted(folder.glob("probe_*.csv")):
+        rows = list(csv.DictReader(probe.open()))
+        if rows and "mass kg" in rows[0]:
+            yield "mass through the opening", 1e3 * float(rows[-1]["mass kg"])
+            return
     yield "bulk solid fraction", report["bulk_solid_fraction"]
     if "slope_of_heap_on_the_slider_deg" in report:
         yield "slope of a heap", report["slope_of_heap_on_the_slider_deg"]
