@@ -54,8 +54,11 @@ InsertedBed bed_of(const Case& one) {
   return bed;
 }
 
-std::vector<double> variations(LabSize size) {
+/// Widths of the distribution. Coarse: the widest one, which takes longest, with the stronger attraction
+/// alone.
+std::vector<double> variations(LabSize size, double surface_energy) {
   if (size == LabSize::published) return {0, 0.2, 0.4, 0.6, 0.8};
+  if (size == LabSize::coarse && surface_energy < kStrong) return {0, 0.4};
   return {0, 0.4, 0.8};
 }
 
@@ -67,11 +70,15 @@ double finest(LabSize size) {
 std::vector<Case> cases_of(LabSize size) {
   std::vector<Case> cases;
   for (const double energy : {kStrong, kWeak})
-    for (const double variation : variations(size)) cases.push_back({variation, energy, finest(size)});
+    for (const double variation : variations(size, energy))
+      cases.push_back({variation, energy, finest(size)});
   for (const double energy : {kStrong, kWeak}) {
     cases.push_back({0, energy, size == LabSize::medium ? 4.0 : 2.0});
     if (size == LabSize::published) cases.push_back({0, energy, 4});
   }
+  // The widest ones, which take longest, come last.
+  std::stable_sort(cases.begin(), cases.end(),
+                   [](const Case& one, const Case& other) { return one.variation < other.variation; });
   return cases;
 }
 
@@ -99,14 +106,15 @@ double share_of_steps(const SeedResults& seed, const std::vector<Case>& cases) {
 }
 
 /// Share of widths at which the stronger attraction gives less density and fewer contacts.
-double loosened_by_attraction(const SeedResults& seed, const std::vector<Case>& cases) {
-  const std::size_t half = cases.size() / 2;
+double loosened_by_attraction(const SeedResults& seed, LabSize size) {
+  const auto widths = variations(size, kWeak);
   double right = 0;
-  for (std::size_t k = 0; k < half; ++k) {
-    const BedFigures strong = figures(seed, cases[k]), weak = figures(seed, cases[half + k]);
+  for (const double variation : widths) {
+    const BedFigures strong = figures(seed, {variation, kStrong, finest(size)}),
+                     weak = figures(seed, {variation, kWeak, finest(size)});
     right += (strong.density < weak.density ? 0.5 : 0) + (strong.contacts < weak.contacts ? 0.5 : 0);
   }
-  return right / static_cast<double>(half);
+  return right / static_cast<double>(widths.size());
 }
 
 void add_values(LabSize size, LabPlan& plan) {
@@ -137,14 +145,15 @@ void add_scaling(LabSize size, LabPlan& plan) {
 }
 
 void add_trends(LabSize size, LabPlan& plan) {
-  std::vector<Case> cases;
-  for (const double energy : {kStrong, kWeak})
-    for (const double variation : variations(size)) cases.push_back({variation, energy, finest(size)});
-  plan.quantities.push_back(quantity("LN-gamma", "", cases, [cases](const SeedResults& seed) {
-    return loosened_by_attraction(seed, cases);
-  }));
+  std::vector<Case> all, both;
+  for (const double energy : {kStrong, kWeak}) {
+    for (const double variation : variations(size, energy)) all.push_back({variation, energy, finest(size)});
+    for (const double variation : variations(size, kWeak)) both.push_back({variation, energy, finest(size)});
+  }
   plan.quantities.push_back(quantity(
-      "LN-trend", "", cases, [cases](const SeedResults& seed) { return share_of_steps(seed, cases); }));
+      "LN-gamma", "", both, [size](const SeedResults& seed) { return loosened_by_attraction(seed, size); }));
+  plan.quantities.push_back(
+      quantity("LN-trend", "", all, [all](const SeedResults& seed) { return share_of_steps(seed, all); }));
 }
 
 results::ExperimentChart chart_of(LabSize size, const SeedResults& seed, bool contacts) {
@@ -159,7 +168,7 @@ results::ExperimentChart chart_of(LabSize size, const SeedResults& seed, bool co
   for (const double energy : {kStrong, kWeak}) {
     results::ExperimentSeries series{
         .name = plain(energy) + " J/m2, l = " + plain(finest(size)), .x = {}, .y = {}};
-    for (const double variation : variations(size)) {
+    for (const double variation : variations(size, energy)) {
       const Case one{variation, energy, finest(size)};
       if (!seed.has(name_of(one))) continue;
       series.x.push_back(variation);

@@ -1,5 +1,5 @@
 // Mono-disperse beds with two rolling resistances and three methods of scaling (Hu 2024, section 5.2):
-// density and contacts between 20 and 60 mm. Coarse: l = 4 on a quarter of the floor, compared with l = 8, as
+// density and contacts between 20 and 60 mm. Coarse: l = 4 on a sixth of the floor, compared with l = 8, as
 // l = 1 takes 1.5e12 sphere-steps; medium: l = 2 and 4; published: l = 1 and 4.
 #include <algorithm>
 #include <cmath>
@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kLow = 0.020, kHigh = 0.060;  // m, of the window
 constexpr double kDiameter = 5e-4;             // m, original
-constexpr double kNarrowest = 5.25;            // d
+constexpr double kNarrowest = 4.2;             // d
 
 struct Sizes {
   double reference, enlarged;  ///< l
