@@ -61,9 +61,10 @@ blade_at_hub = 8;      // height
 blade_at_tip = 5;
 blade_angle = 32;      // of the leading face to the horizontal
 clearance = 1;         // below the blades
+mixer_sides = 64;      // of circles: few triangles, as walls are meshes
 if (part == "mixer_vessel") translate([0, 0, -thickness]) difference() {
-  cylinder(r = vessel_radius + thickness, h = vessel_height + thickness);
-  translate([0, 0, thickness]) cylinder(r = vessel_radius, h = vessel_height + 1);
+  cylinder(r = vessel_radius + thickness, h = vessel_height + thickness, $fn = mixer_sides);
+  translate([0, 0, thickness]) cylinder(r = vessel_radius, h = vessel_height + 1, $fn = mixer_sides);
 }
 // Cross-section of a blade across its radius: the leading face rises backwards from the origin.
 module blade_section(height) {
@@ -75,12 +76,12 @@ module slice_at(radius, height) {
   translate([radius, 0, 0]) rotate([90, 0, 90]) linear_extrude(0.1) blade_section(height);
 }
 if (part == "mixer_impeller") translate([0, 0, clearance]) {
-  cylinder(r = hub_radius, h = hub_height);
+  cylinder(r = hub_radius, h = hub_height, $fn = mixer_sides);
   intersection() {
     for (k = [0:blades - 1]) rotate(360 / blades * k) hull() {
       slice_at(hub_radius / 2, blade_at_hub);
       slice_at(blade_radius, blade_at_tip);
     }
-    cylinder(r = blade_radius, h = hub_height);
+    cylinder(r = blade_radius, h = hub_height, $fn = mixer_sides);
   }
 }

@@ -32,6 +32,7 @@ LabRun run_of(const char* diameter, const char* ring) {
   set += line("powder.grain_diameter", std::string("\"") + diameter + " mm\"");
   set += line("tool.die.file", std::string("\"die_d") + ring + ".stl\"");
   set += line("tool.\"lower punch\".file", std::string("\"punch_d") + ring + ".stl\"");
+  set += line("walls.spacing", "1.6");  // tight for the finest grains, too
   set += line("tool.shoe.file", "\"shoe.stl\"");
   set += line("pour.to", point_in_millimetres(0.0514, 0.0145, 0.060));
   return run;
