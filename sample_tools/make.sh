@@ -30,6 +30,8 @@ for ring in narrow_ring circular_cavity stepped_ring wide_ring; do
   make_part $ring/$ring.scad $ring/shoe.stl -D 'part="shoe"'
 done
 make_part stepped_ring/stepped_ring.scad stepped_ring/punch_long.stl -D 'part="punch_long"'
+make_part narrow_ring/narrow_ring.scad narrow_ring/die_d2.35.stl -D 'part="die"' -D d=2.35
+make_part narrow_ring/narrow_ring.scad narrow_ring/punch_d2.35.stl -D 'part="punch"' -D d=2.35
 make_part narrow_ring/narrow_ring.scad narrow_ring/shoe_low.stl -D 'part="shoe"' -D shoe_height=24
 
 for part in die punch shoe; do
@@ -44,7 +46,7 @@ for part in block floor side_wall slider; do
   make_part tradeoff/tradeoff.scad tradeoff/$part.stl -D "part=\"$part\""
 done
 
-for part in half_platen floor side_wall slider gate; do
+for part in half_platen floor side_wall slider gate wide_floor heap_plate lid mixer_vessel mixer_impeller; do
   make_part laboratory/laboratory.scad laboratory/$part.stl -D "part=\"$part\""
 done
 for half in "" _half; do

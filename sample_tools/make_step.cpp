@@ -1,7 +1,9 @@
 // Writes the sample tools as STEP files (and one as IGES) with curved surfaces where the STL files have
 // facets: one file a press, its parts named as in the scenes. Needs OpenCASCADE; make.sh compiles and runs
 // it. Millimetres, z up, fill plane z = 0.
+#include <BRepAlgoAPI_Common.hxx>
 #include <BRepAlgoAPI_Cut.hxx>
+#include <BRepAlgoAPI_Fuse.hxx>
 #include <BRepBuilderAPI_MakeEdge.hxx>
 #include <BRepBuilderAPI_MakeFace.hxx>
 #include <BRepBuilderAPI_MakeWire.hxx>
@@ -194,6 +196,39 @@ Parts gear_press() {
   return {{"die", die}, {"core rods", rods}, {"lower punch", punch}, {"shoe", shoe(shoe_x, shoe_y, 40)}};
 }
 
+// Blade of laboratory.scad across its radius: the leading face rises backwards at `angle` from y = 0.
+TopoDS_Wire blade_section(double radius, double height) {
+  const double angle = 32 * std::numbers::pi / 180, thickness = 2, clearance = 1;
+  const double back = -height / std::tan(angle), under = back - thickness * std::sin(angle),
+               rise = height - thickness * std::cos(angle), foot = under + rise / std::tan(angle);
+  const std::pair<double, double> corners[4] = {{0, 0}, {back, height}, {under, rise}, {foot, 0}};
+  BRepBuilderAPI_MakeWire wire;
+  for (int k = 0; k < 4; ++k) {
+    const auto &from = corners[k], &to = corners[(k + 1) % 4];
+    wire.Add(BRepBuilderAPI_MakeEdge(gp_Pnt(radius, from.first, clearance + from.second),
+                                     gp_Pnt(radius, to.first, clearance + to.second))
+                 .Edge());
+  }
+  return wire.Wire();
+}
+
+// Vertical mixer of laboratory.scad.
+Parts mixer() {
+  const double inside = 42, wall = 2, height = 100, hub = 8, hub_top = 13, reach = 41;
+  BRepOffsetAPI_ThruSections blade(true, true);
+  blade.AddWire(blade_section(hub / 2, 8));
+  blade.AddWire(blade_section(reach + 0.1, 5));
+  const TopoDS_Shape trimmed = BRepAlgoAPI_Common(blade.Shape(), rod(reach, 0, hub_top)).Shape();
+  TopoDS_Shape impeller = rod(hub, 1, hub_top);
+  for (int k = 0; k < 3; ++k) {
+    gp_Trsf turn;
+    turn.SetRotation(gp_Ax1(gp_Pnt(0, 0, 0), gp_Dir(0, 0, 1)), 2 * std::numbers::pi / 3 * k);
+    impeller = BRepAlgoAPI_Fuse(impeller, BRepBuilderAPI_Transform(trimmed, turn, true).Shape()).Shape();
+  }
+  return {{"vessel", cut(rod(inside + wall, -wall, height), rod(inside, 0, height + 1))},
+          {"impeller", impeller}};
+}
+
 Handle(TDocStd_Document) document_of(const Parts& parts) {
   Handle(TDocStd_Document) document = new TDocStd_Document("parts");
   const Handle(XCAFDoc_ShapeTool) shapes = XCAFDoc_DocumentTool::ShapeTool(document->Main());
@@ -223,7 +258,8 @@ int main() {
       {"narrow_ring/narrow_ring_d1.88.step", narrow_ring(1.83 + 1.4 * 1.88)},
       {"stepped_ring/stepped_ring.step", stepped_ring()},
       {"shoe/shoe.step", {{"shoe", shoe(32, 50, 37)}}},
-      {"gear/gear.step", gear_press()}};
+      {"gear/gear.step", gear_press()},
+      {"laboratory/mixer.step", mixer()}};
   for (const auto& [file, parts] : presses)
     if (!write(file, parts)) {
       std::cerr << file << " was not written\n";

@@ -7,7 +7,6 @@
 #include "app/pictures/drawing.h"
 #include "process/input/nearest_key.h"
 #include "process/input/scene_error.h"
-#include "process/laboratory/bulk_density/registry.h"
 #include "process/laboratory/flow/registry.h"
 #include "process/laboratory/stability/registry.h"
 #include "process/laboratory/walls/registry.h"
@@ -28,15 +27,12 @@ struct LabArguments {
 struct Family {
   const char *name, *help;
   const std::vector<Experiment>& (*experiments)();
-  bool has_published_points = false;
 };
 
 const Family kFamilies[] = {
     {"stability", "Find the limits of each method and compare them with theory",
      process::laboratory::stability_experiments},
     {"walls", "Compare wall spheres with the exact surface", process::laboratory::wall_experiments},
-    {"bulk_density", "Compare the bulk density of cohesive powders with published values",
-     process::laboratory::bulk_density_experiments, true},
     {"flow", "Compare flow out of a hopper with the kinematic models", process::laboratory::flow_experiments},
 };
 
@@ -100,8 +96,6 @@ void add_family(CLI::App& lab, const Family& family, Action& chosen) {
   auto arguments = std::make_shared<LabArguments>();
   command->add_option("NAME", arguments->name, "experiment (default: all)");
   command->add_flag("--quick", arguments->options.quick, "small beds and few points");
-  if (family.has_published_points)
-    command->add_flag("--published", arguments->options.published_only, "only points with published values");
   command->add_option("--out", arguments->out,
                       std::string("directory for tables and charts (default: out/") + family.name + ")");
   command->add_option("--threads", arguments->options.threads, "number of threads; does not affect results")

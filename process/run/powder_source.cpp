@@ -31,6 +31,16 @@ engine::TypeNumber type_of(const std::vector<engine::CutClass>& shares, std::siz
   return static_cast<engine::TypeNumber>(last);
 }
 
+/// `way` (m) from one grain to another, or to its nearest image where the scene repeats.
+Eigen::Vector3d to_nearest_image(Eigen::Vector3d way, const NumericsSpec& numerics) {
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const auto& period = numerics.period[axis];
+    double& along = way[static_cast<Eigen::Index>(axis)];
+    if (period) along -= *period * std::round(along / *period);
+  }
+  return way;
+}
+
 }  // namespace
 
 PowderSource::PowderSource(const Scene& scene, const Tooling& tooling) : scene_(scene), tooling_(tooling) {
@@ -98,7 +108,8 @@ std::vector<engine::NewGrain> PowderSource::placed(const PowderInflow& inflow, s
     const engine::TypeNumber kind = type_of(shares, come + grains.size());
     const double radius = simulation.types().shape(kind).bounding_radius();
     const auto touches = [&](const std::pair<Eigen::Vector3d, double>& other) {
-      return (other.first - place).norm() < radius + other.second;
+      const Eigen::Vector3d way = to_nearest_image(other.first - place, scene_.numerics);
+      return way.norm() < radius + other.second;
     };
     if (std::any_of(near.begin(), near.end(), touches) || !free_of_tools(place, radius, simulation)) continue;
     engine::NewGrain grain;

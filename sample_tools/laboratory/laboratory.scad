@@ -1,5 +1,6 @@
 // Tools of the laboratory's scenes, millimetres, z up. Prisms along y reach beyond every periodic slice.
-part = "half_platen";   // half_platen, floor, side_wall, slider, funnel, cup or gate
+// half_platen, floor, side_wall, slider, funnel, cup, gate, wide_floor, heap_plate, lid, mixer_vessel or mixer_impeller
+part = "half_platen";
 length_y = 40;
 thickness = 2;
 $fn = 128;
@@ -41,3 +42,46 @@ if (part == "cup") translate([0, 0, -cup_depth - 2]) difference() {
   translate([0, 0, 2]) cylinder(r = cup_radius, h = cup_depth + 1);
 }
 if (part == "gate") translate([-10, -10, -2]) cube([20, 20, 2]);
+
+// Floor of wide periodic beds; plate of a heap (Hu 2024, section 5.3); lid within the walls of a shoe of 32 mm.
+if (part == "wide_floor") translate([-150, -150, -thickness]) cube([300, 300, thickness]);
+if (part == "heap_plate") translate([-28, -28, -thickness]) cube([56, 56, thickness]);
+if (part == "lid") prism(-15.5, 15.5, 0, 8);
+
+// Vertical mixer (Hu 2024, section 4.3): a vessel of 84 mm inside diameter, z = 0 at its floor, and an impeller of three
+// flat blades that turns counter-clockwise. Height, hub and blades are not published: assumptions.
+vessel_radius = 42;
+vessel_height = 100;
+hub_radius = 8;
+hub_height = 12;
+blades = 3;
+blade_radius = 41;
+blade_thickness = 2;
+blade_at_hub = 8;      // height
+blade_at_tip = 5;
+blade_angle = 32;      // of the leading face to the horizontal
+clearance = 1;         // below the blades
+mixer_sides = 64;      // of circles: few triangles, as walls are meshes
+if (part == "mixer_vessel") translate([0, 0, -thickness]) difference() {
+  cylinder(r = vessel_radius + thickness, h = vessel_height + thickness, $fn = mixer_sides);
+  translate([0, 0, thickness]) cylinder(r = vessel_radius, h = vessel_height + 1, $fn = mixer_sides);
+}
+// Cross-section of a blade across its radius: the leading face rises backwards from the origin.
+module blade_section(height) {
+  back = -height / tan(blade_angle);
+  under = [back - blade_thickness * sin(blade_angle), height - blade_thickness * cos(blade_angle)];
+  polygon([[0, 0], [back, height], under, [under[0] + under[1] / tan(blade_angle), 0]]);
+}
+module slice_at(radius, height) {
+  translate([radius, 0, 0]) rotate([90, 0, 90]) linear_extrude(0.1) blade_section(height);
+}
+if (part == "mixer_impeller") translate([0, 0, clearance]) {
+  cylinder(r = hub_radius, h = hub_height, $fn = mixer_sides);
+  intersection() {
+    for (k = [0:blades - 1]) rotate(360 / blades * k) hull() {
+      slice_at(hub_radius / 2, blade_at_hub);
+      slice_at(blade_radius, blade_at_tip);
+    }
+    cylinder(r = blade_radius, h = hub_height, $fn = mixer_sides);
+  }
+}

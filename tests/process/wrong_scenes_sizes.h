@@ -57,8 +57,8 @@ inline std::vector<WrongScene> wrong_sizes() {
              "{ distribution = \"log-normal\", median = \"2 mm\", log_deviation = 0.2, number_of_classes = "
              "@99 }",
              {"powder.sizes.number_of_classes", "found 99", "2 to 32"}),
-      spoilt("too_wide", "{ distribution = @\"log-normal\", median = \"2 mm\", log_deviation = 1 }",
-             {"powder.sizes.distribution", "times the size of the smallest", "allowed: up to 10 times",
+      spoilt("too_wide", "{ distribution = @\"log-normal\", median = \"2 mm\", log_deviation = 1.5 }",
+             {"powder.sizes.distribution", "times the size of the smallest", "allowed: up to 50 times",
               "with smallest and largest"}),
       spoilt("misspelt",
              "{ distribution = \"log-normal\", median = \"2 mm\", @log_deviaton = 0.2, log_deviation = 0.2 }",

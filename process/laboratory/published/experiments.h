@@ -52,6 +52,24 @@ LabPlan plan_drum(const LabSetting& setting);
 /// Apparent density, flow, density after vibration, angles of repose and discharge of one powder: a data
 /// sheet.
 LabPlan plan_powder_sheet(const LabSetting& setting);
+/// Beds of cohesive spheres: with rolling resistance, one setting at a time, of two sizes, of log-normal
+/// sizes (Hu 2024, sections 5.2, 6.2 and 6.3).
+LabPlan plan_mono_disperse_beds(const LabSetting& setting);
+LabPlan plan_bed_variants(const LabSetting& setting);
+LabPlan plan_bi_disperse_beds(const LabSetting& setting);
+LabPlan plan_log_normal_beds(const LabSetting& setting);
+/// Angle of repose of heaps on a plate (Hu 2024, section 5.3).
+LabPlan plan_heap_on_plate(const LabSetting& setting);
+/// Time step at which elastic spheres gain energy (Hu 2024, section 4.4).
+LabPlan plan_critical_step(const LabSetting& setting);
+/// Speeds of wet and adhesive spheres in a mixer (Hu 2024, section 4.3).
+LabPlan plan_vertical_mixer(const LabSetting& setting);
+/// Effective friction of walls of spheres, and what it changes in the discharge (Bierwisch 2009, section
+/// 4.2.4, E13).
+LabPlan plan_wall_friction(const LabSetting& setting);
+LabPlan plan_wall_discharge(const LabSetting& setting);
+/// Filling level of a narrow ring over azimuth and grain size (Bierwisch 2009, section 6.1, E16).
+LabPlan plan_ring_levels(const LabSetting& setting);
 /// Scatter of the discharge over packings (section 4.2.1, E10).
 LabPlan plan_packing_scatter(const LabSetting& setting);
 

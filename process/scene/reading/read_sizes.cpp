@@ -20,9 +20,9 @@ constexpr NumberRule kShare = {0, 1e9, true, "0.3"};
 constexpr NumberRule kLogDeviation = {0, 2, true, "0.2"};
 constexpr std::int64_t kMostClasses = 32;
 constexpr std::size_t kUsualClasses = 8;
-/// Largest over smallest grain: as far as pairs of unequal spheres have been tested
-/// (tests/engine/limits/size_ratio_test.cpp).
-constexpr double kWidest = 10;
+/// Largest over smallest grain. Pairs of unequal spheres are tested up to 100
+/// (tests/engine/limits/size_ratio_test.cpp); beds of log-normal sizes need 40 (Hu 2024, section 6.3).
+constexpr double kWidest = 50;
 
 enum class Shape { classes, log_normal };
 

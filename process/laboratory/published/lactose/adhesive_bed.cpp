@@ -97,12 +97,6 @@ std::string step_lines(const AdhesivePowder& powder, const AdhesiveBed& bed) {
   return set;
 }
 
-/// Volume (m^3) of a sphere below a height over its centre.
-double cap_below(double radius, double height) {
-  const double h = std::clamp(height + radius, 0.0, 2 * radius);
-  return std::numbers::pi * h * h * (radius - h / 3);
-}
-
 }  // namespace
 
 double AdhesivePowder::mass() const {
@@ -187,15 +181,6 @@ double surface_of(const results::PowderState& powder) {
   double sum = 0;
   for (std::size_t k = 0; k < count; ++k) sum += tops[k];
   return sum / static_cast<double>(count);
-}
-
-double fraction_between(const results::PowderState& powder, double from, double to) {
-  double volume = 0;
-  for (std::size_t k = 0; k < powder.position.size(); ++k) {
-    const double radius = powder.sphere_radius_of(k), height = powder.position[k][2];
-    volume += cap_below(radius, to - height) - cap_below(radius, from - height);
-  }
-  return volume / (powder.period[0] * powder.period[1] * (to - from));
 }
 
 }  // namespace diefill::process::laboratory

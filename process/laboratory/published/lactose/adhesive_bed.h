@@ -69,7 +69,5 @@ std::string unpressed_lines();
 
 /// m, of the highest layer of spheres: the mean height of the highest hundredth, at least five.
 double surface_of(const results::PowderState& powder);
-/// Share of spheres in the volume between two heights (m) of a bed with periods along x and y.
-double fraction_between(const results::PowderState& powder, double from, double to);
 
 }  // namespace diefill::process::laboratory

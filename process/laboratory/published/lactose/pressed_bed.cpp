@@ -1,5 +1,6 @@
 #include "process/laboratory/published/lactose/pressed_bed.h"
 
+#include "process/laboratory/published/bed_window.h"
 #include "process/laboratory/published/bulk_curves.h"
 
 namespace diefill::process::laboratory {

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "process/laboratory/published/bed_window.h"
 #include "process/laboratory/published/lactose/adhesive_bed.h"
 
 namespace diefill::process::laboratory {

@@ -1,0 +1,156 @@
+// The largest time step at which colliding spheres keep their energy, for three enlargements (Hu 2024,
+// section 4.4): spheres without damping, friction and gravity in a box with periods along y and z and smooth
+// elastic walls along x. With lengths, times and steps all l times as large the runs are the same, so that
+// the critical step is proportional to l. Coarse: boxes of 10 d, 0.05 s l; medium: 20 d, 0.1 s l; published:
+// 40 d, 0.2 s l.
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "process/laboratory/published/bulk_curves.h"
+#include "process/laboratory/published/experiments.h"
+#include "process/laboratory/published/lab_powder.h"
+
+namespace diefill::process::laboratory {
+namespace {
+
+constexpr double kDiameter = 5e-4, kFraction = 0.3;  // m; solid
+constexpr double kEnlargements[] = {1, 2, 4};
+constexpr double kAllowedGain = 0.01, kGainTime = 0.1;  // of the first kinetic energy, in so many s l
+constexpr double kLeftOut = 0.1;                        // of the run, before energy is looked at
+constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+
+struct Box {
+  double width;     ///< d
+  double duration;  ///< s, at l = 1
+};
+
+Box box_of(LabSize size) {
+  if (size == LabSize::coarse) return {10, 0.05};
+  return size == LabSize::medium ? Box{20, 0.1} : Box{40, 0.2};
+}
+
+/// us, at l = 1.
+std::vector<double> steps(LabSize size) {
+  std::vector<double> all;
+  const double between = size == LabSize::coarse ? 0.2 : 0.1, first = size == LabSize::coarse ? 0.4 : 0.2;
+  for (int k = 0; first + k * between < 2.05; ++k) all.push_back(std::round(10 * (first + k * between)) / 10);
+  return all;
+}
+
+std::string name_of(double enlargement, double step) {
+  return "l = " + plain(enlargement) + ", " + plain(step * enlargement) + " us";
+}
+
+std::string with_unit(double value, const char* unit) {
+  return '"' + plain(value) + ' ' + unit + '"';
+}
+
+LabRun run_of(const Box& box, double l, double step) {
+  const double width = box.width * kDiameter * l, half = 0.5 * width, inside = half - 0.01 * kDiameter * l;
+  LabRun run{name_of(l, step), "periodic_box.toml", {}};
+  std::string& set = run.changes.set;
+  set += line("powder.grain_diameter", millimetres(kDiameter * l));
+  set += line("pour.from", point_in_millimetres(-inside, -half, -half));
+  set += line("pour.to", point_in_millimetres(inside, half, half));
+  set += line("pour.fill_height", millimetres(width));
+  set += line("pour.solid_fraction", plain(kFraction));
+  set += line("tool.\"left wall\".position", point_in_millimetres(-half, 0, 0));
+  set += line("tool.\"right wall\".position", point_in_millimetres(half, 0, 0));
+  set += line("step.fly.duration", with_unit(box.duration * l, "s"));
+  set += line("probe.energy.interval", with_unit(box.duration * l / 500, "s"));
+  set += line("numerics.periodic", "{ y = " + millimetres(width) + ", z = " + millimetres(width) + " }");
+  set += line("numerics.time_step", with_unit(step * l, "us"));
+  return run;
+}
+
+/// Kinetic and elastic energy over the first kinetic energy, from the time on that velocities are given.
+TimeCurve energy_of(const SeedResults& seed, const std::string& run) {
+  const TimeCurve kinetic = probe_curve(seed, run, "energy", "kinetic"),
+                  elastic = probe_curve(seed, run, "energy", "contacts");
+  TimeCurve all;
+  double first = 0;
+  for (std::size_t k = 0; k < kinetic.time.size(); ++k) {
+    if (first <= 0) first = kinetic.value[k] + elastic.value[k];
+    if (first <= 0) continue;
+    all.time.push_back(kinetic.time[k]);
+    all.value.push_back((kinetic.value[k] + elastic.value[k]) / first);
+  }
+  return all;
+}
+
+/// Gain of energy in 0.1 s l over the first one; infinite for a run that did not end.
+double gain_of(const SeedResults& seed, double l, double step) {
+  const std::string run = name_of(l, step);
+  if (!seed.has(run)) return std::numeric_limits<double>::infinity();
+  const TimeCurve energy = energy_of(seed, run);
+  if (energy.time.size() < 2) return kNone;
+  const double from = energy.time.front() + kLeftOut * (energy.time.back() - energy.time.front());
+  return slope_of(energy, from, energy.time.back()) * kGainTime * l;
+}
+
+/// us, the largest step up to which the gain stays within 1 %; NaN for none.
+double critical_step(const SeedResults& seed, LabSize size, double l) {
+  double largest = kNone;
+  for (const double step : steps(size)) {
+    if (!(std::abs(gain_of(seed, l, step)) < kAllowedGain)) break;
+    largest = step * l;
+  }
+  return largest;
+}
+
+results::ExperimentChart chart_of(LabSize size, const SeedResults& seed) {
+  results::ExperimentChart chart;
+  chart.name = "critical_step";
+  chart.title = "Gain of energy over the time step";
+  chart.subtitle =
+      "Elastic spheres in a box (Hu 2024, section 4.4); published: the same for all l over step / l";
+  chart.x = {.label = "Time step / l [us]"};
+  chart.y = {.label = "Gain of energy in 0.1 s l [%]"};
+  for (const double l : kEnlargements) {
+    results::ExperimentSeries series{.name = "l = " + plain(l), .x = {}, .y = {}};
+    for (const double step : steps(size)) {
+      const double gain = gain_of(seed, l, step);
+      if (!std::isfinite(gain)) continue;
+      series.x.push_back(step);
+      series.y.push_back(100 * gain);
+    }
+    if (!series.x.empty()) chart.series.push_back(series);
+  }
+  return chart;
+}
+
+}  // namespace
+
+LabPlan plan_critical_step(const LabSetting& setting) {
+  const LabSize size = setting.size;
+  const Box box = box_of(size);
+  LabPlan plan;
+  std::vector<std::string> first;  // a run with too long a step may stop
+  for (const double l : kEnlargements) {
+    for (const double step : steps(size)) plan.runs.push_back(run_of(box, l, step));
+    first.push_back(name_of(l, steps(size).front()));
+  }
+  plan.quantities.push_back({.id = "BOX-theory",
+                             .quantity = "",
+                             .unit = "",
+                             .runs = first,
+                             .value = [size](const SeedResults& seed) {
+                               return critical_step(seed, size, 4) / (4 * critical_step(seed, size, 1));
+                             }});
+  for (std::size_t k = 0; k < first.size(); ++k)
+    plan.quantities.push_back(
+        {.id = "critical step, l = " + plain(kEnlargements[k]),
+         .quantity = "largest step with a gain below 1 %, l = " + plain(kEnlargements[k]),
+         .unit = "us",
+         .runs = {first[k]},
+         .value = [size, l = kEnlargements[k]](const SeedResults& seed) {
+           return critical_step(seed, size, l);
+         }});
+  plan.charts = [size](const std::vector<SeedResults>& seeds) {
+    return std::vector{chart_of(size, seeds.front())};
+  };
+  return plan;
+}
+
+}  // namespace diefill::process::laboratory

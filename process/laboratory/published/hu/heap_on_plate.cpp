@@ -1,0 +1,166 @@
+// Angle of repose of a heap of cohesive spheres on a square plate (Hu 2024, section 5.3): the angle of a cone
+// with the same shadow, and Carr's classes. Coarse: l = 4 compared with l = 3; medium: l = 2 and 4;
+// published: l = 1 and 2.
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "process/laboratory/published/experiments.h"
+#include "process/laboratory/published/hu/heap_shadow.h"
+#include "process/laboratory/published/hu/inserted_bed.h"
+#include "process/laboratory/published/lab_powder.h"
+
+namespace diefill::process::laboratory {
+namespace {
+
+constexpr double kPlate = 0.056, kDiameter = 1e-3;                  // m, side of the plate, original spheres
+constexpr double kPouredShare = 0.01, kMass = 33.5e-3, kTime = 10;  // kg, s
+constexpr double kFrictions[] = {0, 0.2, 0.8};
+constexpr const char* kClasses[] = {"very free flowing", "free flowing", "fair to passable", "cohesive",
+                                    "very cohesive"};
+
+struct Sizes {
+  double reference, enlarged;  ///< l
+};
+
+Sizes sizes_of(LabSize size) {
+  if (size == LabSize::coarse) return {3, 4};
+  return size == LabSize::medium ? Sizes{2, 4} : Sizes{1, 2};
+}
+
+struct Case {
+  double friction;
+  int method;
+  double enlargement;
+};
+
+std::string name_of(const Case& one) {
+  return "mu_r = " + plain(one.friction) + ", method " + std::to_string(one.method) +
+         ", l = " + plain(one.enlargement);
+}
+
+LabRun heap_of(const Case& one) {
+  StickySpheres spheres;
+  spheres.enlargement = one.enlargement;
+  spheres.method = one.method;
+  spheres.surface_energy = 0.05;
+  spheres.rolling = one.friction > 0 ? "EPSD2" : "none";
+  spheres.rolling_friction = one.friction;
+  spheres.sizes = {{kDiameter, 1}};
+  LabRun run{name_of(one), "heap.toml", {sticky_lines(spheres), {}}};
+  const double entering = (1 - kPouredShare) * kMass;
+  run.changes.set += line("step.insert.mass", '"' + plain(entering) + " kg\"");
+  run.changes.set += line("step.insert.rate", '"' + plain(entering / kTime) + " kg/s\"");
+  return run;
+}
+
+double angle_of(const SeedResults& seed, const Case& one) {
+  return area_equivalent_angle(seed.at(name_of(one), "heap").powder, kPlate);
+}
+
+LabQuantity quantity(const std::string& id, const std::string& label, const std::vector<Case>& cases,
+                     const std::function<double(const SeedResults&)>& value) {
+  LabQuantity quantity{.id = id, .quantity = label, .unit = "", .runs = {}, .value = value};
+  for (const Case& one : cases) quantity.runs.push_back(name_of(one));
+  return quantity;
+}
+
+/// Share of four statements that hold: 38 to 45 deg without rolling resistance and more than 55 deg with the
+/// largest, both within 3 deg, and steeper from each coefficient to the next.
+double share_of_statements(const std::vector<double>& angles) {
+  double right = angles[0] > 35 && angles[0] < 48 ? 1 : 0;
+  right += angles[2] > 52 ? 1 : 0;
+  for (const std::size_t k : {1U, 2U}) right += angles[k] > angles[k - 1] ? 1 : 0;
+  return right / 4;
+}
+
+/// Height of the heap's surface over x, the highest sphere in columns of d.
+results::ExperimentSeries surface_of(const SeedResults& seed, const Case& one) {
+  const results::PowderState& powder = seed.at(name_of(one), "heap").powder;
+  const double width = powder.grain_diameter;
+  std::map<long, double> top;
+  for (const auto& place : powder.position) {
+    double& highest = top[std::lround(place[0] / width)];
+    highest = std::max(highest, place[2] + 0.5 * width);
+  }
+  const double angle = angle_of(seed, one);
+  results::ExperimentSeries series{.name = name_of(one) + ": " + plain(std::round(10 * angle) / 10) +
+                                           " deg, " + kClasses[carr_class(angle)],
+                                   .x = {},
+                                   .y = {}};
+  for (const auto& [column, height] : top) {
+    series.x.push_back(1e3 * static_cast<double>(column) * width);
+    series.y.push_back(1e3 * height);
+  }
+  return series;
+}
+
+results::ExperimentChart chart_of(const std::vector<Case>& cases, const SeedResults& seed) {
+  results::ExperimentChart chart;
+  chart.name = "heap_on_plate";
+  chart.title = "Heaps on a plate of 56 mm";
+  chart.subtitle =
+      "Highest sphere in columns of d, one seed; angles of equal shadow with Carr's classes (Hu 2024)";
+  chart.x = {.label = "x [mm]"};
+  chart.y = {.label = "Height [mm]", .lower = 0};
+  for (const Case& one : cases)
+    if (seed.has(name_of(one))) chart.series.push_back(surface_of(seed, one));
+  return chart;
+}
+
+void add_scaling(const Sizes& sizes, LabPlan& plan) {
+  const auto deviation = [sizes](const SeedResults& seed, double friction) {
+    return percent_apart(angle_of(seed, {friction, 1, sizes.enlarged}),
+                         angle_of(seed, {friction, 1, sizes.reference}));
+  };
+  const std::string from = ", l = " + plain(sizes.enlarged) + " from l = " + plain(sizes.reference);
+  const std::vector<Case> rough = {{0.2, 1, sizes.enlarged}, {0.2, 1, sizes.reference}};
+  plan.quantities.push_back(quantity("AOR-M1", "deviation at mu_r = 0.2" + from, rough,
+                                     [=](const SeedResults& seed) { return deviation(seed, 0.2); }));
+  std::vector<Case> both = rough;
+  both.push_back({0, 1, sizes.enlarged});
+  both.push_back({0, 1, sizes.reference});
+  plan.quantities.push_back(
+      quantity("AOR-M1b", "deviation at mu_r = 0 less that at 0.2" + from, both,
+               [=](const SeedResults& seed) { return deviation(seed, 0) - deviation(seed, 0.2); }));
+  const Case first{0.2, 1, sizes.enlarged}, third{0.2, 3, sizes.enlarged};
+  plan.quantities.push_back(quantity("AOR-M3", "", {first, third}, [=](const SeedResults& seed) {
+    return angle_of(seed, third) - angle_of(seed, first);
+  }));
+}
+
+}  // namespace
+
+LabPlan plan_heap_on_plate(const LabSetting& setting) {
+  const Sizes sizes = sizes_of(setting.size);
+  // Coarse: the classes are those of the larger spheres.
+  const double classes = setting.size == LabSize::coarse ? sizes.enlarged : sizes.reference;
+  std::vector<Case> cases, steps;
+  for (const double friction : kFrictions) steps.push_back({friction, 1, classes});
+  cases = steps;
+  for (const double friction : {0.0, 0.2})
+    cases.push_back({friction, 1, classes == sizes.enlarged ? sizes.reference : sizes.enlarged});
+  cases.push_back({0.2, 3, sizes.enlarged});
+  LabPlan plan;
+  for (const Case& one : cases) plan.runs.push_back(heap_of(one));
+  plan.quantities.push_back(quantity("AOR-02", "", {steps[1]},
+                                     [steps](const SeedResults& seed) { return angle_of(seed, steps[1]); }));
+  plan.quantities.push_back(quantity("AOR-range", "", steps, [steps](const SeedResults& seed) {
+    std::vector<double> angles;
+    for (const Case& one : steps) angles.push_back(angle_of(seed, one));
+    return share_of_statements(angles);
+  }));
+  add_scaling(sizes, plan);
+  for (const Case& one : cases)
+    plan.quantities.push_back({.id = "angle, " + name_of(one),
+                               .quantity = "angle, " + name_of(one),
+                               .unit = "deg",
+                               .runs = {name_of(one)},
+                               .value = [one](const SeedResults& seed) { return angle_of(seed, one); }});
+  plan.charts = [cases](const std::vector<SeedResults>& seeds) {
+    return std::vector{chart_of(cases, seeds.front())};
+  };
+  return plan;
+}
+
+}  // namespace diefill::process::laboratory
