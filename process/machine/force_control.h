@@ -39,8 +39,8 @@ struct ForceControl {
   static constexpr double kReached = 0.01;  ///< of a target: as near as this it counts as reached
   static constexpr double kNear = 0.02;     ///< of a target: the integral part of a piston acts within this
 
-  bool turns = false;           ///< a torque about the axis, not a force along it
-  RotationAxis axis;            ///< of pushing or turning
+  bool turns = false;  ///< a torque about the axis, not a force along it
+  RotationAxis axis;   ///< of pushing or turning
   /// N (N m), wanted resistance of the powder, one after the other; none: it moves at the speed limit,
   /// whatever the powder resists.
   std::vector<double> targets;

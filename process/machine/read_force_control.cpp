@@ -114,7 +114,8 @@ std::shared_ptr<Step> read_rotor(TableReader& table, const std::vector<ToolSpec>
   }
   for (const char* key : {"gain", "integral_time", "back"})
     if (table.has(key))
-      table.reject(key, "without a torque the tool turns at its speed_limit; remove the key, or add a torque");
+      table.reject(key,
+                   "without a torque the tool turns at its speed_limit; remove the key, or add a torque");
   return std::make_shared<ControlledTool>(moving, control, table.quantity("duration", kDuration));
 }
 

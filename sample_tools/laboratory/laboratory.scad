@@ -1,5 +1,5 @@
 // Tools of the laboratory's scenes, millimetres, z up. Prisms along y reach beyond every periodic slice.
-part = "half_platen";   // half_platen, floor, side_wall, slider, funnel, cup or gate
+part = "half_platen";   // half_platen, floor, side_wall, slider, funnel, cup, gate, shear_cell, shear_head or disc
 length_y = 40;
 thickness = 2;
 $fn = 128;
@@ -41,3 +41,30 @@ if (part == "cup") translate([0, 0, -cup_depth - 2]) difference() {
   translate([0, 0, 2]) cylinder(r = cup_radius, h = cup_depth + 1);
 }
 if (part == "gate") translate([-10, -10, -2]) cube([20, 20, 2]);
+
+// Powder tester (Kottlan 2018, section 2.7.4): a cell with vanes on its floor, a head with vanes pointing down, a smooth
+// disc. Lengths in grain diameters; scenes give the diameter as length_unit. z = 0 is the cell's floor, and the lower
+// face of disc and head.
+bore = 10;             // of the cell
+cell_height = 40;
+vanes = 8;
+vane_depth = 3;
+vane_thickness = 0.4;
+floor_vane = 1;        // height of those on the floor
+gap = 0.15;            // between head and cell
+module vane_star(from, to, z_from, z_to) {
+  for (k = [0 : vanes - 1]) rotate(360 * k / vanes)
+    translate([from, -vane_thickness / 2, z_from]) cube([to - from, vane_thickness, z_to - z_from]);
+}
+if (part == "shear_cell") {
+  difference() {
+    translate([-bore / 2 - 1.6, -bore / 2 - 1.6, -2]) cube([bore + 3.2, bore + 3.2, cell_height + 2]);
+    cylinder(d = bore, h = cell_height + 1, $fn = 64);
+  }
+  vane_star(bore / 10, bore / 2 + 0.5, -0.5, floor_vane);
+}
+if (part == "shear_head") {
+  cylinder(r = bore / 2 - gap, h = 2, $fn = 64);
+  vane_star(bore / 10, bore / 2 - 2 * gap, -vane_depth, 0.5);
+}
+if (part == "disc") cylinder(r = bore / 2 - gap, h = 2, $fn = 64);

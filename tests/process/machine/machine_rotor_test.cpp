@@ -12,9 +12,9 @@
 namespace diefill::process {
 namespace {
 
-constexpr double kInterval = 1e-5;     // s
-constexpr double kStiffness = 2e-4;    // N m/rad, of the powder before it slips
-constexpr double kFriction = 5e-6;     // N m, on it when it slips
+constexpr double kInterval = 1e-5;                 // s
+constexpr double kStiffness = 2e-4;                // N m/rad, of the powder before it slips
+constexpr double kFriction = 5e-6;                 // N m, on it when it slips
 constexpr double kSlips = kFriction / kStiffness;  // rad
 
 ForceControl rotor() {
@@ -64,7 +64,8 @@ TEST(Rotor, TurnsAtItsSpeedWhateverThePowderResistsAndEndsAtItsAngle) {
   ForceControl control = rotor();
   control.travel = 0.5;
   control.ends_at_travel = true;
-  const Way way = follow(control, [](double angle) { return 1e3 * std::sin(40 * angle); }, 10);
+  const Way way = follow(
+      control, [](double angle) { return 1e3 * std::sin(40 * angle); }, 10);
   EXPECT_TRUE(way.ended);
   EXPECT_NEAR(way.time, 0.5 / control.speed_limit, 2.5 * kInterval);
   EXPECT_NEAR(way.state.coordinate, 0.5, 1e-9);
@@ -106,7 +107,9 @@ TEST(Rotor, WithoutTorqueFromTheStartIsFreeOfItAtOnce) {
   control.targets = {0};
   control.pause = 0;
   control.back = 1;
-  EXPECT_TRUE(follow(control, [](double) { return 0.0; }, 1).ended);
+  EXPECT_TRUE(follow(
+                  control, [](double) { return 0.0; }, 1)
+                  .ended);
 }
 
 TEST(Rotor, GoesBackNoFartherThanItMay) {
@@ -126,15 +129,15 @@ TEST(Rotor, EndsOnceTheTorqueIsSteady) {
   constexpr double kBend = 0.05, kStretch = 0.04, kWithin = 0.02;
   ForceControl control = rotor();
   control.steady = {kWithin, kStretch};
-  const Way way = follow(control, [](double angle) { return 1e-3 * (1 - std::exp(-angle / kBend)); }, 10);
+  const Way way = follow(
+      control, [](double angle) { return 1e-3 * (1 - std::exp(-angle / kBend)); }, 10);
   const double q = std::exp(-kStretch / kBend), first = (1 - q) * kBend / kStretch;
   const auto mean = [&](int n) { return 1 - std::pow(q, n) * first; };
   int last = 1;
   while (mean(last) - mean(last - 1) > kWithin * mean(last)) ++last;
   EXPECT_TRUE(way.ended);
   EXPECT_EQ(way.state.steady.stretches, static_cast<std::uint64_t>(last + 1));
-  EXPECT_NEAR(way.state.coordinate, (last + 1) * kStretch,
-              (last + 2) * control.speed_limit * kInterval);
+  EXPECT_NEAR(way.state.coordinate, (last + 1) * kStretch, (last + 2) * control.speed_limit * kInterval);
   EXPECT_NEAR(way.state.steady.mean, 1e-3 * mean(last), 1e-6);
 }
 
@@ -142,7 +145,8 @@ TEST(Rotor, IsNotSteadyWhileItsTorqueRises) {
   ForceControl control = rotor();
   control.steady = {0.02, 0.04};
   // A stretch adds 1/n of the mean: 2 % from the 50th on.
-  const Way way = follow(control, [](double angle) { return 1e-3 * angle; }, 10);
+  const Way way = follow(
+      control, [](double angle) { return 1e-3 * angle; }, 10);
   EXPECT_TRUE(way.ended);
   EXPECT_NEAR(static_cast<double>(way.state.steady.stretches), 51, 1);
 }
@@ -156,7 +160,8 @@ TEST(Piston, UnloadsBehindItsStartWithoutPassingItsForce) {
     control.travel = 0.01;
     control.back = 1e-3;
     control.integral_time = 0.02;
-    const Way way = follow(control, [&](double way_in) { return kPressed + kSpring * way_in; }, 0.5);
+    const Way way = follow(
+        control, [&](double way_in) { return kPressed + kSpring * way_in; }, 0.5);
     EXPECT_NEAR(way.state.coordinate, (target - kPressed) / kSpring, 1e-3 * kPressed / kSpring) << target;
     EXPECT_GT(way.least, target - 0.02 * kPressed) << target;
   }
@@ -168,7 +173,8 @@ TEST(Piston, StaysAtItsStartWhereItMayNotGoBack) {
   control.speed_limit = 0.05;
   control.travel = 0.01;
   control.integral_time = 0.02;
-  const Way way = follow(control, [](double way_in) { return 10 + 2e4 * way_in; }, 0.1);
+  const Way way = follow(
+      control, [](double way_in) { return 10 + 2e4 * way_in; }, 0.1);
   EXPECT_EQ(way.state.coordinate, 0);
 }
 
