@@ -13,6 +13,7 @@ namespace {
 
 constexpr double kLattice = 1.12, kOffset = 0.06;  // d
 constexpr double kLoose = 0.5;                     // solid fraction that `fill_height` is told with
+constexpr double kClear = 3;                       // d, least height of the tool over the floor, about
 /// Share of the lattice's places over the cell's box that lie clear of its wall.
 constexpr double kInside = 0.6;
 
@@ -72,6 +73,7 @@ std::string filled_cell_lines(const FilledCell& filled, const std::string& tool,
   set += line("tool." + tool + ".file", '"' + drawing + ending);
   set += line("tool." + tool + ".length_unit", unit);
   set += line("tool." + tool + ".position", point_in_millimetres(0, 0, (height + below + 1) * d));
+  set += line("step.press.travel", millimetres((height - kClear) * d));
   set += line("pour.from", point_in_millimetres(-half, -half, 0));
   set += line("pour.to", point_in_millimetres(half, half, height * d));
   set +=

@@ -36,7 +36,7 @@ struct FilledCell {
 };
 
 /// Powder, cell and `tool` of a scene, which stands over the loose powder with whatever reaches `below` (d)
-/// under its face.
+/// under its face, and the travel of the piston `press` to near the floor.
 std::string filled_cell_lines(const FilledCell& filled, const std::string& tool, const std::string& drawing,
                               double below);
 /// "12 deg" and "3 rpm" in quotes.

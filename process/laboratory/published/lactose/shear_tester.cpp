@@ -23,6 +23,7 @@ constexpr double kVanes = 3;  // d, below the head's face
 constexpr double kMost = 20, kStretch = 3,
                  kSheared = 4;    // d at the rim: of pre-shear, of its means, of shear
 constexpr double kPeak = 0.3;     // d, over which the strength is a mean
+constexpr double kWay = 2;        // d, of the head after it is unloaded, up and down
 constexpr double kRow = 0.02;     // d, between rows of the probe
 constexpr double kSettle = 0.25;  // sqrt(d / g), until a new load is held
 /// Of the head's motions.
@@ -57,7 +58,6 @@ LabRun run_of(const Sheared& one, double stress) {
   std::string set = filled_cell_lines(filled, kHead, "shear_head", kVanes);
   const double d = filled.powder.diameter();
   set += line("step.press.force", newtons(filled.force(kPreshear)));
-  set += line("step.press.travel", millimetres(2 * filled.cell.bore * d));
   set += line("step.preshear.start",
               "{ with = \"press\", force = " + newtons(0.98 * filled.force(kPreshear)) + ", on = \"head\" }");
   set += line("step.preshear.speed_limit", speed);
@@ -67,8 +67,8 @@ LabRun run_of(const Sheared& one, double stress) {
   set += line("step.release.back", degrees(filled.angle(0.5)));
   set += line("step.release.pause", hold);
   set += line("step.unload.force", newtons(filled.force(stress)));
-  set += line("step.unload.travel", millimetres(filled.cell.bore * d));
-  set += line("step.unload.back", millimetres(0.5 * d));
+  set += line("step.unload.travel", millimetres(kWay * d));
+  set += line("step.unload.back", millimetres(kWay * d));
   set += line("step.shear.start", "{ with = \"unload\", delay = " + hold + " }");
   set += line("step.shear.speed_limit", speed);
   set += line("step.shear.angle", degrees(filled.angle(kSheared)));

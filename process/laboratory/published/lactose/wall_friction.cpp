@@ -39,7 +39,6 @@ std::vector<Slid> all_of(LabSize size) {
 
 LabRun run_of(const Slid& one) {
   const FilledCell& filled = one.filled;
-  const double d = filled.powder.diameter();
   std::string forces;
   for (const double stress : kStresses)
     forces += (forces.empty() ? "" : ", ") + with_unit(filled.force(stress), "N");
@@ -47,7 +46,6 @@ LabRun run_of(const Slid& one) {
   set += line("tool.disc.contact", "{ friction = " + friction_part(filled.powder, one.friction) + " }");
   set += line("step.press.forces", '[' + forces + ']');
   set += line("step.press.pause", with_unit(filled.seconds(kHeld), "s"));
-  set += line("step.press.travel", millimetres(2 * filled.cell.bore * d));
   set += line("step.turn.start", "{ with = \"press\", force = " +
                                      with_unit(0.98 * filled.force(kStresses[0]), "N") + ", on = \"disc\" }");
   set += line("step.turn.speed_limit", turns_a_minute(filled.turn_speed()));

@@ -47,13 +47,16 @@ std::string rotation(double degrees) {
 }
 
 std::string tool_lines(const Hopper& hopper, double half_angle) {
-  const double d = lh220().diameter(), edge = 0.5 * hopper.slot * d;
+  constexpr double kWall = 6, kDrawnWall = 100, kDrawnGate = 20, kAway = 10;  // slots; as drawn; slots
+  const double slot = hopper.slot * lh220().diameter(), edge = 0.5 * slot;
   std::string set = line("tool.right.rotation", rotation(half_angle - 90));
   set += line("tool.right.position", point_in_millimetres(edge, 0, 0));
   set += line("tool.left.rotation", rotation(90 - half_angle));
   set += line("tool.left.position", point_in_millimetres(-edge, 0, 0));
-  // Drawn 20 wide.
-  set += line("tool.gate.length_unit", with_unit(hopper.slot * d / 20, "m"));
+  for (const char* wall : {"right", "left"})
+    set += line(std::string("tool.") + wall + ".length_unit", with_unit(kWall * slot / kDrawnWall, "m"));
+  set += line("tool.gate.length_unit", with_unit(slot / kDrawnGate, "m"));
+  set += line("step.open.distance", millimetres(kAway * slot));
   return set;
 }
 
