@@ -47,12 +47,12 @@ double FilledCell::turn_speed() const {
   return cell.rim_speed / radius();
 }
 
-double FilledCell::angle(double rim_way) const {
-  return rim_way * powder.diameter() / radius();
+double FilledCell::angle(double rim_travel) const {
+  return rim_travel * powder.diameter() / radius();
 }
 
-double FilledCell::seconds(double rim_way) const {
-  return rim_way * powder.diameter() / cell.rim_speed;
+double FilledCell::seconds(double rim_travel) const {
+  return rim_travel * powder.diameter() / cell.rim_speed;
 }
 
 std::string degrees(double radians) {

@@ -30,9 +30,9 @@ struct FilledCell {
   double force(double stress) const { return stress * area(); }
   /// Pa, tau of a torque (N m): 3 T / (2 pi R^3), the same stress all over the disc.
   double shear_stress(double torque) const;
-  double turn_speed() const;             ///< rad/s
-  double angle(double rim_way) const;    ///< rad, of a way (d) at the rim
-  double seconds(double rim_way) const;  ///< for such a way
+  double turn_speed() const;                ///< rad/s
+  double angle(double rim_travel) const;    ///< rad, of a displacement (d) of the rim
+  double seconds(double rim_travel) const;  ///< for such a displacement
 };
 
 /// Powder, cell and `tool` of a scene, which stands over the loose powder with whatever reaches `below` (d)

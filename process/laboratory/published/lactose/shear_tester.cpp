@@ -23,27 +23,27 @@ constexpr double kVanes = 3;  // d, below the head's face
 constexpr double kMost = 20, kStretch = 3,
                  kSheared = 4;    // d at the rim: of pre-shear, of its means, of shear
 constexpr double kPeak = 0.3;     // d, over which the strength is a mean
-constexpr double kWay = 2;        // d, of the head after it is unloaded, up and down
+constexpr double kTravel = 2;     // d, of the head after it is unloaded, up and down
 constexpr double kRow = 0.02;     // d, between rows of the probe
 constexpr double kSettle = 0.25;  // sqrt(d / g), until a new load is held
 /// Of the head's motions.
 enum Motion : std::size_t { press, preshear, release, unload, shear, motions };
 
 /// One powder, its published figures and the measured wall friction for the design of a hopper.
-struct Sheared {
+struct ShearedPowder {
   std::string id, name;
   FilledCell filled;
   YieldLocus published;
   double published_preshear, wall_angle;  ///< Pa, deg
 };
 
-std::vector<Sheared> powders(LabSize size) {
+std::vector<ShearedPowder> powders(LabSize size) {
   const ShearCell cell = shear_cell(size);
   return {{"L100", "LH100", {lh100(), cell}, {0.586, 184}, 1.91e3, 7.77},
           {"L220", "LH220", {lh220(), cell}, {0.457, 763}, 2.39e3, 20.03}};
 }
 
-std::string run_name(const Sheared& one, double stress) {
+std::string run_name(const ShearedPowder& one, double stress) {
   return one.name + ", " + plain(1e-3 * stress) + " kPa";
 }
 
@@ -51,7 +51,7 @@ std::string newtons(double force) {
   return with_unit(force, "N");
 }
 
-LabRun run_of(const Sheared& one, double stress) {
+LabRun run_of(const ShearedPowder& one, double stress) {
   const FilledCell& filled = one.filled;
   const double unit = std::sqrt(filled.powder.diameter() / 9.81);
   const std::string hold = with_unit(kSettle * unit, "s"), speed = turns_a_minute(filled.turn_speed());
@@ -67,8 +67,8 @@ LabRun run_of(const Sheared& one, double stress) {
   set += line("step.release.back", degrees(filled.angle(0.5)));
   set += line("step.release.pause", hold);
   set += line("step.unload.force", newtons(filled.force(stress)));
-  set += line("step.unload.travel", millimetres(kWay * d));
-  set += line("step.unload.back", millimetres(kWay * d));
+  set += line("step.unload.travel", millimetres(kTravel * d));
+  set += line("step.unload.back", millimetres(kTravel * d));
   set += line("step.shear.start", "{ with = \"unload\", delay = " + hold + " }");
   set += line("step.shear.speed_limit", speed);
   set += line("step.shear.angle", degrees(filled.angle(kSheared)));
@@ -81,7 +81,7 @@ StressPoint point_of(const MeanStress& stress) {
 }
 
 /// Steady: the mean over the last stretches of the pre-shear.
-StressPoint preshear_of(const SeedResults& seed, const Sheared& one) {
+StressPoint preshear_of(const SeedResults& seed, const ShearedPowder& one) {
   const std::string run = run_name(one, kStresses[0]);
   const auto spans = spans_of(seed, run, kHead);
   if (spans.size() < motions) return {std::nan(""), std::nan("")};
@@ -90,7 +90,7 @@ StressPoint preshear_of(const SeedResults& seed, const Sheared& one) {
       mean_stress(shear_curve(seed, run, kHead, one.filled), end - 2 * one.filled.seconds(kStretch), end));
 }
 
-StressPoint strength_of(const SeedResults& seed, const Sheared& one, double stress) {
+StressPoint strength_of(const SeedResults& seed, const ShearedPowder& one, double stress) {
   const std::string run = run_name(one, stress);
   const auto spans = spans_of(seed, run, kHead);
   if (spans.size() < motions) return {std::nan(""), std::nan("")};
@@ -98,25 +98,25 @@ StressPoint strength_of(const SeedResults& seed, const Sheared& one, double stre
                                  spans[shear].end, one.filled.seconds(kPeak)));
 }
 
-std::vector<StressPoint> strengths_of(const SeedResults& seed, const Sheared& one) {
+std::vector<StressPoint> strengths_of(const SeedResults& seed, const ShearedPowder& one) {
   std::vector<StressPoint> points;
   for (const double stress : kStresses)
     if (seed.has(run_name(one, stress))) points.push_back(strength_of(seed, one, stress));
   return points;
 }
 
-YieldLocus locus_of(const SeedResults& seed, const Sheared& one) {
+YieldLocus locus_of(const SeedResults& seed, const ShearedPowder& one) {
   return continuum::yield_locus_through(strengths_of(seed, one));
 }
 
 /// Of the pre-sheared bed between a grain diameter over the floor's vanes and one under those of the head.
-double fraction_of(const SeedResults& seed, const Sheared& one) {
+double fraction_of(const SeedResults& seed, const ShearedPowder& one) {
   const auto& powder = seed.at(run_name(one, kStresses[0]), kPreshearedBed).powder;
   const double d = one.filled.powder.diameter(), from = 2 * d, to = surface_of(powder) - (kVanes + 1) * d;
   return volume_between(powder, from, to) / (one.filled.area() * (to - from));
 }
 
-continuum::WedgeHopper hopper_of(const SeedResults& seed, const Sheared& one) {
+continuum::WedgeHopper hopper_of(const SeedResults& seed, const ShearedPowder& one) {
   const YieldLocus locus = locus_of(seed, one);
   const StressPoint steady = preshear_of(seed, one);
   return continuum::wedge_hopper({.preshear_normal = steady.normal,
@@ -127,9 +127,9 @@ continuum::WedgeHopper hopper_of(const SeedResults& seed, const Sheared& one) {
                                   .bulk_density = 1545 * fraction_of(seed, one)});
 }
 
-using Value = double (*)(const SeedResults&, const Sheared&);
+using Value = double (*)(const SeedResults&, const ShearedPowder&);
 
-LabQuantity quantity(const Sheared& one, const std::string& id, const std::string& what,
+LabQuantity quantity(const ShearedPowder& one, const std::string& id, const std::string& what,
                      const std::string& unit, Value value) {
   LabQuantity of{.id = id, .quantity = "", .unit = "", .runs = {}, .value = [=](const SeedResults& seed) {
                    return value(seed, one);
@@ -139,66 +139,69 @@ LabQuantity quantity(const Sheared& one, const std::string& id, const std::strin
   return of;
 }
 
-double none_unless_cohesive(const SeedResults& seed, const Sheared& one,
+double none_unless_cohesive(const SeedResults& seed, const ShearedPowder& one,
                             double (*of)(const continuum::WedgeHopper&)) {
   const YieldLocus locus = locus_of(seed, one);
   if (!(locus.cohesion > 0 && locus.slope > 0)) return std::nan("");
   return of(hopper_of(seed, one));
 }
 
-void add_published(LabPlan& plan, const Sheared& one) {
+void add_published(LabPlan& plan, const ShearedPowder& one) {
   const std::string id = one.id + "-pred-";
   plan.quantities.push_back(quantity(
       one, id + "tau_pre", "", "",
-      [](const SeedResults& seed, const Sheared& of) { return 1e-3 * preshear_of(seed, of).shear; }));
+      [](const SeedResults& seed, const ShearedPowder& of) { return 1e-3 * preshear_of(seed, of).shear; }));
   plan.quantities.push_back(quantity(
       one, id + "tau_0", "", "",
-      [](const SeedResults& seed, const Sheared& of) { return 1e-3 * locus_of(seed, of).cohesion; }));
+      [](const SeedResults& seed, const ShearedPowder& of) { return 1e-3 * locus_of(seed, of).cohesion; }));
   plan.quantities.push_back(
       quantity(one, id + "k_YL", "", "",
-               [](const SeedResults& seed, const Sheared& of) { return locus_of(seed, of).slope; }));
+               [](const SeedResults& seed, const ShearedPowder& of) { return locus_of(seed, of).slope; }));
 }
 
-void add_own(LabPlan& plan, const Sheared& one) {
+void add_own(LabPlan& plan, const ShearedPowder& one) {
   const auto add = [&](const char* id, const char* what, const char* unit, Value value) {
     plan.quantities.push_back(quantity(one, one.name + '-' + id, what, unit, value));
   };
-  add("f_c", "unconfined yield strength", "kPa", [](const SeedResults& seed, const Sheared& of) {
+  add("f_c", "unconfined yield strength", "kPa", [](const SeedResults& seed, const ShearedPowder& of) {
     return 1e-3 * continuum::unconfined_circle(locus_of(seed, of)).major();
   });
-  add("sigma_1", "major consolidation stress", "kPa", [](const SeedResults& seed, const Sheared& of) {
+  add("sigma_1", "major consolidation stress", "kPa", [](const SeedResults& seed, const ShearedPowder& of) {
     return 1e-3 * continuum::steady_circle(locus_of(seed, of), preshear_of(seed, of)).major();
   });
-  add("ff_c", "flow function, sigma_1 over f_c", "1", [](const SeedResults& seed, const Sheared& of) {
+  add("ff_c", "flow function, sigma_1 over f_c", "1", [](const SeedResults& seed, const ShearedPowder& of) {
     return continuum::flow_function(locus_of(seed, of), preshear_of(seed, of));
   });
-  add("phi_e", "effective angle of internal friction", "deg", [](const SeedResults& seed, const Sheared& of) {
-    return continuum::effective_angle(continuum::steady_circle(locus_of(seed, of), preshear_of(seed, of)));
-  });
+  add("phi_e", "effective angle of internal friction", "deg",
+      [](const SeedResults& seed, const ShearedPowder& of) {
+        return continuum::effective_angle(
+            continuum::steady_circle(locus_of(seed, of), preshear_of(seed, of)));
+      });
   add("phi", "solid fraction after pre-shear", "1", fraction_of);
   add("half_angle", "half angle of a wedge hopper for mass flow", "deg",
-      [](const SeedResults& seed, const Sheared& of) {
+      [](const SeedResults& seed, const ShearedPowder& of) {
         return none_unless_cohesive(seed, of,
                                     [](const continuum::WedgeHopper& hopper) { return hopper.half_angle; });
       });
-  add("slot", "slot of that hopper without arching", "m", [](const SeedResults& seed, const Sheared& of) {
-    return none_unless_cohesive(seed, of,
-                                [](const continuum::WedgeHopper& hopper) { return hopper.slot_width; });
-  });
+  add("slot", "slot of that hopper without arching", "m",
+      [](const SeedResults& seed, const ShearedPowder& of) {
+        return none_unless_cohesive(seed, of,
+                                    [](const continuum::WedgeHopper& hopper) { return hopper.slot_width; });
+      });
 }
 
 /// Largest of both powders: pre-shear over the locus at its normal stress.
-LabQuantity above_the_locus(const std::vector<Sheared>& all) {
+LabQuantity above_the_locus(const std::vector<ShearedPowder>& all) {
   LabQuantity of{
       .id = "SCR-invalid", .quantity = "", .unit = "", .runs = {}, .value = [=](const SeedResults& seed) {
         double largest = 0;
-        for (const Sheared& one : all) {
+        for (const ShearedPowder& one : all) {
           const StressPoint steady = preshear_of(seed, one);
           largest = std::fmax(largest, steady.shear / locus_of(seed, one).at(steady.normal));
         }
         return largest;
       }};
-  for (const Sheared& one : all)
+  for (const ShearedPowder& one : all)
     for (const double stress : kStresses) of.runs.push_back(run_name(one, stress));
   return of;
 }
@@ -225,7 +228,7 @@ std::vector<StressPoint> upper_half(const MohrCircle& circle) {
   return points;
 }
 
-results::ExperimentChart locus_chart(const Sheared& one, const SeedResults& seed) {
+results::ExperimentChart locus_chart(const ShearedPowder& one, const SeedResults& seed) {
   const auto strengths = strengths_of(seed, one);
   const YieldLocus locus = continuum::yield_locus_through(strengths);
   const StressPoint steady = preshear_of(seed, one);
@@ -254,8 +257,8 @@ results::ExperimentChart locus_chart(const Sheared& one, const SeedResults& seed
   return chart;
 }
 
-void add_way(results::ExperimentSeries& series, const ShearCurve& curve, const FilledCell& filled,
-             const Span& span, double before) {
+void add_displacement(results::ExperimentSeries& series, const ShearCurve& curve, const FilledCell& filled,
+                      const Span& span, double before) {
   for (std::size_t k = 0; k < curve.time.size(); ++k) {
     if (curve.time[k] < span.start || curve.time[k] > span.end) continue;
     series.x.push_back(before + (curve.time[k] - span.start) / filled.seconds(1));
@@ -263,12 +266,12 @@ void add_way(results::ExperimentSeries& series, const ShearCurve& curve, const F
   }
 }
 
-results::ExperimentChart way_chart(const Sheared& one, const SeedResults& seed) {
+results::ExperimentChart shear_chart(const ShearedPowder& one, const SeedResults& seed) {
   results::ExperimentChart chart;
   chart.name = "shear_" + one.name;
   chart.title = "Shear stress of " + one.name + " in pre-shear and shear";
   chart.subtitle = "Pre-shear at 3 kPa, then freed of torque, unloaded and sheared again (Kottlan 2018)";
-  chart.x = {.label = "Way of the rim [d]"};
+  chart.x = {.label = "Displacement of the rim [d]"};
   chart.y = {.label = "Shear stress [kPa]"};
   double sheared = 0;
   for (const double stress : kStresses) {
@@ -278,19 +281,19 @@ results::ExperimentChart way_chart(const Sheared& one, const SeedResults& seed) 
     const ShearCurve curve = shear_curve(seed, run, kHead, one.filled);
     if (sheared == 0) {
       results::ExperimentSeries first{.name = "pre-shear, 3 kPa", .role = Role::predicted, .x = {}, .y = {}};
-      add_way(first, curve, one.filled, spans[preshear], 0);
+      add_displacement(first, curve, one.filled, spans[preshear], 0);
       chart.series.push_back(std::move(first));
       sheared = (spans[preshear].end - spans[preshear].start) / one.filled.seconds(1);
     }
     results::ExperimentSeries series{
         .name = plain(1e-3 * stress) + " kPa", .role = Role::predicted, .x = {}, .y = {}};
-    add_way(series, curve, one.filled, spans[shear], sheared);
+    add_displacement(series, curve, one.filled, spans[shear], sheared);
     chart.series.push_back(std::move(series));
   }
   return chart;
 }
 
-bool has_all(const SeedResults& seed, const Sheared& one) {
+bool has_all(const SeedResults& seed, const ShearedPowder& one) {
   for (const double stress : kStresses)
     if (!seed.has(run_name(one, stress))) return false;
   return true;
@@ -299,9 +302,9 @@ bool has_all(const SeedResults& seed, const Sheared& one) {
 }  // namespace
 
 LabPlan plan_shear_tester(const LabSetting& setting) {
-  const std::vector<Sheared> all = powders(setting.size);
+  const std::vector<ShearedPowder> all = powders(setting.size);
   LabPlan plan;
-  for (const Sheared& one : all) {
+  for (const ShearedPowder& one : all) {
     for (const double stress : kStresses) plan.runs.push_back(run_of(one, stress));
     add_published(plan, one);
     add_own(plan, one);
@@ -309,10 +312,10 @@ LabPlan plan_shear_tester(const LabSetting& setting) {
   plan.quantities.push_back(above_the_locus(all));
   plan.charts = [all](const std::vector<SeedResults>& seeds) {
     std::vector<results::ExperimentChart> charts;
-    for (const Sheared& one : all) {
+    for (const ShearedPowder& one : all) {
       if (!has_all(seeds.front(), one)) continue;
       charts.push_back(locus_chart(one, seeds.front()));
-      charts.push_back(way_chart(one, seeds.front()));
+      charts.push_back(shear_chart(one, seeds.front()));
     }
     return charts;
   };

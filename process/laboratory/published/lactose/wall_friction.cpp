@@ -20,7 +20,7 @@ constexpr double kHeld = 2, kRow = 0.02;  // d at the rim: at each stress, betwe
 constexpr double kNear = 0.04;
 
 /// A powder on a disc.
-struct Slid {
+struct DiscTest {
   std::string name;  ///< of the powder
   FilledCell filled;
   double friction;        ///< of the disc
@@ -29,7 +29,7 @@ struct Slid {
   std::string run() const { return name + ", mu_s = " + plain(friction); }
 };
 
-std::vector<Slid> all_of(LabSize size) {
+std::vector<DiscTest> all_of(LabSize size) {
   const ShearCell cell = shear_cell(size);
   return {{"LH100", {lh100(), cell}, 0.1, 7.77},
           {"LH100", {lh100(), cell}, 0.2, 7.77},
@@ -37,7 +37,7 @@ std::vector<Slid> all_of(LabSize size) {
           {"LH220", {lh220(), cell}, 0.2, 20.03}};
 }
 
-LabRun run_of(const Slid& one) {
+LabRun run_of(const DiscTest& one) {
   const FilledCell& filled = one.filled;
   std::string forces;
   for (const double stress : kStresses)
@@ -54,7 +54,7 @@ LabRun run_of(const Slid& one) {
 }
 
 /// Mean over the rows near each stress while the disc turns, but for its first grain diameter.
-std::vector<MeanStress> points_of(const SeedResults& seed, const Slid& one) {
+std::vector<MeanStress> points_of(const SeedResults& seed, const DiscTest& one) {
   const auto spans = spans_of(seed, one.run(), kDisc);
   std::vector<MeanStress> points;
   if (spans.empty()) return points;
@@ -80,19 +80,19 @@ double slope_of(const std::vector<MeanStress>& points) {
   return products / squares;
 }
 
-double angle_of(const SeedResults& seed, const Slid& one) {
+double angle_of(const SeedResults& seed, const DiscTest& one) {
   return std::atan(slope_of(points_of(seed, one))) * 180 / std::numbers::pi;
 }
 
 /// Coefficient of the disc with which the angle is the measured one, on the line through both.
-double fitted_friction(const SeedResults& seed, const Slid& low, const Slid& high) {
+double fitted_friction(const SeedResults& seed, const DiscTest& low, const DiscTest& high) {
   const double first = angle_of(seed, low), second = angle_of(seed, high);
   return low.friction + (low.measured_angle - first) / (second - first) * (high.friction - low.friction);
 }
 
 using Role = results::ExperimentSeries::Role;
 
-results::ExperimentChart chart_of(const std::vector<Slid>& all, const SeedResults& seed) {
+results::ExperimentChart chart_of(const std::vector<DiscTest>& all, const SeedResults& seed) {
   results::ExperimentChart chart;
   chart.name = "wall_friction";
   chart.title = "Wall friction of lactose on a turning disc";
@@ -105,7 +105,7 @@ results::ExperimentChart chart_of(const std::vector<Slid>& all, const SeedResult
       series.x.push_back(stress), series.y.push_back(stress * slope);
     chart.series.push_back(std::move(series));
   };
-  for (const Slid& one : all) {
+  for (const DiscTest& one : all) {
     if (!seed.has(one.run())) continue;
     const auto points = points_of(seed, one);
     results::ExperimentSeries series{.name = one.run(), .role = Role::points, .x = {}, .y = {}};
@@ -124,9 +124,9 @@ results::ExperimentChart chart_of(const std::vector<Slid>& all, const SeedResult
 }  // namespace
 
 LabPlan plan_wall_friction(const LabSetting& setting) {
-  const std::vector<Slid> all = all_of(setting.size);
+  const std::vector<DiscTest> all = all_of(setting.size);
   LabPlan plan;
-  for (const Slid& one : all) {
+  for (const DiscTest& one : all) {
     plan.runs.push_back(run_of(one));
     plan.quantities.push_back({.id = one.run(),
                                .quantity = one.run() + ": wall friction angle",
@@ -135,7 +135,7 @@ LabPlan plan_wall_friction(const LabSetting& setting) {
                                .value = [=](const SeedResults& seed) { return angle_of(seed, one); }});
   }
   for (std::size_t k = 0; k < all.size(); k += 2) {
-    const Slid &low = all[k], &high = all[k + 1];
+    const DiscTest &low = all[k], &high = all[k + 1];
     plan.quantities.push_back(
         {.id = low.name + "-mu_wall",
          .quantity = low.name + ": coefficient of the disc for the measured angle",
