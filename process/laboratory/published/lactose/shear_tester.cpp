@@ -26,8 +26,8 @@ constexpr double kPeak = 0.3;     // d, over which the strength is a mean
 constexpr double kTravel = 2;     // d, of the head after it is unloaded, up and down
 constexpr double kRow = 0.02;     // d, between rows of the probe
 constexpr double kSettle = 0.25;  // sqrt(d / g), until a new load is held
-/// Of the head's motions.
-enum Motion : std::size_t { press, preshear, release, unload, shear, motions };
+/// Of the head's motions: pressed, pre-sheared, freed of torque, unloaded, sheared.
+constexpr std::size_t kPreshearMotion = 1, kShearMotion = 4, kMotions = 5;
 
 /// One powder, its published figures and the measured wall friction for the design of a hopper.
 struct ShearedPowder {
@@ -84,8 +84,8 @@ StressPoint point_of(const MeanStress& stress) {
 StressPoint preshear_of(const SeedResults& seed, const ShearedPowder& one) {
   const std::string run = run_name(one, kStresses[0]);
   const auto spans = spans_of(seed, run, kHead);
-  if (spans.size() < motions) return {std::nan(""), std::nan("")};
-  const double end = spans[preshear].end;
+  if (spans.size() < kMotions) return {std::nan(""), std::nan("")};
+  const double end = spans[kPreshearMotion].end;
   return point_of(
       mean_stress(shear_curve(seed, run, kHead, one.filled), end - 2 * one.filled.seconds(kStretch), end));
 }
@@ -93,9 +93,9 @@ StressPoint preshear_of(const SeedResults& seed, const ShearedPowder& one) {
 StressPoint strength_of(const SeedResults& seed, const ShearedPowder& one, double stress) {
   const std::string run = run_name(one, stress);
   const auto spans = spans_of(seed, run, kHead);
-  if (spans.size() < motions) return {std::nan(""), std::nan("")};
-  return point_of(highest_stress(shear_curve(seed, run, kHead, one.filled), spans[shear].start,
-                                 spans[shear].end, one.filled.seconds(kPeak)));
+  if (spans.size() < kMotions) return {std::nan(""), std::nan("")};
+  return point_of(highest_stress(shear_curve(seed, run, kHead, one.filled), spans[kShearMotion].start,
+                                 spans[kShearMotion].end, one.filled.seconds(kPeak)));
 }
 
 std::vector<StressPoint> strengths_of(const SeedResults& seed, const ShearedPowder& one) {
@@ -277,17 +277,17 @@ results::ExperimentChart shear_chart(const ShearedPowder& one, const SeedResults
   for (const double stress : kStresses) {
     const std::string run = run_name(one, stress);
     const auto spans = spans_of(seed, run, kHead);
-    if (spans.size() < motions) continue;
+    if (spans.size() < kMotions) continue;
     const ShearCurve curve = shear_curve(seed, run, kHead, one.filled);
     if (sheared == 0) {
       results::ExperimentSeries first{.name = "pre-shear, 3 kPa", .role = Role::predicted, .x = {}, .y = {}};
-      add_displacement(first, curve, one.filled, spans[preshear], 0);
+      add_displacement(first, curve, one.filled, spans[kPreshearMotion], 0);
       chart.series.push_back(std::move(first));
-      sheared = (spans[preshear].end - spans[preshear].start) / one.filled.seconds(1);
+      sheared = (spans[kPreshearMotion].end - spans[kPreshearMotion].start) / one.filled.seconds(1);
     }
     results::ExperimentSeries series{
         .name = plain(1e-3 * stress) + " kPa", .role = Role::predicted, .x = {}, .y = {}};
-    add_displacement(series, curve, one.filled, spans[shear], sheared);
+    add_displacement(series, curve, one.filled, spans[kShearMotion], sheared);
     chart.series.push_back(std::move(series));
   }
   return chart;
