@@ -6,7 +6,6 @@
 
 #include "process/machine/actions/settle.h"
 #include "process/machine/motions/passage.h"
-#include "process/scene/placed_grains.h"
 
 namespace diefill::process {
 
@@ -98,7 +97,7 @@ void predict_end(std::size_t k, const Stages& stages, std::vector<StepState>& st
 
 Stages::Stages(const Scene& scene) {
   // Grains that a file places are at rest, and those that nothing moves.
-  const bool rests = grains_file_of(scene) || (scene.gravity.isZero() && scene.pour.rim_speed == 0);
+  const bool rests = scene.pour.grains_file || (scene.gravity.isZero() && scene.pour.rim_speed == 0);
   steps.push_back(std::make_shared<Settle>(rests ? std::optional(0.0) : std::nullopt));
   steps.insert(steps.end(), scene.steps.begin(), scene.steps.end());
   settle_added = !ends_with_settling(scene.steps);
