@@ -58,6 +58,13 @@ for half in "" _half; do
   done
 done
 
+for bore in 10 16; do
+  vanes=8; if [ $bore = 16 ]; then vanes=12; fi
+  for part in shear_cell shear_head disc; do
+    make_part laboratory/laboratory.scad laboratory/${part}_$bore.stl -D "part=\"$part\"" -D bore=$bore -D vanes=$vanes
+  done
+done
+
 for orifice in 30 20; do
   make_part laboratory/dosta/dosta.scad laboratory/dosta/silo_$orifice.stl -D 'part="silo"' -D orifice=$orifice
 done

@@ -141,10 +141,13 @@ double Schedule::mean_resistance(const Step& step, const engine::Simulation& sim
 }
 
 bool Schedule::prescribed_motion_is_on() const {
+  const auto is_prescribed = [](const Step& step) {
+    // A rotor without a torque turns at its speed, whatever the powder does.
+    if (const ForceControl* law = step.control()) return law->targets.empty();
+    return !step.tools().empty() && free_motion_of(step) == nullptr;
+  };
   for (std::size_t k = 0; k < stages_.size(); ++k)
-    if (state_.steps[k].is_on() && !stages_.steps[k]->tools().empty() &&
-        stages_.steps[k]->control() == nullptr && free_motion_of(*stages_.steps[k]) == nullptr)
-      return true;
+    if (state_.steps[k].is_on() && is_prescribed(*stages_.steps[k])) return true;
   return false;
 }
 
@@ -159,7 +162,7 @@ bool Schedule::control(engine::Simulation& simulation) {
     const double resistance = mean_resistance(*stages_.steps[k], simulation);
     const double target = law->wanted(state.control);
     law->update(state.control, resistance, now, interval);
-    if (prescribed_motion_is_on() || target != law->wanted(state.control))
+    if (prescribed_motion_is_on() || !(target > 0) || target != law->wanted(state.control))
       state.ringing = {};
     else
       watch_for_ringing(state.ringing, *law, target, resistance, now, names_text(stages_.steps[k]->tools()));

@@ -96,8 +96,9 @@ void predict_end(std::size_t k, const Stages& stages, std::vector<StepState>& st
 }  // namespace
 
 Stages::Stages(const Scene& scene) {
-  // Grains that a file places are at rest.
-  steps.push_back(std::make_shared<Settle>(scene.pour.grains_file ? std::optional(0.0) : std::nullopt));
+  // Grains that a file places are at rest, and those that nothing moves.
+  const bool rests = scene.pour.grains_file || (scene.gravity.isZero() && scene.pour.rim_speed == 0);
+  steps.push_back(std::make_shared<Settle>(rests ? std::optional(0.0) : std::nullopt));
   steps.insert(steps.end(), scene.steps.begin(), scene.steps.end());
   settle_added = !ends_with_settling(scene.steps);
   if (settle_added) steps.push_back(std::make_shared<Settle>(std::nullopt));

@@ -1,5 +1,6 @@
 // Tools of the laboratory's scenes, millimetres, z up. Prisms along y reach beyond every periodic slice.
-// half_platen, floor, side_wall, slider, funnel, cup, gate, wide_floor, heap_plate, lid, mixer_vessel or mixer_impeller
+// half_platen, floor, side_wall, slider, funnel, cup, gate, wide_floor, heap_plate, lid, mixer_vessel, mixer_impeller,
+// shear_cell, shear_head or disc
 part = "half_platen";
 length_y = 40;
 thickness = 2;
@@ -85,3 +86,29 @@ if (part == "mixer_impeller") translate([0, 0, clearance]) {
     cylinder(r = blade_radius, h = hub_height, $fn = mixer_sides);
   }
 }
+// Powder tester (Kottlan 2018, section 2.7.4): a cell with vanes on its floor, a head with vanes pointing down, a smooth
+// disc. Lengths in grain diameters; scenes give the diameter as length_unit. z = 0 is the cell's floor, and the lower
+// face of disc and head.
+bore = 10;             // of the cell
+cell_height = 40;
+vanes = 8;
+vane_depth = 3;
+vane_thickness = 0.4;
+floor_vane = 1;        // height of those on the floor
+gap = 0.15;            // between head and cell
+module vane_star(from, to, z_from, z_to) {
+  for (k = [0 : vanes - 1]) rotate(360 * k / vanes)
+    translate([from, -vane_thickness / 2, z_from]) cube([to - from, vane_thickness, z_to - z_from]);
+}
+if (part == "shear_cell") {
+  difference() {
+    translate([-bore / 2 - 1.6, -bore / 2 - 1.6, -2]) cube([bore + 3.2, bore + 3.2, cell_height + 2]);
+    cylinder(d = bore, h = cell_height + 1, $fn = 64);
+  }
+  vane_star(bore / 10, bore / 2 + 0.5, -0.5, floor_vane);
+}
+if (part == "shear_head") {
+  cylinder(r = bore / 2 - gap, h = 2, $fn = 64);
+  vane_star(bore / 10, bore / 2 - 2 * gap, -vane_depth, 0.5);
+}
+if (part == "disc") cylinder(r = bore / 2 - gap, h = 2, $fn = 64);

@@ -26,6 +26,8 @@ EXPERIMENTS = {
     "slit_fields": "L0[1-3]",
     "moving_shoe": "E0[6-9]",
     "hopper_design": "HOP-design-(half|minimum)",
+    "shear_tester": "L(100|220)-pred-(tau_pre|tau_0|k_YL)|SCR-invalid",
+    "wedge_hopper": "HOP-1",
     "packing": "PACK-1",
     "confined_compression": "L(100|220)-pred-(beta|k_load|k_unload|sigma_tens)|SCR-(order|tens2)",
     "lactose_screening": "SCR-(phi0|beta|phif|kload|kunload|tens|neg)",
@@ -96,6 +98,9 @@ CRITERIA = {
     "L03": ("scatter of v/v_s over cells of 2 d, beyond 1.5 D", "1", None, 0.05),
     "HOP-design-half": ("half angle, from the predicted shear test", "deg", 28, 42),
     "HOP-design-minimum": ("slot width, from the predicted shear test", "m", 0.05, 0.2),
+    "HOP-1": ("share of the powder that leaves, larger of slot and double slot", "%", None, 1),
+    "SCR-invalid": ("pre-shear stress over the yield locus at its normal stress, larger of LH100 and LH220", "1", 1,
+                    None),
     "PACK-1": ("drop of the fraction from the largest to the smallest spheres, clusters less plain falling", "1", 0,
                None),
     "SCR-phi0": ("smaller of the effects of r and -A_H on the initial fraction, over the largest other", "1", 1,
@@ -161,9 +166,9 @@ CRITERIA = {
 # Labels of rows whose trend is not a number yet.
 LABELS = {
     "H03": "filling level near the measured one", "H04": "filling level near the measured one",
-    "R12": "toe and peak of heaps over d", "PACK-2": "fractions of LH100 and LH220", "HOP-1": "arching in the hopper",
+    "R12": "toe and peak of heaps over d", "PACK-2": "fractions of LH100 and LH220",
     "ROLL-1": "stability of rolling model", "CAL-mus": "tau_pre over mu_s", "SCR-taupre": "effects on tau_pre",
-    "SCR-tau0": "effects on tau_0", "SCR-kYL": "effects on k_YL", "SCR-invalid": "pre-shear above the locus",
+    "SCR-tau0": "effects on tau_0", "SCR-kYL": "effects on k_YL",
     "AOR-M1": "deviation of M1 from the original",
 }
 

@@ -122,6 +122,25 @@ inline std::vector<WrongScene> wrong_steps() {
             {"step.until.on", "found nothing"}),
       spoil("step_wait_without_duration", "[[step]]", "@[[step]]\nkind = \"wait\"\n[[step]]",
             {"step.duration", "found nothing", "\"50 ms\""}),
+      spoil("step_rotor_freed_of_torque_in_place", "[[step]]",
+            "[[step]]\nkind = \"rotor\"\ntool = \"shoe\"\nspeed_limit = \"1 rpm\"\ntorques = @[\"0 N "
+            "m\"]\n[[step]]",
+            {"step.torques", "turn back", "back = \"5 deg\""}),
+      spoil("step_rotor_at_speed_with_gain", "[[step]]",
+            "[[step]]\nkind = \"rotor\"\ntool = \"shoe\"\nspeed_limit = \"1 rpm\"\nangle = \"90 "
+            "deg\"\ngain = @2\n[[step]]",
+            {"step.gain", "found 2", "turns at its speed_limit", "add a torque"}),
+      spoil("step_rotor_without_end", "[[step]]",
+            "@[[step]]\nkind = \"rotor\"\ntool = \"shoe\"\nspeed_limit = \"1 rpm\"\n[[step]]",
+            {"step.until", "this step has no end"}),
+      spoil("step_rotor_steady_over_nothing", "[[step]]",
+            "[[step]]\nkind = \"rotor\"\ntool = \"shoe\"\nspeed_limit = \"1 rpm\"\nsteady = { within = "
+            "0.05, over = @\"0 deg\" }\n[[step]]",
+            {"step.steady.over", "found \"0 deg\"", "more than 0 deg"}),
+      spoil("step_rotor_torques_and_angle", "[[step]]",
+            "[[step]]\nkind = \"rotor\"\ntool = \"shoe\"\nspeed_limit = \"1 rpm\"\ntorques = [\"1 N "
+            "m\"]\nangle = @\"90 deg\"\n[[step]]",
+            {"step.angle", "ends by itself", "remove the key"}),
       spoil("step_settle_key_unknown", "[[step]]", "[[step]]\nkind = \"settle\"\n@speed = \"rest\"\n[[step]]",
             {"step.speed", "unknown key", "kind, duration"}),
   };

@@ -31,13 +31,17 @@ geometry::PointImages with_images(const results::PowderState& powder, double rea
 
 }  // namespace
 
-double fraction_between(const results::PowderState& powder, double from, double to) {
+double volume_between(const results::PowderState& powder, double from, double to) {
   double volume = 0;
   for (std::size_t k = 0; k < powder.position.size(); ++k) {
     const double radius = powder.sphere_radius_of(k), height = powder.position[k][2];
     volume += cap_below(radius, to - height) - cap_below(radius, from - height);
   }
-  return volume / (powder.period[0] * powder.period[1] * (to - from));
+  return volume;
+}
+
+double fraction_between(const results::PowderState& powder, double from, double to) {
+  return volume_between(powder, from, to) / (powder.period[0] * powder.period[1] * (to - from));
 }
 
 double contacts_between(const results::PowderState& powder, double from, double to) {

@@ -8,6 +8,9 @@
 
 namespace diefill::process::laboratory {
 
+/// m^3 of spheres between two heights (m), with the parts of spheres that reach into it.
+double volume_between(const results::PowderState& powder, double from, double to);
+
 /// Share of spheres in the volume between two heights (m) of a bed with periods along x and y, with the parts
 /// of spheres that reach into it.
 double fraction_between(const results::PowderState& powder, double from, double to);

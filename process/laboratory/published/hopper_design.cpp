@@ -1,18 +1,22 @@
 // The wedge hopper that Jenike's procedure gives for the published shear test of the powder of the hopper
 // (Kottlan 2018, section 3.4, Table 15, predicted): pre-shear above the yield locus, wall angle measured.
-#include "process/continuum/wedge_hopper.h"
+#include "process/laboratory/published/hopper_design.h"
+
 #include "process/laboratory/published/experiments.h"
 
 namespace diefill::process::laboratory {
 
-LabPlan plan_hopper_design(const LabSetting&) {
-  const continuum::ShearTest test{.preshear_normal = 3e3,
+continuum::WedgeHopper published_hopper() {
+  return continuum::wedge_hopper({.preshear_normal = 3e3,
                                   .preshear = 2.39e3,
                                   .slope = 0.457,
                                   .cohesion = 0.763e3,
                                   .wall_angle = 20.03,
-                                  .bulk_density = 0.38 * 1545};
-  const continuum::WedgeHopper hopper = continuum::wedge_hopper(test);
+                                  .bulk_density = 0.38 * 1545});
+}
+
+LabPlan plan_hopper_design(const LabSetting&) {
+  const continuum::WedgeHopper hopper = published_hopper();
   LabPlan plan;
   const auto add = [&](const char* id, double value) {
     plan.quantities.push_back(

@@ -94,8 +94,12 @@ std::string plain(double value) {
   return text;
 }
 
+std::string with_unit(double value, const char* unit) {
+  return '"' + plain(value) + ' ' + unit + '"';
+}
+
 std::string millimetres(double metres) {
-  return '"' + plain(1e3 * metres) + " mm\"";
+  return with_unit(1e3 * metres, "mm");
 }
 
 std::string point_in_millimetres(double x, double y, double z) {

@@ -27,6 +27,8 @@ bool takes_own_powder(const LabPlan& plan);
 /// "1.88 mm" in quotes, as scenes have lengths; a point of three lengths.
 std::string millimetres(double metres);
 std::string point_in_millimetres(double x, double y, double z);
+/// "0.2 N" in quotes.
+std::string with_unit(double value, const char* unit);
 /// key = value and a line end.
 std::string line(const std::string& key, const std::string& value);
 /// A number as TOML.

@@ -14,6 +14,7 @@ namespace {
 
 constexpr QuantityRule kPosition = {Dimension::length, "34 mm", "-10 m", "10 m"};
 constexpr QuantityRule kChordTolerance = {Dimension::length, "0.002 mm", "1e-5 mm", "1 mm"};
+constexpr QuantityRule kUnit = {Dimension::length, "25 um", "0 m", "10 m", true};
 constexpr QuantityRule kAngle = {Dimension::angle, "90 deg", "-360 deg", "360 deg"};
 
 const Choices<ToolRole>& roles() {
@@ -56,12 +57,20 @@ std::filesystem::path read_file(TableReader& table) {
   return file;
 }
 
+/// A text that begins as a number does, such as "25 um".
+bool is_quantity(const std::string& text) {
+  return !text.empty() && std::string("0123456789.+-").find(text.front()) != std::string::npos;
+}
+
 /// Where the file states its unit the scene need not, and import_part() sees whether the two agree.
 double read_length_unit(TableReader& table, const geometry::CadFormat& format) {
   if (format.states_unit) return table.choice("length_unit", length_units()).value_or(0);
   if (!table.has("length_unit")) {
     table.require("length_unit", "\"mm\", because this CAD format does not state its unit");
   }
+  // A drawing in a length of its own, such as the grain diameter.
+  if (is_quantity(table.required_text("length_unit", "mm")))
+    return table.required_quantity("length_unit", kUnit);
   return table.required_choice("length_unit", length_units());
 }
 

@@ -22,17 +22,6 @@ constexpr double kFly = 3, kFall = 1.5;          // sqrt(d / g); over the time o
 constexpr double kPulled = 3, kPullSpeed = 0.2;  // d, sqrt(g d)
 constexpr double kSpeed = 5;                     // sqrt(g d), standard deviation of a component
 
-std::string with_unit(double value, const char* unit) {
-  return '"' + plain(value) + ' ' + unit + '"';
-}
-
-std::string friction_part(const AdhesivePowder& powder, double friction) {
-  return "{ law = \"Luding\", static_friction = " + plain(friction) +
-         ", dynamic_friction = " + plain(powder.dynamic_ratio * friction) +
-         ", stiffness = " + with_unit(powder.tangential_ratio * powder.loading_stiffness(), "N/m") +
-         ", damping = " + with_unit(powder.damping_ratio * powder.damping(), "N s/m") + " }";
-}
-
 /// Attraction of glued walls over that of spheres (Kottlan 2018, Eq. 34).
 double glue_of(const AdhesivePowder& powder) {
   return 10 + 90 * (powder.radius - 5e-6) / 45e-6;
@@ -45,30 +34,6 @@ std::string attraction_part(const AdhesivePowder& powder, Packing packing, doubl
   return "{ law = \"van der Waals\", hamaker_constant = " + with_unit(hamaker, "J") +
          ", smallest_gap = " + with_unit(kSmallestGap, "m") + ", largest_gap = " + with_unit(range, "m") +
          " }";
-}
-
-std::string powder_lines(const AdhesivePowder& powder, Packing packing) {
-  const double k = powder.loading_stiffness();
-  std::string set = line("powder.sphere_radius", with_unit(powder.radius, "m"));
-  set += line("powder.grain_mass", with_unit(powder.mass(), "kg"));
-  set += line("powder.grain_diameter", with_unit(powder.diameter(), "m"));
-  if (packing == Packing::slow) set += line("powder.air_viscosity", with_unit(kAir, "Pa s"));
-  set +=
-      line("contact.normal", "{ law = \"Luding\", loading_stiffness = " + with_unit(k, "N/m") +
-                                 ", unloading_stiffness = " + with_unit(powder.unloading_ratio * k, "N/m") +
-                                 ", cohesion_stiffness = " +
-                                 with_unit(packing == Packing::free ? 0 : powder.cohesion_ratio * k, "N/m") +
-                                 ", plasticity_depth = " + plain(powder.depth) + " }");
-  set += line("contact.damping",
-              "{ law = \"linear restitution\", restitution = " + plain(powder.restitution) + " }");
-  set += line("contact.friction", friction_part(powder, powder.friction));
-  set +=
-      line("contact.rolling", "{ law = \"elastic CDT\", rolling_friction = " + plain(powder.rolling) + " }");
-  set += line("contact.attraction", attraction_part(powder, packing));
-  set += line("contact.walls.normal",
-              "{ law = \"linear\", stiffness = " + with_unit(kWallRatio * k, "N/m") + " }");
-  set += line("contact.walls.friction", friction_part(powder, kWallFriction));
-  return set;
 }
 
 std::string seconds(double value) {
@@ -118,6 +83,37 @@ AdhesivePowder lh100() {
 
 AdhesivePowder lh220() {
   return {50e-19, 12, 0.6, 21e6, 0.0267, 10e-6, 0.1, 0.2667};
+}
+
+std::string friction_part(const AdhesivePowder& powder, double friction) {
+  return "{ law = \"Luding\", static_friction = " + plain(friction) +
+         ", dynamic_friction = " + plain(powder.dynamic_ratio * friction) +
+         ", stiffness = " + with_unit(powder.tangential_ratio * powder.loading_stiffness(), "N/m") +
+         ", damping = " + with_unit(powder.damping_ratio * powder.damping(), "N s/m") + " }";
+}
+
+std::string powder_lines(const AdhesivePowder& powder, Packing packing) {
+  const double k = powder.loading_stiffness();
+  std::string set = line("powder.sphere_radius", with_unit(powder.radius, "m"));
+  set += line("powder.grain_mass", with_unit(powder.mass(), "kg"));
+  set += line("powder.grain_diameter", with_unit(powder.diameter(), "m"));
+  if (packing == Packing::slow) set += line("powder.air_viscosity", with_unit(kAir, "Pa s"));
+  set +=
+      line("contact.normal", "{ law = \"Luding\", loading_stiffness = " + with_unit(k, "N/m") +
+                                 ", unloading_stiffness = " + with_unit(powder.unloading_ratio * k, "N/m") +
+                                 ", cohesion_stiffness = " +
+                                 with_unit(packing == Packing::free ? 0 : powder.cohesion_ratio * k, "N/m") +
+                                 ", plasticity_depth = " + plain(powder.depth) + " }");
+  set += line("contact.damping",
+              "{ law = \"linear restitution\", restitution = " + plain(powder.restitution) + " }");
+  set += line("contact.friction", friction_part(powder, powder.friction));
+  set +=
+      line("contact.rolling", "{ law = \"elastic CDT\", rolling_friction = " + plain(powder.rolling) + " }");
+  set += line("contact.attraction", attraction_part(powder, packing));
+  set += line("contact.walls.normal",
+              "{ law = \"linear\", stiffness = " + with_unit(kWallRatio * k, "N/m") + " }");
+  set += line("contact.walls.friction", friction_part(powder, kWallFriction));
+  return set;
 }
 
 double plate_height(const AdhesiveBed& bed) {

@@ -44,6 +44,12 @@ enum class Packing {
   free       ///< no attraction
 };
 
+/// Grains and laws of the powder in any scene of such powder. Without attraction the law stays, with none of
+/// its force, so that its keys replace those of the scene.
+std::string powder_lines(const AdhesivePowder& powder, Packing packing);
+/// Friction of that powder with this coefficient, as `contact` has it.
+std::string friction_part(const AdhesivePowder& powder, double friction);
+
 /// A bed, in grain diameters.
 struct AdhesiveBed {
   double width = 6, fill = 10;

@@ -1,0 +1,64 @@
+// The cell of a powder tester: stresses from forces and torques, means and peaks of their curves, and that
+// all runs of a shear test begin alike.
+#include "process/laboratory/published/lactose/shear_cell.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+#include <set>
+
+#include "process/laboratory/published/experiments.h"
+
+namespace diefill::process::laboratory {
+namespace {
+
+TEST(ShearCell, StressesAreThoseOfADiscUnderUniformStress) {
+  const FilledCell filled{lh100(), {}};
+  const double radius = 5 * 2 * 66.67e-6;
+  EXPECT_NEAR(filled.radius(), radius, 1e-12);
+  EXPECT_NEAR(filled.force(3e3), 3e3 * std::numbers::pi * radius * radius, 1e-12);
+  // The integral of tau r over the disc, in rings.
+  constexpr int kRings = 10000;
+  double torque = 0;
+  for (int n = 0; n < kRings; ++n) {
+    const double r = (n + 0.5) / kRings * radius;
+    torque += 1.9e3 * r * 2 * std::numbers::pi * r * radius / kRings;
+  }
+  EXPECT_NEAR(filled.shear_stress(torque), 1.9e3, 1e-3);
+  EXPECT_NEAR(filled.angle(3) * filled.radius(), 3 * filled.powder.diameter(), 1e-15);
+  EXPECT_NEAR(filled.turn_speed() * filled.seconds(3), filled.angle(3), 1e-12);
+}
+
+TEST(ShearCell, ThePeakIsTheHighestMeanOverItsLength) {
+  ShearCurve curve;
+  for (int n = 0; n <= 100; ++n) {
+    curve.time.push_back(0.01 * n);
+    curve.normal.push_back(1e3);
+    // A hump of 0.2 s that is higher than one row's spike is on the mean.
+    curve.shear.push_back(n == 20 ? 900 : n > 50 && n <= 70 ? 600 : 300);
+  }
+  const MeanStress peak = highest_stress(curve, 0, 1, 0.1);
+  EXPECT_NEAR(peak.shear, 600, 1e-9);
+  EXPECT_NEAR(peak.normal, 1e3, 1e-9);
+  // What lies outside does not count.
+  EXPECT_LT(highest_stress(curve, 0.75, 1, 0.1).shear, 310);
+  EXPECT_NEAR(mean_stress(curve, 0.755, 1).shear, 300, 1e-9);
+  EXPECT_TRUE(std::isnan(mean_stress(curve, 2, 3).shear));
+}
+
+TEST(ShearCell, RunsOfAPowderShareTheirPreShear) {
+  std::set<std::string> beginnings;
+  const LabPlan plan = plan_shear_tester({});
+  for (const LabRun& run : plan.runs) {
+    std::string acts = run.changes.set;
+    const auto from = acts.find("step.unload.force"), to = acts.find('\n', from);
+    ASSERT_NE(from, std::string::npos);
+    beginnings.insert(acts.erase(from, to - from));
+  }
+  EXPECT_EQ(plan.runs.size(), 10U);
+  EXPECT_EQ(beginnings.size(), 2U);
+}
+
+}  // namespace
+}  // namespace diefill::process::laboratory
