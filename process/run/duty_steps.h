@@ -1,0 +1,13 @@
+// When a run checks its powder, removes grains and follows its schedule. Duties fall on multiples of these
+// steps, so that a restart does them when the unbroken run does.
+#pragma once
+
+#include <cstdint>
+
+namespace diefill::process {
+
+inline constexpr std::uint64_t kScheduleEvery = 20, kSpillEvery = 100, kFeedEvery = 100,
+                               kValidityCheckEvery = 200, kPinchEvery = 10, kLostEvery = 200,
+                               kForcedEvery = 100;
+
+}  // namespace diefill::process
