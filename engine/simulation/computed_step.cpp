@@ -90,6 +90,7 @@ void Simulation::take_grains(const Grains& computed, const NamedContacts& of_gra
                              const NamedContacts& of_walls) {
   SimulationState& now = state_;
   take_grains(computed);
+  wrap_grains(now);
   const double cell = now.types.monodisperse() ? 2 * now.types.largest_grain() : now.types.smallest_sphere();
   NewOrder sorted{spatial_order(now.grains.position, cell, now.pool), now.grains.size(), {}};
   Grains in_order = now.grains;

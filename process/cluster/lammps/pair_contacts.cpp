@@ -9,7 +9,7 @@ PairContacts::PairContacts(LAMMPS_NS::LAMMPS* lammps) : Pair(lammps) {
   restartinfo = 0;
   no_virial_fdotr_compute = 1;
   finitecutflag = 1;
-  centroidstressflag = CENTROID_NOTAVAIL;
+  centroidstressflag = LAMMPS_NS::CENTROID_NOTAVAIL;
 }
 
 PairContacts::~PairContacts() {

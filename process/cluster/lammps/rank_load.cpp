@@ -73,7 +73,8 @@ void RankEngine::load(const engine::Simulation* simulation) {
   command("run 0 post no");
 }
 
-/// The box of LAMMPS, shrunk to the powder along axes without a period, so that no grain ever leaves it.
+/// The box of LAMMPS: along axes without a period it grows with the powder, so that no grain ever leaves it,
+/// and is never flat, for grains are sorted into its cells.
 void RankEngine::make_box(const PowderModel& model, const std::vector<Eigen::Vector3d>& places) {
   Eigen::AlignedBox3d box;
   for (const auto& place : places) box.extend(place);
@@ -83,7 +84,7 @@ void RankEngine::make_box(const PowderModel& model, const std::vector<Eigen::Vec
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const auto& period = model.settings.period[axis];
     const auto k = static_cast<Eigen::Index>(axis);
-    boundary += period ? " p" : " s";
+    boundary += period ? " p" : " m";
     corners += ' ' + number(period ? -0.5 * *period : box.min()[k]) + ' ' +
                number(period ? 0.5 * *period : box.max()[k]);
   }
