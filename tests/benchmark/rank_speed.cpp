@@ -13,6 +13,8 @@ namespace {
 
 using namespace diefill;
 
+constexpr int kSettling = 15000;  // steps
+
 double processor_seconds() {
   timespec now{};
   clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
@@ -50,7 +52,7 @@ void report(const char* name, const engine::Simulation& simulation, int steps, d
 void compare(process::cluster::RankEngine& ranks, int grains, int steps) {
   process::cluster::LammpsEngine engine(ranks);
   auto simulation = bed(grains);
-  engine::run_steps(simulation, 4 * steps);
+  engine::run_steps(simulation, kSettling);
   double began = processor_seconds();
   engine::run_steps(simulation, steps);
   report("built-in", simulation, steps, processor_seconds() - began);
