@@ -14,6 +14,7 @@
 #include "app/tables/finite_number.h"
 #include "app/tables/plan_report.h"
 #include "app/tables/rank_report.h"
+#include "process/estimate/mouth.h"
 #include "process/plan/kept_pilot.h"
 #include "process/tooling/progress.h"
 
@@ -98,6 +99,7 @@ int plan(const PlanArguments& arguments) {
       progress.reset();  // its bar goes before something else is said
       if (!arguments.json) say_first(scene, *estimate);
     };
+    options.narrowest_opening = process::estimate::narrowest_hole;
     give_back_freed_memory();  // as the runs will whose memory is foretold
     return process::plan::make_plan(changed_scene(arguments.scene, arguments.changes), options);
   }();

@@ -19,6 +19,7 @@
 #include "app/tables/check_report.h"
 #include "app/tables/run_summary.h"
 #include "process/cluster/rank_limits.h"
+#include "process/estimate/mouth.h"
 #include "process/plan/expected_error.h"
 #include "process/powder/material.h"
 #include "process/results/figure_table.h"
@@ -100,8 +101,10 @@ process::RunOptions options_of(const RunArguments& arguments, const process::Sce
 /// Adds what is known of the error that the grain size makes, so that every report says it.
 void note_expected_errors(const process::Scene& scene, const process::Tooling& tooling,
                           results::FillResult& result) {
-  const double width = tooling.all_cavities().narrowest_width;
-  const auto errors = process::plan::expected_errors(scene.powder, scene.powder.grain_diameter, width);
+  const double opening =
+      tooling.all_cavities().narrowest_width > 0 ? 0 : process::estimate::narrowest_hole(scene, tooling);
+  const auto errors = process::plan::expected_errors(scene.powder, scene.powder.grain_diameter,
+                                                     process::plan::lengths_of(scene, tooling, opening));
   if (!errors.empty())
     result.warnings.push_back("expected error: " + process::plan::words_of(errors) + "; " +
                               errors.front().source);

@@ -1,12 +1,12 @@
 #include "process/calibration/account.h"
 
-#include <boost/math/distributions/chi_squared.hpp>
 #include <cmath>
 #include <cstdio>
 #include <limits>
 
 #include "process/calibration/methods/insight.h"
 #include "process/input/units.h"
+#include "process/results/studies/quantiles.h"
 
 namespace diefill::process::calibration {
 namespace {
@@ -58,8 +58,7 @@ void add_points(results::Calibration& account, const CalibrationPlan& plan,
 /// Whether chance explains the chi^2; the parameters have used up as many of the data.
 bool agrees(double chi_square, std::size_t data, std::size_t parameters) {
   if (data <= parameters) return chi_square < 6.63;  // 1 % of one degree of freedom
-  const boost::math::chi_squared distribution(static_cast<double>(data - parameters));
-  return chi_square < boost::math::quantile(boost::math::complement(distribution, kByChance));
+  return chi_square < results::chi_squared_exceeded(static_cast<double>(data - parameters), kByChance);
 }
 
 /// Predictions of a fitted measurement over samples of the region, one a row.

@@ -1,9 +1,10 @@
 #include "process/compare/statistics.h"
 
-#include <boost/math/distributions/students_t.hpp>
 #include <cmath>
 #include <limits>
 #include <numbers>
+
+#include "process/results/studies/quantiles.h"
 
 namespace diefill::process {
 namespace {
@@ -50,7 +51,7 @@ double welch_half_width(const Sample& a, const Sample& b) {
   const double sum = part_a + part_b;
   if (!(sum > 0)) return 0;
   const double freedom = sum * sum / (part_a * part_a / (n_a - 1) + part_b * part_b / (n_b - 1));
-  return boost::math::quantile(boost::math::students_t(freedom), 0.975) * std::sqrt(sum);
+  return results::student_95(freedom) * std::sqrt(sum);
 }
 
 }  // namespace diefill::process

@@ -189,4 +189,11 @@ Mouth mouth_of(const Scene& scene, const Tooling& tooling) {
   return mouth;
 }
 
+double narrowest_hole(const Scene& scene, const Tooling& tooling) {
+  double narrowest = 0;
+  for (const MouthOpening& opening : mouth_of(scene, tooling).openings)
+    if (!opening.is_cavity && (narrowest == 0 || opening.width < narrowest)) narrowest = opening.width;
+  return narrowest;
+}
+
 }  // namespace diefill::process::estimate

@@ -45,6 +45,9 @@ struct Mouth {
   std::vector<FallingPunch> punches;
 };
 
+/// m, narrowest of the holes right through the tools, whose powder is not that of a cavity; 0: there is none.
+double narrowest_hole(const Scene& scene, const Tooling& tooling);
+
 /// Finds the openings. `scene` has prepared steps. In a scene that is periodic along y, those of one period.
 Mouth mouth_of(const Scene& scene, const Tooling& tooling);
 

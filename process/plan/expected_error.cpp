@@ -26,9 +26,6 @@ constexpr std::array<SettledPowder, 4> kSettled = {{{"ASC100.29 initial A", 4, 0
                                                     {"ASC100.29 D1", 4, 0.2844, 0.30},
                                                     {"ASC100.29 D2", 4, 0.3313, 0.32}}};
 
-constexpr const char *kMass = "mass of a full cavity", *kMean = "mean solid fraction",
-                     *kUnevenness = "unevenness";
-
 // Grains finer than those that were run settle like them: D1 at 0.2813 with d = 0.47 mm and at 0.2845 with
 // four times that (process/laboratory/README.md).
 constexpr double kSameFactor = 0.05;  // relative
@@ -45,9 +42,11 @@ std::optional<ExpectedError> error_of_bed(const PowderSpec& powder, double grain
   return std::nullopt;
 }
 
-bool was_measured(const std::string& powder) {
-  const auto& all = grain_size_trends();
-  return std::any_of(all.begin(), all.end(), [&](const auto& trend) { return powder == trend.powder; });
+using Trends = std::vector<GrainSizeTrend>;
+
+bool was_measured(const Trends& all, const std::string& powder, const std::string& figure) {
+  return std::any_of(all.begin(), all.end(),
+                     [&](const auto& trend) { return powder == trend.powder && figure == trend.figure; });
 }
 
 /// Names in the order in which they first stand there, "a, b and c".
@@ -63,14 +62,15 @@ std::string names(const std::vector<const GrainSizeTrend*>& trends, NameOf name_
   return text;
 }
 
-/// What grains of `share` of the narrowest width do to one figure; nothing where that was not measured.
-std::optional<ExpectedError> error_of_size(const std::string& powder, double share,
+/// What grains of `share` of the length that matters do to one figure; nothing where that was not measured.
+std::optional<ExpectedError> error_of_size(const Trends& all, const std::string& table,
+                                           const std::string& powder, double share,
                                            const std::string& figure) {
-  const bool own = was_measured(powder);
+  const bool own = was_measured(all, powder, figure);
   std::vector<const GrainSizeTrend*> trends;
   ExpectedError found{figure, 0, 0, {}};
   int runs = 0;
-  for (const auto& trend : grain_size_trends()) {
+  for (const auto& trend : all) {
     if (trend.figure != figure || (own && trend.powder != powder) || share > trend.coarsest * (1 + 1e-6))
       continue;
     trends.push_back(&trend);
@@ -80,19 +80,43 @@ std::optional<ExpectedError> error_of_size(const std::string& powder, double sha
   }
   if (trends.empty()) return std::nullopt;
   found.source = std::to_string(runs) + " runs of " + names(trends, [](const auto& t) { return t.powder; }) +
-                 " in " + names(trends, [](const auto& t) { return t.cavity; }) +
-                 (own ? "" : ", another powder") + " (process/plan/grain_size_errors.csv)";
+                 " in " + names(trends, [](const auto& t) { return t.scene; }) +
+                 (own ? "" : ", another powder") + " (process/plan/" + table + ")";
   return found;
+}
+
+/// What the grain size does, in the order in which it is told.
+std::vector<ExpectedError> errors_of_size(const std::string& powder, double diameter,
+                                          const SceneLengths& lengths) {
+  std::vector<ExpectedError> errors;
+  const auto add = [&](const Trends& all, const std::string& table, double length, const char* figure) {
+    if (!(length > 0)) return;
+    if (auto error = error_of_size(all, table, powder, diameter / length, figure)) errors.push_back(*error);
+  };
+  for (const char* figure : {"mass of a full cavity", "mean solid fraction", "unevenness"})
+    add(grain_size_trends(), "grain_size_errors.csv", lengths.cavity, figure);
+  if (lengths.cavity > 0) return errors;
+  const auto open = [&](double length, const char* figure) {
+    add(open_scene_trends(), "open_scene_errors.csv", length, figure);
+  };
+  open(lengths.opening, "mass through the opening");
+  if (lengths.opening > 0) return errors;
+  open(lengths.depth, "bulk solid fraction");
+  if (lengths.heap) open(lengths.depth, "slope of a heap");
+  return errors;
 }
 
 }  // namespace
 
-std::vector<ExpectedError> expected_errors(const PowderSpec& powder, double grain_diameter, double width) {
-  std::vector<ExpectedError> errors;
-  if (width > 0)
-    for (const char* figure : {kMass, kMean, kUnevenness})
-      if (auto error = error_of_size(powder.name, grain_diameter / width, figure)) errors.push_back(*error);
-  if (auto error = error_of_bed(powder, grain_diameter, width)) errors.push_back(*error);
+SceneLengths lengths_of(const Scene& scene, const Tooling& tooling, double opening) {
+  return {tooling.all_cavities().narrowest_width, opening, scene.pour.fill_height,
+          !scene.measure.heaps.empty()};
+}
+
+std::vector<ExpectedError> expected_errors(const PowderSpec& powder, double grain_diameter,
+                                           const SceneLengths& lengths) {
+  auto errors = errors_of_size(powder.name, grain_diameter, lengths);
+  if (auto error = error_of_bed(powder, grain_diameter, lengths.cavity)) errors.push_back(*error);
   return errors;
 }
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "process/scene/scene.h"
+#include "process/tooling/tooling.h"
 
 namespace diefill::process::plan {
 
@@ -16,12 +17,24 @@ struct ExpectedError {
   std::string source;    ///< what it was measured on, and the table
 };
 
-/// The errors to be expected with grains of this diameter (m) in a cavity of this narrowest width (m, 0:
-/// none). With a cavity and d/b up to the coarsest that was run: what the grain size does to mass, mean solid
-/// fraction and unevenness, against grains of no size: the largest over the cavities of grain_size_trends.h,
-/// of the same powder where it was measured. For presets with a published bed its solid fraction as well.
-/// Empty where nothing applies.
-std::vector<ExpectedError> expected_errors(const PowderSpec& powder, double grain_diameter, double width);
+/// Lengths of a scene that its grains have to be small against. m, 0: it has none.
+struct SceneLengths {
+  double cavity = 0;   ///< narrowest width of its cavities
+  double opening = 0;  ///< narrowest width of holes right through its tools
+  double depth = 0;    ///< of the powder, settled
+  bool heap = false;   ///< whether the slope of a heap is measured
+};
+
+/// `opening` (m) comes from estimate/mouth.h.
+SceneLengths lengths_of(const Scene& scene, const Tooling& tooling, double opening);
+
+/// The errors to be expected with grains of this diameter (m), up to the coarsest that was run, against
+/// grains of no size: the largest over the scenes of grain_size_trends.h, of the same powder where it was
+/// measured. With a cavity of mass, mean solid fraction and unevenness; without, of the mass that runs
+/// through an opening; with neither, of the powder's solid fraction and the slope of a heap. For presets with
+/// a published bed its solid fraction as well. Empty where nothing applies.
+std::vector<ExpectedError> expected_errors(const PowderSpec& powder, double grain_diameter,
+                                           const SceneLengths& lengths);
 
 /// The largest of them; null where there is none.
 const ExpectedError* largest(const std::vector<ExpectedError>& errors);

@@ -34,18 +34,18 @@ std::size_t wall_spheres_at(double spacing, const Scene& scene, const Tooling& t
 }
 
 Choice choice_of(const std::string& name, const Scene& scene, const Tooling& tooling,
-                 const std::optional<Pilot>& pilot) {
+                 const std::optional<Pilot>& pilot, double opening) {
   Choice choice;
   choice.name = name;
   choice.forecast = pilot ? forecast(scene, tooling, *pilot) : forecast(scene, tooling);
   choice.errors =
-      expected_errors(scene.powder, scene.powder.grain_diameter, tooling.all_cavities().narrowest_width);
+      expected_errors(scene.powder, scene.powder.grain_diameter, lengths_of(scene, tooling, opening));
   return choice;
 }
 
 Choice choice_with(const std::string& name, const SettingNumbers& numbers, const Scene& scene,
-                   const Tooling& tooling, const std::optional<Pilot>& pilot) {
-  Choice choice = choice_of(name, changed(scene, numbers, name), tooling, pilot);
+                   const Tooling& tooling, const std::optional<Pilot>& pilot, double opening) {
+  Choice choice = choice_of(name, changed(scene, numbers, name), tooling, pilot, opening);
   choice.numbers = numbers;
   const auto before = static_cast<double>(choice.forecast.wall_spheres);
   choice.forecast.wall_spheres = wall_spheres_at(numbers.wall_spacing, scene, tooling);
@@ -76,17 +76,19 @@ Plan make_plan(const Scene& scene, const PlanOptions& options) {
   plan.needs = needs_of(plan.scene, plan.tooling);
   plan.statements = description(plan.needs, plan.scene, plan.tooling);
   if (options.tools_ready) options.tools_ready(plan.scene, plan.tooling);
+  if (options.narrowest_opening) plan.opening = options.narrowest_opening(plan.scene, plan.tooling);
   if (options.pilot) plan.pilot = pilot_for(plan.scene, plan.tooling, options);
   add_choices(plan);
   return plan;
 }
 
 void add_choices(Plan& plan) {
-  plan.choices.push_back(choice_of("as the scene has it", plan.scene, plan.tooling, plan.pilot));
+  plan.choices.push_back(
+      choice_of("as the scene has it", plan.scene, plan.tooling, plan.pilot, plan.opening));
   for (const Setting setting : {Setting::quick, Setting::working, Setting::reference})
     plan.choices.push_back(choice_with(description(setting),
                                        numbers_of(setting, plan.scene, plan.tooling.all_cavities()),
-                                       plan.scene, plan.tooling, plan.pilot));
+                                       plan.scene, plan.tooling, plan.pilot, plan.opening));
 }
 
 std::optional<Choice> finest_within(const Plan& plan, double minutes) {
@@ -94,7 +96,7 @@ std::optional<Choice> finest_within(const Plan& plan, double minutes) {
   SettingNumbers numbers = numbers_of(Setting::working, plan.scene, plan.tooling.all_cavities());
   const auto with = [&](double diameter) {
     numbers.grain_diameter = diameter;
-    return choice_with("fits the time", numbers, plan.scene, plan.tooling, plan.pilot);
+    return choice_with("fits the time", numbers, plan.scene, plan.tooling, plan.pilot, plan.opening);
   };
   const auto fits = [&](const Choice& choice) {
     return choice.forecast.wall_seconds && *choice.forecast.wall_seconds <= 60 * minutes;

@@ -29,6 +29,7 @@ struct Plan {
   Needs needs;
   std::vector<std::string> statements;  ///< of needs, one a line
   std::optional<Pilot> pilot;
+  double opening = 0;           ///< m, narrowest width of holes through the tools; 0: none, or not looked for
   double tooling_seconds = 0;   ///< s of wall-clock time to read and cover the tools
   std::vector<Choice> choices;  ///< the scene's own, then quick, working, reference
 };
@@ -43,6 +44,8 @@ struct PlanOptions {
   /// Hears of the tools, with the scene on prepared steps, as soon as they are read and before the pilot
   /// runs.
   std::function<void(const Scene&, const Tooling&)> tools_ready;
+  /// Gives Plan::opening; empty: not looked for.
+  std::function<double(const Scene&, const Tooling&)> narrowest_opening;
   TellProgress tell = tell_nobody;  ///< receives the progress of reading tools
 };
 

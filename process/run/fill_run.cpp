@@ -133,7 +133,7 @@ void FillRun::duties() {
 
 std::vector<results::ProbeSeries> FillRun::probes() const {
   auto all = probes_.series();
-  for (auto& way : free_tools_.ways()) all.push_back(std::move(way));
+  for (auto& motion : free_tools_.recorded_motions()) all.push_back(std::move(motion));
   return all;
 }
 

@@ -74,7 +74,7 @@ class FillRun {
   std::uint64_t grains_sheared() const { return sheared_.grains(); }
   /// Instants kept on the way (measure.snapshot_interval); tools' poses in the laboratory frame.
   const std::vector<results::Instant>& instants() const { return instants_; }
-  /// Of the scene, and the ways of free tools.
+  /// Of the scene, and the motion of free tools.
   std::vector<results::ProbeSeries> probes() const;
   double wall_seconds() const;
   std::uint64_t sphere_steps() const { return sphere_steps_; }

@@ -13,67 +13,67 @@ namespace diefill::process {
 FreeTools::FreeTools(const Scene& scene, const Tooling& tooling) : scene_(scene), tooling_(tooling) {
   for (std::size_t k = 0; k < scene.steps.size(); ++k)
     if (free_motion_of(*scene.steps[k]) != nullptr)
-      ways_.push_back({k, tooling.index_of(scene.steps[k]->tools().front()), {}});
+      recorded_.push_back({k, tooling.index_of(scene.steps[k]->tools().front()), {}});
 }
 
 void FreeTools::after_step(engine::Simulation& simulation) {
   if (!bodies_.any()) return;
   bodies_.after_step(simulation);
-  for (Way& way : ways_) {
-    const engine::FreeBody* body = bodies_.of(way.body);
-    const double interval = free_motion_of(*scene_.steps[way.step])->record;
+  for (RecordedMotion& motion : recorded_) {
+    const engine::FreeBody* body = bodies_.of(motion.body);
+    const double interval = free_motion_of(*scene_.steps[motion.step])->record;
     const auto every =
         static_cast<std::uint64_t>(std::max(1LL, std::llround(interval / simulation.settings().time_step)));
     if (body == nullptr || simulation.steps() % every != 0) continue;
     const Eigen::Vector3d spin = engine::rotation_matrix(body->orientation) * body->spin;
-    way.rows.push_back(simulation.time());
+    motion.rows.push_back(simulation.time());
     for (const Eigen::Vector3d& vector : {body->position, body->velocity, spin})
-      way.rows.insert(way.rows.end(), vector.data(), vector.data() + 3);
+      motion.rows.insert(motion.rows.end(), vector.data(), vector.data() + 3);
   }
 }
 
 void FreeTools::follow(const Schedule& schedule, engine::Simulation& simulation) {
-  if (ways_.empty()) return;
+  if (recorded_.empty()) return;
   bodies_.put_motions(simulation);
-  for (const Way& way : ways_) {
-    const StepState& state = schedule.of_step(way.step);
+  for (const RecordedMotion& motion : recorded_) {
+    const StepState& state = schedule.of_step(motion.step);
     if (state.started == simulation.time())
-      bodies_.release(free_body_of(tooling_, *scene_.steps[way.step]), simulation);
-    if (state.ended == simulation.time()) bodies_.hold(way.body, simulation);
+      bodies_.release(free_body_of(tooling_, *scene_.steps[motion.step]), simulation);
+    if (state.ended == simulation.time()) bodies_.hold(motion.body, simulation);
   }
 }
 
 FreeToolsState FreeTools::state() const {
   FreeToolsState kept{bodies_.state(), {}, {}};
-  for (const Way& way : ways_) {
-    kept.numbers.push_back(way.rows.size());
-    kept.rows.insert(kept.rows.end(), way.rows.begin(), way.rows.end());
+  for (const RecordedMotion& motion : recorded_) {
+    kept.numbers.push_back(motion.rows.size());
+    kept.rows.insert(kept.rows.end(), motion.rows.begin(), motion.rows.end());
   }
   return kept;
 }
 
 void FreeTools::restore(const FreeToolsState& state, engine::Simulation& simulation) {
   // A start that runs share was kept before any tool was free, perhaps with fewer steps.
-  if (!state.bodies.empty() && state.numbers.size() != ways_.size())
+  if (!state.bodies.empty() && state.numbers.size() != recorded_.size())
     throw std::invalid_argument("a checkpoint with other free tools");
   bodies_.restore(state.bodies, simulation);
   auto from = state.rows.begin();
-  for (std::size_t k = 0; k < std::min(ways_.size(), state.numbers.size()); ++k) {
+  for (std::size_t k = 0; k < std::min(recorded_.size(), state.numbers.size()); ++k) {
     const auto to = from + static_cast<std::ptrdiff_t>(state.numbers[k]);
-    ways_[k].rows.assign(from, to);
+    recorded_[k].rows.assign(from, to);
     from = to;
   }
 }
 
-std::vector<results::ProbeSeries> FreeTools::ways() const {
+std::vector<results::ProbeSeries> FreeTools::recorded_motions() const {
   std::vector<results::ProbeSeries> all;
-  for (const Way& way : ways_) {
+  for (const RecordedMotion& motion : recorded_) {
     results::ProbeSeries series;
-    series.name = "motion of " + tooling_.tools[way.body].spec.name;
+    series.name = "motion of " + tooling_.tools[motion.body].spec.name;
     series.columns = {"time",       "x",          "y",      "z",      "velocity x",
                       "velocity y", "velocity z", "spin x", "spin y", "spin z"};
     series.units = {"s", "m", "m", "m", "m/s", "m/s", "m/s", "rad/s", "rad/s", "rad/s"};
-    series.values = way.rows;
+    series.values = motion.rows;
     all.push_back(std::move(series));
   }
   return all;

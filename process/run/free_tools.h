@@ -1,4 +1,4 @@
-// Tools that nothing drives during a run: released and held with their steps, their ways recorded.
+// Tools that nothing drives during a run: released and held with their steps, their motion recorded.
 #pragma once
 
 #include <vector>
@@ -32,11 +32,11 @@ class FreeTools {
   /// To be called when the schedule has begun and before the simulation is restored.
   void restore(const FreeToolsState& state, engine::Simulation& simulation);
   /// "motion of <tool>": place and velocity of the centre of mass, and angular velocity, over time.
-  std::vector<results::ProbeSeries> ways() const;
+  std::vector<results::ProbeSeries> recorded_motions() const;
 
  private:
   /// A step of free motion.
-  struct Way {
+  struct RecordedMotion {
     std::size_t step;  ///< of the scene
     std::size_t body;
     std::vector<double> rows;
@@ -45,7 +45,7 @@ class FreeTools {
   const Scene& scene_;
   const Tooling& tooling_;
   engine::FreeBodies bodies_;
-  std::vector<Way> ways_;
+  std::vector<RecordedMotion> recorded_;
 };
 
 }  // namespace diefill::process

@@ -1,10 +1,6 @@
 #include "process/scene/saved_state.h"
 
-#include <toml++/toml.h>
-
-#include "process/input/units.h"
 #include "process/results/storage/result_file.h"
-#include "process/scene/scene_text.h"
 
 namespace diefill::process {
 namespace {
@@ -20,19 +16,6 @@ void keep(std::vector<Value>& values, const std::vector<std::size_t>& places) {
 }
 
 }  // namespace
-
-std::optional<SavedState> saved_state_of(const Scene& scene) {
-  constexpr const char* kKey = "state";
-  if (scene.text.find(kKey) == std::string::npos) return std::nullopt;  // most scenes; saves parsing
-  const toml::table document = parse_scene_text(scene.text, scene.file);
-  const auto name = document["pour"][kKey].value<std::string>();
-  if (!name) return std::nullopt;
-  SavedState state;
-  state.directory = scene.file.parent_path() / *name;
-  if (const auto below = document["pour"]["state_below"].value<std::string>())
-    state.below = parse_quantity(*below, Dimension::length);
-  return state;
-}
 
 results::PowderState powder_of(const SavedState& state) {
   results::PowderState powder = results::read_results(state.directory).powder;

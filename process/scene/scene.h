@@ -6,6 +6,7 @@
 #include <array>
 #include <cstdint>
 #include <filesystem>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
@@ -40,8 +41,15 @@ struct WallSpec {
   double work_of_adhesion = 0;    ///< J/m^2, w_w
 };
 
-/// Powder poured at the start: lattice in `box`, up to `height` above its floor once settled when mass is not
-/// given.
+/// Powder that begins as another run left it (pour.state; saved_state.h).
+struct SavedState {
+  std::filesystem::path directory;                         ///< of the other run's results
+  double below = std::numeric_limits<double>::infinity();  ///< m, grains with their centre above are left out
+};
+
+/// Powder at the start: poured from a lattice in a box, up to `fill_height` above its floor once settled, or
+/// the grains of a file or of another run, the box then being that about them. Copies of a scene carry the
+/// place of such grains, not the grains.
 struct PourSpec {
   Eigen::Vector3d lower = Eigen::Vector3d::Zero(), upper = Eigen::Vector3d::Zero();  ///< m, inside the shoe
   double fill_height = 0;  ///< m, wanted depth of the settled powder over the box's floor
@@ -53,6 +61,8 @@ struct PourSpec {
   double random_offset = 0.1;     ///< over d, uniform in +- per axis
   bool around_tools = false;      ///< places that a tool takes up are left out
   std::vector<PourLayer> layers;  ///< of several powders, from the floor up; empty: mixed by their shares
+  std::optional<std::filesystem::path> grains_file;  ///< places of all grains, instead of the lattice
+  std::optional<SavedState> state;                   ///< powder of another run, instead of the lattice
   int line = 0;
 };
 

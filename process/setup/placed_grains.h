@@ -10,9 +10,9 @@
 
 namespace diefill::process {
 
-/// Grains of `file` (grains_file_of) at rest, each of the type whose radius it has within a hundredth. Throws
-/// SceneError for clumps, for a radius that no powder of the scene has, and for a grain that starts in a
-/// tool.
+/// Grains of `file` (pour.grains_file) at rest, each of the type whose radius it has within a hundredth.
+/// Throws SceneError for clumps, for a radius that no powder of the scene has, and for a grain that starts in
+/// a tool.
 std::vector<engine::NewGrain> placed_grains(const Scene& scene, const engine::SimulationSettings& settings,
                                             const Tooling& tooling, const std::filesystem::path& file);
 

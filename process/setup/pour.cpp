@@ -9,8 +9,6 @@
 #include "process/powder/pour_sizes.h"
 #include "process/powder/powder_mixture.h"
 #include "process/powder/random.h"
-#include "process/scene/placed_grains.h"
-#include "process/scene/saved_state.h"
 #include "process/setup/placed_grains.h"
 #include "process/setup/pour_fit.h"
 #include "process/setup/restored_grains.h"
@@ -185,8 +183,8 @@ std::vector<engine::NewGrain> poured(const Scene& scene, const engine::Simulatio
 std::vector<engine::NewGrain> pour(const Scene& scene, const engine::SimulationSettings& settings,
                                    const Tooling& tooling) {
   const engine::GrainShape shape = mean_grain(scene);
-  if (const auto file = grains_file_of(scene)) return placed_grains(scene, settings, tooling, *file);
-  if (const auto state = saved_state_of(scene)) return restored_grains(scene, settings, tooling, *state);
+  if (const auto& file = scene.pour.grains_file) return placed_grains(scene, settings, tooling, *file);
+  if (const auto& state = scene.pour.state) return restored_grains(scene, settings, tooling, *state);
   refuse_powder_over_nothing(scene, tooling.standing);
   auto grains = poured(scene, settings, tooling, shape);
   refuse_beyond_period(scene, grains, largest_shape(settings).bounding_radius());
@@ -194,8 +192,7 @@ std::vector<engine::NewGrain> pour(const Scene& scene, const engine::SimulationS
 }
 
 double pour_height(const Scene& scene, const engine::SimulationSettings& settings) {
-  if (grains_file_of(scene)) return scene.pour.upper[2] - scene.pour.lower[2];
-  if (saved_state_of(scene)) return scene.pour.upper[2] - scene.pour.lower[2];
+  if (scene.pour.grains_file || scene.pour.state) return scene.pour.upper[2] - scene.pour.lower[2];
   const engine::GrainShape shape = mean_grain(scene);
   if (settings.types.size() > 1)
     return height_of_columns(scene, settings.types, columns_of(scene, settings),

@@ -6,7 +6,6 @@
 
 #include "process/machine/actions/settle.h"
 #include "process/machine/motions/passage.h"
-#include "process/scene/placed_grains.h"
 
 namespace diefill::process {
 
@@ -98,7 +97,7 @@ void predict_end(std::size_t k, const Stages& stages, std::vector<StepState>& st
 
 Stages::Stages(const Scene& scene) {
   // Grains that a file places are at rest.
-  steps.push_back(std::make_shared<Settle>(grains_file_of(scene) ? std::optional(0.0) : std::nullopt));
+  steps.push_back(std::make_shared<Settle>(scene.pour.grains_file ? std::optional(0.0) : std::nullopt));
   steps.insert(steps.end(), scene.steps.begin(), scene.steps.end());
   settle_added = !ends_with_settling(scene.steps);
   if (settle_added) steps.push_back(std::make_shared<Settle>(std::nullopt));

@@ -1,10 +1,11 @@
 #include "process/tradeoff/evaluate.h"
 
 #include <algorithm>
-#include <boost/math/distributions/students_t.hpp>
 #include <cmath>
 #include <cstdio>
 #include <limits>
+
+#include "process/results/studies/quantiles.h"
 
 namespace diefill::process {
 namespace {
@@ -190,7 +191,7 @@ PooledScatter pooled_scatter(const std::vector<TradeoffValue>& values, double sc
 
 double error_floor(const PooledScatter& pooled, std::uint64_t seeds, bool target) {
   if (!(pooled.freedom > 0) || !std::isfinite(pooled.scatter) || seeds == 0) return kNone;
-  const double t = boost::math::quantile(boost::math::students_t(pooled.freedom), 0.975);
+  const double t = results::student_95(pooled.freedom);
   return t * pooled.scatter * std::sqrt((target ? 1.0 : 2.0) / static_cast<double>(seeds));
 }
 

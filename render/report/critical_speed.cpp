@@ -1,11 +1,11 @@
 #include "render/report/critical_speed.h"
 
 #include <algorithm>
-#include <boost/math/distributions/students_t.hpp>
 #include <cmath>
 #include <limits>
 
 #include "process/results/full_die.h"
+#include "process/results/studies/quantiles.h"
 #include "render/report/figure_text.h"
 #include "render/report/numbers.h"
 
@@ -59,8 +59,7 @@ double half_width(const Line& line) {
   double width = known ? kNormalQuantile * std::sqrt(from_errors) : kNone;
   if (line.u.size() > 2) {
     const double freedom = static_cast<double>(line.u.size() - 2);
-    const double quantile = boost::math::quantile(boost::math::students_t(freedom), 0.975);
-    const double own = quantile * std::sqrt(residuals / freedom * squares);
+    const double own = results::student_95(freedom) * std::sqrt(residuals / freedom * squares);
     width = known ? std::max(width, own) : own;
   }
   return width;

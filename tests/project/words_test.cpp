@@ -59,6 +59,16 @@ TEST(Words, AreThoseOfTheField) {
   EXPECT_TRUE(wrong.empty()) << in_lines(wrong);
 }
 
+// What git leaves where two branches changed the same lines.
+TEST(Words, AreNotThoseOfAnUnfinishedMerge) {
+  const std::string ours(7, '<'), theirs(7, '>');
+  std::vector<std::string> wrong;
+  for (const auto& file : written_files())
+    for (const auto& line : lines_of(text_of(file)))
+      if (line.starts_with(ours + " ") || line.starts_with(theirs + " ")) wrong.push_back(file + ": " + line);
+  EXPECT_TRUE(wrong.empty()) << in_lines(wrong);
+}
+
 TEST(Words, BannedOnesAreNoticed) {
   EXPECT_EQ(uses("engine/a.h", "// A draught.\nclass AirDraught;\nint look_ahead_of = 1;\n").size(), 3U);
   EXPECT_EQ(uses("README.md", "The shoe moves to and fro. Said in words.\n").size(), 2U);

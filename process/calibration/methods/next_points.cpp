@@ -2,11 +2,11 @@
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
-#include <boost/math/distributions/normal.hpp>
 #include <cmath>
 #include <limits>
 
 #include "process/calibration/methods/space_filling.h"
+#include "process/results/studies/quantiles.h"
 
 namespace diefill::process::calibration {
 namespace {
@@ -19,9 +19,7 @@ constexpr std::size_t kCandidates = 512;
 Eigen::MatrixXd normal_draws(Eigen::Index columns) {
   constexpr std::uint64_t kSeed = 7;
   Eigen::MatrixXd draws = space_filling(kDraws, static_cast<std::size_t>(columns), kSeed);
-  const boost::math::normal standard;
-  for (double& draw : draws.reshaped())
-    draw = boost::math::quantile(standard, std::clamp(draw, 1e-6, 1 - 1e-6));
+  for (double& draw : draws.reshaped()) draw = results::normal_quantile(std::clamp(draw, 1e-6, 1 - 1e-6));
   return draws;
 }
 

@@ -1,10 +1,11 @@
 #include "process/calibration/methods/screening_effects.h"
 
 #include <algorithm>
-#include <boost/math/distributions/students_t.hpp>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
+
+#include "process/results/studies/quantiles.h"
 
 namespace diefill::process::calibration {
 namespace {
@@ -23,10 +24,6 @@ double median(std::vector<double> values) {
   return values.size() % 2 == 1 ? values[half] : 0.5 * (values[half - 1] + values[half]);
 }
 
-double t_quantile(double freedom) {
-  return boost::math::quantile(boost::math::students_t(freedom), 0.975);
-}
-
 /// From repeats: variance within settings, pooled, carried over to a difference of two means.
 void error_from_repeats(ScreeningEffects& screening, const std::vector<std::vector<double>>& responses) {
   double squares = 0, freedom = 0, of_means = 0;
@@ -39,7 +36,7 @@ void error_from_repeats(ScreeningEffects& screening, const std::vector<std::vect
   const double runs = static_cast<double>(responses.size());
   screening.source = ErrorSource::repeats;
   screening.error = 2 / runs * std::sqrt(squares / freedom * of_means);
-  screening.margin = t_quantile(freedom) * screening.error;
+  screening.margin = results::student_95(freedom) * screening.error;
 }
 
 void error_after_lenth(ScreeningEffects& screening, const FractionalDesign& design,
@@ -56,7 +53,7 @@ void error_after_lenth(ScreeningEffects& screening, const FractionalDesign& desi
     if (size < 2.5 * first) small.push_back(size);
   screening.source = ErrorSource::lenth;
   screening.error = small.empty() ? 0 : 1.5 * median(small);
-  screening.margin = t_quantile(static_cast<double>(sizes.size()) / 3) * screening.error;
+  screening.margin = results::student_95(static_cast<double>(sizes.size()) / 3) * screening.error;
 }
 
 }  // namespace

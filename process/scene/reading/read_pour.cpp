@@ -20,33 +20,53 @@ constexpr QuantityRule kRimSpeed = {Dimension::velocity, "0.05 m/s", "0 m/s", "1
 constexpr NumberRule kLatticeConstant = {1, 5, false, "1.2"};
 constexpr NumberRule kRandomOffset = {0, 0.5, false, "0.1"};
 
-/// Of `grains_file`, which says all.
-PourSpec placed_pour(TableReader& table, bool has_setting) {
-  constexpr std::size_t kLargest = 1 << 28;  // bytes
-  for (const char* other : {"from", "to", "fill_height", "solid_fraction", "rim_speed", "lattice_constant",
-                            "random_offset", "around_tools", "layers", "state", "state_below"})
-    if (table.has(other)) table.reject(other, "pour.grains_file places all grains; remove the key");
-  if (has_setting)
-    table.reject(
-        "grains_file",
-        "a setting chooses the grain size, but the file has grains of one size; remove one of the two");
-  PourSpec pour;
-  pour.line = table.line();
-  geometry::Box box;
-  double solid = 0;
-  const auto grains = read_sphere_file(table, "grains_file", kLargest);
-  if (grains.empty()) table.reject("grains_file", "the file has no grain");
-  for (const auto& grain : grains) {
-    box.include(grain.centre + Eigen::Vector3d::Constant(grain.radius));
-    box.include(grain.centre - Eigen::Vector3d::Constant(grain.radius));
-    solid += 4.0 / 3 * std::numbers::pi * std::pow(grain.radius, 3);
+/// Rejects keys of the lattice, and a setting that chooses the grain size, beside `key`, which gives all
+/// grains.
+void refuse_keys_beside(TableReader& table, const std::string& key, bool has_setting) {
+  for (const char* other :
+       {"from", "to", "fill_height", "solid_fraction", "rim_speed", "lattice_constant", "random_offset",
+        "around_tools", "layers", "state", "state_below", "grains_file"}) {
+    const bool own = other == key || (key == "state" && other == std::string("state_below"));
+    if (!own && table.has(other)) table.reject(other, "pour." + key + " gives all grains; remove the key");
   }
-  table.finish();
+  if (has_setting)
+    table.reject(key,
+                 "a setting chooses the grain size, but these grains have theirs; remove one of the two");
+}
+
+/// Box and solid fraction of grains already placed, so that estimates have their numbers.
+PourSpec filled_box(const geometry::Box& box, double solid_volume, int line) {
+  PourSpec pour;
+  pour.line = line;
   pour.lower = box.lower;
   pour.upper = box.upper;
   pour.fill_height = box.size()[2];
-  // Of the box about the grains, so that estimates have their number.
-  pour.solid_fraction = solid / box.size().prod();
+  pour.solid_fraction = solid_volume / box.size().prod();
+  return pour;
+}
+
+void include_sphere(geometry::Box& box, const Eigen::Vector3d& centre, double radius) {
+  box.include(centre + Eigen::Vector3d::Constant(radius));
+  box.include(centre - Eigen::Vector3d::Constant(radius));
+}
+
+/// Of `grains_file`.
+PourSpec placed_pour(TableReader& table, bool has_setting) {
+  constexpr std::size_t kLargest = 1 << 28;  // bytes
+  refuse_keys_beside(table, "grains_file", has_setting);
+  geometry::Box box;
+  double solid = 0;
+  const std::filesystem::path file =
+      table.file().parent_path() / table.required_text("grains_file", "grains.csv");
+  const auto grains = read_sphere_file(table, "grains_file", kLargest);
+  if (grains.empty()) table.reject("grains_file", "the file has no grain");
+  for (const auto& grain : grains) {
+    include_sphere(box, grain.centre, grain.radius);
+    solid += 4.0 / 3 * std::numbers::pi * std::pow(grain.radius, 3);
+  }
+  table.finish();
+  PourSpec pour = filled_box(box, solid, table.line());
+  pour.grains_file = file;
   return pour;
 }
 
@@ -58,34 +78,24 @@ results::PowderState powder_in(const SavedState& state, const TableReader& table
   }
 }
 
-/// Of `state`, which says all.
+/// Of `state`.
 PourSpec saved_pour(TableReader& table, bool has_setting) {
-  for (const char* other : {"from", "to", "fill_height", "solid_fraction", "rim_speed", "lattice_constant",
-                            "random_offset", "around_tools", "layers"})
-    if (table.has(other)) table.reject(other, "pour.state gives all grains; remove the key");
-  if (has_setting)
-    table.reject("state",
-                 "a setting chooses the grain size, but the saved grains have theirs; remove one of the two");
+  refuse_keys_beside(table, "state", has_setting);
   SavedState state;
   state.directory = table.file().parent_path() / table.required_text("state", "out/settled");
   state.below = table.quantity("state_below", kCorner).value_or(state.below);
   table.finish();
-  PourSpec pour;
-  pour.line = table.line();
   const results::PowderState powder = powder_in(state, table);
   if (powder.position.empty())
     table.reject(std::isfinite(state.below) ? "state_below" : "state", "no grain of that run is left");
-  pour.lower = pour.upper = powder.position.front();
+  geometry::Box box;
   double solid = 0;
   for (std::size_t k = 0; k < powder.position.size(); ++k) {
-    const Eigen::Vector3d half = Eigen::Vector3d::Constant(0.5 * powder.diameter_of(k));
-    pour.lower = pour.lower.cwiseMin(powder.position[k] - half);
-    pour.upper = pour.upper.cwiseMax(powder.position[k] + half);
+    include_sphere(box, powder.position[k], 0.5 * powder.diameter_of(k));
     solid += powder.solid_volume_of(k);
   }
-  pour.fill_height = pour.upper[2] - pour.lower[2];
-  // Of the box about the grains, so that estimates have their number.
-  pour.solid_fraction = solid / (pour.upper - pour.lower).prod();
+  PourSpec pour = filled_box(box, solid, table.line());
+  pour.state = state;
   return pour;
 }
 

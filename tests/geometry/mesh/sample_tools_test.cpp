@@ -1,4 +1,4 @@
-// The STL files in sample_tools are usable and have the sizes that sample_tools/README.md lists.
+// The STL files in sample_tools are usable and have the sizes that sample_tools/TOOLS.md lists.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -66,12 +66,12 @@ TEST(ExpectedError, TrendsAreThoseOfTheTable) {
     const std::size_t column = figure == "mass of a full cavity" ? kFilled
                                : figure == "unevenness"          ? kUnevenness
                                                                  : kMean;
-    const auto runs = runs_of(trend.cavity, trend.powder, column);
-    ASSERT_EQ(runs.size(), static_cast<std::size_t>(trend.runs)) << trend.cavity << trend.powder;
+    const auto runs = runs_of(trend.scene, trend.powder, column);
+    ASSERT_EQ(runs.size(), static_cast<std::size_t>(trend.runs)) << trend.scene << trend.powder;
     const Line line = line_through(runs, &Run::value);
-    const double over = line_through(runs_of(trend.cavity, trend.powder, kFilled), &Run::filled).limit;
-    EXPECT_NEAR(trend.slope, line.slope / over, 1e-4) << trend.cavity << trend.powder << figure;
-    EXPECT_NEAR(trend.scatter, line.scatter / over, 1e-4) << trend.cavity << trend.powder << figure;
+    const double over = line_through(runs_of(trend.scene, trend.powder, kFilled), &Run::filled).limit;
+    EXPECT_NEAR(trend.slope, line.slope / over, 1e-4) << trend.scene << trend.powder << figure;
+    EXPECT_NEAR(trend.scatter, line.scatter / over, 1e-4) << trend.scene << trend.powder << figure;
     EXPECT_LT(trend.finest, trend.coarsest);
   }
 }
@@ -86,8 +86,8 @@ const ExpectedError* error_of(const std::vector<ExpectedError>& errors, const st
 TEST(ExpectedError, GrowsWithTheGrainSizeUpToTheCoarsestThatWasRun) {
   const PowderSpec powder = powder_preset("Distaloy AE");
   const double width = 6e-3;
-  const auto fine = expected_errors(powder, 0.2 * width, width),
-             coarse = expected_errors(powder, 0.4 * width, width);
+  const auto fine = expected_errors(powder, 0.2 * width, {width}),
+             coarse = expected_errors(powder, 0.4 * width, {width});
   for (const char* quantity : {"mass of a full cavity", "unevenness"}) {
     ASSERT_TRUE(error_of(fine, quantity) && error_of(coarse, quantity)) << quantity;
     EXPECT_GT(error_of(coarse, quantity)->error, 0);
@@ -97,14 +97,14 @@ TEST(ExpectedError, GrowsWithTheGrainSizeUpToTheCoarsestThatWasRun) {
   EXPECT_NEAR(error_of(coarse, "mass of a full cavity")->error,
               0.4 / 0.2 * error_of(fine, "mass of a full cavity")->error, 1e-12);
   EXPECT_TRUE(error_of(fine, "mean solid fraction"));
-  EXPECT_TRUE(expected_errors(powder, 0.9 * width, width).empty());
-  EXPECT_TRUE(expected_errors(powder, 1e-3, 0).empty());  // no cavity, no published bed
+  EXPECT_TRUE(expected_errors(powder, 0.9 * width, {width}).empty());
+  EXPECT_TRUE(expected_errors(powder, 1e-3, {}).empty());  // no cavity, no published bed
 }
 
 TEST(ExpectedError, OfAnotherPowderIsTheLargestOfAll) {
   PowderSpec known = powder_preset("Distaloy AE"), other = known;
   other.name = "my powder";
-  const auto own = expected_errors(known, 1.5e-3, 6e-3), any = expected_errors(other, 1.5e-3, 6e-3);
+  const auto own = expected_errors(known, 1.5e-3, {6e-3}), any = expected_errors(other, 1.5e-3, {6e-3});
   ASSERT_EQ(own.size(), any.size());
   for (std::size_t k = 0; k < own.size(); ++k) EXPECT_GE(any[k].error, own[k].error);
   EXPECT_NE(any.front().source.find("another powder"), std::string::npos);
@@ -113,16 +113,58 @@ TEST(ExpectedError, OfAnotherPowderIsTheLargestOfAll) {
 TEST(ExpectedError, OfAPublishedBedIsToldBesides) {
   PowderSpec powder = powder_preset("ASC100.29 D2");
   powder.grain_diameter = 4 * 6 * 7.84e-5;
-  const auto none = expected_errors(powder, powder.grain_diameter, 0);
+  const auto none = expected_errors(powder, powder.grain_diameter, {});
   ASSERT_EQ(none.size(), 1U);
   EXPECT_NEAR(none[0].error, (0.3313 - 0.32) / 0.32, 1e-12);
   EXPECT_EQ(largest(none), &none[0]);
-  EXPECT_TRUE(error_of(expected_errors(powder, powder.grain_diameter, 0.02), "settled solid fraction"));
-  EXPECT_FALSE(error_of(expected_errors(powder, powder.grain_diameter, 5e-3), "settled solid fraction"))
+  EXPECT_TRUE(error_of(expected_errors(powder, powder.grain_diameter, {0.02}), "settled solid fraction"));
+  EXPECT_FALSE(error_of(expected_errors(powder, powder.grain_diameter, {5e-3}), "settled solid fraction"))
       << "beyond a third of the width";
-  EXPECT_EQ(expected_errors(powder, 0.5 * powder.grain_diameter, 0).size(), 1U);  // finer ones settle alike
-  EXPECT_TRUE(expected_errors(powder, 1.2 * powder.grain_diameter, 0).empty());
+  EXPECT_EQ(expected_errors(powder, 0.5 * powder.grain_diameter, {}).size(), 1U);  // finer ones settle alike
+  EXPECT_TRUE(expected_errors(powder, 1.2 * powder.grain_diameter, {}).empty());
   EXPECT_EQ(largest({}), nullptr);
+}
+
+/// The runs of one scene, powder and figure in the table of scenes without a cavity.
+std::vector<Run> open_runs_of(const GrainSizeTrend& trend) {
+  std::ifstream file(std::string(DIEFILL_SOURCE_DIR) + "/process/plan/open_scene_errors.csv");
+  std::vector<Run> runs;
+  for (std::string line; std::getline(file, line);) {
+    std::vector<std::string> cells;
+    std::istringstream text(line);
+    for (std::string cell; std::getline(text, cell, ',');) cells.push_back(cell);
+    if (cells.at(0).find("/" + std::string(trend.scene) + ".toml") == std::string::npos ||
+        cells.at(1) != trend.powder || cells.at(5) != trend.figure)
+      continue;
+    runs.push_back({std::stod(cells.at(3)), std::stod(cells.at(6)), 0});
+  }
+  return runs;
+}
+
+TEST(ExpectedError, TrendsOfScenesWithoutACavityAreThoseOfTheirTable) {
+  ASSERT_FALSE(open_scene_trends().empty());
+  for (const GrainSizeTrend& trend : open_scene_trends()) {
+    const auto runs = open_runs_of(trend);
+    ASSERT_EQ(runs.size(), static_cast<std::size_t>(trend.runs))
+        << trend.scene << trend.powder << trend.figure;
+    const Line line = line_through(runs, &Run::value);
+    EXPECT_NEAR(trend.slope, line.slope / line.limit, 1e-4) << trend.scene << trend.powder << trend.figure;
+    EXPECT_NEAR(trend.scatter, line.scatter / line.limit, 1e-4) << trend.scene << trend.powder;
+  }
+}
+
+TEST(ExpectedError, WithoutACavityIsThatOfTheOpeningOrOfTheBed) {
+  const PowderSpec powder = powder_preset("Distaloy AE");
+  const auto slit = expected_errors(powder, 1e-3, {0, 10e-3, 20e-3, false});
+  ASSERT_EQ(slit.size(), 1U);
+  EXPECT_EQ(slit[0].quantity, "mass through the opening");
+  const auto bed = expected_errors(powder, 1e-3, {0, 0, 20e-3, false}),
+             heap = expected_errors(powder, 1e-3, {0, 0, 20e-3, true});
+  ASSERT_EQ(bed.size(), 1U);
+  EXPECT_EQ(bed[0].quantity, "bulk solid fraction");
+  ASSERT_EQ(heap.size(), 2U);
+  EXPECT_EQ(heap[1].quantity, "slope of a heap");
+  EXPECT_TRUE(expected_errors(powder, 9e-3, {0, 10e-3, 0, false}).empty()) << "coarser than was run";
 }
 
 TEST(ExpectedError, IsSaidWithItsScatterWhereThatIsKnown) {

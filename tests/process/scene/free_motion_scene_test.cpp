@@ -118,8 +118,8 @@ TEST(GrainsFile, GivesPlacesAndTheBoxAboutThem) {
   const Scene scene = read_scene(file);
   EXPECT_NEAR((scene.pour.lower - Eigen::Vector3d(0.019, -0.001, 0)).norm(), 0, 1e-15);
   EXPECT_NEAR((scene.pour.upper - Eigen::Vector3d(0.0255, 0.003, 0.004)).norm(), 0, 1e-15);
-  ASSERT_TRUE(grains_file_of(scene));
-  const auto grains = grains_in_file(*grains_file_of(scene));
+  ASSERT_TRUE(scene.pour.grains_file);
+  const auto grains = grains_in_file(*scene.pour.grains_file);
   ASSERT_EQ(grains.size(), 2U);
   EXPECT_NEAR(grains[1].centre.x(), 0.0245, 1e-15);
   EXPECT_NEAR(grains[1].radius, 1e-3, 1e-15);
@@ -130,7 +130,7 @@ TEST(GrainsFile, GivesPlacesAndTheBoxAboutThem) {
 
 TEST(GrainsFile, OfAnotherSceneIsNone) {
   const SceneFolder folder;
-  EXPECT_FALSE(grains_file_of(read_scene(folder.write(faultless_scene()))));
+  EXPECT_FALSE(read_scene(folder.write(faultless_scene())).pour.grains_file);
 }
 
 TEST(GrainsFile, IsRefusedBesideABoxAndWhenWrong) {
@@ -144,7 +144,7 @@ TEST(GrainsFile, IsRefusedBesideABoxAndWhenWrong) {
     return "";
   };
   std::ofstream(folder.path() / "grains.csv") << "x [mm], y [mm], z [mm], radius [mm]\n20, 0, one, 1\n";
-  EXPECT_NE(message("grains_file = \"grains.csv\"\n" + kPour).find("places all grains; remove the key"),
+  EXPECT_NE(message("grains_file = \"grains.csv\"\n" + kPour).find("gives all grains; remove the key"),
             std::string::npos);
   EXPECT_NE(message("grains_file = \"grains.csv\"\n").find("grains.csv:2: expected x, y, z and radius"),
             std::string::npos)
