@@ -37,6 +37,10 @@ int main(int argc, char** argv) {
     const int code = run_rank(argc, argv);
     MPI_Finalize();
     return code;
+  } catch (const process::cluster::OtherRelease& error) {
+    if (rank == 0) std::fprintf(stderr, "diefill: %s\n", error.what());
+    MPI_Finalize();
+    return app::kFailed;
   } catch (const std::exception& error) {
     std::fprintf(stderr, "diefill: rank %d: %s\n", rank, error.what());
     std::fflush(stderr);

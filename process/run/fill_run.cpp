@@ -106,8 +106,8 @@ void FillRun::run() {
 
 void FillRun::duties() {
   const std::uint64_t step = simulation_->steps();
-  if (step % kPinchEvery == 0) shear_off_pinched_grains();
-  if (step % kValidityCheckEvery == 0) monitor_.check(*simulation_);
+  if (step % kPinchEvery == 0 && contacts_are_shown()) shear_off_pinched_grains();
+  if (step % kValidityCheckEvery == 0 && contacts_are_shown()) monitor_.check(*simulation_);
   if (step % kLostEvery == 0) look_for_lost_grains();
   if (step % kSpillEvery == 0) let_spilled_grains_go();
   if (scene_.measure.snapshot_interval > 0) keep_instant();
@@ -138,6 +138,10 @@ std::vector<results::ProbeSeries> FillRun::probes() const {
 }
 
 void FillRun::let_spilled_grains_go() {
+  const auto& places = simulation_->grains().position;
+  if (std::all_of(places.begin(), places.end(), [&](const auto& place) { return domain_.contains(place); }))
+    return;
+  show_contacts();
   const DieFrame die(simulation_->body_motion(tooling_.die));
   remove_grains([&](const Eigen::Vector3d& position) {
     const bool leaves = !domain_.contains(position);
@@ -283,6 +287,7 @@ void FillRun::look_for_lost_grains() {
   auto strayed =
       lost_grains_.strayed(*simulation_, static_cast<double>(kLostEvery) * simulation_->settings().time_step);
   if (strayed.empty()) return;
+  show_contacts();
   // Where tools touch, a grain may have come into two.
   std::sort(strayed.begin(), strayed.end());
   strayed.erase(std::unique(strayed.begin(), strayed.end()), strayed.end());

@@ -90,6 +90,7 @@ class FillRun {
   void show_what_is_due();
   bool at_look() const;
   void show_contacts();
+  bool contacts_are_shown() const;
   std::optional<Checkpoint> own_checkpoint() const;
   std::optional<Checkpoint> shared_start() const;
   void go_on_from(const Checkpoint& checkpoint);

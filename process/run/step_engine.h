@@ -23,6 +23,8 @@ class StepEngine {
   virtual void show_grains(engine::Simulation& simulation) = 0;
   /// Contacts as well: all can be asked, changed and stored then.
   virtual void show_contacts(engine::Simulation& simulation) = 0;
+  /// Whether that has been done at the present step.
+  virtual bool contacts_are_shown() const = 0;
 
   /// For reports: "LAMMPS 20210929 on 4 ranks ...".
   virtual std::string description() const = 0;

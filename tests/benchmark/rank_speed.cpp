@@ -59,14 +59,15 @@ void compare(process::cluster::RankEngine& ranks, int grains, int steps) {
   engine.step(simulation, simulation.steps() + 1);
   engine.show_contacts(simulation);
   began = processor_seconds();
-  for (int k = 0; k < steps / 20; ++k) {
-    for (int n = 0; n < 20; ++n) engine.step(simulation, simulation.steps() + 20 - static_cast<unsigned>(n));
-    if (k % 5 == 4)
-      engine.show_contacts(simulation);
-    else
-      engine.show_grains(simulation);
-  }
+  for (int k = 0; k < steps; ++k) engine.step(simulation, (simulation.steps() / 10 + 1) * 10);
   report("on ranks", simulation, steps, (processor_seconds() - began) * ranks.ranks());
+  const auto spheres = static_cast<double>(simulation.grains().size() * simulation.types().spheres());
+  began = processor_seconds();
+  engine.show_grains(simulation);
+  std::printf("grains shown in %.3g ns a sphere, ", 1e9 * (processor_seconds() - began) / spheres);
+  began = processor_seconds();
+  engine.show_contacts(simulation);
+  std::printf("contacts in %.3g ns a sphere\n", 1e9 * (processor_seconds() - began) / spheres);
   std::printf("%s\n", engine.description().c_str());
 }
 

@@ -19,6 +19,7 @@ class LammpsEngine final : public StepEngine {
   void step(engine::Simulation& simulation, std::uint64_t look) override;
   void show_grains(engine::Simulation& simulation) override;
   void show_contacts(engine::Simulation& simulation) override;
+  bool contacts_are_shown() const override { return contacts_shown_; }
   std::string description() const override;
   int ranks() const override { return ranks_.ranks(); }
   /// The next step may be that of another simulation.

@@ -54,9 +54,9 @@ RankEngine::RankEngine(MPI_Comm ranks) : communicator_(ranks) {
   for (std::size_t k = 0; k < words.size(); ++k) arguments[k] = words[k].data();
   lammps_ = std::make_unique<LAMMPS_NS::LAMMPS>(static_cast<int>(arguments.size()), arguments.data(), ranks);
   if (lammps_->num_ver != kRelease)
-    throw std::runtime_error("LAMMPS of release " + std::to_string(lammps_->num_ver) +
-                             " is installed, but runs on ranks need release " + std::to_string(kRelease) +
-                             " (Debian 12: liblammps0)");
+    throw OtherRelease("LAMMPS of release " + std::to_string(lammps_->num_ver) +
+                       " is installed, but runs on ranks need release " + std::to_string(kRelease) +
+                       " (Debian 12: liblammps0)");
   if (rank_ == 0) lammps_->screen = error_stream();
 }
 

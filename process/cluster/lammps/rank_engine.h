@@ -3,15 +3,21 @@
 #pragma once
 
 #include <memory>
+#include <stdexcept>
 
 #include "process/cluster/lammps/lammps_api.h"
 #include "process/cluster/lammps/rank_steps.h"
 
 namespace diefill::process::cluster {
 
+/// LAMMPS is of a release that the room was not written for; thrown on all ranks.
+struct OtherRelease : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
 class RankEngine {
  public:
-  /// Throws std::runtime_error for a release of LAMMPS that the room was not written for.
+  /// Throws OtherRelease.
   explicit RankEngine(MPI_Comm ranks);
   ~RankEngine();
   RankEngine(const RankEngine&) = delete;
