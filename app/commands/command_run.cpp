@@ -243,6 +243,7 @@ void add_run(CLI::App& program, Action& chosen) {
   command->add_flag("--quiet", arguments->quiet, "print no progress");
   add_powder_samples(*command, arguments->samples);
   add_ranks(*command, arguments->ranks);
+  command->get_option("--ranks")->excludes("--powder-samples");
   command->footer(
       "Examples:\n"
       "  diefill run sample_tools/narrow_ring/fill.toml\n"

@@ -8,8 +8,8 @@ namespace diefill::process::cluster {
 /// What a forecast takes for granted of the machine and the programs.
 struct RankCosts {
   double built_in_step = 0;  ///< s a sphere and step, one thread of the built-in engine
-  /// Speed of the built-in engine over that of a rank.
-  double slower = 0;
+  /// Speed of a thread of the built-in engine over that of a rank (README.md).
+  double slower = 2.5;
   double latency = 2e-6;    ///< s a message; assumed of a cluster's network
   double bandwidth = 1e10;  ///< bytes/s of a rank; assumed
 };

@@ -1,8 +1,8 @@
 // diefill run --ranks: the same scene, the same results, on ranks; one line where it cannot be.
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <filesystem>
-#include <fstream>
 
 #include "project_paths.h"
 #include "tests/app/small_die.h"
@@ -46,14 +46,14 @@ TEST(Ranks, FillTheDieAsThreadsDo) {
   if (!ranks_are_built()) GTEST_SKIP() << "built without DIEFILL_MPI";
   const SmallDie die;
   ASSERT_EQ(die.run().exit_code, 0);
-  const double built_in = die.report()["figures"]["filled_mass_kg"];
+  const double built_in = die.report()["filled_mass_kg"];
   const Outcome outcome = die.run({"--ranks", "2"});
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
   const auto report = die.report();
-  EXPECT_EQ(report["figures"]["ranks"], 2);
+  EXPECT_EQ(report["ranks"], 2);
   // One grain in some hundreds: the passage is chaotic.
-  EXPECT_NEAR(report["figures"]["filled_mass_kg"].get<double>(), built_in, 0.05 * built_in);
-  EXPECT_LT(std::abs(report["figures"]["energy_balance_error"].get<double>()), 0.01);
+  EXPECT_NEAR(report["filled_mass_kg"].get<double>(), built_in, 0.05 * built_in);
+  EXPECT_LT(std::abs(report["energy_balance_error"].get<double>()), 0.01);
 }
 
 TEST(Ranks, ScriptForSlurmStartsTheSameRun) {
