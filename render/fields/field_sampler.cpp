@@ -14,12 +14,12 @@ namespace {
 constexpr double kFullTurn = 360;
 
 // The grid interval that holds a coordinate, and how far along it the coordinate lies (0..1).
-struct Place {
+struct CellWeights {
   std::size_t below;
   double weight;
 };
 
-Place find_place(const std::vector<double>& nodes, double coordinate) {
+CellWeights find_place(const std::vector<double>& nodes, double coordinate) {
   const double inside = std::clamp(coordinate, nodes.front(), nodes.back());
   const auto above = std::upper_bound(nodes.begin() + 1, nodes.end() - 1, inside);
   const auto below = static_cast<std::size_t>(above - nodes.begin()) - 1;
@@ -72,7 +72,7 @@ results::Field2D continued_round(const results::Field2D& field) {
 FieldSampler::FieldSampler(const results::Field2D& field) : field_(field) {}
 
 double FieldSampler::at(double first, double second) const {
-  const Place column = find_place(field_.first, first), row = find_place(field_.second, second);
+  const CellWeights column = find_place(field_.first, first), row = find_place(field_.second, second);
   const std::size_t width = field_.first.size(), corner = row.below * width + column.below;
   const std::array<double, 4> values{field_.value[corner], field_.value[corner + 1],
                                      field_.value[corner + width], field_.value[corner + width + 1]};

@@ -5,11 +5,12 @@
 
 #include <array>
 
+#include "render/scene3d/cut_tools.h"
+
 namespace diefill::render {
 
 vtkSmartPointer<vtkPolyData> mesh_polydata(const std::vector<Eigen::Vector3d>& vertices,
                                            const std::vector<Eigen::Vector3i>& triangles) {
-  constexpr double kMillimetres = 1e3;
   const auto points = vtkSmartPointer<vtkPoints>::New();
   points->SetDataTypeToDouble();
   for (const auto& vertex : vertices)

@@ -14,7 +14,7 @@ namespace diefill::process {
 namespace {
 
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
-constexpr std::size_t kFewestGrains = 3;
+constexpr std::size_t kFewestOfASample = 3;
 constexpr double kSectors = 12;
 
 /// Sums of one bin, or of all.
@@ -84,7 +84,7 @@ results::Profile profile_over(const results::FillResult& result, const std::vect
     sums[bins.of(powder.position[k])].add(1e3 * powder.diameter_of(k), powder.mass_of(k));
   for (std::size_t n = 0; n < bins.count; ++n) {
     profile.x.push_back((static_cast<double>(n) + 0.5) * bins.length / static_cast<double>(bins.count));
-    profile.y.push_back(sums[n].grains >= kFewestGrains ? sums[n].mean() : kNone);
+    profile.y.push_back(sums[n].grains >= kFewestOfASample ? sums[n].mean() : kNone);
   }
   return profile;
 }
@@ -112,7 +112,7 @@ double mean_diameter(const results::PowderState& powder, const std::vector<std::
 /// Upper less lower third of the filled grains by height, each the third of them that lies there.
 double top_minus_bottom(const results::PowderState& powder, std::vector<std::size_t> grains) {
   const std::size_t third = grains.size() / 3;
-  if (third < kFewestGrains) return kNone;
+  if (third < kFewestOfASample) return kNone;
   std::sort(grains.begin(), grains.end(), [&](std::size_t a, std::size_t b) {
     const double low = powder.position[a].z(), high = powder.position[b].z();
     return low != high ? low < high : a < b;
