@@ -2,29 +2,13 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <filesystem>
 
-#include "project_paths.h"
 #include "tests/app/small_die.h"
 
 namespace diefill::app {
 namespace {
 
-bool ranks_are_built() {
-  return std::filesystem::exists(std::filesystem::path(DIEFILL_PROGRAM).parent_path() / "diefill-mpi");
-}
-
-TEST(Ranks, RefuseWhatTheyCannotBeforeAnyStarts) {
-  const SmallDie die;
-  die.exchange("[pour]", "[economy]\nsleep = true\n\n[pour]");
-  const Outcome outcome = die.run({"--ranks", "2"});
-  EXPECT_EQ(outcome.exit_code, 2) << outcome.err;
-  EXPECT_EQ(outcome.complaints(), 1U) << outcome.err;
-  EXPECT_NE(outcome.err.find("economy.sleep is not supported on ranks"), std::string::npos) << outcome.err;
-}
-
 TEST(Ranks, MissingHostIsNamedWithItsLine) {
-  if (!ranks_are_built()) GTEST_SKIP() << "built without DIEFILL_MPI";
   const SmallDie die;
   die.write("hosts", "# one\nno-such-host.invalid slots=2\n");
   const Outcome outcome = die.run({"--ranks", "2", "--hostfile", (die.folder() / "hosts").string()});
@@ -33,17 +17,7 @@ TEST(Ranks, MissingHostIsNamedWithItsLine) {
   EXPECT_NE(outcome.err.find("hosts:2: no host \"no-such-host.invalid\""), std::string::npos) << outcome.err;
 }
 
-TEST(Ranks, ProgramIsAskedForWhereItIsMissing) {
-  if (ranks_are_built()) GTEST_SKIP() << "built with DIEFILL_MPI";
-  const SmallDie die;
-  const Outcome outcome = die.run({"--ranks", "2"});
-  EXPECT_EQ(outcome.exit_code, 1);
-  EXPECT_EQ(outcome.complaints(), 1U) << outcome.err;
-  EXPECT_NE(outcome.err.find("DIEFILL_MPI=ON"), std::string::npos) << outcome.err;
-}
-
 TEST(Ranks, FillTheDieAsThreadsDo) {
-  if (!ranks_are_built()) GTEST_SKIP() << "built without DIEFILL_MPI";
   const SmallDie die;
   ASSERT_EQ(die.run().exit_code, 0);
   const double built_in = die.report()["filled_mass_kg"];
@@ -57,7 +31,6 @@ TEST(Ranks, FillTheDieAsThreadsDo) {
 }
 
 TEST(Ranks, ScriptForSlurmStartsTheSameRun) {
-  if (!ranks_are_built()) GTEST_SKIP() << "built without DIEFILL_MPI";
   const SmallDie die;
   const auto script = die.folder() / "job.sh";
   ASSERT_EQ(die.run({"--ranks", "64", "--slurm", script.string()}).exit_code, 0);
