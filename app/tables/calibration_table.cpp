@@ -3,6 +3,8 @@
 #include <cmath>
 #include <cstdio>
 
+#include "app/tables/text_column.h"
+
 namespace diefill::app {
 namespace {
 
@@ -17,27 +19,26 @@ std::string with_unit(const std::string& text, const std::string& unit) {
   return unit == "1" || unit.empty() ? text : text + ' ' + unit;
 }
 
-/// Padded to a width.
-std::string padded(std::string text, std::size_t width) {
-  if (text.size() < width) text.append(width - text.size(), ' ');
-  return text + ' ';
+/// A column of a table, with a blank before the next one.
+std::string cell(const std::string& text, std::size_t width) {
+  return padded(text, width) + ' ';
 }
 
 std::string parameters_of(const results::Calibration& calibration) {
-  std::string lines = padded("parameter", 30) + padded("best", 16) + "90 % interval\n";
+  std::string lines = cell("parameter", 30) + cell("best", 16) + "90 % interval\n";
   for (const auto& parameter : calibration.parameters)
-    lines += padded(parameter.key, 30) + padded(with_unit(number(parameter.best), parameter.unit), 16) +
+    lines += cell(parameter.key, 30) + cell(with_unit(number(parameter.best), parameter.unit), 16) +
              with_unit(number(parameter.lower) + " to " + number(parameter.upper), parameter.unit) + '\n';
   return lines;
 }
 
 std::string measurements_of(const results::Calibration& calibration) {
   constexpr std::size_t kMost = 12;  // values of a measurement that are listed one by one
-  std::string lines = padded("measurement", 30) + padded("measured", 22) + padded("simulated", 12) +
-                      "over powders that agree\n";
+  std::string lines =
+      cell("measurement", 30) + cell("measured", 22) + cell("simulated", 12) + "over powders that agree\n";
   for (const auto& measurement : calibration.measurements) {
     if (measurement.data.size() > kMost) {
-      lines += padded(measurement.name, 30) + std::to_string(measurement.data.size()) + " values, chi^2 " +
+      lines += cell(measurement.name, 30) + std::to_string(measurement.data.size()) + " values, chi^2 " +
                number(measurement.chi_square) + (measurement.fitted ? "" : " (check)") + '\n';
       continue;
     }
@@ -45,10 +46,10 @@ std::string measurements_of(const results::Calibration& calibration) {
       const std::string at =
           std::isfinite(datum.x) ? " at " + with_unit(number(datum.x), measurement.x_unit) : "";
       lines +=
-          padded(measurement.name + at + (measurement.fitted ? "" : " (check)"), 30) +
-          padded(with_unit(number(datum.measured, 4) + " +- " + number(datum.deviation, 2), measurement.unit),
-                 22) +
-          padded(number(datum.simulated, 4), 12) + number(datum.lower, 4) + " to " + number(datum.upper, 4) +
+          cell(measurement.name + at + (measurement.fitted ? "" : " (check)"), 30) +
+          cell(with_unit(number(datum.measured, 4) + " +- " + number(datum.deviation, 2), measurement.unit),
+               22) +
+          cell(number(datum.simulated, 4), 12) + number(datum.lower, 4) + " to " + number(datum.upper, 4) +
           '\n';
     }
     if (!measurement.remark.empty()) lines += "  " + measurement.name + ": " + measurement.remark + '\n';
@@ -67,7 +68,7 @@ std::string screening_of(const results::Screening& screening) {
     lines += "effects on " + quantity.name + ", mean " + with_unit(number(quantity.mean, 4), quantity.unit) +
              ", 95 % margin " + number(quantity.margin) + '\n';
     for (const auto& effect : screening.effects)
-      lines += "  " + padded(effect.string, 24) + padded(number(effect.values[q]), 12) +
+      lines += "  " + cell(effect.string, 24) + cell(number(effect.values[q]), 12) +
                (std::abs(effect.values[q]) > quantity.margin ? "* " : "  ") + effect.words + '\n';
   }
   return lines;
