@@ -1,51 +1,6 @@
 // diefill: predicts how powder fills a die.
-#include <CLI/CLI.hpp>
-
-#include "app/commands/commands.h"
-#include "app/exit_code.h"
-#include "app/output.h"
-#include "app/shell/program_options.h"
-#include "process/input/shown_value.h"
-
-namespace {
-
-/// What is wrong with the words of the command line, on one line.
-std::string in_one_line(const CLI::App* program, const CLI::Error& error) {
-  constexpr std::size_t kLongest = 600;
-  std::string command = "diefill";
-  for (const CLI::App* chosen : program->get_subcommands()) command += ' ' + chosen->get_name();
-  return "diefill: " + diefill::process::one_line(error.what(), kLongest) + "; " + command +
-         " --help lists the options\n";
-}
-
-}  // namespace
+#include "app/program.h"
 
 int main(int argc, char** argv) {
-  CLI::App program(
-      "diefill predicts how powder fills a die: density maps from CAD tools and a short scene file.");
-  program.require_subcommand(1);
-  program.failure_message(in_one_line);
-  program.footer(
-      "Examples:\n"
-      "  diefill new my_die                                   write a scene with tools to start from\n"
-      "  diefill check sample_tools/narrow_ring/fill.toml     check tools and scene without simulating\n"
-      "  diefill plan sample_tools/narrow_ring/fill.toml      predict size, memory and wall time\n"
-      "  diefill powders                                      list the built-in powders\n"
-      "  diefill run sample_tools/narrow_ring/fill.toml       simulate, write maps and report\n"
-      "  diefill compare sample_tools/narrow_ring/strategies.toml  compare filling strategies\n"
-      "  diefill map out/narrow_ring --averaging-width '1 mm' redraw the maps with wider averaging\n"
-      "  diefill info out/narrow_ring                         print the contents of results\n"
-      "  diefill bench clumps                                 measure the speed of this machine");
-  diefill::app::Action chosen;
-  diefill::app::add_commands(program, chosen);
-  diefill::app::add_program_options(program);
-  try {
-    program.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    if (program.exit(error) != 0) return diefill::app::kBadInput;
-    return diefill::app::standard_output_is_whole() ? diefill::app::kDone : diefill::app::kFailed;
-  }
-  const int code = diefill::app::guarded(chosen);
-  if (!diefill::app::standard_output_is_whole() && code == diefill::app::kDone) return diefill::app::kFailed;
-  return code;
+  return diefill::app::run_program(argc, argv);
 }

@@ -13,6 +13,7 @@
 #include "app/tables/estimate_report.h"
 #include "app/tables/finite_number.h"
 #include "app/tables/plan_report.h"
+#include "app/tables/rank_report.h"
 #include "process/estimate/mouth.h"
 #include "process/plan/kept_pilot.h"
 #include "process/tooling/progress.h"
@@ -25,7 +26,7 @@ struct PlanArguments {
   std::string scene, setting;
   std::vector<std::string> changes;
   std::optional<double> minutes, error;
-  int threads = 0;
+  int threads = 0, ranks = 0;
   bool json = false, no_benchmark = false, variants = false, new_pilot = false;
 };
 
@@ -110,6 +111,7 @@ int plan(const PlanArguments& arguments) {
     print_plan(plan);
     if (arguments.minutes) say_within_time(plan, *arguments.minutes, in_time);
     if (arguments.error) say_within_error(plan, *arguments.error, in_error);
+    if (arguments.ranks > 0) print_rank_forecast(plan, options.threads, arguments.ranks);
     if (process::has_variants(plan.scene))
       std::printf("this is the scene without its [[variant]]s; use diefill plan --variants to plan them\n");
     return kDone;
@@ -145,6 +147,10 @@ void add_plan(CLI::App& program, Action& chosen) {
           ->check(finite_number());
   command->add_option("--threads", arguments->threads, "threads of the planned run (default: all cores)")
       ->check(CLI::Range(1, 1024));
+  command
+      ->add_option("--ranks", arguments->ranks,
+                   "say what diefill run --ranks would take, and from which size on it pays")
+      ->check(CLI::Range(1, 1000000));
   command->add_flag("--no-benchmark", arguments->no_benchmark,
                     "skip the pilot run; wall times are then unknown");
   command->add_flag("--new-pilot", arguments->new_pilot,

@@ -7,7 +7,9 @@
 #include "app/commands/live_run.h"
 #include "app/commands/powder_sample_runs.h"
 #include "app/commands/renderer_choice.h"
+#include "app/commands/run_on_ranks.h"
 #include "app/commands/scene_choice.h"
+#include "app/commands/step_engine.h"
 #include "app/exit_code.h"
 #include "app/freed_memory.h"
 #include "app/output.h"
@@ -16,6 +18,7 @@
 #include "app/stop_signals.h"
 #include "app/tables/check_report.h"
 #include "app/tables/run_summary.h"
+#include "process/cluster/rank_limits.h"
 #include "process/estimate/mouth.h"
 #include "process/plan/expected_error.h"
 #include "process/powder/material.h"
@@ -36,7 +39,25 @@ struct RunArguments {
   int threads = 0;
   bool resume = false, quiet = false, no_pictures = false;
   PowderSampleArguments samples;
+  RankArguments ranks;
 };
+
+/// The words of the command for the program on ranks.
+std::vector<std::string> words_of_run(const RunArguments& arguments) {
+  std::vector<std::string> words = {"run", arguments.scene};
+  const auto add = [&words](const char* option, const std::string& value) {
+    if (!value.empty()) words.insert(words.end(), {option, value});
+  };
+  add("--out", arguments.directory);
+  add("--setting", arguments.setting);
+  add("--beginnings", arguments.shared_starts);
+  for (const std::string& change : arguments.changes) add("--set", change);
+  if (arguments.threads > 0) add("--threads", std::to_string(arguments.threads));
+  if (arguments.resume) words.emplace_back("--resume");
+  if (arguments.quiet) words.emplace_back("--quiet");
+  if (arguments.no_pictures) words.emplace_back("--no-pictures");
+  return words;
+}
 
 /// out/<folder of the scene>, or out/<name of the scene> where its file name says more than "fill".
 std::filesystem::path default_directory(const std::filesystem::path& scene) {
@@ -67,12 +88,13 @@ process::RunOptions options_of(const RunArguments& arguments, const process::Sce
   process::RunOptions options;
   options.directory = arguments.directory.empty() ? default_directory(scene.file)
                                                   : std::filesystem::path(arguments.directory);
-  options.threads = arguments.threads > 0
-                        ? arguments.threads
-                        : static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+  // The other cores of this machine are those of other ranks.
+  const unsigned all = step_engine() != nullptr ? 1U : std::thread::hardware_concurrency();
+  options.threads = arguments.threads > 0 ? arguments.threads : static_cast<int>(std::max(1U, all));
   options.resume = arguments.resume;
   options.shared_starts = arguments.shared_starts;
   options.show_progress = !arguments.quiet;
+  options.engine = step_engine();
   return options;
 }
 
@@ -158,6 +180,8 @@ int deliver(const RunArguments& arguments, const process::Scene& scene, const pr
 
 int run(const RunArguments& arguments) {
   process::Scene scene = wanted_scene(arguments.scene, arguments.setting, arguments.changes);
+  if (arguments.ranks.ranks > 0) return run_on_ranks(arguments.ranks, scene, words_of_run(arguments));
+  if (step_engine() != nullptr) process::cluster::refuse_what_ranks_cannot(scene);
   process::RunOptions options = options_of(arguments, scene);
   if (arguments.samples.powders > 0) return run_samples(arguments, scene, options.directory);
   std::optional<OutputDirectory> output;
@@ -218,12 +242,16 @@ void add_run(CLI::App& program, Action& chosen) {
   command->add_flag("--no-pictures", arguments->no_pictures, "draw nothing; use diefill map later");
   command->add_flag("--quiet", arguments->quiet, "print no progress");
   add_powder_samples(*command, arguments->samples);
+  add_ranks(*command, arguments->ranks);
+  command->get_option("--ranks")->excludes("--powder-samples");
   command->footer(
       "Examples:\n"
       "  diefill run sample_tools/narrow_ring/fill.toml\n"
       "  diefill run my_die.toml --out results/my_die --threads 8\n"
       "  diefill run my_die.toml --setting quick                   a first look (diefill plan describes it)\n"
       "  diefill run my_die.toml --out results/my_die --resume     after Ctrl-C or a crash\n"
+      "  diefill run my_die.toml --ranks 64 --hostfile hosts      on many machines "
+      "(process/cluster/README.md)\n"
       "  diefill run my_die.toml --powder-samples 12 --jobs 2      what the powder's uncertainty does to the "
       "filling\n"
       "Files of an earlier run in the directory are moved to its folder previous-1, previous-2, ...\n"

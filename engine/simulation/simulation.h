@@ -10,6 +10,9 @@
 
 namespace diefill::engine {
 
+struct ComputedStep;
+struct NamedContacts;
+
 /// A grain to be added.
 struct NewGrain {
   Eigen::Vector3d position = Eigen::Vector3d::Zero();          ///< m
@@ -48,6 +51,15 @@ class Simulation {
   void set_contact(const ContactLaws& contact);
   /// Gives every grain added(id) (m/s) more velocity. All grains wake.
   void add_velocities(const std::function<Eigen::Vector3d(std::uint64_t)>& added);
+
+  /// One time step that another program has computed (computed_step.h). Grains and contacts stay as they were
+  /// until take_grains() is called.
+  void take_step(const ComputedStep& computed);
+  /// The powder as another program has computed it up to the present time: the same grains by their ids, in
+  /// any order. Without contacts near pairs are those of before, and nothing that is asked of contacts is
+  /// right. Throws std::invalid_argument for other grains.
+  void take_grains(const Grains& computed);
+  void take_grains(const Grains& computed, const NamedContacts& of_grains, const NamedContacts& of_walls);
 
   Snapshot snapshot() const;
   /// Goes on from `snapshot`, which must come from the same settings and walls; bodies' motions must have

@@ -94,11 +94,15 @@ void book_step(SimulationState& state) {
     }
   }
   state.overlap_of_run.include(state.overlap);
+  book_wall_work(state);
+}
+
+void book_wall_work(SimulationState& state) {
   for (std::size_t b = 0; b < state.bodies.size(); ++b) {
     const WallLoad& load = state.wall_loads[b];
     const BodyMotion& motion = state.body_motion[b];
-    ledger.wall_work -= (load.force.dot(motion.velocity) + load.torque.dot(motion.angular_velocity)) *
-                        state.settings.time_step;
+    state.ledger.wall_work -= (load.force.dot(motion.velocity) + load.torque.dot(motion.angular_velocity)) *
+                              state.settings.time_step;
   }
 }
 

@@ -14,6 +14,8 @@ void advance_grains(SimulationState& state, StepPolicy& policy);
 /// Whether a grain or tool has moved farther than the list of near pairs allows.
 bool list_is_old(const SimulationState& state);
 
+/// Books the work of the tools from their loads of the step.
+void book_wall_work(SimulationState& state);
 /// Adds up what the blocks did: loads on tools, overlaps and the ledger.
 void book_step(SimulationState& state);
 

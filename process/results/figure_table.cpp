@@ -161,6 +161,7 @@ constexpr std::array kFigures = {
     Figure{"simulated_s", "s", "simulated time", "simulated time", kSeconds},
     Figure{"wall_seconds", "s", "wall-clock time of the run", "computing time", kSeconds},
     Figure{"threads", "1", "threads that computed", "threads", kNumber},
+    Figure{"ranks", "1", "ranks that computed, where the engine was not the built-in one", "ranks", kNumber},
     Figure{"sphere_steps", "1", "powder spheres times steps, those left out included", "sphere-steps",
            ShownAs{"million", 1e-6, 3}},
     Figure{"sphere_steps_left_out", "1", "sphere-steps saved where grains slept", "sphere-steps left out",

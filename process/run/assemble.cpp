@@ -153,6 +153,7 @@ void add_figures(const Scene& scene, results::FillResult& result, const Tooling&
   figures["sphere_steps_left_out"] = static_cast<double>(engine::sphere_steps_left_out(simulation));
   figures["sphere_steps_per_second"] = static_cast<double>(run.sphere_steps()) / run.wall_seconds();
   figures["threads"] = settings.threads;
+  if (run.ranks() > 1) figures["ranks"] = run.ranks();
   add_margin_figures(result, run);
   const double left = copies(tooling) * static_cast<double>(run.grains_left());
   figures["grains_left"] = left;

@@ -13,6 +13,7 @@
 #include "process/powder/material.h"
 #include "process/powder/mixed_powder.h"
 #include "process/powder/random.h"
+#include "process/run/duty_steps.h"
 #include "process/run/economies.h"
 #include "process/run/powder_domain.h"
 #include "process/run/suction.h"
@@ -31,9 +32,6 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-// Duties fall on multiples of these steps, so that a restart does them when the unbroken run does.
-constexpr std::uint64_t kScheduleEvery = 20, kSpillEvery = 100, kFeedEvery = 100, kValidityCheckEvery = 200,
-                        kPinchEvery = 10, kLostEvery = 200, kForcedEvery = 100;
 /// Grains that may be sheared off however few there are.
 constexpr double kFewSheared = 3;
 
@@ -87,9 +85,9 @@ FillRun::FillRun(const Scene& scene, const Tooling& tooling, const RunOptions& o
 void FillRun::run() {
   start_or_resume();
   ForcedToolWatch forced_tools(scene_, tooling_);
-  while (!schedule_.finished() && !out_of_time()) {
+  while (!schedule_.finished() && !(at_look() && out_of_time())) {
     free_tools_.before_step(*simulation_);
-    simulation_->step();
+    make_step();
     free_tools_.after_step(*simulation_);
     sphere_steps_ += simulation_->grains().size() * simulation_->types().spheres();
     schedule_.observe(*simulation_);
@@ -97,6 +95,7 @@ void FillRun::run() {
     if (simulation_->steps() % kForcedEvery == 0) forced_tools.look(*simulation_);
     duties();
   }
+  show_contacts();
   monitor_.check(*simulation_);
   // The run may go on from here, where an unbroken one would not yet look.
   if (!schedule_.finished()) write_checkpoint();
@@ -107,8 +106,8 @@ void FillRun::run() {
 
 void FillRun::duties() {
   const std::uint64_t step = simulation_->steps();
-  if (step % kPinchEvery == 0) shear_off_pinched_grains();
-  if (step % kValidityCheckEvery == 0) monitor_.check(*simulation_);
+  if (step % kPinchEvery == 0 && contacts_are_shown()) shear_off_pinched_grains();
+  if (step % kValidityCheckEvery == 0 && contacts_are_shown()) monitor_.check(*simulation_);
   if (step % kLostEvery == 0) look_for_lost_grains();
   if (step % kSpillEvery == 0) let_spilled_grains_go();
   if (scene_.measure.snapshot_interval > 0) keep_instant();
@@ -117,6 +116,7 @@ void FillRun::duties() {
   if (step % kScheduleEvery == 0) take_snapshots();
   if (step % kScheduleEvery == 0) stage_over = schedule_.update(*simulation_);
   if (step % kScheduleEvery == 0) free_tools_.follow(schedule_, *simulation_);
+  if (stage_over) show_contacts();
   if (stage_over) clear_powder();
   if (stage_over) change_powder();
   if (step % kFeedEvery == 0 && source_.any()) let_powder_in();
@@ -125,6 +125,7 @@ void FillRun::duties() {
     look_for_lost_grains();
   }
   if (step % kScheduleEvery == 0) show_progress();
+  if (!at_look()) return;
   if (options_.stop != nullptr && options_.stop->load()) stop_with_checkpoint();
   if (stage_over || seconds_since(last_checkpoint_) > scene_.numerics.checkpoint_interval) write_checkpoint();
   if (stage_over && !schedule_.finished()) save_shared_start();
@@ -137,6 +138,10 @@ std::vector<results::ProbeSeries> FillRun::probes() const {
 }
 
 void FillRun::let_spilled_grains_go() {
+  const auto& places = simulation_->grains().position;
+  if (std::all_of(places.begin(), places.end(), [&](const auto& place) { return domain_.contains(place); }))
+    return;
+  show_contacts();
   const DieFrame die(simulation_->body_motion(tooling_.die));
   remove_grains([&](const Eigen::Vector3d& position) {
     const bool leaves = !domain_.contains(position);
@@ -221,8 +226,10 @@ void FillRun::add_random_velocities(double deviation, std::size_t step) {
 }
 
 void FillRun::take_snapshots() {
-  for (const std::string& name : snapshots_.due(schedule_, *simulation_))
+  for (const std::string& name : snapshots_.due(schedule_, *simulation_)) {
+    show_contacts();
     if (options_.snapshot) options_.snapshot(*this, name);
+  }
 }
 
 void FillRun::shear_off_pinched_grains() {
@@ -251,11 +258,14 @@ std::string FillRun::shear_warning() const {
   return text;
 }
 
-void FillRun::keep_instant() {
-  // Counted in steps, so that a restart keeps the same instants.
+/// Counted in steps, so that a restart keeps the same instants.
+std::uint64_t FillRun::steps_between_instants() const {
   const double interval = scene_.measure.snapshot_interval / simulation_->settings().time_step;
-  const auto every = static_cast<std::uint64_t>(std::max(1.0, std::round(interval)));
-  if (simulation_->steps() % every != 0) return;
+  return static_cast<std::uint64_t>(std::max(1.0, std::round(interval)));
+}
+
+void FillRun::keep_instant() {
+  if (simulation_->steps() % steps_between_instants() != 0) return;
   const auto& grains = simulation_->grains();
   results::Instant instant;
   instant.time = simulation_->time();
@@ -277,6 +287,7 @@ void FillRun::look_for_lost_grains() {
   auto strayed =
       lost_grains_.strayed(*simulation_, static_cast<double>(kLostEvery) * simulation_->settings().time_step);
   if (strayed.empty()) return;
+  show_contacts();
   // Where tools touch, a grain may have come into two.
   std::sort(strayed.begin(), strayed.end());
   strayed.erase(std::unique(strayed.begin(), strayed.end()), strayed.end());
@@ -314,6 +325,7 @@ double FillRun::wall_seconds() const {
 
 std::vector<std::string> FillRun::warnings() const {
   std::vector<std::string> all = warnings_;
+  if (options_.engine != nullptr) all.push_back(options_.engine->description());
   if (ran_out_of_time())
     all.insert(all.begin(), "unfinished: " + why_unfinished() + "; all figures refer to this time");
   for (auto& economy : economies_text(scene_, *simulation_, sphere_steps_)) all.push_back(std::move(economy));

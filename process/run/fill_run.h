@@ -16,6 +16,7 @@
 #include "process/run/probes.h"
 #include "process/run/schedule.h"
 #include "process/run/snapshots.h"
+#include "process/run/step_engine.h"
 #include "process/tooling/grain_tally.h"
 #include "process/tooling/progress.h"
 #include "process/tooling/tooling.h"
@@ -32,6 +33,7 @@ struct RunOptions {
   /// Where runs store their shared starts (shared_start.h); empty: nowhere.
   std::filesystem::path shared_starts;
   bool show_progress = true;
+  StepEngine* engine = nullptr;  ///< computes the steps in place of the built-in engine
   const std::atomic<bool>* stop =
       nullptr;  ///< set from a signal handler: stop at the next step with a checkpoint
   /// Called with the name of every snapshot whose time has come; after a restart possibly once more, in the
@@ -76,11 +78,19 @@ class FillRun {
   std::vector<results::ProbeSeries> probes() const;
   double wall_seconds() const;
   std::uint64_t sphere_steps() const { return sphere_steps_; }
+  /// Of the program that computes the steps.
+  int ranks() const { return options_.engine != nullptr ? options_.engine->ranks() : 1; }
   double critical_time_step() const { return critical_step_; }
   std::vector<std::string> warnings() const;
 
  private:
   void start_or_resume();
+  void make_step();
+  std::uint64_t next_look() const;
+  void show_what_is_due();
+  bool at_look() const;
+  void show_contacts();
+  bool contacts_are_shown() const;
   std::optional<Checkpoint> own_checkpoint() const;
   std::optional<Checkpoint> shared_start() const;
   void go_on_from(const Checkpoint& checkpoint);
@@ -97,6 +107,7 @@ class FillRun {
   void remove_grains(const std::function<bool(const Eigen::Vector3d&)>& leaves);
   void take_snapshots();
   void look_for_lost_grains();
+  std::uint64_t steps_between_instants() const;
   void keep_instant();
   Checkpoint checkpoint() const;
   bool write_checkpoint();

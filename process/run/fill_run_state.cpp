@@ -78,6 +78,7 @@ Checkpoint FillRun::checkpoint() const {
 }
 
 bool FillRun::write_checkpoint() {
+  show_contacts();
   last_checkpoint_ = std::chrono::steady_clock::now();
   return keep([this] { process::write_checkpoint(checkpoint_file(options_.directory), checkpoint()); },
               "no checkpoint written, the previous one is still valid");

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "engine/observe/energy_balance.h"
 #include "process/measure/cavity_position.h"
@@ -83,6 +84,21 @@ void Probes::observe(const engine::Simulation& simulation) {
     state.torque.setZero();
     state.steps = 0;
   }
+}
+
+std::uint64_t Probes::next_look(std::uint64_t step, double time_step) const {
+  std::uint64_t next = std::numeric_limits<std::uint64_t>::max();
+  for (const ProbeSpec& spec : specs_) {
+    const std::uint64_t every = steps_between(spec, time_step);
+    if (spec.quantity != ProbeQuantity::load) next = std::min(next, (step / every + 1) * every);
+  }
+  return next;
+}
+
+bool Probes::looks_at_contacts(std::uint64_t step, double time_step) const {
+  return std::any_of(specs_.begin(), specs_.end(), [&](const ProbeSpec& spec) {
+    return spec.quantity == ProbeQuantity::energy && step % steps_between(spec, time_step) == 0;
+  });
 }
 
 void Probes::add_row(std::size_t k, const engine::Simulation& simulation) {

@@ -32,6 +32,7 @@ const std::vector<Rule>& rules() {
       {"process/",
        {"engine/", "geometry/", "process/"},
        {"Eigen/", "toml++/", "udunits2.h", "zlib.h", "boost/math/"}},
+      {"process/cluster/lammps/", {"engine/", "geometry/", "process/"}, {"Eigen/", "lammps/", "mpi.h"}},
       {"process/compare/kept_aside.cpp", {"process/"}, {"nlohmann/"}},
       {"process/plan/kept_pilot.cpp", {"engine/", "geometry/", "process/"}, {"nlohmann/"}},
       {"process/estimate/powder_discharge.cpp", {"engine/", "geometry/", "process/"}, {"nlohmann/"}},
@@ -63,7 +64,7 @@ bool begins_with_any(const std::string& name, const std::vector<std::string>& pr
 
 /// Headers of the system: <vector> has no dot and no slash; POSIX ones are these.
 bool of_the_system(const std::string& name) {
-  static const std::regex standard("[a-z_0-9]+"), posix("(sys/[a-z]+|unistd|fcntl|dlfcn|poll)\\.h");
+  static const std::regex standard("[a-z_0-9]+"), posix("(sys/[a-z]+|unistd|fcntl|dlfcn|poll|netdb)\\.h");
   return std::regex_match(name, standard) || std::regex_match(name, posix);
 }
 

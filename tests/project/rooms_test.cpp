@@ -20,7 +20,8 @@ const std::map<std::string, std::vector<std::string>>& rooms() {
       {"geometry", {"grids", "mesh", "solid", "cad", "voronoi", "reach", "cavity", "wall_spheres"}},
       {"process",
        {"results", "measure", "input", "machine", "scene", "measured_data", "press_mesh", "powder", "tooling",
-        "setup", "run", "plan", "compare", "tradeoff", "continuum", "laboratory", "calibration", "estimate"}},
+        "setup", "run", "cluster", "plan", "compare", "tradeoff", "continuum", "laboratory", "calibration",
+        "estimate"}},
       {"render", {"style", "offscreen", "tracing", "fields", "charts", "scene3d", "report"}},
       {"app", {"tables", "pictures", "shell", "commands", "python"}},
   };

@@ -1,0 +1,124 @@
+#include "process/cluster/lammps/lammps_engine.h"
+
+#include <algorithm>
+#include <chrono>
+#include <thread>
+
+#include "process/cluster/lammps/grain_messages.h"
+
+namespace diefill::process::cluster {
+
+namespace {
+
+enum class Order : int { load, run, grains, contacts, stop };
+
+/// What rank 0 asks all ranks for.
+struct Task {
+  Order order = Order::stop;
+  std::uint64_t steps = 0;
+};
+
+/// The task that rank 0 gives. Other ranks wait for it without using up their cores.
+Task task_of(Task given, const RankEngine& ranks) {
+  std::uint64_t numbers[2] = {static_cast<std::uint64_t>(given.order), given.steps};
+  MPI_Request request;
+  MPI_Ibcast(numbers, 2, MPI_UINT64_T, 0, ranks.communicator(), &request);
+  constexpr int kSpins = 2000;
+  int done = 0;
+  for (int tries = 0; done == 0; ++tries) {
+    MPI_Test(&request, &done, MPI_STATUS_IGNORE);
+    if (done == 0 && tries > kSpins) std::this_thread::sleep_for(std::chrono::microseconds(100));
+  }
+  return {static_cast<Order>(numbers[0]), numbers[1]};
+}
+
+}  // namespace
+
+LammpsEngine::~LammpsEngine() {
+  task_of({Order::stop, 0}, ranks_);
+}
+
+void LammpsEngine::step(engine::Simulation& simulation, std::uint64_t look) {
+  if (computed_.empty()) compute(simulation, std::max<std::uint64_t>(1, look - simulation.steps()));
+  simulation.take_step(computed_.front());
+  computed_.pop_front();
+  grains_shown_ = contacts_shown_ = false;
+}
+
+void LammpsEngine::compute(engine::Simulation& simulation, std::uint64_t steps) {
+  if (simulation.searches() != searches_) {
+    if (!contacts_shown_) throw std::logic_error("a simulation was changed whose contacts were not shown");
+    task_of({Order::load, 0}, ranks_);
+    ranks_.load(&simulation);
+    searches_ = simulation.searches();
+    shares_ = ranks_.shares();
+  }
+  std::vector<engine::BodyMotion> motions;
+  const double time_step = simulation.settings().time_step;
+  for (std::uint64_t k = 1; k <= steps; ++k)
+    for (const auto& body : simulation.bodies())
+      motions.push_back(body.motion_at(static_cast<double>(simulation.steps() + k) * time_step));
+  task_of({Order::run, steps}, ranks_);
+  const StepRecords records = ranks_.run(steps, motions);
+  for (std::uint64_t k = 0; k < steps; ++k) computed_.push_back(records.step(k, simulation.bodies().size()));
+}
+
+void LammpsEngine::show_grains(engine::Simulation& simulation) {
+  if (grains_shown_) return;
+  task_of({Order::grains, 0}, ranks_);
+  simulation.take_grains(ranks_.grains());
+  grains_shown_ = true;
+}
+
+void LammpsEngine::show_contacts(engine::Simulation& simulation) {
+  if (contacts_shown_) return;
+  task_of({Order::contacts, 0}, ranks_);
+  const engine::Grains grains = ranks_.grains();
+  engine::NamedContacts of_grains = ranks_.contacts_of_grains(), of_walls = ranks_.contacts_of_walls();
+  const auto& settings = simulation.neighbours().settings();
+  of_grains.history = with_width(of_grains, settings.grain_history_sign.size());
+  of_walls.history = with_width(of_walls, settings.wall_history);
+  simulation.take_grains(grains, of_grains, of_walls);
+  searches_ = simulation.searches();
+  shares_ = ranks_.shares();
+  grains_shown_ = contacts_shown_ = true;
+}
+
+void LammpsEngine::forget() {
+  searches_ = ~std::uint64_t{0};
+  computed_.clear();
+  grains_shown_ = contacts_shown_ = true;
+}
+
+std::string LammpsEngine::description() const {
+  std::string text = "computed by LAMMPS " + ranks_.release() + " on " + std::to_string(ranks_.ranks()) +
+                     (ranks_.ranks() == 1 ? " rank" : " ranks, grains shared by recursive bisection");
+  if (shares_.size() > 1) {
+    text += ", now ";
+    for (std::size_t k = 0; k < shares_.size(); ++k)
+      text += (k == 0 ? "" : " + ") + std::to_string(shares_[k]);
+  }
+  return text + "; the state depends on the number of ranks, as rounding does";
+}
+
+void serve(RankEngine& ranks) {
+  for (;;) {
+    const Task task = task_of({}, ranks);
+    if (task.order == Order::stop) return;
+    if (task.order == Order::load) {
+      ranks.load(nullptr);
+      ranks.shares();
+    } else if (task.order == Order::run) {
+      ranks.run(task.steps, {});
+    } else if (task.order == Order::grains) {
+      ranks.grains();
+    } else {
+      ranks.grains();
+      ranks.contacts_of_grains();
+      ranks.contacts_of_walls();
+      ranks.shares();
+    }
+  }
+}
+
+}  // namespace diefill::process::cluster

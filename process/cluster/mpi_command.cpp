@@ -1,0 +1,83 @@
+#include "process/cluster/mpi_command.h"
+
+#include <netdb.h>
+
+#include <algorithm>
+#include <fstream>
+#include <sstream>
+#include <stdexcept>
+
+namespace diefill::process::cluster {
+
+namespace {
+
+std::string quoted(const std::string& word) {
+  constexpr const char* kPlain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-+=./:,@%";
+  if (!word.empty() && word.find_first_not_of(kPlain) == std::string::npos) return word;
+  std::string text = "'";
+  for (const char letter : word) text += letter == '\'' ? std::string("'\\''") : std::string(1, letter);
+  return text + "'";
+}
+
+bool is_known(const std::string& host) {
+  addrinfo* found = nullptr;
+  if (getaddrinfo(host.c_str(), nullptr, nullptr, &found) != 0) return false;
+  freeaddrinfo(found);
+  return true;
+}
+
+}  // namespace
+
+std::vector<std::string> mpirun_words(const RankCommand& command) {
+  // A run that is stopped gets a minute for its checkpoint.
+  std::vector<std::string> words = {
+      "mpirun", "-q", "-np", std::to_string(command.ranks), "--mca", "odls_base_sigkill_timeout", "60"};
+  if (command.as_root) words.push_back("--allow-run-as-root");
+  if (!command.hostfile.empty()) {
+    words.insert(words.end(), {"--hostfile", command.hostfile.string()});
+  } else if (command.ranks > command.cores) {
+    words.insert(words.end(), {"--oversubscribe", "--mca", "mpi_yield_when_idle", "1"});
+  }
+  words.push_back(command.program.string());
+  words.insert(words.end(), command.words.begin(), command.words.end());
+  return words;
+}
+
+void check_hosts(const std::filesystem::path& hostfile) {
+  std::ifstream file(hostfile);
+  if (!file) throw std::invalid_argument(hostfile.string() + ": the hostfile cannot be read");
+  std::string line;
+  bool any = false;
+  for (int number = 1; std::getline(file, line); ++number) {
+    std::istringstream words(line.substr(0, line.find('#')));
+    std::string host;
+    if (!(words >> host)) continue;
+    any = true;
+    if (!is_known(host))
+      throw std::invalid_argument(hostfile.string() + ":" + std::to_string(number) + ": no host \"" + host +
+                                  "\" is known to this machine; correct the name or remove the line");
+  }
+  if (!any) throw std::invalid_argument(hostfile.string() + ": the hostfile names no host");
+}
+
+std::string slurm_script(const RankCommand& command) {
+  std::string script =
+      "#!/bin/sh\n"
+      "# One filling on " +
+      std::to_string(command.ranks) +
+      " ranks. Submit with sbatch; after a time limit submit again: the run continues.\n"
+      "#SBATCH --job-name=diefill\n"
+      "#SBATCH --ntasks=" +
+      std::to_string(command.ranks) +
+      "\n"
+      "#SBATCH --time=24:00:00\n"
+      "#SBATCH --signal=INT@120\n"
+      "exec srun " +
+      quoted(command.program.string());
+  for (const std::string& word : command.words) script += ' ' + quoted(word);
+  const bool resumes =
+      std::find(command.words.begin(), command.words.end(), "--resume") != command.words.end();
+  return script + (resumes ? "\n" : " --resume\n");
+}
+
+}  // namespace diefill::process::cluster

@@ -1,0 +1,36 @@
+#include "process/cluster/rank_limits.h"
+
+#include "process/input/scene_error.h"
+#include "process/machine/free_motion.h"
+
+namespace diefill::process::cluster {
+
+namespace {
+
+/// Whether gravity has a part along a periodic axis: a grain that comes round would gain energy that nobody
+/// books.
+bool falls_round(const Scene& scene, const Eigen::Vector3d& gravity) {
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    if (scene.numerics.period[axis] && gravity[static_cast<Eigen::Index>(axis)] != 0) return true;
+  return false;
+}
+
+[[noreturn]] void refuse(const Scene& scene, const std::string& what, const std::string& remedy) {
+  throw SceneError(scene.file.string() + ": " + what + " is not supported on ranks (--ranks): " + remedy +
+                   ", or run without --ranks");
+}
+
+}  // namespace
+
+void refuse_what_ranks_cannot(const Scene& scene) {
+  if (scene.economy.sleep) refuse(scene, "economy.sleep", "remove the key");
+  if (scene.economy.carry_beyond) refuse(scene, "economy.carry_beyond", "remove the key");
+  if (scene.walls.kind == WallKind::mesh) refuse(scene, "walls.kind = \"mesh\"", "take \"spheres\"");
+  for (const auto& step : scene.steps)
+    if (free_motion_of(*step) != nullptr)
+      refuse(scene, "a tool that moves freely (\"" + step->description() + "\")", "prescribe its motion");
+  if (falls_round(scene, scene.gravity))
+    refuse(scene, "gravity along a periodic axis", "turn gravity or the period");
+}
+
+}  // namespace diefill::process::cluster

@@ -1,0 +1,11 @@
+// What runs on many ranks cannot do, said before any rank starts.
+#pragma once
+
+#include "process/scene/scene.h"
+
+namespace diefill::process::cluster {
+
+/// Throws SceneError naming the key of a scene that ranks do not support, and what to do.
+void refuse_what_ranks_cannot(const Scene& scene);
+
+}  // namespace diefill::process::cluster

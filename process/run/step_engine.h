@@ -1,0 +1,34 @@
+// The seam between a run and an engine other than the built-in one, as on many machines. The run's simulation
+// stays the one that is asked, changed and stored; such an engine computes its steps.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "engine/simulation/simulation.h"
+
+namespace diefill::process {
+
+/// Computes the steps of a simulation. Grains that come or go, laws, gravity and velocities that change are
+/// noticed by themselves.
+class StepEngine {
+ public:
+  virtual ~StepEngine() = default;
+
+  /// Takes `simulation` one step further. Until its step `look` nobody asks for grains, so that steps up to
+  /// there may be computed at once; time, tools, loads and overlaps are right after every step. Motions of
+  /// tools do not change before.
+  virtual void step(engine::Simulation& simulation, std::uint64_t look) = 0;
+  /// Brings grains to the present step, at a step that was looked at.
+  virtual void show_grains(engine::Simulation& simulation) = 0;
+  /// Contacts as well: all can be asked, changed and stored then.
+  virtual void show_contacts(engine::Simulation& simulation) = 0;
+  /// Whether that has been done at the present step.
+  virtual bool contacts_are_shown() const = 0;
+
+  /// For reports: "LAMMPS 20210929 on 4 ranks ...".
+  virtual std::string description() const = 0;
+  virtual int ranks() const = 0;
+};
+
+}  // namespace diefill::process

@@ -1,0 +1,73 @@
+// Command lines, scripts and forecasts of runs on ranks.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "process/cluster/mpi_command.h"
+#include "process/cluster/rank_forecast.h"
+
+namespace diefill::process::cluster {
+namespace {
+
+RankCommand command_on(int ranks) {
+  RankCommand command;
+  command.program = "/usr/bin/diefill-mpi";
+  command.ranks = ranks;
+  command.words = {"run", "my die.toml"};
+  command.cores = 4;
+  return command;
+}
+
+bool has(const std::vector<std::string>& words, const std::string& word) {
+  return std::find(words.begin(), words.end(), word) != words.end();
+}
+
+TEST(RankCommand, AsksForMoreRanksThanCoresOnlyOnThisMachine) {
+  RankCommand command = command_on(8);
+  EXPECT_TRUE(has(mpirun_words(command), "--oversubscribe"));
+  EXPECT_FALSE(has(mpirun_words(command_on(4)), "--oversubscribe"));
+  command.hostfile = "hosts";
+  EXPECT_FALSE(has(mpirun_words(command), "--oversubscribe"));
+  EXPECT_TRUE(has(mpirun_words(command), "hosts"));
+  EXPECT_FALSE(has(mpirun_words(command), "--allow-run-as-root"));
+}
+
+TEST(SlurmScript, QuotesWordsAndResumes) {
+  const std::string script = slurm_script(command_on(64));
+  EXPECT_NE(script.find("#SBATCH --ntasks=64\n"), std::string::npos);
+  EXPECT_NE(script.find("exec srun /usr/bin/diefill-mpi run 'my die.toml' --resume\n"), std::string::npos)
+      << script;
+}
+
+TEST(RankStep, OfOneRankIsThatOfItsSpheres) {
+  RankCosts costs;
+  costs.built_in_step = 2e-8;
+  const RankStep step = rank_step(1e5, 7, 1, costs);
+  EXPECT_EQ(step.ghosts, 0);
+  EXPECT_EQ(step.messages, 0);
+  EXPECT_DOUBLE_EQ(step.seconds, 7e5 * costs.slower * costs.built_in_step);
+}
+
+TEST(RankStep, GhostsAreTheLayerRoundACube) {
+  RankCosts costs;
+  costs.built_in_step = 2e-8;
+  // 1,000 grains a rank: a cube of 10 in a layer of 1.2.
+  const RankStep step = rank_step(64000, 7, 64, costs);
+  EXPECT_DOUBLE_EQ(step.own, 1000);
+  EXPECT_NEAR(step.ghosts, 12.4 * 12.4 * 12.4 - 1000, 1e-9);
+  EXPECT_NEAR(step.bytes, step.ghosts * 104, 1e-6);
+  EXPECT_DOUBLE_EQ(step.messages, 26 * 2 * 2 + 2 * 6);
+}
+
+TEST(GrainsThatPay, AreThereOnlyWithMoreRanksThanTheyAreSlower) {
+  RankCosts costs;
+  costs.built_in_step = 2e-8;
+  const int few = static_cast<int>(costs.slower);
+  EXPECT_EQ(grains_that_pay(7, few, 1, costs), 0);
+  const double pay = grains_that_pay(7, 64, 2, costs);
+  ASSERT_GT(pay, 0);
+  EXPECT_LT(rank_step(1.2 * pay, 7, 64, costs).seconds, 1.2 * pay * 7 * costs.built_in_step / 2);
+}
+
+}  // namespace
+}  // namespace diefill::process::cluster
