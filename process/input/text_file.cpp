@@ -9,6 +9,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr std::streamsize kPart = std::streamsize{1} << 20;  // bytes
+
 [[noreturn]] void refuse(const std::string& reason) {
   throw std::runtime_error(reason);
 }
@@ -39,12 +41,13 @@ std::string load_text_file(const fs::path& file, const TextFileKind& kind) {
   std::error_code error;
   if (fs::file_size(file, error) > kind.largest && !error) refuse(too_large);
   std::ifstream stream(file, std::ios::binary);
-  std::string text(kind.largest + 1, '\0');
-  stream.read(text.data(), static_cast<std::streamsize>(text.size()));
-  if (stream.bad() || (stream.fail() && !stream.eof()))
-    refuse("the file cannot be read; check its permissions");
-  text.resize(static_cast<std::size_t>(stream.gcount()));
-  if (text.size() > kind.largest) refuse(too_large);
+  // In parts: the limit may be gigabytes, and the size that was told may be out of date.
+  std::string text, part(static_cast<std::size_t>(kPart), '\0');
+  while (stream.read(part.data(), kPart) || stream.gcount() > 0) {
+    text.append(part, 0, static_cast<std::size_t>(stream.gcount()));
+    if (text.size() > kind.largest) refuse(too_large);
+  }
+  if (stream.bad() || !stream.eof()) refuse("the file cannot be read; check its permissions");
   return text;
 }
 
