@@ -30,7 +30,7 @@ LabPlan plan_confined_compression(const LabSetting& setting);
 /// Yield loci of adhesive beds in a shear cell (Kottlan 2018, section 2.7.4), their friction on a turning
 /// disc (section 2.7.5), and arching in a wedge hopper (section 3.4).
 LabPlan plan_shear_tester(const LabSetting& setting);
-LabPlan plan_wall_friction(const LabSetting& setting);
+LabPlan plan_disc_friction(const LabSetting& setting);
 LabPlan plan_wedge_hopper(const LabSetting& setting);
 /// Compression of the 33 beds of each published design: screening (Table 17), calibration over a large range
 /// (Table 18) and over the ranges of LH100 and LH220 (Table 8).

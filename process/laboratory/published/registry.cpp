@@ -51,7 +51,7 @@ const std::vector<SceneExperiment>& scene_experiments() {
        plan_confined_compression},
       {"shear_tester", "which yield locus, strength and flow function have adhesive beds under a vaned head?",
        plan_shear_tester},
-      {"wall_friction", "which angle of friction has powder on a turning disc?", plan_wall_friction},
+      {"disc_friction", "which angle of friction has powder on a turning disc?", plan_disc_friction},
       {"wedge_hopper", "does adhesive powder arch over the slot of a wedge hopper?", plan_wedge_hopper},
       {"lactose_screening", "which of twelve parameters change packing, compression and tension of beds?",
        plan_lactose_screening},

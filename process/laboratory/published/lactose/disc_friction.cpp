@@ -50,7 +50,7 @@ LabRun run_of(const DiscTest& one) {
                                      with_unit(0.98 * filled.force(kStresses[0]), "N") + ", on = \"disc\" }");
   set += line("step.turn.speed_limit", turns_a_minute(filled.turn_speed()));
   set += line("probe.disc.interval", with_unit(filled.seconds(kRow), "s"));
-  return {one.run(), "wall_friction.toml", {set, {}}};
+  return {one.run(), "disc_friction.toml", {set, {}}};
 }
 
 /// Mean over the rows near each stress while the disc turns, but for its first grain diameter.
@@ -94,7 +94,7 @@ using Role = results::ExperimentSeries::Role;
 
 results::ExperimentChart chart_of(const std::vector<DiscTest>& all, const SeedResults& seed) {
   results::ExperimentChart chart;
-  chart.name = "wall_friction";
+  chart.name = "disc_friction";
   chart.title = "Wall friction of lactose on a turning disc";
   chart.subtitle = "Spheres of one size, calibrated sets; lines through the origin (Kottlan 2018)";
   chart.x = {.label = "Normal stress [kPa]", .lower = 0, .upper = 3.5};
@@ -123,7 +123,7 @@ results::ExperimentChart chart_of(const std::vector<DiscTest>& all, const SeedRe
 
 }  // namespace
 
-LabPlan plan_wall_friction(const LabSetting& setting) {
+LabPlan plan_disc_friction(const LabSetting& setting) {
   const std::vector<DiscTest> all = all_of(setting.size);
   LabPlan plan;
   for (const DiscTest& one : all) {
