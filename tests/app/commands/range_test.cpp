@@ -54,7 +54,8 @@ gain = )" + gain + "\n");
 
 TEST(ValidRange, AGainFarTooHighStopsTheRun) {
   const SmallDie die;
-  // The default of 0.5 holds the force; at 0.05 m/s so does this one, as the limit of the speed bounds the oscillation.
+  // The default of 0.5 holds the force; at 0.05 m/s so does this one, as the limit of the speed bounds the
+  // oscillation.
   press(die, "20");
   die.exchange("speed_limit = \"0.05 m/s\"", "speed_limit = \"0.4 m/s\"");
   expect_stop(die, {"force control of piston is unstable", "STABILITY.md, force-controlled pistons",
