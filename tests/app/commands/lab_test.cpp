@@ -45,7 +45,7 @@ TEST(Lab, TheListNamesExperimentsWithScenesAndFamilies) {
   const Outcome outcome = run_program({"lab", "--list"});
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
   for (const char* name :
-       {"mean_fractions     12 published figures", "angle_of_repose", "stability:", "  mono_disperse:"})
+       {"mean_fractions     12 published figures", "angle_of_repose", "stability:", "  time_step:"})
     EXPECT_NE(outcome.out.find(name), std::string::npos) << name << "\n" << outcome.out;
 }
 
