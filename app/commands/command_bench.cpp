@@ -5,9 +5,11 @@
 #include <fstream>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <numeric>
 #include <optional>
 
-#include "app/commands/bench_trace.h"
+#include "app/commands/bench/bench_trace.h"
+#include "app/commands/bench/threads_and_copies.h"
 #include "app/commands/commands.h"
 #include "app/exit_code.h"
 #include "app/freed_memory.h"
@@ -31,9 +33,9 @@ struct BenchOptions {
   std::string bed, law = "bierwisch";
   std::optional<std::string> state, trace;
   double width = 0;  ///< mm, of the box that `state` fills; 0: that of its kind
-  int threads = 1, steps = 600, copies = 1, every = 100;
+  int threads = 1, steps = 600, copies = 1, every = 100, laps = 5;
   std::size_t spheres = 50000;
-  bool json = false;
+  bool json = false, against_copies = false;
 };
 
 /// Steps before timing: the first searches and page faults are not typical of a run.
@@ -63,8 +65,23 @@ double touching_grain_pairs(const engine::Simulation& simulation) {
   return static_cast<double>(touching);
 }
 
+/// Where the time of several threads went in `steps` steps of `seconds` since time_loops().
+void add_loop_figures(const engine::Simulation& simulation, double seconds, int steps,
+                      nlohmann::ordered_json& figures) {
+  const engine::LoopTimes times = simulation.loop_times();
+  const double threads = simulation.settings().threads;
+  const double busy = std::accumulate(times.busy.begin(), times.busy.end(), 0.0);
+  const bool shared = threads > 1;
+  figures["serial_share"] = shared ? 1 - times.loops / seconds : 1;
+  figures["waiting_share"] = shared ? times.loops / seconds - busy / (threads * seconds) : 0;
+  figures["blocks"] = simulation.neighbours().blocks().size();
+  figures["bytes_per_step"] = engine::bytes_moved_per_step(simulation);
+  figures["seconds_per_step"] = seconds / steps;
+}
+
 /// Figures of `steps` steps from now on.
 nlohmann::ordered_json timed(engine::Simulation& simulation, int steps, double bytes) {
+  simulation.time_loops();
   const auto before = simulation.timers().seconds();
   const auto searches = simulation.searches();
   const std::clock_t clock = std::clock();
@@ -92,6 +109,7 @@ nlohmann::ordered_json timed(engine::Simulation& simulation, int steps, double b
       static_cast<double>(steps) / std::max(1.0, static_cast<double>(simulation.searches() - searches));
   figures["bytes_per_sphere"] = bytes / spheres;
   figures["bytes_moved_per_sphere_step"] = engine::bytes_moved_per_step(simulation) / spheres;
+  add_loop_figures(simulation, seconds, steps, figures);
   char hash[32];
   std::snprintf(hash, sizeof hash, "%016llx", static_cast<unsigned long long>(simulation.hash()));
   figures["state_hash"] = hash;
@@ -146,7 +164,25 @@ process::laboratory::RaceBedState wanted_bed(const BenchOptions& options) {
   return bed;
 }
 
+/// The same measurement with the words of the command line.
+int against_copies(const BenchOptions& options) {
+  CopiesRace race;
+  race.words = {"bench", options.bed, "--law", options.law, "--steps", std::to_string(options.steps)};
+  if (options.state) {
+    race.words.insert(race.words.end(),
+                      {"--state", *options.state, "--copies", std::to_string(options.copies)});
+    if (options.width > 0) race.words.insert(race.words.end(), {"--width", std::to_string(options.width)});
+  } else {
+    race.words.insert(race.words.end(), {"--spheres", std::to_string(options.spheres)});
+  }
+  race.threads = options.threads;
+  race.laps = options.laps;
+  race.json = options.json;
+  return race_against_copies(race);
+}
+
 int bench(const BenchOptions& options) {
+  if (options.against_copies) return against_copies(options);
   give_back_freed_memory();
   const double before = resident_bytes();
   std::optional<engine::Simulation> simulation;
@@ -197,6 +233,12 @@ void add_bench(CLI::App& program, Action& chosen) {
       ->check(CLI::Range(1000, 20000000));
   command->add_option("--threads", options->threads, "threads")->check(CLI::Range(1, 1024));
   command->add_option("--steps", options->steps, "steps to time")->check(CLI::Range(1, 100000000));
+  auto* copies =
+      command->add_flag("--against-copies", options->against_copies,
+                        "time N threads and N pinned programs of one thread in turns (N: --threads)");
+  command->add_option("--laps", options->laps, "laps of --against-copies")
+      ->check(CLI::Range(1, 1000))
+      ->needs(copies);
   command->add_flag("--json", options->json, "print JSON");
   command->footer(
       "Examples:\n  diefill bench clumps\n  diefill bench spheres --law hertz-mindlin --threads 2 --json\n"

@@ -4,8 +4,15 @@
 
 #include <cstddef>
 #include <memory>
+#include <vector>
 
 namespace diefill::engine {
+
+/// Where the time of shared loops goes, s of wall-clock time.
+struct LoopTimes {
+  double loops = 0;          ///< from begin to end of each loop
+  std::vector<double> busy;  ///< in actions, of each worker; the rest of `loops` it waited
+};
 
 /// Runs independent tasks on a fixed number of threads.
 class ThreadPool {
@@ -15,6 +22,11 @@ class ThreadPool {
   ThreadPool(ThreadPool&&) noexcept;
   ThreadPool& operator=(ThreadPool&&) noexcept;
   int threads() const { return threads_; }
+
+  /// Loops are timed from now on, at two readings of the clock an action. Without it they cost nothing.
+  void time_loops();
+  /// Since time_loops(); nothing without it.
+  LoopTimes loop_times() const;
 
   /// Calls action(k) for k in [0, count), each once; order and thread are unspecified. Throws what an action
   /// throws.

@@ -11,6 +11,10 @@ Simulation::Simulation(const SimulationSettings& settings, std::vector<WallBodyS
   sort_and_search(state_, *policy_);
 }
 
+Simulation::~Simulation() = default;
+Simulation::Simulation(Simulation&&) noexcept = default;
+Simulation& Simulation::operator=(Simulation&&) noexcept = default;
+
 Eigen::Vector3d Simulation::angular_velocity(std::size_t k) const {
   return rotation_matrix(state_.grains.orientation_of(k)) * state_.grains.spin[k];
 }

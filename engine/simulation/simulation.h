@@ -28,6 +28,10 @@ class Simulation {
  public:
   /// Throws std::invalid_argument when the time step, the shape, the kinds or a period cannot work.
   Simulation(const SimulationSettings& settings, std::vector<WallBodySpec> walls);
+  // Defined in the source: every file that names a simulation would compile them again.
+  ~Simulation();
+  Simulation(Simulation&&) noexcept;
+  Simulation& operator=(Simulation&&) noexcept;
 
   /// One time step (Bierwisch 2009, section 2.2). Throws OutOfRange when grains have flown beyond all bounds,
   /// where no contacts can be searched.
@@ -104,6 +108,9 @@ class Simulation {
   const DeepestOverlap& overlaps_of_run() const { return state_.overlap_of_run; }
   const Ledger& ledger() const { return state_.ledger; }
   const PhaseTimers& timers() const { return state_.timers; }
+  /// From now on loop_times() tells how long each worker was busy (ThreadPool::time_loops).
+  void time_loops() { state_.pool.time_loops(); }
+  LoopTimes loop_times() const { return state_.pool.loop_times(); }
 
  private:
   template <class Change>

@@ -10,7 +10,7 @@
 #include "engine/powder/rigid_motion.h"
 #include "process/continuum/kinematic_model.h"
 #include "process/laboratory/published/experiments.h"
-#include "process/laboratory/published/slit_scene.h"
+#include "process/laboratory/published/bierwisch/slit_scene.h"
 #include "process/laboratory/stability/pair_encounter.h"
 #include "process/laboratory/stability/trial.h"
 

@@ -6,8 +6,8 @@
 #include <limits>
 
 #include "process/laboratory/published/experiments.h"
-#include "process/laboratory/published/repose_scene.h"
-#include "process/laboratory/published/slit_scene.h"
+#include "process/laboratory/published/bierwisch/repose_scene.h"
+#include "process/laboratory/published/bierwisch/slit_scene.h"
 #include "process/measure/figures/heap_slope.h"
 #include "process/results/figure_table.h"
 #include "process/tradeoff/quantities.h"

@@ -7,6 +7,7 @@
 #include <sstream>
 #include <string>
 
+#include "app/commands/bench/more_threads.h"
 #include "tests/app/small_die.h"
 
 namespace diefill::app {
@@ -46,6 +47,38 @@ TEST(Bench, ReadsABedAndCountsItsContacts) {
   EXPECT_GT(figures["bytes_moved_per_sphere_step"], 100);
   EXPECT_EQ(figures["nanoseconds_per_sphere_step"].size(), 4U);
   EXPECT_EQ(bench(die, "2")["state_hash"], figures["state_hash"]);
+}
+
+TEST(Bench, RacesThreadsAgainstCopies) {
+  SmallDie die;
+  die.write("bed.csv", columns_of_spheres());
+  const std::vector<std::string> words = {
+      "bench",   "spheres", "--state",         (die.folder() / "bed.csv").string(),
+      "--steps", "20",      "--against-copies"};
+  auto alone = words;
+  alone.insert(alone.end(), {"--threads", "1", "--laps", "2", "--json"});
+  const Outcome outcome = run_program(alone);
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  const auto race = nlohmann::json::parse(outcome.out);
+  ASSERT_EQ(race["laps"].size(), 2U);
+  for (const auto& lap : race["laps"])
+    EXPECT_DOUBLE_EQ(lap["ratio"].get<double>(), lap["threads"].get<double>() / lap["copies"].get<double>());
+  EXPECT_EQ(race["foretold"][1]["threads"], 64);
+
+  auto too_many = words;
+  too_many.insert(too_many.end(), {"--threads", "1024"});
+  const Outcome refused = run_program(too_many);
+  EXPECT_EQ(refused.exit_code, 2);
+  EXPECT_NE(refused.err.find("--threads 1024 needs as many processors, found: "), std::string::npos)
+      << refused.err;
+}
+
+// A tenth of the step on two threads is serial, nothing waits: 0.1 + 1.8 / N of its time.
+TEST(Bench, ForetellsMoreThreadsByAmdahlsLawAndWholeBlocks) {
+  const StepCounts counts = {2, 1e-3, 0.1, 0, 160, 1e6};
+  EXPECT_NEAR(foretell(counts, 16).speedup, 1.9 / (0.1 + 1.8 / 16), 1e-12);
+  EXPECT_NEAR(foretell(counts, 64).speedup, 1.9 / (0.1 + 1.8 * 3 / 160), 1e-12);
+  EXPECT_NEAR(foretell(counts, 16).bytes_per_second, 1e9 / (0.1 + 1.8 / 16), 1e-3);
 }
 
 // A grain in free flight, in the middle of a box that the user names.

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <limits>
 
-#include "process/laboratory/published/bulk_curves.h"
+#include "process/laboratory/published/dosta/bulk_curves.h"
 #include "process/laboratory/published/experiments.h"
 #include "process/laboratory/published/lab_powder.h"
 

@@ -1,7 +1,7 @@
 #include "process/laboratory/published/lactose/pressed_bed.h"
 
 #include "process/laboratory/published/bed_window.h"
-#include "process/laboratory/published/bulk_curves.h"
+#include "process/laboratory/published/dosta/bulk_curves.h"
 
 namespace diefill::process::laboratory {
 namespace {

@@ -5,7 +5,7 @@
 #include <limits>
 #include <numbers>
 
-#include "process/laboratory/published/bulk_curves.h"
+#include "process/laboratory/published/dosta/bulk_curves.h"
 #include "process/laboratory/published/lab_powder.h"
 
 namespace diefill::process::laboratory {

@@ -8,9 +8,9 @@
 #include <cmath>
 #include <numbers>
 
-#include "process/laboratory/published/bulk_curves.h"
+#include "process/laboratory/published/dosta/bulk_curves.h"
 #include "process/laboratory/published/experiments.h"
-#include "process/laboratory/published/hopper_design.h"
+#include "process/laboratory/published/lactose/hopper_design.h"
 #include "process/laboratory/published/lab_powder.h"
 #include "process/laboratory/published/lactose/adhesive_bed.h"
 

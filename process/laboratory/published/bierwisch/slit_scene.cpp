@@ -1,4 +1,4 @@
-#include "process/laboratory/published/slit_scene.h"
+#include "process/laboratory/published/bierwisch/slit_scene.h"
 
 #include <algorithm>
 #include <cmath>

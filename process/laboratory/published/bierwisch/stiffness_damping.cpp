@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "process/laboratory/published/experiments.h"
-#include "process/laboratory/published/slit_scene.h"
+#include "process/laboratory/published/bierwisch/slit_scene.h"
 #include "process/results/figure_table.h"
 
 namespace diefill::process::laboratory {

@@ -1,4 +1,4 @@
-#include "process/laboratory/published/bulk_curves.h"
+#include "process/laboratory/published/dosta/bulk_curves.h"
 
 #include <algorithm>
 #include <cstdlib>

@@ -4,7 +4,7 @@
 // 40,000 grains in place of 100,000.
 #include <cmath>
 
-#include "process/laboratory/published/bulk_curves.h"
+#include "process/laboratory/published/dosta/bulk_curves.h"
 #include "process/laboratory/published/experiments.h"
 #include "process/laboratory/published/lab_powder.h"
 

@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "process/laboratory/published/experiments.h"
-#include "process/laboratory/published/slit_scene.h"
+#include "process/laboratory/published/bierwisch/slit_scene.h"
 #include "process/results/figure_table.h"
 
 namespace diefill::process::laboratory {

@@ -1,6 +1,6 @@
 // The wedge hopper that Jenike's procedure gives for the published shear test of the powder of the hopper
 // (Kottlan 2018, section 3.4, Table 15, predicted): pre-shear above the yield locus, wall angle measured.
-#include "process/laboratory/published/hopper_design.h"
+#include "process/laboratory/published/lactose/hopper_design.h"
 
 #include "process/laboratory/published/experiments.h"
 

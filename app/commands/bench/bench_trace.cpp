@@ -1,4 +1,4 @@
-#include "app/commands/bench_trace.h"
+#include "app/commands/bench/bench_trace.h"
 
 #include <cstdio>
 #include <string>

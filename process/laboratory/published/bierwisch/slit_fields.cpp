@@ -7,7 +7,7 @@
 #include <map>
 
 #include "process/laboratory/published/experiments.h"
-#include "process/laboratory/published/slit_scene.h"
+#include "process/laboratory/published/bierwisch/slit_scene.h"
 
 namespace diefill::process::laboratory {
 namespace {

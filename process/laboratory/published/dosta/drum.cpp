@@ -3,7 +3,7 @@
 // size ends after 0.1 s, the medium one after 1 s.
 #include <cmath>
 
-#include "process/laboratory/published/bulk_curves.h"
+#include "process/laboratory/published/dosta/bulk_curves.h"
 #include "process/laboratory/published/experiments.h"
 #include "process/laboratory/published/lab_powder.h"
 

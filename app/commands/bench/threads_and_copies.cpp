@@ -1,0 +1,168 @@
+#include "app/commands/bench/threads_and_copies.h"
+
+#include <sched.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <thread>
+
+#include "app/commands/bench/more_threads.h"
+#include "app/exit_code.h"
+#include "process/compare/child_process.h"
+#include "process/input/scene_error.h"
+
+namespace diefill::app {
+
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::ordered_json;
+
+/// Processors that this program may use.
+std::vector<int> own_processors() {
+  cpu_set_t allowed;
+  CPU_ZERO(&allowed);
+  if (sched_getaffinity(0, sizeof allowed, &allowed) != 0) return {};
+  std::vector<int> processors;
+  for (int k = 0; k < CPU_SETSIZE; ++k)
+    if (CPU_ISSET(k, &allowed)) processors.push_back(k);
+  return processors;
+}
+
+/// Of a race, removed at its end.
+class Folder {
+ public:
+  Folder() : path_(fs::temp_directory_path() / ("diefill-bench-" + std::to_string(getpid()))) {
+    fs::create_directories(path_);
+  }
+  ~Folder() {
+    std::error_code ignored;
+    fs::remove_all(path_, ignored);
+  }
+  Folder(const Folder&) = delete;
+  Folder& operator=(const Folder&) = delete;
+  fs::path log(std::size_t k) const { return path_ / std::to_string(k); }
+
+ private:
+  fs::path path_;
+};
+
+std::string list_of(const std::vector<int>& processors) {
+  std::string list;
+  for (const int processor : processors) list += (list.empty() ? "" : ",") + std::to_string(processor);
+  return list;
+}
+
+/// The command of a measurement on `processors`.
+std::vector<std::string> pinned(const CopiesRace& race, const std::vector<int>& processors, int threads) {
+  std::vector<std::string> words = {"taskset", "-c", list_of(processors),
+                                    fs::read_symlink("/proc/self/exe").string()};
+  words.insert(words.end(), race.words.begin(), race.words.end());
+  words.insert(words.end(), {"--threads", std::to_string(threads), "--json"});
+  return words;
+}
+
+/// What each of `commands` prints, run at the same time.
+std::vector<ordered_json> measured(const std::vector<std::vector<std::string>>& commands) {
+  const Folder folder;
+  std::vector<std::unique_ptr<process::ChildProcess>> running;
+  for (std::size_t k = 0; k < commands.size(); ++k)
+    running.push_back(std::make_unique<process::ChildProcess>(commands[k], folder.log(k)));
+  std::vector<ordered_json> figures;
+  for (std::size_t k = 0; k < commands.size(); ++k) {
+    while (!running[k]->ended()) std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    std::ifstream log(folder.log(k));
+    std::stringstream text;
+    text << log.rdbuf();
+    if (*running[k]->ended() != 0) throw std::runtime_error("bench: a measurement failed: " + text.str());
+    figures.push_back(ordered_json::parse(text.str()));
+  }
+  return figures;
+}
+
+double rate(const ordered_json& figures) {
+  return figures.at("sphere_steps_per_second").get<double>();
+}
+
+double median(std::vector<double> values) {
+  std::sort(values.begin(), values.end());
+  const std::size_t half = values.size() / 2;
+  return values.size() % 2 == 1 ? values[half] : 0.5 * (values[half - 1] + values[half]);
+}
+
+double median_of(const ordered_json& laps, const char* name) {
+  std::vector<double> values;
+  for (const auto& lap : laps) values.push_back(lap.at(name).get<double>());
+  return median(values);
+}
+
+/// One lap: the threads, then the copies.
+ordered_json lap_of(const CopiesRace& race, const std::vector<int>& processors) {
+  const ordered_json threads = measured({pinned(race, processors, race.threads)}).front();
+  std::vector<std::vector<std::string>> copies;
+  for (const int processor : processors) copies.push_back(pinned(race, {processor}, 1));
+  double together = 0;
+  for (const ordered_json& copy : measured(copies)) together += rate(copy);
+  ordered_json lap;
+  lap["threads"] = rate(threads);
+  lap["copies"] = together;
+  lap["ratio"] = rate(threads) / together;
+  for (const char* name : {"serial_share", "waiting_share", "blocks", "bytes_per_step", "seconds_per_step"})
+    lap[name] = threads.at(name);
+  return lap;
+}
+
+void print(const ordered_json& outcome, int threads) {
+  for (const auto& lap : outcome.at("laps"))
+    std::printf("%d threads %.2f, copies %.2f million sphere-steps/s, ratio %.3f\n", threads,
+                1e-6 * lap.at("threads").get<double>(), 1e-6 * lap.at("copies").get<double>(),
+                lap.at("ratio").get<double>());
+  std::printf("median ratio: %.3f\n", outcome.at("ratio").get<double>());
+  std::printf("of the time of all threads: %.1f %% in serial parts, %.1f %% waiting in loops\n",
+              100 * outcome.at("serial_share").get<double>(),
+              100 * outcome.at("waiting_share").get<double>());
+  for (const auto& more : outcome.at("foretold"))
+    std::printf("%d threads, foretold from these counts: at most %.1f times one, if memory gives %.0f GB/s\n",
+                more.at("threads").get<int>(), more.at("speedup").get<double>(),
+                1e-9 * more.at("bytes_per_second").get<double>());
+}
+
+}  // namespace
+
+int race_against_copies(const CopiesRace& race) {
+  std::vector<int> processors = own_processors();
+  if (static_cast<int>(processors.size()) < race.threads)
+    throw process::SceneError("bench: --against-copies with --threads " + std::to_string(race.threads) +
+                              " needs as many processors, found: " + std::to_string(processors.size()) +
+                              "; use fewer threads");
+  processors.resize(static_cast<std::size_t>(race.threads));
+  ordered_json outcome;
+  for (int lap = 0; lap < race.laps; ++lap) outcome["laps"].push_back(lap_of(race, processors));
+  for (const char* name : {"ratio", "serial_share", "waiting_share"})
+    outcome[name] = median_of(outcome["laps"], name);
+  const StepCounts counts = {race.threads,
+                             median_of(outcome["laps"], "seconds_per_step"),
+                             outcome["serial_share"].get<double>(),
+                             outcome["waiting_share"].get<double>(),
+                             outcome["laps"][0]["blocks"].get<double>(),
+                             outcome["laps"][0]["bytes_per_step"].get<double>()};
+  for (const int more : {16, 64}) {
+    const Foretold foretold = foretell(counts, more);
+    outcome["foretold"].push_back(
+        {{"threads", more}, {"speedup", foretold.speedup}, {"bytes_per_second", foretold.bytes_per_second}});
+  }
+  if (race.json)
+    std::printf("%s\n", outcome.dump(2).c_str());
+  else
+    print(outcome, race.threads);
+  return kDone;
+}
+
+}  // namespace diefill::app

@@ -1,0 +1,23 @@
+// N threads on one bed against N programs of one thread each: what threads lose to serial parts, to waiting
+// and to memory that they share.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace diefill::app {
+
+/// A measurement of this program to be repeated.
+struct CopiesRace {
+  std::vector<std::string> words;  ///< of `diefill bench`, without threads
+  int threads = 2;
+  int laps = 5;
+  bool json = false;
+};
+
+/// Runs threads and copies in turns, each pinned to the same processors, and prints every lap, the medians,
+/// and what the counts foretell for more processors. Throws SceneError where this machine has fewer
+/// processors than threads, std::runtime_error where a measurement fails.
+int race_against_copies(const CopiesRace& race);
+
+}  // namespace diefill::app
