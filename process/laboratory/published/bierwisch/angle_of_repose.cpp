@@ -90,7 +90,7 @@ double drift(const SeedResults& seed, const std::string& run) {
   return sum / count / first.grain_diameter / (second.time - first.time);
 }
 
-/// Highest grain in columns 2 d wide, mm.
+/// Highest grain in columns 2 d wide, mm; the line breaks where a column has none.
 results::ExperimentSeries surface_of(const std::string& name, const results::PowderState& powder) {
   const double width = 2 * powder.grain_diameter;
   std::map<long, double> top;
@@ -99,7 +99,13 @@ results::ExperimentSeries surface_of(const std::string& name, const results::Pow
     highest = std::max(highest, place[2]);
   }
   results::ExperimentSeries series{.name = name, .x = {}, .y = {}};
+  long before = top.empty() ? 0 : top.begin()->first;
   for (const auto& [column, height] : top) {
+    if (column > before + 1) {
+      series.x.push_back(1e3 * static_cast<double>(column - 1) * width);
+      series.y.push_back(std::numeric_limits<double>::quiet_NaN());
+    }
+    before = column;
     series.x.push_back(1e3 * static_cast<double>(column) * width);
     series.y.push_back(1e3 * height);
   }
@@ -111,11 +117,16 @@ results::ExperimentChart chart_of(const std::vector<Model>& models, const SeedRe
   chart.name = "angle_of_repose";
   chart.title = "Surfaces of the heaps on slider and floor";
   chart.subtitle =
-      "Highest grain in columns of 2 d, one seed; slider above 0 mm; published angles in the table";
+      "Highest grain in columns of 2 d, one seed; slider above 0 mm; heaps that creep 2 s after the draw; "
+      "published angles in the table";
   chart.x = {.label = "x [mm]"};
   chart.y = {.label = "Height over the slider [mm]"};
-  for (const Model& model : models)
-    if (seed.has(model.name)) chart.series.push_back(surface_of(model.name, seed.of(model.name).powder));
+  for (const Model& model : models) {
+    if (!seed.has(model.name)) continue;
+    const bool creeps = *model.creep != '\0';
+    const auto& powder = creeps ? seed.at(model.name, "second").powder : seed.of(model.name).powder;
+    chart.series.push_back(surface_of(model.name, powder));
+  }
   return chart;
 }
 
