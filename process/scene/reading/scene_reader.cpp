@@ -3,6 +3,7 @@
 #include "process/scene/contact_spec.h"
 #include "process/scene/powder_file.h"
 #include "process/scene/reading/free_tools.h"
+#include "process/scene/reading/graded_pour.h"
 #include "process/scene/reading/sections.h"
 #include "process/scene/scene.h"
 #include "process/scene/scene_text.h"
@@ -49,10 +50,12 @@ Eigen::Vector3d read_gravity(TableReader& document) {
 Scene scene_of(toml::table& parsed, const std::string& text, const std::filesystem::path& file) {
   const toml::table empty;
   const bool stands_in_two_files = take_powder_file(parsed, file);
+  const std::string stated = stands_in_two_files ? as_comment(chosen_in(text)) + scene_text_of(parsed) : text;
+  put_graded_pour(parsed, file);
   TableReader document(parsed, file, "");
   Scene scene;
   scene.file = file;
-  scene.text = stands_in_two_files ? as_comment(chosen_in(text)) + scene_text_of(parsed) : text;
+  scene.text = stated;
   scene.title = document.text("title").value_or(file.stem().string());
   scene.seed = static_cast<std::uint64_t>(document.integer("seed", 0, INT64_MAX).value_or(1));
   scene.gravity = read_gravity(document);
