@@ -45,6 +45,7 @@ EXPERIMENTS = {
     "vertical_mixer": "MIX-(peak|shift|lin|M[123]|liq|jkr1|jkr23|Dd)",
     "wall_friction": "W0[12]",
     "ring_levels": "M0[12]",
+    "ring_maps": "M07|M23",
 }
 # Rows that a family of experiments with a table of its own measures.
 FAMILIES = {
@@ -159,6 +160,8 @@ CRITERIA = {
     "W02": ("smallest rise of mu_eff from one spacing to the next", "1", 0, None),
     "M01": ("mean level, smaller less larger grains in one ring", "mm", 0, None),
     "M02": ("difference of mean levels over their mean, rings widened by 1.4 d", "1", None, 0.05),
+    "M07": ("fraction at 180 deg after two passages at 0.2 m/s less that after one at 0.09 m/s", "1", 0.003, None),
+    "M23": ("filled mass without shaking over that with it", "1", None, 0.5),
     "M08": ("rise of upper less lower third from two to six passages", "1", 0.003, None),
     "M12": ("rise of the mean fraction, passages 4 to 6 over 2 to 4", "1", None, 1),
 }

@@ -75,6 +75,7 @@ LabPlan plan_wall_friction(const LabSetting& setting);
 LabPlan plan_wall_discharge(const LabSetting& setting);
 /// Filling level of a narrow ring over azimuth and grain size (Bierwisch 2009, section 6.1, E16).
 LabPlan plan_ring_levels(const LabSetting& setting);
+LabPlan plan_ring_maps(const LabSetting& setting);
 /// Scatter of the discharge over packings (section 4.2.1, E10).
 LabPlan plan_packing_scatter(const LabSetting& setting);
 

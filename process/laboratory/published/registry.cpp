@@ -29,6 +29,8 @@ const std::vector<SceneExperiment>& scene_experiments() {
       {"wall_discharge", "do friction and spacing of wall spheres change the discharge of the moving shoe?",
        plan_wall_discharge},
       {"ring_levels", "does the filling level of a narrow ring depend on the grain size?", plan_ring_levels},
+      {"ring_maps", "does a second passage densify the far side, and does powder arch unless the shoe shakes?",
+       plan_ring_maps},
       {"uniaxial_compression", "does a pressed bed of enlarged spheres resist like the original?",
        plan_uniaxial_compression},
       {"mono_disperse_beds", "how does rolling resistance reduce the density of cohesive spheres?",

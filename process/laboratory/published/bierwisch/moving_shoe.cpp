@@ -1,8 +1,8 @@
 // Discharge of the moving shoe against what the transient discharge of the hopper predicts (Bierwisch 2009,
 // section 5.2.2, Eq. 5.17 with Table 5.2): model D, friction 0.5, no cohesion, a shoe of 32 mm. Coarse grains
 // have wider slits as in shoe_discharge.cpp.
-#include "process/laboratory/published/experiments.h"
 #include "process/laboratory/published/bierwisch/slit_scene.h"
+#include "process/laboratory/published/experiments.h"
 
 namespace diefill::process::laboratory {
 namespace {

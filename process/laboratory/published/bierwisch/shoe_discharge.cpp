@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "process/laboratory/published/experiments.h"
 #include "process/laboratory/published/bierwisch/slit_scene.h"
+#include "process/laboratory/published/experiments.h"
 
 namespace diefill::process::laboratory {
 namespace {

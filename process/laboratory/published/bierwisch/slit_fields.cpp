@@ -6,8 +6,8 @@
 #include <limits>
 #include <map>
 
-#include "process/laboratory/published/experiments.h"
 #include "process/laboratory/published/bierwisch/slit_scene.h"
+#include "process/laboratory/published/experiments.h"
 
 namespace diefill::process::laboratory {
 namespace {

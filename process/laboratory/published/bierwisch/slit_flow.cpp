@@ -5,8 +5,8 @@
 #include <cmath>
 #include <limits>
 
-#include "process/laboratory/published/experiments.h"
 #include "process/laboratory/published/bierwisch/slit_scene.h"
+#include "process/laboratory/published/experiments.h"
 #include "process/results/figure_table.h"
 
 namespace diefill::process::laboratory {

@@ -2,8 +2,8 @@
 // 4.2.3); the source's results are not in the tree, so that the rows have no published value.
 #include <cmath>
 
-#include "process/laboratory/published/experiments.h"
 #include "process/laboratory/published/bierwisch/slit_scene.h"
+#include "process/laboratory/published/experiments.h"
 #include "process/results/figure_table.h"
 
 namespace diefill::process::laboratory {

@@ -8,9 +8,9 @@
 #include <cmath>
 #include <limits>
 
+#include "process/laboratory/published/bierwisch/slit_scene.h"
 #include "process/laboratory/published/dosta/bulk_curves.h"
 #include "process/laboratory/published/experiments.h"
-#include "process/laboratory/published/bierwisch/slit_scene.h"
 #include "process/results/figure_table.h"
 
 namespace diefill::process::laboratory {

@@ -10,9 +10,9 @@
 
 #include "process/laboratory/published/dosta/bulk_curves.h"
 #include "process/laboratory/published/experiments.h"
-#include "process/laboratory/published/lactose/hopper_design.h"
 #include "process/laboratory/published/lab_powder.h"
 #include "process/laboratory/published/lactose/adhesive_bed.h"
+#include "process/laboratory/published/lactose/hopper_design.h"
 
 namespace diefill::process::laboratory {
 namespace {

@@ -1,0 +1,92 @@
+// Maps of the narrow ring that a comparison of strategies does not hold (Bierwisch 2009, sections 6.3
+// and 6.5): two passages at 0.2 m/s against one at 0.09 m/s, and volumetric filling with and without the
+// shaking shoe. Coarse: d = 1.88 mm; the other sizes: 0.94 mm.
+#include <cmath>
+#include <numbers>
+
+#include "process/laboratory/published/experiments.h"
+#include "process/laboratory/published/lab_powder.h"
+#include "process/results/figure_table.h"
+
+namespace diefill::process::laboratory {
+namespace {
+
+constexpr const char* kSlow = "one passage at 0.09 m per s";
+constexpr const char* kTwo = "two passages at 0.2 m per s";
+constexpr const char* kShaken = "volumetric, shoe shaken";
+constexpr const char* kStill = "volumetric, shoe at rest";
+
+std::string size_keys(const LabSetting& setting) {
+  const std::string size = setting.size == LabSize::coarse ? "1.88" : "0.94";
+  return line("powder.grain_diameter", '"' + size + " mm\"") +
+         line("tool.die.file", "\"../narrow_ring/die_d" + size + ".stl\"") +
+         line("tool.\"lower punch\".file", "\"../narrow_ring/punch_d" + size + ".stl\"") +
+         line("tool.\"core rod\".file", "\"../narrow_ring/core_rod.stl\"") +
+         line("walls.spacing", setting.size == LabSize::coarse ? "2.4" : "1.6");
+}
+
+LabRun passages(const LabSetting& setting, const char* name, const char* speed, int count) {
+  LabRun run{name, "../narrow_ring/fill.toml", {}};
+  run.changes.set = size_keys(setting) + line("tool.shoe.file", "\"../narrow_ring/shoe_low.stl\"") +
+                    line("step.1.velocity", speed) + line("step.1.passages", std::to_string(count));
+  return run;
+}
+
+/// A millionth of a millimetre stands for no shaking.
+LabRun volumetric(const LabSetting& setting, const char* name, const char* amplitude) {
+  LabRun run{name, "../narrow_ring/strategies/volumetric.toml", {}};
+  run.changes.set = size_keys(setting) + line("tool.shoe.file", "\"../narrow_ring/shoe_low.stl\"") +
+                    line("step.2.amplitude", amplitude);
+  return run;
+}
+
+/// Solid fraction at an azimuth, from the mean and the first two harmonics.
+double fraction_at(const results::FillResult& result, double degrees) {
+  double fraction = results::figure_of(result, "solid_fraction_mean");
+  for (int order = 1; order <= 2; ++order) {
+    const std::string name = "solid_fraction_harmonic_" + std::to_string(order);
+    const double place = results::figure_of(result, name + "_azimuth_deg");
+    fraction +=
+        results::figure_of(result, name) * std::cos(order * (degrees - place) * std::numbers::pi / 180);
+  }
+  return fraction;
+}
+
+double mass(const SeedResults& seed, const char* run) {
+  return results::figure_of(seed.of(run), "filled_mass_kg");
+}
+
+LabQuantity of_one(const char* quantity, const char* unit, const char* run, const char* figure,
+                   double scale) {
+  return {.id = std::string(figure) + ", " + run,
+          .quantity = std::string(quantity) + ", " + run,
+          .unit = unit,
+          .runs = {run},
+          .value = [=](const SeedResults& seed) { return scale * results::figure_of(seed.of(run), figure); }};
+}
+
+}  // namespace
+
+LabPlan plan_ring_maps(const LabSetting& setting) {
+  LabPlan plan;
+  plan.runs = {passages(setting, kSlow, "\"0.09 m/s\"", 1), passages(setting, kTwo, "\"0.2 m/s\"", 2),
+               volumetric(setting, kShaken, "\"1 mm\""), volumetric(setting, kStill, "\"0.000001 mm\"")};
+  plan.quantities.push_back(
+      {.id = "M07", .quantity = "", .unit = "", .runs = {kSlow, kTwo}, .value = [](const SeedResults& seed) {
+         constexpr double kFarSide = 180;  // deg, where the shoe leaves
+         return fraction_at(seed.of(kTwo), kFarSide) - fraction_at(seed.of(kSlow), kFarSide);
+       }});
+  plan.quantities.push_back(
+      {.id = "M23",
+       .quantity = "",
+       .unit = "",
+       .runs = {kShaken, kStill},
+       .value = [](const SeedResults& seed) { return mass(seed, kStill) / mass(seed, kShaken); }});
+  for (const char* run : {kSlow, kTwo, kShaken, kStill}) {
+    plan.quantities.push_back(of_one("filled mass", "g", run, "filled_mass_kg", 1e3));
+    plan.quantities.push_back(of_one("mean solid fraction", "1", run, "solid_fraction_mean", 1));
+  }
+  return plan;
+}
+
+}  // namespace diefill::process::laboratory
