@@ -14,6 +14,7 @@ constexpr double kJustBelow = 2e-4;  // m below the fill plane, where openings a
 constexpr double kPlaces = 2500;     // wanted in all openings together
 constexpr double kMostWork = 2e7;    // places times pieces of outline
 constexpr double kLeastFall = 5e-4;  // m, that a punch must go down
+constexpr double kMostRows = 2000;   // slivers beside a tool have next to no area, and would want more
 constexpr int kFirstRows = 60, kDense = 200;
 
 /// The tool seen from the die at `time`.
@@ -182,7 +183,8 @@ Mouth mouth_of(const Scene& scene, const Tooling& tooling) {
   if (!(area > 0)) return mouth;
   const double wanted =
       std::clamp(kMostWork / static_cast<double>(mouth.outline.size()), kPlaces / 10, kPlaces);
-  mouth.places = places_on_rows(mouth.outline, box, std::sqrt(area / wanted));
+  const double step = std::max(std::sqrt(area / wanted), box.size().head<2>().maxCoeff() / kMostRows);
+  mouth.places = places_on_rows(mouth.outline, box, step);
   measure_widths(mouth.outline, mouth.places);
   sum_up(tooling, mouth);
   find_falls(scene, tooling, mouth);

@@ -43,6 +43,13 @@ TEST(Mouth, OfAFallingPunchIsThePartAboveIt) {
   EXPECT_NEAR(mouth.punches[0].area, mouth.openings[0].area, 0.02 * mouth.openings[0].area);
 }
 
+// Plates on edge leave slivers beside each other, whose area asks for places without end.
+TEST(Mouth, OfSliversBesidePlatesStaysSmall) {
+  const Scene scene = sample("laboratory/periodic_box.toml");
+  const Tooling tooling = read_tooling(scene);
+  EXPECT_LT(mouth_of(with_prepared_steps(scene, tooling), tooling).places.size(), 100000U);
+}
+
 TEST(Estimate, OfASlitIsTheFormulaOfTheMovingShoe) {
   for (const double width : {6.0, 10.0}) {
     const Scene scene =
