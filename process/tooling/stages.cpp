@@ -27,6 +27,12 @@ double looked_at(const Step& step, double length) {
   return length * kEnough / passage->spec().passages;
 }
 
+/// Whether the first step is the settling of the poured powder.
+bool begins_with_settling(const std::vector<std::shared_ptr<const Step>>& steps) {
+  const auto* settle = steps.empty() ? nullptr : dynamic_cast<const Settle*>(steps.front().get());
+  return settle != nullptr && settle->from_start();
+}
+
 /// A settling that starts by itself after all others is one that ends the scene.
 bool ends_with_settling(const std::vector<std::shared_ptr<const Step>>& steps) {
   if (steps.empty()) return true;
@@ -96,8 +102,10 @@ void predict_end(std::size_t k, const Stages& stages, std::vector<StepState>& st
 }  // namespace
 
 Stages::Stages(const Scene& scene) {
-  // Grains that a file places are at rest, and those that nothing moves.
-  const bool rests = scene.pour.grains_file || (scene.gravity.isZero() && scene.pour.rim_speed == 0);
+  // Grains that a file places are at rest, and those that nothing moves; other scenes may say how long to
+  // wait.
+  const bool rests = scene.pour.grains_file || (scene.gravity.isZero() && scene.pour.rim_speed == 0) ||
+                     begins_with_settling(scene.steps);
   steps.push_back(std::make_shared<Settle>(rests ? std::optional(0.0) : std::nullopt));
   steps.insert(steps.end(), scene.steps.begin(), scene.steps.end());
   settle_added = !ends_with_settling(scene.steps);

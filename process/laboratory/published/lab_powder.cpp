@@ -77,6 +77,7 @@ LabPowder lab_powder(const LabSetting& setting, const std::string& preset, doubl
     powder.own_size = nominal_grain_diameter(powder_preset(preset).model);
     powder.solid_density = preset_solid_density(powder_preset(preset));
     powder.changes.set = line("powder.preset", '"' + preset + '"');
+    powder.creeps = preset == "ASC100.29 A1";
   } else {
     powder.changes = powder_changes(setting.powder);
     const PowderSpec read = powder_in(setting.powder, setting.scenes / kAnyScene, powder.changes);
@@ -86,6 +87,10 @@ LabPowder lab_powder(const LabSetting& setting, const std::string& preset, doubl
   powder.size = scale * powder.own_size;
   powder.changes.set += line("powder.grain_diameter", millimetres(powder.size));
   return powder;
+}
+
+std::string bounded_settling(const LabPowder& powder) {
+  return powder.creeps ? line("step.settling.duration", "\"1 s\"") : "";
 }
 
 std::string plain(double value) {

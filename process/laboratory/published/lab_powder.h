@@ -11,12 +11,17 @@ struct LabPowder {
   double own_size = 0;       ///< m, d that its parameters belong to
   double size = 0;           ///< m, d of the model grains
   double solid_density = 0;  ///< kg/m^3 of the metal; 0: that of the model grains
+  bool creeps = false;       ///< and never comes to rest
   SceneChanges changes;      ///< that put it into a scene
 };
 
 /// `preset` with grains `scale` times as large as its own; where the setting names a powder, that one in its
 /// place, enlarged likewise. Throws SceneError for a wrong powder file.
 LabPowder lab_powder(const LabSetting& setting, const std::string& preset, double scale);
+
+/// Keys that let powder that creeps settle for a second, instead of until it rests, in a scene whose step
+/// "settling" begins with the start.
+std::string bounded_settling(const LabPowder& powder);
 
 /// Whether the setting has a powder of its own, so that an experiment over several presets has one.
 bool has_own_powder(const LabSetting& setting);

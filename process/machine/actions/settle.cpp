@@ -12,7 +12,8 @@ std::string Settle::description() const {
 }
 
 std::shared_ptr<Step> read_settle(TableReader& table, const std::vector<ToolSpec>&) {
-  return std::make_shared<Settle>(table.quantity("duration", kDuration));
+  const auto duration = table.quantity("duration", kDuration);
+  return std::make_shared<Settle>(duration, table.flag("from_start").value_or(false));
 }
 
 }  // namespace diefill::process

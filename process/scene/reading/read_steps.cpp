@@ -2,6 +2,7 @@
 #include <functional>
 
 #include "process/input/scene_error.h"
+#include "process/machine/actions/settle.h"
 #include "process/machine/free_motion.h"
 #include "process/machine/step_registry.h"
 #include "process/scene/reading/sections.h"
@@ -90,6 +91,14 @@ void refuse_endless(const Step& step, TableReader& table) {
                    ", or until = { after = \"name of a step\" } or another condition");
 }
 
+/// The poured powder settles once, before all else.
+void refuse_late_settling(const Steps& steps, TableReader& table) {
+  const auto* settle = dynamic_cast<const Settle*>(steps.back().get());
+  if (settle == nullptr || !settle->from_start()) return;
+  if (steps.size() > 1) table.reject("from_start", "only the first step may settle the poured powder");
+  if (settle->plan.start) table.reject("from_start", "a step from the start has no condition; remove start");
+}
+
 }  // namespace
 
 std::vector<std::shared_ptr<const Step>> read_steps(TableReader& document,
@@ -105,6 +114,7 @@ std::vector<std::shared_ptr<const Step>> read_steps(TableReader& document,
     table.finish();
     refuse_same_names(steps, table);
     refuse_endless(*steps.back(), table);
+    refuse_late_settling(steps, table);
   }
   refuse_steps_that_wait_for_themselves(steps);
   refuse_driven_free_tools(steps);
