@@ -54,29 +54,40 @@ class Folder {
   fs::path path_;
 };
 
-std::string list_of(const std::vector<int>& processors) {
-  std::string list;
-  for (const int processor : processors) list += (list.empty() ? "" : ",") + std::to_string(processor);
-  return list;
+/// Keeps what is started from now on to `processors`.
+void pin(const std::vector<int>& processors) {
+  cpu_set_t wanted;
+  CPU_ZERO(&wanted);
+  for (const int processor : processors) CPU_SET(processor, &wanted);
+  sched_setaffinity(0, sizeof wanted, &wanted);
 }
 
-/// The command of a measurement on `processors`.
-std::vector<std::string> pinned(const CopiesRace& race, const std::vector<int>& processors, int threads) {
-  std::vector<std::string> words = {"taskset", "-c", list_of(processors),
-                                    fs::read_symlink("/proc/self/exe").string()};
+/// One measurement to be run on some processors.
+struct Measurement {
+  std::vector<int> processors;
+  int threads = 1;
+};
+
+std::vector<std::string> words_of(const CopiesRace& race, int threads) {
+  std::vector<std::string> words = {fs::read_symlink("/proc/self/exe").string()};
   words.insert(words.end(), race.words.begin(), race.words.end());
   words.insert(words.end(), {"--threads", std::to_string(threads), "--json"});
   return words;
 }
 
-/// What each of `commands` prints, run at the same time.
-std::vector<ordered_json> measured(const std::vector<std::vector<std::string>>& commands) {
+/// What all of them print, run at the same time.
+std::vector<ordered_json> measured(const CopiesRace& race, const std::vector<Measurement>& measurements) {
   const Folder folder;
+  const std::vector<int> own = own_processors();
   std::vector<std::unique_ptr<process::ChildProcess>> running;
-  for (std::size_t k = 0; k < commands.size(); ++k)
-    running.push_back(std::make_unique<process::ChildProcess>(commands[k], folder.log(k)));
+  for (const Measurement& one : measurements) {
+    pin(one.processors);
+    running.push_back(
+        std::make_unique<process::ChildProcess>(words_of(race, one.threads), folder.log(running.size())));
+  }
+  pin(own);
   std::vector<ordered_json> figures;
-  for (std::size_t k = 0; k < commands.size(); ++k) {
+  for (std::size_t k = 0; k < running.size(); ++k) {
     while (!running[k]->ended()) std::this_thread::sleep_for(std::chrono::milliseconds(20));
     std::ifstream log(folder.log(k));
     std::stringstream text;
@@ -105,11 +116,11 @@ double median_of(const ordered_json& laps, const char* name) {
 
 /// One lap: the threads, then the copies.
 ordered_json lap_of(const CopiesRace& race, const std::vector<int>& processors) {
-  const ordered_json threads = measured({pinned(race, processors, race.threads)}).front();
-  std::vector<std::vector<std::string>> copies;
-  for (const int processor : processors) copies.push_back(pinned(race, {processor}, 1));
+  const ordered_json threads = measured(race, {{processors, race.threads}}).front();
+  std::vector<Measurement> copies;
+  for (const int processor : processors) copies.push_back({{processor}, 1});
   double together = 0;
-  for (const ordered_json& copy : measured(copies)) together += rate(copy);
+  for (const ordered_json& copy : measured(race, copies)) together += rate(copy);
   ordered_json lap;
   lap["threads"] = rate(threads);
   lap["copies"] = together;

@@ -56,12 +56,18 @@ std::string metres(double length) {
 }
 
 /// [powder] again, with larger grains.
-toml::table larger_grains(const toml::table& powder, const PowderSpec& fine, double factor) {
+toml::table larger_grains(const toml::table& powder, const PowderSpec& fine, double factor,
+                          const std::filesystem::path& file) {
   toml::table larger = powder;
   for (const char* shared : {"air_viscosity", "coarse_graining", "fitted_with", "grain_diameter", "name"})
     larger.erase(shared);
+  // What a scene states and what the powder has differ where presets are named by a rounded size.
+  const double wanted = factor * fine.grain_diameter;
+  larger.insert("grain_diameter", metres(wanted));
+  TableReader reader(larger, file, "powder");
+  const double first = read_powder(reader).grain_diameter;
   larger.insert("name", fine.label + ", coarse");
-  larger.insert("grain_diameter", metres(factor * fine.grain_diameter));
+  larger.insert_or_assign("grain_diameter", metres(wanted * wanted / first));
   return larger;
 }
 
@@ -86,7 +92,7 @@ void put_graded_pour(toml::table& document, const std::filesystem::path& file) {
   TableReader powder_reader(*powder, file, "powder");
   read_coarse_graining(powder_reader);
   const PowderSpec fine = read_powder(powder_reader);
-  toml::table larger = larger_grains(*powder, fine, graded.factor);
+  toml::table larger = larger_grains(*powder, fine, graded.factor, file);
   const std::string coarse = *larger["name"].value<std::string>();
   own->erase("graded");
   own->insert("layers", layers_of(fine.label, coarse, graded.depth / height));

@@ -42,9 +42,10 @@ TEST(GradedPour, PutsLargerGrainsOfTheSamePowderAboveFineOnes) {
 
 TEST(GradedPour, ScenesReadFromTheirStoredTextAreTheSame) {
   const Scene scene = with_pour("graded = { depth = \"6 mm\" }\n");
-  const Scene again = parse_scene(scene.text, scene.file);
+  const SceneFolder folder;
+  const Scene again = read_scene(folder.write(scene.text));
   ASSERT_EQ(again.other_powders.size(), 1U);
-  EXPECT_EQ(again.other_powders[0].powder.grain_diameter, 2 * scene.powder.grain_diameter);
+  EXPECT_NEAR(again.other_powders[0].powder.grain_diameter, 2 * scene.powder.grain_diameter, 1e-15);
   EXPECT_EQ(again.pour.layers[0].share, scene.pour.layers[0].share);
 }
 
