@@ -10,7 +10,7 @@ namespace diefill::process {
 
 namespace {
 
-constexpr std::size_t kMostVoxels = 50000000;  // of a tool, one byte each
+constexpr double kMostVoxels = 5e7;  // of a tool, one byte each
 
 engine::OutOfRange through_the_wall(const engine::Simulation& simulation, std::size_t k, double depth,
                                     const std::string& tool) {
@@ -30,11 +30,14 @@ LostGrains::LostGrains(const Tooling& tooling, std::vector<double> grain_diamete
     : tooling_(tooling), grain_diameters_(std::move(grain_diameters)) {
   const double grain_diameter = grain_diameters_.front();
   for (const Tool& tool : tooling.tools) {
-    const auto grid = geometry::VoxelGrid::over(tool.mesh.bounding_box(), 0.5 * grain_diameter);
-    const std::array<const geometry::Mesh*, 1> meshes = {&tool.mesh};
+    const geometry::Box box = tool.mesh.bounding_box();
     // Fine grains in a large tool: rather ask the solid about every grain than fill the memory with voxels.
+    const bool in_voxels = (2 * box.size() / grain_diameter).cwiseMax(1).prod() <= kMostVoxels;
+    const auto grid =
+        geometry::VoxelGrid::over(box, in_voxels ? 0.5 * grain_diameter : box.size().maxCoeff());
+    const std::array<const geometry::Mesh*, 1> meshes = {&tool.mesh};
     std::vector<std::uint8_t> blocked;
-    if (grid.size() <= kMostVoxels) blocked = geometry::blocked_voxels(grid, meshes, 0);
+    if (in_voxels) blocked = geometry::blocked_voxels(grid, meshes, 0);
     geometry::PointGrid spheres(2 * grain_diameter);
     for (const auto& centre : tool.spheres.centres) spheres.insert(centre);
     // A covered point is no farther from a centre than this: half a gap between spheres, and their depth.
