@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <numbers>
+#include <numeric>
 
 #include "process/laboratory/published/lab_powder.h"
 
@@ -168,15 +168,18 @@ std::string unpressed_lines() {
 }
 
 double surface_of(const results::PowderState& powder) {
+  constexpr double kApart = 2;  // d, from a bed to spheres that stick to the plate above it
   std::vector<double> tops;
   for (std::size_t k = 0; k < powder.position.size(); ++k)
     tops.push_back(powder.position[k][2] + powder.sphere_radius_of(k));
-  const std::size_t count = std::min(tops.size(), std::max<std::size_t>(5, tops.size() / 100));
-  std::partial_sort(tops.begin(), tops.begin() + static_cast<std::ptrdiff_t>(count), tops.end(),
-                    std::greater<>());
-  double sum = 0;
-  for (std::size_t k = 0; k < count; ++k) sum += tops[k];
-  return sum / static_cast<double>(count);
+  std::sort(tops.begin(), tops.end());
+  const auto gap = std::adjacent_find(tops.begin(), tops.end(), [&](double lower, double upper) {
+    return upper - lower > kApart * powder.grain_diameter;
+  });
+  if (gap != tops.end()) tops.erase(gap + 1, tops.end());
+  const auto count =
+      static_cast<std::ptrdiff_t>(std::min(tops.size(), std::max<std::size_t>(5, tops.size() / 100)));
+  return std::accumulate(tops.end() - count, tops.end(), 0.0) / static_cast<double>(count);
 }
 
 }  // namespace diefill::process::laboratory

@@ -73,7 +73,8 @@ std::string pressed_bed_lines(const AdhesivePowder& powder, const AdhesiveBed& b
 /// Behind packed_bed_lines: the plate does not move.
 std::string unpressed_lines();
 
-/// m, of the highest layer of spheres: the mean height of the highest hundredth, at least five.
+/// m, of the highest layer of spheres of the bed: the mean height of the highest hundredth, at least five. Spheres that
+/// stick to a plate more than 2 d above the bed are left out.
 double surface_of(const results::PowderState& powder);
 
 }  // namespace diefill::process::laboratory
