@@ -117,7 +117,8 @@ std::string powder_lines(const AdhesivePowder& powder, Packing packing) {
 }
 
 double plate_height(const AdhesiveBed& bed) {
-  return lattice_height(bed) + 2;
+  constexpr double kOutOfFlight = 40;  // d: no sphere flies up to the plate, where it would stick
+  return lattice_height(bed) + kOutOfFlight;
 }
 
 std::string packed_bed_lines(const AdhesivePowder& powder, const AdhesiveBed& bed) {
