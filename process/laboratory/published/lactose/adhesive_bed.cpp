@@ -116,6 +116,11 @@ std::string powder_lines(const AdhesivePowder& powder, Packing packing) {
   return set;
 }
 
+std::string fine_wall_lines(const AdhesivePowder& powder, double width) {
+  constexpr double kUsual = 1.5e-4, kAcross = 4;  // m, of [walls]; radii that a tool must measure
+  return width < kAcross * kUsual ? line("walls.sphere_radius", with_unit(powder.radius, "m")) : "";
+}
+
 double plate_height(const AdhesiveBed& bed) {
   constexpr double kOutOfFlight = 40;  // d: no sphere flies up to the plate, where it would stick
   return lattice_height(bed) + kOutOfFlight;

@@ -66,6 +66,9 @@ struct Loads {
 
 /// d, of the plate's lower face over the floor before it moves.
 double plate_height(const AdhesiveBed& bed);
+/// Wall spheres, which measures see in place of the tools' surfaces, of tools down to `width` (m) for which the
+/// usual ones are too large; nothing for others.
+std::string fine_wall_lines(const AdhesivePowder& powder, double width);
 /// Puts powder and bed into adhesive_bed.toml; times of falling are in proportion to sqrt(d / g).
 std::string packed_bed_lines(const AdhesivePowder& powder, const AdhesiveBed& bed);
 /// The same with the plate that presses.

@@ -69,7 +69,8 @@ LabRun run_of(const Hopper& hopper) {
   const double fill = grains * std::numbers::pi / 6 / (top * hopper.slice * kLoose);
   const double lattice =
       (std::ceil(grains / (0.5 * top * hopper.slice / (kLattice * kLattice))) + 2) * kLattice;
-  std::string set = powder_lines(lh220(), hopper.packing) + tool_lines(hopper, half_angle);
+  std::string set = powder_lines(lh220(), hopper.packing) + fine_wall_lines(lh220(), hopper.slot * d) +
+                    tool_lines(hopper, half_angle);
   set += line("pour.from", point_in_millimetres(-0.5 * top * d, -0.5 * hopper.slice * d, 0));
   set += line("pour.to", point_in_millimetres(0.5 * top * d, 0.5 * hopper.slice * d, lattice * d));
   set += line("pour.fill_height", millimetres(fill * d));
