@@ -1,6 +1,6 @@
 #include "engine/fluid/fluid_blocks.h"
 
-#include "engine/numerics/prefetch.h"
+#include <cmath>
 
 namespace diefill::engine {
 
@@ -16,8 +16,10 @@ void take_in(const Block& block, const FluidScene& scene, const std::vector<doub
   if (particles.size() < own + block.partners.size()) particles.resize(own + block.partners.size());
   const auto take = [&](std::size_t grain) {
     const std::uint64_t id = scene.grains.id[grain];
+    const std::uint32_t set = scene.sets.set_of(id);
     return FluidParticle{plain(scene.grains.position[grain]), plain(scene.grains.velocity[grain]),
-                         pushes ? (*pushes)[grain] : 0, id, scene.sets.set_of(id)};
+                         pushes && set != kFluid ? plain(scene.sets.arm(id)) : Vector3{},
+                         pushes ? (*pushes)[grain] : 0, id, set};
   };
   for (std::size_t k = 0; k < own; ++k) particles[k] = take(block.begin + k);
   for (std::size_t k = 0; k < block.partners.size(); ++k) {
@@ -41,19 +43,24 @@ bool act_on_each_other(const RigidSets& sets, std::uint32_t own, std::uint32_t o
   return own != other && !(sets.is_tool(own) && sets.is_tool(other));
 }
 
-/// N, on `own` away from `other`.
-double force_between(const FluidScene& scene, const FluidParticle& own, const FluidParticle& other,
-                     double weight, double separation_speed) {
+/// N, on a particle away from its partner.
+struct FluidForce {
+  double steady, random;
+};
+
+FluidForce force_between(const FluidScene& scene, const FluidParticle& own, const FluidParticle& other,
+                         double weight, double separation_speed) {
   const auto& law = scene.law;
   const bool fluid = own.set == kFluid, other_fluid = other.set == kFluid;
   if (fluid || other_fluid) {
-    const double random = scene.random.gaussian(own.id, other.id), pushes = own.push + other.push;
-    return fluid && other_fluid ? law.between_fluid(weight, pushes, separation_speed, random)
-                                : law.at_solid(weight, pushes, separation_speed, random);
+    const double zeta = scene.random.gaussian(own.id, other.id), pushes = own.push + other.push;
+    if (fluid && other_fluid)
+      return {law.between_fluid(weight, pushes, separation_speed), law.kick_in_fluid(weight, zeta)};
+    return {law.at_solid(weight, pushes, separation_speed), law.kick_at_solid(weight, zeta)};
   }
   if (scene.sets.is_tool(own.set) || scene.sets.is_tool(other.set))
-    return law.at_tool(weight, separation_speed);
-  return law.between_grains(weight);
+    return {law.at_tool(weight, separation_speed), 0};
+  return {law.between_grains(weight), 0};
 }
 
 }  // namespace
@@ -91,14 +98,15 @@ void add_fluid_forces(Block& block, const FluidScene& scene, const std::vector<d
     const Vector3 separation = i.position - j.position;
     const double distance = length(separation);
     const Vector3 normal = (1 / distance) * separation;
-    const double force = force_between(scene, i, j, scene.law.weight(distance),
-                                       dot(i.velocity - j.velocity, normal));
-    const Vector3 push = force * normal;
+    const FluidForce force =
+        force_between(scene, i, j, scene.law.weight(distance), dot(i.velocity - j.velocity, normal));
+    const Vector3 push = (force.steady + force.random) * normal, steady = force.steady * normal;
     sums[pair.own].add_force(push);
     sums[pair.other].add_force(-push);
-    row_x += push.x * separation;
-    row_y += push.y * separation;
-    row_z += push.z * separation;
+    const Vector3 between = separation - i.arm + j.arm;
+    row_x += steady.x * between;
+    row_y += steady.y * between;
+    row_z += steady.z * between;
   }
   own.virial.row(0) = eigen(row_x);
   own.virial.row(1) = eigen(row_y);

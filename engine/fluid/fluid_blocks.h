@@ -27,6 +27,7 @@ struct FluidScene {
 /// A particle as the pairs of a block see it.
 struct FluidParticle {
   Vector3 position, velocity;  ///< m, m/s
+  Vector3 arm;                 ///< m, from the centre of its solid; 0 of the fluid's
   double push;                 ///< N, DissipativeParticles::push(); 0 of a solid's
   std::uint64_t id;
   std::uint32_t set;  ///< RigidSets::kFluid or its solid
@@ -42,8 +43,9 @@ struct FluidWorkspace {
 struct FluidBlock {
   std::vector<GrainPair> touching;  ///< pairs that act on each other
   std::vector<double> density;      ///< 1/m^3, of the block's own pairs, one for each of Block::sums
-  /// J, sum over the block's pairs of force times separation: the stress times the volume, but for its sign
-  /// and for the motion of particles.
+  /// J, sum over the block's pairs of force times separation, solids as wholes: the pressure tensor times the
+  /// volume, but for the motion of particles. Random forces are not in it: they are independent of where
+  /// particles are, so that their mean is 0.
   Eigen::Matrix3d virial = Eigen::Matrix3d::Zero();
 };
 

@@ -35,10 +35,7 @@ Eigen::Matrix3d fluid_pressure(const FluidSimulation& simulation) {
   const RigidSets& solids = simulation.solids();
   Eigen::Matrix3d sum = simulation.policy().virial();
   for (std::size_t k = 0; k < particles.size(); ++k) {
-    if (!simulation.is_fluid(k)) {
-      sum -= particles.force[k] * solids.arm(particles.id[k]).transpose();
-      continue;
-    }
+    if (!simulation.is_fluid(k)) continue;
     const Eigen::Vector3d motion = own_motion(simulation, particles.position[k], particles.velocity[k]);
     sum += simulation.settings().particle_mass * motion * motion.transpose();
   }
@@ -48,6 +45,17 @@ Eigen::Matrix3d fluid_pressure(const FluidSimulation& simulation) {
     sum += solids.spec(s).shape.mass * motion * motion.transpose();
   }
   return sum / volume;
+}
+
+std::vector<Eigen::Matrix3d> solid_pressure_times_volume(const FluidSimulation& simulation) {
+  const Grains& particles = simulation.particles();
+  std::vector<Eigen::Matrix3d> sums(simulation.solids().size(), Eigen::Matrix3d::Zero());
+  for (std::size_t k = 0; k < particles.size(); ++k) {
+    if (simulation.is_fluid(k)) continue;
+    const std::uint64_t id = particles.id[k];
+    sums[simulation.solids().set_of(id)] -= particles.force[k] * simulation.solids().arm(id).transpose();
+  }
+  return sums;
 }
 
 void FluidProfile::add(const FluidSimulation& simulation) {

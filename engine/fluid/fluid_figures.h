@@ -8,10 +8,14 @@ namespace diefill::engine {
 /// J, k_B T' of the fluid's motion beside the profile of a sheared box: m |v|^2 / 3, mean over its particles.
 double fluid_temperature(const FluidSimulation& simulation);
 
-/// Pa, pressure tensor of a box with periods along all axes: momentum that forces and motion carry, solids as
-/// wholes; compression is positive. The viscosity of a sheared box is -P_xy over the rate. Throws
+/// Pa, pressure tensor of a box with periods along all axes: momentum that steady forces and motion carry,
+/// solids as wholes; compression is positive. Random forces carry none in the mean and are left out. The viscosity of a sheared box is -P_xy over the rate. Throws
 /// std::invalid_argument where an axis has no period.
 Eigen::Matrix3d fluid_pressure(const FluidSimulation& simulation);
+
+/// J, pressure tensor within each solid times its volume, from the forces on its particles; compression is
+/// positive.
+std::vector<Eigen::Matrix3d> solid_pressure_times_volume(const FluidSimulation& simulation);
 
 /// m/s, velocity of the fluid along an axis in layers of equal thickness across another one.
 struct FluidProfile {

@@ -67,16 +67,19 @@ class DissipativeParticles {
   /// gamma_D = sigma_R^2 / (2 k_B T') (kg/s): what keeps the temperature.
   double damping() const { return damping_; }
 
-  /// N, Eqs. A.1 to A.3 between two particles of the fluid at weight w: `pushes` of both (N) together, speed
-  /// of separation (m/s), and a random number of mean 0 and variance 1 that stays for a time step.
-  double between_fluid(double w, double pushes, double separation_speed, double random) const {
-    return w * (pushes - damping_ * w * separation_speed + kick_ * random);
+  /// N, Eqs. A.1 and A.2 between two particles of the fluid at weight w: `pushes` of both (N) together, and
+  /// the speed of their separation (m/s).
+  double between_fluid(double w, double pushes, double separation_speed) const {
+    return w * (pushes - damping_ * w * separation_speed);
   }
   /// N, the same of fluid and a solid. A solid has no density of its own to keep.
-  double at_solid(double w, double push, double separation_speed, double random) const {
+  double at_solid(double w, double push, double separation_speed) const {
     const double held = given_.grip * w;
-    return given_.solid_share * push * w - damping_ * held * held * separation_speed + kick_ * held * random;
+    return given_.solid_share * push * w - damping_ * held * held * separation_speed;
   }
+  /// N, Eq. A.3: of a random number of mean 0 and variance 1 that stays for a time step.
+  double kick_in_fluid(double w, double random) const { return kick_ * w * random; }
+  double kick_at_solid(double w, double random) const { return kick_ * given_.grip * w * random; }
   /// N, Eq. A.5: elastic force of grains on each other.
   double between_grains(double w) const { return given_.grain_stiffness * w * std::sqrt(w); }
   /// N, of grains and tools: Hertz with damping, of points (Eqs. 2.3, 2.6). Never pulls.

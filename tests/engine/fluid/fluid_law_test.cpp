@@ -73,15 +73,15 @@ TEST(DissipativeParticles, RepulsionIsTheSlopeOfItsEnergy) {
     const double slope = (energy(r + kStep) - energy(r - kStep)) / (2 * kStep), w = law.weight(r);
     double pushes = 0;
     for (const double others : kOthers) pushes += law.push(others + law.density_of(w));
-    EXPECT_NEAR(law.between_fluid(w, pushes, 0, 0), -slope, 1e-6 * std::abs(slope)) << r;
+    EXPECT_NEAR(law.between_fluid(w, pushes, 0), -slope, 1e-6 * std::abs(slope)) << r;
   }
 }
 
 TEST(DissipativeParticles, DampingFollowsFromTheNoise) {
   const DissipativeParticles law({}, 0.01);
   EXPECT_DOUBLE_EQ(law.damping(), 4.5);  // sigma_R = 3 (Table C.7)
-  EXPECT_DOUBLE_EQ(law.between_fluid(0.5, 0, 2, 0), -4.5 * 0.25 * 2);
-  EXPECT_DOUBLE_EQ(law.between_fluid(0.5, 0, 0, 1), 3 * 0.5 / 0.1);
+  EXPECT_DOUBLE_EQ(law.between_fluid(0.5, 0, 2), -4.5 * 0.25 * 2);
+  EXPECT_DOUBLE_EQ(law.kick_in_fluid(0.5, 1), 3 * 0.5 / 0.1);
 }
 
 TEST(DissipativeParticles, SolidsAreElastic) {

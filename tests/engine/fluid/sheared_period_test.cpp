@@ -45,9 +45,9 @@ std::vector<Vector3> all_pairs(const FluidSimulation& simulation) {
     const Vector3 normal = (1 / distance) * seen.separation;
     const double speed = dot(plain(particles.velocity[i]) - seen.velocity, normal);
     const double pushes = law.push(density[i]) + law.push(density[j]);
-    const Vector3 push = law.between_fluid(law.weight(distance), pushes, speed,
-                                           random.gaussian(particles.id[i], particles.id[j])) *
-                         normal;
+    const double weight = law.weight(distance), zeta = random.gaussian(particles.id[i], particles.id[j]);
+    const Vector3 push =
+        (law.between_fluid(weight, pushes, speed) + law.kick_in_fluid(weight, zeta)) * normal;
     force[i] += push;
     force[j] -= push;
   });
