@@ -119,10 +119,9 @@ double add_grains(const SlurrySpace& space, double size, double share, std::mt19
   return volume;
 }
 
-void add_fluid(const SlurrySpace& space, double solid_volume, const OccupiedPlaces& occupied,
+/// `count` particles where no wall or solid is.
+void add_fluid(const SlurrySpace& space, std::size_t count, const OccupiedPlaces& occupied,
                std::mt19937_64& random, FluidSimulation& simulation) {
-  const double density = simulation.settings().law.density;
-  const auto count = static_cast<std::size_t>(std::lround(density * (space.volume - solid_volume)));
   std::normal_distribution<double> speed;
   std::vector<Eigen::Vector3d> places, velocities;
   while (places.size() < count) {
@@ -187,7 +186,8 @@ FilledSlurry fill(const SlurrySpace& space, const SlurryMixture& mixture, std::u
   for (RigidSetSpec& grain : grains) grain.velocity = {rate * grain.centre.y(), 0, 0};
   filled.first_grain = simulation.add_solids(grains);
   filled.solids = solid_volume / space.volume;
-  add_fluid(space, solid_volume, occupied, random, simulation);
+  const double fluid = mixture.density * (space.volume - solid_volume);
+  add_fluid(space, static_cast<std::size_t>(std::lround(fluid)), occupied, random, simulation);
   return filled;
 }
 

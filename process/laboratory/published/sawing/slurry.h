@@ -43,6 +43,7 @@ struct SlurrySpace {
 /// Share of solids, and sizes (r_c) with equal shares of it.
 struct SlurryMixture {
   double solids = 0;
+  double density = 4.15;  ///< of the fluid between them
   std::vector<double> sizes = {1.2, 2, 2.8, 4};
 };
 

@@ -27,6 +27,7 @@ ShearedFigures measure(const ShearedSlurry& slurry, std::uint64_t seed) {
   engine::FluidSettings settings;
   settings.period = {slurry.edge, slurry.edge, slurry.edge};
   settings.shear_rate = slurry.rate;
+  settings.time_step = slurry.time_step;
   settings.seed = seed;
   settings.threads = all_threads();
   engine::FluidSimulation simulation(settings);
@@ -34,7 +35,7 @@ ShearedFigures measure(const ShearedSlurry& slurry, std::uint64_t seed) {
   const SlurrySpace space{-half, half, settings.period, slurry.edge * slurry.edge * slurry.edge,
                           [](const Eigen::Vector3d&) { return 1e9; }};
   ShearedFigures figures;
-  figures.solids = fill(space, {.solids = slurry.solids}, seed, simulation).solids;
+  figures.solids = fill(space, {.solids = slurry.solids, .density = slurry.density}, seed, simulation).solids;
   for (int k = 0; k < slurry.settling; ++k) simulation.step();
   std::array<double, 10> viscosity{};
   const int part_steps = slurry.sampled / 10;
