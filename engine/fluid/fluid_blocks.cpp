@@ -17,9 +17,12 @@ void take_in(const Block& block, const FluidScene& scene, const std::vector<doub
   const auto take = [&](std::size_t grain) {
     const std::uint64_t id = scene.grains.id[grain];
     const std::uint32_t set = scene.sets.set_of(id);
-    return FluidParticle{plain(scene.grains.position[grain]), plain(scene.grains.velocity[grain]),
+    return FluidParticle{plain(scene.grains.position[grain]),
+                         plain(scene.grains.velocity[grain]),
                          pushes && set != kFluid ? plain(scene.sets.arm(id)) : Vector3{},
-                         pushes ? (*pushes)[grain] : 0, id, set};
+                         pushes ? (*pushes)[grain] : 0,
+                         id,
+                         set};
   };
   for (std::size_t k = 0; k < own; ++k) particles[k] = take(block.begin + k);
   for (std::size_t k = 0; k < block.partners.size(); ++k) {

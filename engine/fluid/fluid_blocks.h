@@ -1,5 +1,5 @@
-// Forces in a fluid of particles, block by block. A particle's force depends on the density about it and about
-// its partners, so that densities of all blocks are known before any force is computed.
+// Forces in a fluid of particles, block by block. A particle's force depends on the density about it and
+// about its partners, so that densities of all blocks are known before any force is computed.
 #pragma once
 
 #include <vector>

@@ -9,8 +9,9 @@ namespace diefill::engine {
 double fluid_temperature(const FluidSimulation& simulation);
 
 /// Pa, pressure tensor of a box with periods along all axes: momentum that steady forces and motion carry,
-/// solids as wholes; compression is positive. Random forces carry none in the mean and are left out. The viscosity of a sheared box is -P_xy over the rate. Throws
-/// std::invalid_argument where an axis has no period.
+/// solids as wholes; compression is positive. Random forces carry none in the mean and are left out. The
+/// viscosity of a sheared box is -P_xy over the rate. Throws std::invalid_argument where an axis has no
+/// period.
 Eigen::Matrix3d fluid_pressure(const FluidSimulation& simulation);
 
 /// J, pressure tensor within each solid times its volume, from the forces on its particles; compression is

@@ -64,8 +64,8 @@ void FluidPolicy::compute_forces(SimulationState& state) {
   blocks_.resize(count);
   density_.resize(state.grains.size());
   push_.resize(state.grains.size());
-  const FluidScene scene{law_,    state.grains, state.spheres, sets_,
-                         period_, state.time,   PairRandom(seed_, state.step)};
+  const FluidScene scene{
+      law_, state.grains, state.spheres, sets_, period_, state.time, PairRandom(seed_, state.step)};
   state.pool.for_each_by_worker(count, [&](std::size_t b, std::size_t worker) {
     add_densities(list[b], scene, workspaces_[worker], blocks_[b]);
   });

@@ -22,8 +22,7 @@ SimulationSettings as_powder(const FluidSettings& settings) {
   const ShearedPeriod period(settings.period, settings.shear_rate);
   const double reach = settings.law.reach + period.search_error() + shear_room(settings, period);
   settings.law.check();
-  if (!(settings.particle_mass > 0))
-    throw std::invalid_argument("particles of a fluid need a mass above 0");
+  if (!(settings.particle_mass > 0)) throw std::invalid_argument("particles of a fluid need a mass above 0");
   SimulationSettings powder;
   powder.types = {{model_a(0.5 * reach, settings.particle_mass)}};
   powder.gravity.setZero();
@@ -131,10 +130,10 @@ FluidSnapshot FluidSimulation::snapshot() const {
 void FluidSimulation::restore(const FluidSnapshot& snapshot) {
   SimulationState& now = state_;
   if (snapshot.particles.grains.size() != now.grains.size() || snapshot.solids.size() != solids().size())
-    throw std::invalid_argument("a snapshot of " + std::to_string(snapshot.particles.grains.size()) +
-                                " particles and " + std::to_string(snapshot.solids.size()) +
-                                " solids cannot be gone on with by a simulation of " +
-                                std::to_string(now.grains.size()) + " and " + std::to_string(solids().size()));
+    throw std::invalid_argument(
+        "a snapshot of " + std::to_string(snapshot.particles.grains.size()) + " particles and " +
+        std::to_string(snapshot.solids.size()) + " solids cannot be gone on with by a simulation of " +
+        std::to_string(now.grains.size()) + " and " + std::to_string(solids().size()));
   now.step = snapshot.particles.step;
   now.time = snapshot.particles.time;
   now.grains = snapshot.particles.grains;

@@ -1,5 +1,5 @@
-// A fluid of particles with solids in it (Bierwisch 2009, appendix A): the state, search, blocks and integrator
-// of the powder's simulation, with the forces of dissipative particle dynamics.
+// A fluid of particles with solids in it (Bierwisch 2009, appendix A): the state, search, blocks and
+// integrator of the powder's simulation, with the forces of dissipative particle dynamics.
 #pragma once
 
 #include "engine/fluid/fluid_policy.h"
@@ -48,9 +48,7 @@ class FluidSimulation {
   const RigidSets& solids() const { return policy_.sets(); }
   const FluidPolicy& policy() const { return policy_; }
   double time() const { return state_.time; }
-  bool is_fluid(std::size_t k) const {
-    return solids().set_of(state_.grains.id[k]) == RigidSets::kFluid;
-  }
+  bool is_fluid(std::size_t k) const { return solids().set_of(state_.grains.id[k]) == RigidSets::kFluid; }
 
  private:
   void append(const std::vector<Eigen::Vector3d>& places, const std::vector<Eigen::Vector3d>& velocities);

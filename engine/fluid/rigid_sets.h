@@ -1,6 +1,6 @@
-// Solids in a fluid of particles: rigid sets of such particles. Grains move by the forces on them, tools along
-// what is prescribed. Each particle is one of the simulation's own, so that a set of hundreds stands beside
-// single ones without room being kept for as many in every grain.
+// Solids in a fluid of particles: rigid sets of such particles. Grains move by the forces on them, tools
+// along what is prescribed. Each particle is one of the simulation's own, so that a set of hundreds stands
+// beside single ones without room being kept for as many in every grain.
 #pragma once
 
 #include <array>
@@ -17,10 +17,10 @@ namespace diefill::engine {
 
 /// A solid to be added. SI units.
 struct RigidSetSpec {
-  GrainShape shape;                                    ///< its sphere centres are the particles
-  Eigen::Vector3d centre = Eigen::Vector3d::Zero();    ///< m, of mass
-  Quaternion orientation = {1, 0, 0, 0};               ///< body to laboratory
-  Eigen::Vector3d velocity = Eigen::Vector3d::Zero();  ///< m/s; kept along axes that are not free
+  GrainShape shape;                                            ///< its sphere centres are the particles
+  Eigen::Vector3d centre = Eigen::Vector3d::Zero();            ///< m, of mass
+  Quaternion orientation = {1, 0, 0, 0};                       ///< body to laboratory
+  Eigen::Vector3d velocity = Eigen::Vector3d::Zero();          ///< m/s; kept along axes that are not free
   Eigen::Vector3d angular_velocity = Eigen::Vector3d::Zero();  ///< rad/s, body frame
   Eigen::Vector3d drive = Eigen::Vector3d::Zero();             ///< N, constant force beside that of particles
   std::array<bool, 3> free = {true, true, true};               ///< along x, y, z: moves by forces
@@ -32,10 +32,10 @@ struct RigidSetSpec {
 struct RigidSetMotion {
   Eigen::Vector3d centre = Eigen::Vector3d::Zero();    ///< m, not put back into a periodic box
   Eigen::Vector3d velocity = Eigen::Vector3d::Zero();  ///< m/s; within a step the predicted one
-  Quaternion orientation = {1, 0, 0, 0};             ///< body to laboratory
-  Eigen::Vector3d spin = Eigen::Vector3d::Zero();    ///< rad/s, body frame
-  Eigen::Vector3d force = Eigen::Vector3d::Zero();   ///< N, of particles and drive, at the last step
-  Eigen::Vector3d torque = Eigen::Vector3d::Zero();  ///< N m, about the centre, body frame
+  Quaternion orientation = {1, 0, 0, 0};               ///< body to laboratory
+  Eigen::Vector3d spin = Eigen::Vector3d::Zero();      ///< rad/s, body frame
+  Eigen::Vector3d force = Eigen::Vector3d::Zero();     ///< N, of particles and drive, at the last step
+  Eigen::Vector3d torque = Eigen::Vector3d::Zero();    ///< N m, about the centre, body frame
 };
 
 /// All solids of a simulation. Particles are named by their persistent numbers (Grains::id).

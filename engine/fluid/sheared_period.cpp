@@ -87,9 +87,9 @@ void ShearedPeriod::add_row(std::uint32_t owner, const Eigen::Vector3d& point, d
 ShearedPeriod::Shift ShearedPeriod::shift(std::size_t k, const GrainImage& image, double time) const {
   const double over_y = image.periods[1];
   const double displaced = over_y * (found_offset_ + speed_ * (time - found_at_));
-  return {{over_x_[k] * *period_[0] + displaced, over_y * *period_[1],
-           image.periods[2] * period_[2].value_or(0)},
-          {over_y * speed_, 0, 0}};
+  return {
+      {over_x_[k] * *period_[0] + displaced, over_y * *period_[1], image.periods[2] * period_[2].value_or(0)},
+      {over_y * speed_, 0, 0}};
 }
 
 }  // namespace diefill::engine

@@ -1,6 +1,6 @@
-// A periodic box that is sheared (Lees and Edwards 1972): what is seen beyond its borders along y is displaced
-// along x, farther with time, and moves along x. Without walls the powder or fluid in it flows with a linear
-// profile.
+// A periodic box that is sheared (Lees and Edwards 1972): what is seen beyond its borders along y is
+// displaced along x, farther with time, and moves along x. Without walls the powder or fluid in it flows with
+// a linear profile.
 #pragma once
 
 #include <Eigen/Core>
@@ -34,8 +34,8 @@ class ShearedPeriod {
   Eigen::Vector3d nearest(Eigen::Vector3d point, const Eigen::Vector3d& near, double time,
                           Eigen::Vector3d& velocity) const;
 
-  /// The search knows whole numbers of periods along each axis. A sheared box shows it periods along x of this
-  /// share, so that displaced images are at most half of one away from where the search sees them.
+  /// The search knows whole numbers of periods along each axis. A sheared box shows it periods along x of
+  /// this share, so that displaced images are at most half of one away from where the search sees them.
   static constexpr int kPartsOfPeriod = 80;
   /// The box that the search sees.
   PeriodicBox searched() const;
@@ -60,8 +60,8 @@ class ShearedPeriod {
 
   PeriodLengths period_;
   double rate_ = 0, speed_ = 0;
-  double found_at_ = 0;            ///< s
-  double found_offset_ = 0;        ///< m, of one period up, between -1/2 and 1/2 of a period along x
+  double found_at_ = 0;              ///< s
+  double found_offset_ = 0;          ///< m, of one period up, between -1/2 and 1/2 of a period along x
   std::vector<std::int8_t> over_x_;  ///< periods along x of each image, beside the offset
 };
 

@@ -11,11 +11,11 @@ namespace diefill::engine::laws {
 
 /// Constants of the fluid and of solids in it. The source's, in reduced units (Table C.7), where it has them.
 struct DpdParameters {
-  double reach = 1;           ///< m, r_c: particles farther apart do not act on each other
-  double density = 4.15;      ///< 1/m^3, rho: denser fluid repels, thinner one attracts
-  double repulsion = 0.5;     ///< N m^9, K of Eq. A.1
-  double noise = 3;           ///< N s^(1/2), sigma_R of Eq. A.3
-  double thermal_energy = 1;  ///< J, k_B T'
+  double reach = 1;              ///< m, r_c: particles farther apart do not act on each other
+  double density = 4.15;         ///< 1/m^3, rho: denser fluid repels, thinner one attracts
+  double repulsion = 0.5;        ///< N m^9, K of Eq. A.1
+  double noise = 3;              ///< N s^(1/2), sigma_R of Eq. A.3
+  double thermal_energy = 1;     ///< J, k_B T'
   double grain_stiffness = 1e3;  ///< N, kappa of Eq. A.5, between grains
   double tool_stiffness = 1e3;   ///< N, the same between grains and tools: Eq. 2.3 of points
   double tool_damping = 10;      ///< kg/s, Eq. 2.6 of points: over sqrt(w)
@@ -31,7 +31,8 @@ struct DpdParameters {
     };
     require(reach > 0 && density > 0, "a DPD fluid needs a reach and a density above 0");
     require(repulsion >= 0 && noise >= 0, "repulsion and noise of a DPD fluid cannot be below 0");
-    require(thermal_energy > 0, "a DPD fluid needs a thermal energy above 0: noise over damping follows from it");
+    require(thermal_energy > 0,
+            "a DPD fluid needs a thermal energy above 0: noise over damping follows from it");
     require(grain_stiffness >= 0 && tool_stiffness >= 0 && tool_damping >= 0,
             "stiffness and damping of grains in a DPD fluid cannot be below 0");
     require(solid_share > 0 && grip >= 0, "solids in a DPD fluid need a share in its density above 0");

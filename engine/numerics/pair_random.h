@@ -32,8 +32,8 @@ class PairRandom {
       : key_{static_cast<std::uint32_t>(seed), static_cast<std::uint32_t>(seed >> 32U)},
         step_{static_cast<std::uint32_t>(step), static_cast<std::uint32_t>(step >> 32U)} {}
 
-  /// Gaussian number of mean 0 and variance 1 of the particles numbered i and j, the same for j and i: zeta of
-  /// Bierwisch 2009, Eq. A.3, by the transform of Box and Muller. Numbers are below 2^32.
+  /// Gaussian number of mean 0 and variance 1 of the particles numbered i and j, the same for j and i: zeta
+  /// of Bierwisch 2009, Eq. A.3, by the transform of Box and Muller. Numbers are below 2^32.
   double gaussian(std::uint64_t i, std::uint64_t j) const {
     const auto low = static_cast<std::uint32_t>(i < j ? i : j);
     const auto high = static_cast<std::uint32_t>(i < j ? j : i);

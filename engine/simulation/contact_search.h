@@ -20,8 +20,8 @@ struct NewOrder {
   ContactHistories histories;
 };
 
-/// Appends to SphereField::images those that grains within `margin` (m) of borders are seen in. None: those of
-/// the periodic box.
+/// Appends to SphereField::images those that grains within `margin` (m) of borders are seen in. None: those
+/// of the periodic box.
 using ImageFinder = std::function<void(SimulationState& state, double margin)>;
 
 /// Sorts all grains in space and finds their near pairs. Throws OutOfRange when grains have flown beyond all

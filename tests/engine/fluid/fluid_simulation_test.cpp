@@ -9,7 +9,8 @@ namespace {
 Eigen::Vector3d momentum(const FluidSimulation& simulation) {
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
   for (std::size_t k = 0; k < simulation.particles().size(); ++k)
-    if (simulation.is_fluid(k)) sum += simulation.settings().particle_mass * simulation.particles().velocity[k];
+    if (simulation.is_fluid(k))
+      sum += simulation.settings().particle_mass * simulation.particles().velocity[k];
   for (std::size_t s = 0; s < simulation.solids().size(); ++s)
     sum += simulation.solids().spec(s).shape.mass * simulation.solids().motion()[s].velocity;
   return sum;
@@ -54,7 +55,8 @@ double energy_error(const Particles& start, double edge, double time_step) {
   simulation.add_fluid(start.places, start.velocities);
   const auto energy = [&] {
     double sum = 1.5 * fluid_temperature(simulation) * static_cast<double>(start.places.size());
-    for (const double density : simulation.policy().densities()) sum += simulation.policy().law().energy(density);
+    for (const double density : simulation.policy().densities())
+      sum += simulation.policy().law().energy(density);
     return sum;
   };
   simulation.step();

@@ -13,11 +13,11 @@ namespace {
 using engine::FluidSimulation;
 using engine::RigidSetSpec;
 
-constexpr double kSteel = 6.5;              // density of the wire over that of the fluid: 7.8 over 1.2 g/cm^3
+constexpr double kSteel = 6.5;  // density of the wire over that of the fluid: 7.8 over 1.2 g/cm^3
 constexpr double kLayers[] = {0.5 * kSpacing, 1.5 * kSpacing};  // depths of particles below a surface
-constexpr double kMostStretch = 2;          // r_c, of the groove's surface
-constexpr int kEvery = 5;                   // steps between samples
-constexpr int kGrainWindow = 100;           // steps over which the stress in a grain is taken
+constexpr double kMostStretch = 2;                              // r_c, of the groove's surface
+constexpr int kEvery = 5;                                       // steps between samples
+constexpr int kGrainWindow = 100;  // steps over which the stress in a grain is taken
 
 /// Numbers at equal distances of about kSpacing, half of one from both ends.
 std::vector<double> spread(double from, double to) {
@@ -93,15 +93,16 @@ SlurrySpace space_of(const GrooveCase& one) {
   const double wide = one.groove_radius;
   const double area = 0.5 * std::numbers::pi * wide * wide + 2 * wide * one.top -
                       std::numbers::pi * one.wire_radius * one.wire_radius;
-  return {{-wide, -0.5 * one.length, -wide},
-          {wide, 0.5 * one.length, one.top},
-          {std::nullopt, one.length, std::nullopt},
-          area * one.length,
-          [one](const Eigen::Vector3d& place) {
-            const double from_axis = std::hypot(place.x(), place.z() - one.wire_start);
-            const double from_middle = place.z() < 0 ? std::hypot(place.x(), place.z()) : std::abs(place.x());
-            return std::min({from_axis - one.wire_radius, one.groove_radius - from_middle, one.top - place.z()});
-          }};
+  return {
+      {-wide, -0.5 * one.length, -wide},
+      {wide, 0.5 * one.length, one.top},
+      {std::nullopt, one.length, std::nullopt},
+      area * one.length,
+      [one](const Eigen::Vector3d& place) {
+        const double from_axis = std::hypot(place.x(), place.z() - one.wire_start);
+        const double from_middle = place.z() < 0 ? std::hypot(place.x(), place.z()) : std::abs(place.x());
+        return std::min({from_axis - one.wire_radius, one.groove_radius - from_middle, one.top - place.z()});
+      }};
 }
 
 /// One run, and what it has found so far.
@@ -174,7 +175,8 @@ class Sawing {
       } else if (set == ingot_) {
         const SurfacePlace& at = surface_[particles.id[k] - first_of_ingot_];
         const auto stretch = static_cast<std::size_t>((at.along + half) / figures_.stress.front().width);
-        figures_.stress[std::min(stretch, figures_.stress.size() - 1)].stress += particles.force[k].dot(at.into);
+        figures_.stress[std::min(stretch, figures_.stress.size() - 1)].stress +=
+            particles.force[k].dot(at.into);
       } else if (set == lid_) {
         lid_force_ += particles.force[k].z();
       }
@@ -212,8 +214,7 @@ class Sawing {
       const double size = slurry_.grain_size[g];
       auto found = std::find_if(figures_.grains.begin(), figures_.grains.end(),
                                 [&](const GrainStress& one) { return one.size == size; });
-      if (found == figures_.grains.end())
-        found = figures_.grains.insert(found, GrainStress{.size = size});
+      if (found == figures_.grains.end()) found = figures_.grains.insert(found, GrainStress{.size = size});
       const double stress = ReducedUnits::pressure_of_process * grain_pressure_[g] / kGrainWindow;
       (stress <= kLow ? found->low : stress <= kHigh ? found->middle : found->high) += 1;
       grain_pressure_[g] = 0;
@@ -224,9 +225,9 @@ class Sawing {
     const double width = case_.groove_radius - case_.wire_radius;
     for (std::size_t k = 0; k < speed_.size(); ++k)
       if (count_[k] > 0)
-        figures_.gap.push_back({case_.wire_radius + width * (static_cast<double>(k) + 0.5) /
-                                                        static_cast<double>(speed_.size()),
-                                speed_[k] / count_[k]});
+        figures_.gap.push_back(
+            {case_.wire_radius + width * (static_cast<double>(k) + 0.5) / static_cast<double>(speed_.size()),
+             speed_[k] / count_[k]});
     const double lid = lid_force_ / samples_ / (2 * case_.groove_radius * case_.length);
     for (GrooveStress& stretch : figures_.stress)
       stretch.stress = stretch.stress / samples_ / (stretch.width * case_.length) - lid;

@@ -11,12 +11,12 @@ namespace diefill::process::laboratory::sawing {
 /// Shapes and how the wire moves. Lengths as published: wire 100 um, groove 140 um.
 struct GrooveCase {
   double wire_radius = 10, groove_radius = 14;
-  double top = 14;            ///< z of the lid that closes the groove: the fluid has no free surface
-  double length = 8;          ///< periodic, along y
-  double wire_start = 0;      ///< z of its axis
-  double speed = 0;           ///< of the wire along y
-  double pressure = 0;        ///< on the wire's projected area (OP-18), down; 0: the wire keeps its height
-  double solids = 0;          ///< share of the slurry
+  double top = 14;        ///< z of the lid that closes the groove: the fluid has no free surface
+  double length = 8;      ///< periodic, along y
+  double wire_start = 0;  ///< z of its axis
+  double speed = 0;       ///< of the wire along y
+  double pressure = 0;    ///< on the wire's projected area (OP-18), down; 0: the wire keeps its height
+  double solids = 0;      ///< share of the slurry
   int settling = 2000, sampled = 4000;  ///< steps
 };
 

@@ -34,7 +34,8 @@ ExperimentSeries series_of(const std::string& name, Role role) {
 
 void add_viscosities(const std::string& name, const std::vector<double>& rates,
                      const std::vector<ShearedFigures>& all, double published, ExperimentChart& chart) {
-  ExperimentSeries here = series_of(name, Role::measured), source = series_of(name + ", published", Role::published);
+  ExperimentSeries here = series_of(name, Role::measured),
+                   source = series_of(name + ", published", Role::published);
   for (std::size_t k = 0; k < rates.size(); ++k) {
     here.x.push_back(rates[k]), here.y.push_back(ReducedUnits::viscosity * all[k].viscosity);
     source.x.push_back(rates[k]), source.y.push_back(published);
@@ -58,7 +59,8 @@ double share_at_centre(const GrooveFigures& figures) {
   double centre = 0, all = 0;
   for (const GrooveStress& stretch : figures.stress) {
     all += stretch.stress * stretch.width;
-    if (ReducedUnits::micrometres * std::abs(stretch.place) < kCentre) centre += stretch.stress * stretch.width;
+    if (ReducedUnits::micrometres * std::abs(stretch.place) < kCentre)
+      centre += stretch.stress * stretch.width;
   }
   return centre / all;
 }
@@ -97,7 +99,8 @@ ExperimentChart gap_chart(const std::vector<GapSpeed>& gap, double wire_speed) {
   chart.subtitle = "Wire of 100 um in a groove of 140 um, no grains";
   chart.x = {.label = "Distance from the wire [um]"};
   chart.y = {.label = "Speed over that of the wire [1]"};
-  ExperimentSeries here = series_of("diefill", Role::points), line = series_of("no slip, line", Role::predicted);
+  ExperimentSeries here = series_of("diefill", Role::points),
+                   line = series_of("no slip, line", Role::predicted);
   const GrooveCase shape;
   for (const GapSpeed& at : gap) {
     here.x.push_back(ReducedUnits::micrometres * (at.radius - shape.wire_radius));

@@ -47,9 +47,7 @@ class OccupiedPlaces {
   }
 
  private:
-  static Eigen::Vector3i cell(const Eigen::Vector3d& place) {
-    return place.array().floor().cast<int>();
-  }
+  static Eigen::Vector3i cell(const Eigen::Vector3d& place) { return place.array().floor().cast<int>(); }
   static std::int64_t key(const Eigen::Vector3i& cell) {
     constexpr std::int64_t kMost = 1 << 20;
     return (cell.x() * kMost + cell.y()) * kMost + cell.z();

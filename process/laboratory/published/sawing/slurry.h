@@ -11,10 +11,10 @@ namespace diefill::process::laboratory::sawing {
 
 /// What numbers in reduced units stand for, as published (section A.2; OP-16).
 struct ReducedUnits {
-  static constexpr double viscosity = 0.050;                ///< mPa s
-  static constexpr double velocity = 183;                   ///< m/s
-  static constexpr double pressure = 8.3;                   ///< N/mm^2
-  static constexpr double micrometres = 5;                  ///< of the process: 1 um is 0.2 r_c
+  static constexpr double viscosity = 0.050;                      ///< mPa s
+  static constexpr double velocity = 183;                         ///< m/s
+  static constexpr double pressure = 8.3;                         ///< N/mm^2
+  static constexpr double micrometres = 5;                        ///< of the process: 1 um is 0.2 r_c
   static constexpr double velocity_of_process = 183 * 17. / 131;  ///< m/s: 131 m/s stand for 17 (OP-17)
   static constexpr double pressure_of_process = 8.3 * 1.5 / 89;   ///< N/mm^2: 89 stand for 1.5 (Table A.1)
 };

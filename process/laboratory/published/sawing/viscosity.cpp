@@ -44,8 +44,7 @@ ShearedFigures measure(const ShearedSlurry& slurry, std::uint64_t seed) {
       simulation.step();
       const Eigen::Matrix3d pressure = engine::fluid_pressure(simulation);
       const double share = 1.0 / part_steps;
-      if (slurry.rate != 0)
-        part -= 0.5 * share * (pressure(0, 1) + pressure(1, 0)) / slurry.rate;
+      if (slurry.rate != 0) part -= 0.5 * share * (pressure(0, 1) + pressure(1, 0)) / slurry.rate;
       figures.pressure += 0.1 * share * pressure.trace() / 3;
       figures.temperature += 0.1 * share * engine::fluid_temperature(simulation);
     }

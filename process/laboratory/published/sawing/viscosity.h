@@ -11,8 +11,8 @@ namespace diefill::process::laboratory::sawing {
 struct ShearedSlurry {
   double edge = 10;
   double rate = 0.1;
-  double solids = 0;       ///< share of the volume
-  double density = 4.15;   ///< of the fluid; its law asks for 4.15
+  double solids = 0;      ///< share of the volume
+  double density = 4.15;  ///< of the fluid; its law asks for 4.15
   double time_step = 0.01;
   int settling = 1000, sampled = 6000;  ///< steps
 };

@@ -1,5 +1,5 @@
-// Wire sawing (Bierwisch 2009, appendix A). No scene has a fluid of particles: quantities are measured in runs
-// of their own, one of each kind and seed, in reduced units.
+// Wire sawing (Bierwisch 2009, appendix A). No scene has a fluid of particles: quantities are measured in
+// runs of their own, one of each kind and seed, in reduced units.
 #include "process/laboratory/published/sawing/wire_sawing.h"
 
 #include <algorithm>
@@ -61,7 +61,7 @@ using Viscosities = std::vector<ShearedFigures>;
 
 Viscosities fluid_viscosities(const Extent& extent, std::uint64_t seed) {
   Viscosities all;
-  for (const double rate : kRates) // the smaller the stress, the more of its scatter has to be averaged
+  for (const double rate : kRates)  // the smaller the stress, the more of its scatter has to be averaged
     all.push_back(measure({.edge = extent.fluid_edge,
                            .rate = rate,
                            .settling = 1000,
@@ -148,11 +148,10 @@ using ValueOf = double (*)(SawingRuns& runs, std::uint64_t seed);
 
 void add(LabPlan& plan, const SharedRuns& runs, const std::string& id, const std::string& quantity,
          const std::string& unit, const ValueOf& value) {
-  plan.quantities.push_back({.id = id,
-                             .quantity = quantity,
-                             .unit = unit,
-                             .runs = {},
-                             .value = [=](const SeedResults& seed) { return value(*runs, seed.seed()); }});
+  plan.quantities.push_back(
+      {.id = id, .quantity = quantity, .unit = unit, .runs = {}, .value = [=](const SeedResults& seed) {
+         return value(*runs, seed.seed());
+       }});
 }
 
 /// Reynolds number (Eq. A.6): speed (m/s), gap (m), density (kg/m^3), viscosity (Pa s).
@@ -161,8 +160,7 @@ double reynolds(double speed, double gap, double density, double viscosity) {
 }
 
 void add_formulas(LabPlan& plan, const SharedRuns& runs) {
-  add(plan, runs, "Z06", "", "",
-      [](SawingRuns&, std::uint64_t) { return reynolds(17, 20e-6, 1700, 0.2); });
+  add(plan, runs, "Z06", "", "", [](SawingRuns&, std::uint64_t) { return reynolds(17, 20e-6, 1700, 0.2); });
   add(plan, runs, "Z07", "", "",
       [](SawingRuns&, std::uint64_t) { return reynolds(122, 4.4e-9, 1700, 0.34e-3); });
 }
@@ -188,9 +186,8 @@ void add_viscosities(LabPlan& plan, const SharedRuns& runs) {
 }
 
 void add_drag(LabPlan& plan, const SharedRuns& runs) {
-  add(plan, runs, "Z05", "", "", [](SawingRuns& all, std::uint64_t seed) {
-    return line_through(all.dragged.of(seed).gap).r_squared;
-  });
+  add(plan, runs, "Z05", "", "",
+      [](SawingRuns& all, std::uint64_t seed) { return line_through(all.dragged.of(seed).gap).r_squared; });
   add(plan, runs, "SAW-slip-wire", "slip of the fluid at the wire over its speed", "1",
       [](SawingRuns& all, std::uint64_t seed) {
         return std::abs(1 - speed_at(all.dragged.of(seed).gap, GrooveCase().wire_radius) / kSpeed);
@@ -211,14 +208,14 @@ void add_sawing(LabPlan& plan, const SharedRuns& runs) {
     return stress_at_sides(all.sawn[kSemiContact].of(seed)) / stress_at_sides(all.sawn[kNonContact].of(seed));
   });
   for (std::size_t k = 0; k < std::size(kCases); ++k)
-    plan.quantities.push_back(
-        {.id = "SAW-distance-" + std::to_string(k + 1),
-         .quantity = std::string("wire to ingot, ") + kCases[k].name,
-         .unit = "um",
-         .runs = {},
-         .value = [=](const SeedResults& seed) {
-           return ReducedUnits::micrometres * runs->sawn[k].of(seed.seed()).mean_distance;
-         }});
+    plan.quantities.push_back({.id = "SAW-distance-" + std::to_string(k + 1),
+                               .quantity = std::string("wire to ingot, ") + kCases[k].name,
+                               .unit = "um",
+                               .runs = {},
+                               .value = [=](const SeedResults& seed) {
+                                 return ReducedUnits::micrometres *
+                                        runs->sawn[k].of(seed.seed()).mean_distance;
+                               }});
   for (const std::size_t k : {kNonContact, kSemiContact})
     for (std::size_t size = 0; size < SlurryMixture().sizes.size(); ++size)
       plan.quantities.push_back(
