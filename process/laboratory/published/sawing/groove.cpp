@@ -221,7 +221,23 @@ class Sawing {
     }
   }
 
+  /// A slice half a unit to either side of the middle.
+  void take_section() {
+    const engine::Grains& particles = simulation_.particles();
+    using Part = SectionPoint::Part;
+    for (std::size_t k = 0; k < particles.size(); ++k) {
+      const Eigen::Vector3d& place = particles.position[k];
+      if (std::abs(place.y()) > 0.5) continue;
+      const std::uint32_t set = simulation_.solids().set_of(particles.id[k]);
+      const Part part = set == engine::RigidSets::kFluid    ? Part::fluid
+                        : simulation_.solids().is_tool(set) ? Part::tool
+                                                            : Part::grain;
+      figures_.section.push_back({part, place.x(), place.z()});
+    }
+  }
+
   void conclude() {
+    take_section();
     const double width = case_.groove_radius - case_.wire_radius;
     for (std::size_t k = 0; k < speed_.size(); ++k)
       if (count_[k] > 0)

@@ -37,10 +37,18 @@ struct GrainStress {
   double low = 0, middle = 0, high = 0;  ///< up to 5, up to 25, above
 };
 
+/// A particle in a slice across the wire, at the end of the run.
+struct SectionPoint {
+  enum class Part { fluid, grain, tool };
+  Part part;
+  double x, z;
+};
+
 struct GrooveFigures {
   std::vector<GapSpeed> gap;
   std::vector<GrooveStress> stress;
   std::vector<GrainStress> grains;
+  std::vector<SectionPoint> section;
   std::vector<double> time, distance;  ///< wire to ingot, below the wire, over the whole run
   double mean_distance = 0;            ///< of the sampled steps
   double solids = 0;                   ///< share that found room

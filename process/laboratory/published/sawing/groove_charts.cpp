@@ -130,6 +130,28 @@ ExperimentChart stress_chart(const std::vector<NamedGroove>& all) {
   return chart;
 }
 
+ExperimentChart section_chart(const NamedGroove& one, std::size_t number) {
+  ExperimentChart chart;
+  chart.name = "wire_sawing_section_" + std::to_string(number);
+  chart.title = "Slice across the wire: " + one.name;
+  chart.subtitle = "Particles of fluid, grains, wire and ingot at the end of the run";
+  chart.x = {.label = "Across [um]"};
+  chart.y = {.label = "Height above the round bottom's middle [um]"};
+  using Part = SectionPoint::Part;
+  constexpr std::pair<Part, const char*> kParts[] = {
+      {Part::fluid, "fluid"}, {Part::grain, "grains"}, {Part::tool, "wire and ingot"}};
+  for (const auto& [part, name] : kParts) {
+    ExperimentSeries series = series_of(name, Role::points);
+    for (const SectionPoint& point : one.figures->section) {
+      if (point.part != part) continue;
+      series.x.push_back(ReducedUnits::micrometres * point.x);
+      series.y.push_back(ReducedUnits::micrometres * point.z);
+    }
+    chart.series.push_back(series);
+  }
+  return chart;
+}
+
 ExperimentChart distance_chart(const std::vector<NamedGroove>& all) {
   ExperimentChart chart;
   chart.name = "wire_sawing_distance";

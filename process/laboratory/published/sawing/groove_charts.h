@@ -40,6 +40,8 @@ results::ExperimentChart viscosity_chart(const std::vector<double>& rates,
                                          const std::vector<ShearedFigures>& slurry);
 results::ExperimentChart gap_chart(const std::vector<GapSpeed>& gap, double wire_speed);
 results::ExperimentChart stress_chart(const std::vector<NamedGroove>& all);
+/// View across the wire: particles of a slice.
+results::ExperimentChart section_chart(const NamedGroove& one, std::size_t number);
 results::ExperimentChart distance_chart(const std::vector<NamedGroove>& all);
 
 }  // namespace diefill::process::laboratory::sawing

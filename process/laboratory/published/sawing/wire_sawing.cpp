@@ -239,6 +239,7 @@ std::vector<results::ExperimentChart> charts_of(SawingRuns& runs, std::uint64_t 
     all.push_back({kCases[k].name, kCases[k].pressure, &runs.sawn[k].of(seed)});
   charts.push_back(stress_chart(all));
   charts.push_back(distance_chart(all));
+  for (std::size_t k = 0; k < all.size(); ++k) charts.push_back(section_chart(all[k], k + 1));
   return charts;
 }
 
