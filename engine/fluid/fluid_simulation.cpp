@@ -24,7 +24,7 @@ SimulationSettings as_powder(const FluidSettings& settings) {
   settings.law.check();
   if (!(settings.particle_mass > 0)) throw std::invalid_argument("particles of a fluid need a mass above 0");
   SimulationSettings powder;
-  powder.types = {{model_a(0.5 * reach, settings.particle_mass)}};
+  powder.types = {{.shape = model_a(0.5 * reach, settings.particle_mass)}};
   powder.gravity.setZero();
   powder.time_step = settings.time_step;
   powder.period = settings.period;

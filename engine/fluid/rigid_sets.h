@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "engine/fluid/sheared_period.h"
-#include "engine/numerics/thread_pool.h"
 #include "engine/powder/grain_shape.h"
 #include "engine/powder/grains.h"
 

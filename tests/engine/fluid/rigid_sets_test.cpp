@@ -17,7 +17,6 @@ std::vector<Eigen::Vector3d> arms(const FluidSimulation& simulation) {
   return places;
 }
 
-// In a free fall between two periods of a box nothing but its own law moves it.
 TEST(RigidSets, MoveByTheirDriveAlongFreeAxesAndAsPrescribedAlongOthers) {
   FluidSimulation simulation(cube(8));
   RigidSetSpec tool;
@@ -28,7 +27,6 @@ TEST(RigidSets, MoveByTheirDriveAlongFreeAxesAndAsPrescribedAlongOthers) {
   tool.drive = {5, 5, -3};
   simulation.add_solid(tool);
   run(simulation, 100);
-  // The first step begins without the particles' forces, but with the drive.
   const double time = 1, fall = -3 / tool.shape.mass;
   const RigidSetMotion& motion = simulation.solids().motion()[0];
   EXPECT_NEAR(motion.centre.x(), 0, 1e-12);
