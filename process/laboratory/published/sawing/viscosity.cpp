@@ -36,6 +36,7 @@ ShearedFigures measure(const ShearedSlurry& slurry, std::uint64_t seed) {
                           [](const Eigen::Vector3d&) { return 1e9; }};
   ShearedFigures figures;
   figures.solids = fill(space, {.solids = slurry.solids, .density = slurry.density}, seed, simulation).solids;
+  figures.particles = static_cast<double>(simulation.particles().size());
   for (int k = 0; k < slurry.settling; ++k) simulation.step();
   std::array<double, 10> viscosity{};
   const int part_steps = slurry.sampled / 10;

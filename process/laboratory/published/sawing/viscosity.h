@@ -21,6 +21,7 @@ struct ShearedFigures {
   double viscosity = 0, temperature = 0, pressure = 0;
   double scatter = 0;  ///< of the viscosity, standard deviation of the mean of ten equal times
   double solids = 0;   ///< share of the volume that found room
+  double particles = 0;
 };
 
 ShearedFigures measure(const ShearedSlurry& slurry, std::uint64_t seed);
