@@ -58,9 +58,9 @@ std::vector<Vector3> all_pairs(const FluidSimulation& simulation) {
 TEST(ShearedPeriod, ForcesAreThoseOfAllPairs) {
   for (const double time : {0.0, 3.7, 41.3}) {
     FluidSettings settings = cube(6, 0.3);
-    settings.time_step = 1e-6;  // s, so that velocities are those that forces were computed from
-    settings.law.noise = 3e-3;
-    settings.law.thermal_energy = 1e-6;
+    settings.time_step = 1e-8;  // so that velocities are those that forces were computed from
+    settings.law.noise = 3e-4;
+    settings.law.thermal_energy = 1e-8;
     FluidSimulation simulation(settings);
     fill(simulation);
     FluidSnapshot later = simulation.snapshot();
@@ -98,7 +98,7 @@ TEST(ShearedPeriod, DrivesFluidAtRestIntoALinearProfile) {
   simulation.add_fluid(fluid.places, fluid.velocities);
   run(simulation, 1000);
   FluidProfile profile{.along = 0, .across = 1, .from = -0.5 * kEdge, .to = 0.5 * kEdge, .layers = 6};
-  for (int k = 0; k < 300; ++k) {
+  for (int k = 0; k < 600; ++k) {
     run(simulation, 5);
     profile.add(simulation);
   }
