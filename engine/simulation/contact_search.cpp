@@ -104,7 +104,7 @@ double farthest_allowance(const ListReference& reference) {
   return farthest;
 }
 
-void find_images(SimulationState& state) {
+void find_images(SimulationState& state, const ImageFinder& other) {
   auto& images = state.spheres.images;
   images.clear();
   if (!state.box.any()) return;
@@ -112,8 +112,12 @@ void find_images(SimulationState& state) {
   // it.
   const double margin =
       2 * state.types.largest_grain() + state.grain_loop->range() + 2 * farthest_allowance(state.reference);
-  for (std::uint32_t k = 0; k < state.reference.position.size(); ++k)
-    state.box.add_images(k, state.reference.position[k], margin, images);
+  if (other) {
+    other(state, margin);
+  } else {
+    for (std::uint32_t k = 0; k < state.reference.position.size(); ++k)
+      state.box.add_images(k, state.reference.position[k], margin, images);
+  }
   images.shrink_to_fit();
 }
 
@@ -162,21 +166,23 @@ void search_in_order(SimulationState& state, StepPolicy& policy, std::vector<std
   search_again(state, policy, remember_contacts(state, policy, std::move(order)));
 }
 
-void search_again(SimulationState& state, StepPolicy& policy, const NewOrder& sorted) {
+void search_again(SimulationState& state, StepPolicy& policy, const NewOrder& sorted,
+                  const ImageFinder& images) {
   state.grains.reorder(sorted.order);
   state.spheres.reorder_motion(sorted.order);
   remember_reference(state, sorted.awake);
-  search_at_reference(state, sorted.histories);
+  search_at_reference(state, sorted.histories, images);
   state.spheres.stand_at(state.grains.position, state.grains.orientation);
   policy.after_search(state);
 }
 
-void search_at_reference(SimulationState& state, const ContactHistories& histories) {
+void search_at_reference(SimulationState& state, const ContactHistories& histories,
+                         const ImageFinder& images) {
   ++state.searches;
   SphereField& spheres = state.spheres;
   const ListReference& reference = state.reference;
   spheres.grains = reference.position.size();
-  find_images(state);
+  find_images(state, images);
   if (!state.types.monodisperse()) spheres.kind = state.grains.kind;
   if (state.types.clumps()) {
     spheres.velocity.resize(spheres.grains);

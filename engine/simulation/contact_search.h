@@ -1,6 +1,8 @@
 // Renews the list of near pairs: sorts the grains in space, and carries the history of touching pairs over.
 #pragma once
 
+#include <functional>
+
 #include "engine/simulation/step_policy.h"
 
 namespace diefill::engine {
@@ -18,6 +20,10 @@ struct NewOrder {
   ContactHistories histories;
 };
 
+/// Appends to SphereField::images those that grains within `margin` (m) of borders are seen in. None: those
+/// of the periodic box.
+using ImageFinder = std::function<void(SimulationState& state, double margin)>;
+
 /// Sorts all grains in space and finds their near pairs. Throws OutOfRange when grains have flown beyond all
 /// bounds.
 void sort_and_search(SimulationState& state, StepPolicy& policy);
@@ -27,10 +33,12 @@ void search_in_order(SimulationState& state, StepPolicy& policy, std::vector<std
 /// The first half of sort_and_search(): the order in space, with what pairs remember now.
 NewOrder sort_in_space(SimulationState& state, StepPolicy& policy);
 /// The second half.
-void search_again(SimulationState& state, StepPolicy& policy, const NewOrder& sorted);
+void search_again(SimulationState& state, StepPolicy& policy, const NewOrder& sorted,
+                  const ImageFinder& images = {});
 
 /// Finds near pairs of the grains where SimulationState::reference has them.
-void search_at_reference(SimulationState& state, const ContactHistories& histories);
+void search_at_reference(SimulationState& state, const ContactHistories& histories,
+                         const ImageFinder& images = {});
 
 /// Puts grains that have left the periodic box back into it. Searches find images of grains in the box only.
 void wrap_grains(SimulationState& state);

@@ -46,6 +46,7 @@ EXPERIMENTS = {
     "wall_friction": "W0[12]",
     "ring_levels": "M0[12]",
     "ring_maps": "M07|M23",
+    "wire_sawing": "Z0[1-9]",
 }
 # Rows that a family of experiments with a table of its own measures.
 FAMILIES = {
@@ -73,6 +74,10 @@ CRITERIA = {
     "F02": ("offset of the slit width over d", "1", 1.1, 1.7),
     "F03": ("offset of the slit width over d", "1", 1.1, 1.7),
     "F04": ("rate at equal D - 1.4 d, coarse over fine, w fixed", "1", 1.0, None),
+    "Z04": ("largest difference of the viscosity over shear rates from its mean, over the mean", "1", None, 0.05),
+    "Z05": ("R^2 of a line through the velocity across the gap", "1", 0.99, None),
+    "Z08": ("share of the force within 30 um of the groove's centre, semi-contact over non-contact", "1", 2, None),
+    "Z09": ("normal stress beyond 100 um, semi-contact over non-contact", "1", 0.5, 2),
     "S01": ("residual against the measured curve", "1", None, 1e-3),
     "S02": ("residual against the measured curve", "1", None, 1e-3),
     "S03": ("residual against the measured curve", "1", None, 1e-3),

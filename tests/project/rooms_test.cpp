@@ -16,7 +16,7 @@ const std::map<std::string, std::vector<std::string>>& rooms() {
   static const std::map<std::string, std::vector<std::string>> all = {
       {"engine",
        {"numerics", "laws", "coarse_graining", "powder", "walls", "search", "contact", "integrate",
-        "simulation", "observe", "limits"}},
+        "simulation", "observe", "fluid", "limits"}},
       {"geometry", {"grids", "mesh", "solid", "cad", "voronoi", "reach", "cavity", "wall_spheres"}},
       {"process",
        {"results", "measure", "input", "machine", "scene", "measured_data", "press_mesh", "powder", "tooling",

@@ -1,4 +1,5 @@
 #include "process/laboratory/published/experiments.h"
+#include "process/laboratory/published/sawing/wire_sawing.h"
 
 namespace diefill::process::laboratory {
 
@@ -65,6 +66,7 @@ const std::vector<SceneExperiment>& scene_experiments() {
        plan_lh220_range},
       {"hopper_design", "which hopper does Jenike's procedure give for a published shear test?",
        plan_hopper_design},
+      {"wire_sawing", "how do a slurry and its grains carry a wire that saws a crystal?", plan_wire_sawing},
       {"powder_sheet", "which density, flow and angles has a powder in the tests of powder metallurgists?",
        plan_powder_sheet},
   };

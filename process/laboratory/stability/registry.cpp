@@ -1,5 +1,7 @@
 #include "process/laboratory/stability/registry.h"
 
+#include "process/laboratory/stability/fluid_limit.h"
+
 namespace diefill::process::laboratory {
 
 const std::vector<Experiment>& stability_experiments() {
@@ -18,6 +20,8 @@ const std::vector<Experiment>& stability_experiments() {
       {"capillary", "what is the effect of the smallest gap of a liquid bridge?", find_capillary_limit},
       {"size_ratio", "is friction correct between fine and large grains?", find_size_ratio_limit},
       {"piston", "at which gain does a force-controlled piston oscillate?", find_piston_limit},
+      {"fluid", "which time steps, densities and shear rates keep the temperature of a DPD fluid?",
+       find_fluid_limit},
       {"cavity", "how coarse may grains be for a narrow cavity?", find_cavity_limit},
       {"stiffness", "how soft may grains be?", find_stiffness_limit},
       {"step_effect", "what is the effect of a longer time step on a settled bed?", find_effect_of_step},

@@ -1,0 +1,29 @@
+// Viscosity of fluid and slurry in a sheared box (Bierwisch 2009, section A.2.3). Reduced units.
+#pragma once
+
+#include <vector>
+
+#include "process/laboratory/published/sawing/slurry.h"
+
+namespace diefill::process::laboratory::sawing {
+
+/// A cube of slurry under shear.
+struct ShearedSlurry {
+  double edge = 10;
+  double rate = 0.1;
+  double solids = 0;      ///< share of the volume
+  double density = 4.15;  ///< of the fluid; its law asks for 4.15
+  double time_step = 0.01;
+  int settling = 1000, sampled = 6000;  ///< steps
+};
+
+struct ShearedFigures {
+  double viscosity = 0, temperature = 0, pressure = 0;
+  double scatter = 0;  ///< of the viscosity, standard deviation of the mean of ten equal times
+  double solids = 0;   ///< share of the volume that found room
+  double particles = 0;
+};
+
+ShearedFigures measure(const ShearedSlurry& slurry, std::uint64_t seed);
+
+}  // namespace diefill::process::laboratory::sawing

@@ -1,0 +1,93 @@
+#include "process/laboratory/stability/fluid_limit.h"
+
+#include <cmath>
+#include <limits>
+
+#include "engine/numerics/out_of_range.h"
+#include "process/laboratory/published/sawing/viscosity.h"
+
+namespace diefill::process::laboratory {
+
+namespace {
+
+using results::ExperimentSeries;
+using sawing::ShearedSlurry;
+
+constexpr double kTolerated = 0.05;  // error of the temperature
+
+/// |T - 1|, infinite where the run breaks down.
+double temperature_error(ShearedSlurry fluid, const ExperimentOptions& options) {
+  const double time = options.quick ? 20 : 60;  // reduced, of the samples
+  fluid.edge = options.quick ? 6 : 10;
+  fluid.settling = static_cast<int>(10 / fluid.time_step);
+  fluid.sampled = static_cast<int>(time / fluid.time_step);
+  try {
+    const double error = std::abs(measure(fluid, 1).temperature - 1);
+    return std::isfinite(error) ? error : std::numeric_limits<double>::infinity();
+  } catch (const engine::OutOfRange&) {
+    return std::numeric_limits<double>::infinity();
+  }
+}
+
+/// Errors over one quantity of the fluid, and the first value at which more than kTolerated is reached.
+struct Search {
+  ExperimentSeries series;
+  double limit = std::numeric_limits<double>::quiet_NaN();
+};
+
+/// `nth` of the three searches.
+Search search(const std::vector<double>& values, double ShearedSlurry::*quantity, int nth,
+              const ExperimentOptions& options) {
+  Search found;
+  found.series.name = "measured";
+  for (std::size_t k = 0; k < values.size(); ++k) {
+    const double value = values[k];
+    options.tell((nth + static_cast<double>(k) / static_cast<double>(values.size())) / 3, "fluid");
+    ShearedSlurry fluid{.rate = 0};
+    fluid.*quantity = value;
+    const double error = temperature_error(fluid, options);
+    if (std::isfinite(error)) found.series.x.push_back(value), found.series.y.push_back(error);
+    if (error > kTolerated && std::isnan(found.limit)) found.limit = value;
+    if (!std::isfinite(error)) break;
+  }
+  return found;
+}
+
+/// Slope of the logarithm of the error, from the first and last of the larger half of the errors.
+double order_of(const ExperimentSeries& series) {
+  const std::size_t last = series.x.size() - 1, first = last / 2;
+  return std::log(series.y[last] / series.y[first]) / std::log(series.x[last] / series.x[first]);
+}
+
+results::ExperimentChart chart_of(const std::string& name, const std::string& label,
+                                  const ExperimentSeries& series) {
+  results::ExperimentChart chart;
+  chart.name = "fluid_" + name;
+  chart.title = "Error of the temperature of a DPD fluid";
+  chart.subtitle = "Reduced units; otherwise density 4.15, time step 0.01, no shear";
+  chart.x = {.label = label, .logarithmic = true};
+  chart.y = {.label = "|T - 1| [1]", .logarithmic = true};
+  chart.series = {series};
+  return chart;
+}
+
+}  // namespace
+
+void find_fluid_limit(const ExperimentOptions& options, results::ExperimentResult& result) {
+  const Search step = search({0.005, 0.01, 0.02, 0.03, 0.04, 0.06}, &ShearedSlurry::time_step, 0, options);
+  const Search density = search({2, 3, 4.15, 5, 6, 7, 8, 10}, &ShearedSlurry::density, 1, options);
+  const Search rate = search({0.1, 0.2, 0.5, 1, 2, 5}, &ShearedSlurry::rate, 2, options);
+  result.limits.push_back({"fluid: step with more than 5 % error of the temperature", step.limit,
+                           std::numeric_limits<double>::quiet_NaN(), "reduced", ""});
+  result.limits.push_back({"fluid: order of that error in the step", order_of(step.series), 2, "1",
+                           "velocity Verlet (Groot and Warren 1997)"});
+  result.limits.push_back({"fluid: density with more than 5 % error of the temperature", density.limit,
+                           std::numeric_limits<double>::quiet_NaN(), "reduced", ""});
+  result.limits.push_back({"fluid: shear rate with more than 5 % error of the temperature", rate.limit,
+                           std::numeric_limits<double>::quiet_NaN(), "reduced", ""});
+  result.charts = {chart_of("step", "Time step, reduced [1]", step.series),
+                   chart_of("density", "Density, reduced [1]", density.series),
+                   chart_of("rate", "Shear rate, reduced [1]", rate.series)};
+}
+
+}  // namespace diefill::process::laboratory
