@@ -80,6 +80,8 @@ struct LabPlan {
   std::vector<LabRun> runs;
   std::vector<LabQuantity> quantities;
   LabCharts charts;  ///< nothing: none
+  /// Quantities that take no runs are simulations of minutes: not measured where nothing is to be run.
+  bool simulates = false;
 };
 
 struct SceneExperiment {

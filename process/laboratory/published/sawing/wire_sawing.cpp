@@ -34,6 +34,7 @@ class Runs {
 
 /// How much of the published experiment each size does.
 struct Extent {
+  std::vector<double> rates;                      ///< of the fluid
   double fluid_edge, slurry_edge, groove_length;  ///< r_c
   double longer;                                  ///< of all sampled times
 };
@@ -41,32 +42,34 @@ struct Extent {
 Extent extent_of(LabSize size) {
   switch (size) {
     case LabSize::coarse:
-      return {8, 12, 6, 1};
+      return {{0.1, 0.2}, 8, 12, 6, 1};
     case LabSize::medium:
-      return {10, 20, 12, 2};
+      return {{0.05, 0.1, 0.2}, 10, 20, 12, 2};
     case LabSize::published:
       break;
   }
-  return {10, 30, 20, 10};
+  return {{0.02, 0.05, 0.1, 0.2}, 10, 30, 20, 10};
 }
 
 int steps(double count, const Extent& extent) {
   return static_cast<int>(count * extent.longer);
 }
 
-constexpr double kRates[] = {0.02, 0.05, 0.1, 0.2}, kSlurryRates[] = {0.1, 0.2};
+constexpr double kSlurryRates[] = {0.1, 0.2};
 
 /// Viscosity at several shear rates.
 using Viscosities = std::vector<ShearedFigures>;
 
 Viscosities fluid_viscosities(const Extent& extent, std::uint64_t seed) {
   Viscosities all;
-  for (const double rate : kRates)  // the smaller the stress, the more of its scatter has to be averaged
+  for (const double rate : extent.rates) {  // the smaller the stress, the more of its scatter is averaged
+    constexpr double kAtOne = 500;          // steps, over the square of the rate
     all.push_back(measure({.edge = extent.fluid_edge,
                            .rate = rate,
                            .settling = 1000,
-                           .sampled = steps(std::min(60000.0, 1500 / rate), extent)},
+                           .sampled = steps(std::min(200000.0, kAtOne / (rate * rate)), extent)},
                           seed));
+  }
   return all;
 }
 
@@ -229,10 +232,11 @@ void add_sawing(LabPlan& plan, const SharedRuns& runs) {
            }});
 }
 
-std::vector<results::ExperimentChart> charts_of(SawingRuns& runs, std::uint64_t seed) {
+std::vector<results::ExperimentChart> charts_of(const std::vector<double>& rates, SawingRuns& runs,
+                                                std::uint64_t seed) {
   std::vector<results::ExperimentChart> charts = {
-      viscosity_chart({std::begin(kRates), std::end(kRates)}, runs.fluid.of(seed),
-                      {std::begin(kSlurryRates), std::end(kSlurryRates)}, runs.slurry.of(seed)),
+      viscosity_chart(rates, runs.fluid.of(seed), {std::begin(kSlurryRates), std::end(kSlurryRates)},
+                      runs.slurry.of(seed)),
       gap_chart(runs.dragged.of(seed).gap, kSpeed)};
   std::vector<NamedGroove> all;
   for (std::size_t k = 0; k < std::size(kCases); ++k)
@@ -246,14 +250,16 @@ std::vector<results::ExperimentChart> charts_of(SawingRuns& runs, std::uint64_t 
 }  // namespace
 
 LabPlan plan_wire_sawing(const LabSetting& setting) {
-  const auto runs = std::make_shared<SawingRuns>(extent_of(setting.size));
+  const Extent extent = extent_of(setting.size);
+  const auto runs = std::make_shared<SawingRuns>(extent);
   LabPlan plan;
+  plan.simulates = true;
   add_formulas(plan, runs);
   add_viscosities(plan, runs);
   add_drag(plan, runs);
   add_sawing(plan, runs);
-  plan.charts = [runs](const std::vector<SeedResults>& seeds) {
-    return charts_of(*runs, seeds.front().seed());
+  plan.charts = [runs, rates = extent.rates](const std::vector<SeedResults>& seeds) {
+    return charts_of(rates, *runs, seeds.front().seed());
   };
   return plan;
 }
