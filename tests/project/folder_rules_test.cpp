@@ -64,7 +64,8 @@ bool begins_with_any(const std::string& name, const std::vector<std::string>& pr
 
 /// Headers of the system: <vector> has no dot and no slash; POSIX ones are these.
 bool of_the_system(const std::string& name) {
-  static const std::regex standard("[a-z_0-9]+"), posix("(sys/[a-z]+|unistd|fcntl|dlfcn|poll|netdb|sched)\\.h");
+  static const std::regex standard("[a-z_0-9]+"),
+      posix("(sys/[a-z]+|unistd|fcntl|dlfcn|poll|netdb|sched)\\.h");
   return std::regex_match(name, standard) || std::regex_match(name, posix);
 }
 

@@ -9,8 +9,8 @@
 #include "engine/powder/clump_union.h"
 #include "engine/powder/rigid_motion.h"
 #include "process/continuum/kinematic_model.h"
-#include "process/laboratory/published/experiments.h"
 #include "process/laboratory/published/bierwisch/slit_scene.h"
+#include "process/laboratory/published/experiments.h"
 #include "process/laboratory/stability/pair_encounter.h"
 #include "process/laboratory/stability/trial.h"
 

@@ -5,9 +5,9 @@
 #include <cmath>
 #include <limits>
 
-#include "process/laboratory/published/experiments.h"
 #include "process/laboratory/published/bierwisch/repose_scene.h"
 #include "process/laboratory/published/bierwisch/slit_scene.h"
+#include "process/laboratory/published/experiments.h"
 #include "process/measure/figures/heap_slope.h"
 #include "process/results/figure_table.h"
 #include "process/tradeoff/quantities.h"

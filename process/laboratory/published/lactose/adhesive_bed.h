@@ -66,8 +66,8 @@ struct Loads {
 
 /// d, of the plate's lower face over the floor before it moves.
 double plate_height(const AdhesiveBed& bed);
-/// Wall spheres, which measures see in place of the tools' surfaces, of tools down to `width` (m) for which the
-/// usual ones are too large; nothing for others.
+/// Wall spheres, which measures see in place of the tools' surfaces, of tools down to `width` (m) for which
+/// the usual ones are too large; nothing for others.
 std::string fine_wall_lines(const AdhesivePowder& powder, double width);
 /// Puts powder and bed into adhesive_bed.toml; times of falling are in proportion to sqrt(d / g).
 std::string packed_bed_lines(const AdhesivePowder& powder, const AdhesiveBed& bed);
@@ -76,8 +76,8 @@ std::string pressed_bed_lines(const AdhesivePowder& powder, const AdhesiveBed& b
 /// Behind packed_bed_lines: the plate does not move.
 std::string unpressed_lines();
 
-/// m, of the highest layer of spheres of the bed: the mean height of the highest hundredth, at least five. Spheres that
-/// stick to a plate more than 2 d above the bed are left out.
+/// m, of the highest layer of spheres of the bed: the mean height of the highest hundredth, at least five.
+/// Spheres that stick to a plate more than 2 d above the bed are left out.
 double surface_of(const results::PowderState& powder);
 
 }  // namespace diefill::process::laboratory

@@ -68,8 +68,8 @@ std::string filled_cell_lines(const FilledCell& filled, const std::string& tool,
   const double d = filled.powder.diameter(), half = filled.radius(), height = lattice_height(filled.cell);
   const std::string ending = '_' + std::to_string(filled.cell.bore) + ".stl\"", unit = with_unit(d, "m");
   const double box = filled.cell.bore * filled.cell.bore;
-  std::string set = powder_lines(filled.powder, Packing::clusters) +
-                    fine_wall_lines(filled.powder, filled.cell.bore * d);
+  std::string set =
+      powder_lines(filled.powder, Packing::clusters) + fine_wall_lines(filled.powder, filled.cell.bore * d);
   set += line("tool.cell.file", "\"shear_cell" + ending) + line("tool.cell.length_unit", unit);
   set += line("tool." + tool + ".file", '"' + drawing + ending);
   set += line("tool." + tool + ".length_unit", unit);
