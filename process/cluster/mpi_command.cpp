@@ -7,6 +7,8 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "process/cluster/mpirun_talk.h"
+
 namespace diefill::process::cluster {
 
 namespace {
@@ -29,14 +31,15 @@ bool is_known(const std::string& host) {
 }  // namespace
 
 std::vector<std::string> mpirun_words(const RankCommand& command) {
-  // A run that is stopped gets a minute for its checkpoint.
-  std::vector<std::string> words = {
-      "mpirun", "-q", "-np", std::to_string(command.ranks), "--mca", "odls_base_sigkill_timeout", "60"};
-  if (command.as_root) words.push_back("--allow-run-as-root");
+  std::vector<std::string> words = {"mpirun", "-np", std::to_string(command.ranks), "-x",
+                                    std::string(kSayBegin) + "=1"};
+  if (command.as_root) words.emplace_back("--allow-run-as-root");
   if (!command.hostfile.empty()) {
     words.insert(words.end(), {"--hostfile", command.hostfile.string()});
-  } else if (command.ranks > command.cores) {
-    words.insert(words.end(), {"--oversubscribe", "--mca", "mpi_yield_when_idle", "1"});
+  } else {
+    // mpirun counts cores, not threads of them, and would bind ranks of every run to the same first cores.
+    words.insert(words.end(), {"--oversubscribe", "--bind-to", "none"});
+    if (command.ranks > command.cores) words.insert(words.end(), {"--mca", "mpi_yield_when_idle", "1"});
   }
   words.push_back(command.program.string());
   words.insert(words.end(), command.words.begin(), command.words.end());
@@ -72,7 +75,7 @@ std::string slurm_script(const RankCommand& command) {
       "\n"
       "#SBATCH --time=24:00:00\n"
       "#SBATCH --signal=INT@120\n"
-      "exec srun " +
+      "exec srun --mpi=pmix " +
       quoted(command.program.string());
   for (const std::string& word : command.words) script += ' ' + quoted(word);
   const bool resumes =

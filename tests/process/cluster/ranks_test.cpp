@@ -25,7 +25,8 @@ bool has(const std::vector<std::string>& words, const std::string& word) {
 TEST(RankCommand, AsksForMoreRanksThanCoresOnlyOnThisMachine) {
   RankCommand command = command_on(8);
   EXPECT_TRUE(has(mpirun_words(command), "--oversubscribe"));
-  EXPECT_FALSE(has(mpirun_words(command_on(4)), "--oversubscribe"));
+  EXPECT_TRUE(has(mpirun_words(command), "mpi_yield_when_idle"));
+  EXPECT_FALSE(has(mpirun_words(command_on(4)), "mpi_yield_when_idle"));
   command.hostfile = "hosts";
   EXPECT_FALSE(has(mpirun_words(command), "--oversubscribe"));
   EXPECT_TRUE(has(mpirun_words(command), "hosts"));
@@ -35,7 +36,8 @@ TEST(RankCommand, AsksForMoreRanksThanCoresOnlyOnThisMachine) {
 TEST(SlurmScript, QuotesWordsAndResumes) {
   const std::string script = slurm_script(command_on(64));
   EXPECT_NE(script.find("#SBATCH --ntasks=64\n"), std::string::npos);
-  EXPECT_NE(script.find("exec srun /usr/bin/diefill-mpi run 'my die.toml' --resume\n"), std::string::npos)
+  EXPECT_NE(script.find("exec srun --mpi=pmix /usr/bin/diefill-mpi run 'my die.toml' --resume\n"),
+            std::string::npos)
       << script;
 }
 
