@@ -7,10 +7,12 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <chrono>
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <optional>
 #include <stdexcept>
 
 #include "app/exit_code.h"
@@ -66,7 +68,7 @@ class Mpirun {
   int watch(const std::atomic<bool>& stop) {
     constexpr int kWait = 200;  // ms; a signal may come just before waiting
     int status = 0;
-    bool told = false, ended = false;
+    bool ended = false;
     while (!ended) {
       pollfd ready = {pipe_, POLLIN, 0};
       // At the end of the stream there is nothing to wait for but the end of mpirun.
@@ -74,10 +76,7 @@ class Mpirun {
         ::poll(&ready, 1, kWait);
       else
         ::usleep(1000 * kWait / 10);
-      if (stop.load() && !told) {
-        told = true;
-        ::kill(process_, talk_.begun() ? SIGUSR1 : SIGTERM);  // the former goes on to all ranks
-      }
+      if (stop.load()) ask_to_stop();
       ended = ::waitpid(process_, &status, WNOHANG) == process_;
       pass_on();
     }
@@ -87,6 +86,19 @@ class Mpirun {
   const MpirunTalk& talk() const { return talk_; }
 
  private:
+  /// Ranks that have begun get all the time that they need for a checkpoint. mpirun that is still starting
+  /// them may not heed a signal.
+  void ask_to_stop() {
+    constexpr auto kPatience = std::chrono::seconds(5);
+    const auto now = std::chrono::steady_clock::now();
+    if (!told_at_) {
+      told_at_ = now;
+      told_ranks_ = talk_.begun();
+      ::kill(process_, told_ranks_ ? SIGUSR1 : SIGTERM);  // the former goes on to all ranks
+    } else if (!told_ranks_ && now - *told_at_ > kPatience) {
+      ::kill(process_, SIGKILL);  // its ranks then end by themselves
+    }
+  }
   void pass_on() {
     char part[4096];
     ssize_t length = 0;
@@ -108,6 +120,8 @@ class Mpirun {
   bool open_ = true;
   std::string rest_;  ///< of a line that is not whole yet
   MpirunTalk talk_;
+  std::optional<std::chrono::steady_clock::time_point> told_at_;
+  bool told_ranks_ = false;
 };
 
 std::string ending_of(int status) {

@@ -5,7 +5,6 @@
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
-#include <thread>
 
 #include "app/commands/mpirun_child.h"
 #include "app/commands/step_engine.h"
@@ -51,7 +50,6 @@ process::cluster::RankCommand command_of(const RankArguments& arguments) {
   command.hostfile = arguments.hostfile;
   command.words = words_of(*arguments.command);
   command.as_root = geteuid() == 0;
-  command.cores = static_cast<int>(std::thread::hardware_concurrency());
   return command;
 }
 
@@ -90,7 +88,7 @@ int run_on_ranks(const RankArguments& arguments, const process::Scene& scene) {
   if (!arguments.slurm.empty()) return write_script(arguments.slurm, process::cluster::slurm_script(command));
   if (!arguments.hostfile.empty()) {
     try {
-      process::cluster::check_hosts(arguments.hostfile);
+      process::cluster::check_hosts(arguments.hostfile, arguments.ranks);
     } catch (const std::invalid_argument& error) {
       throw process::SceneError(error.what());
     }
