@@ -41,6 +41,9 @@ std::map<std::string, Sample> filled(const std::vector<std::string>& options) {
   for (int seed = 1; seed <= kSeeds; ++seed) {
     const SmallDie die;
     die.exchange("seed = 1", "seed = " + std::to_string(seed));
+    // Fine enough for a solid fraction two diameters below the surface.
+    die.exchange("grain_diameter = \"1 mm\"", "grain_diameter = \"0.75 mm\"");
+    die.exchange("sphere_radius = \"0.25 mm\"", "sphere_radius = \"0.2 mm\"");
     const Outcome outcome = die.run(options);
     EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
     if (outcome.exit_code != 0) return {};
