@@ -2,25 +2,45 @@
 // 0 is the program, the others compute.
 #include <csignal>
 #include <cstdio>
+#include <cstdlib>
 #include <exception>
+#include <string_view>
 
 #include "app/commands/step_engine.h"
 #include "app/exit_code.h"
 #include "app/program.h"
 #include "process/cluster/lammps/lammps_engine.h"
+#include "process/cluster/mpirun_talk.h"
 
 namespace {
 
 using namespace diefill;
 
+/// Why the program cannot do what it is asked for; nullptr where it can.
+const char* refusal(int argc, char** argv, int ranks) {
+  // Other commands start programs of their own, which must not be ranks.
+  if (argc > 1 && argv[1][0] != '-' && std::string_view(argv[1]) != "run")
+    return "diefill-mpi has the command run only; take diefill for others";
+  const char* tasks = std::getenv("SLURM_STEP_NUM_TASKS");
+  const bool alone = ranks == 1 && std::getenv("OMPI_COMM_WORLD_SIZE") == nullptr;
+  if (alone && tasks != nullptr && std::atoi(tasks) > 1)
+    return "Slurm started several tasks that do not know each other: start them with srun --mpi=pmix";
+  return nullptr;
+}
+
 int run_rank(int argc, char** argv) {
   process::cluster::RankEngine ranks(MPI_COMM_WORLD);
+  const char* refused = refusal(argc, argv, ranks.ranks());
+  if (refused != nullptr && ranks.rank() == 0) std::fprintf(stderr, "diefill: %s\n", refused);
+  if (refused != nullptr) return ranks.rank() == 0 ? app::kBadInput : app::kDone;
   if (ranks.rank() != 0) {
     // Rank 0 heeds them for all: it ends the run with a checkpoint, which needs the others.
-    for (const int signal : {SIGINT, SIGTERM}) std::signal(signal, SIG_IGN);
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGUSR1}) std::signal(signal, SIG_IGN);
     process::cluster::serve(ranks);
     return app::kDone;
   }
+  if (std::getenv(process::cluster::kSayBegin) != nullptr)
+    std::fprintf(stderr, "%s\n", process::cluster::kRanksBegin.data());
   process::cluster::LammpsEngine engine(ranks);
   app::step_engine() = &engine;
   return app::run_program(argc, argv);

@@ -20,7 +20,7 @@ bool is_ignored(int signal) {
 
 const std::atomic<bool>& heed_stop_signals() {
   // A shell has what runs in the background ignore SIGINT, by which a comparison stops its runs.
-  for (const int signal : {SIGINT, SIGTERM}) std::signal(signal, ask_to_stop);
+  for (const int signal : {SIGINT, SIGTERM, SIGUSR1}) std::signal(signal, ask_to_stop);
   for (const int signal : {SIGHUP, SIGPIPE, SIGXFSZ, SIGXCPU})
     if (!is_ignored(signal)) std::signal(signal, ask_to_stop);
   return stop_asked;

@@ -20,6 +20,7 @@
 #include "app/tables/run_summary.h"
 #include "process/cluster/rank_limits.h"
 #include "process/estimate/mouth.h"
+#include "process/input/scene_error.h"
 #include "process/plan/expected_error.h"
 #include "process/powder/material.h"
 #include "process/results/figure_table.h"
@@ -41,23 +42,6 @@ struct RunArguments {
   PowderSampleArguments samples;
   RankArguments ranks;
 };
-
-/// The words of the command for the program on ranks.
-std::vector<std::string> words_of_run(const RunArguments& arguments) {
-  std::vector<std::string> words = {"run", arguments.scene};
-  const auto add = [&words](const char* option, const std::string& value) {
-    if (!value.empty()) words.insert(words.end(), {option, value});
-  };
-  add("--out", arguments.directory);
-  add("--setting", arguments.setting);
-  add("--beginnings", arguments.shared_starts);
-  for (const std::string& change : arguments.changes) add("--set", change);
-  if (arguments.threads > 0) add("--threads", std::to_string(arguments.threads));
-  if (arguments.resume) words.emplace_back("--resume");
-  if (arguments.quiet) words.emplace_back("--quiet");
-  if (arguments.no_pictures) words.emplace_back("--no-pictures");
-  return words;
-}
 
 /// out/<folder of the scene>, or out/<name of the scene> where its file name says more than "fill".
 std::filesystem::path default_directory(const std::filesystem::path& scene) {
@@ -180,8 +164,12 @@ int deliver(const RunArguments& arguments, const process::Scene& scene, const pr
 
 int run(const RunArguments& arguments) {
   process::Scene scene = wanted_scene(arguments.scene, arguments.setting, arguments.changes);
-  if (arguments.ranks.ranks > 0) return run_on_ranks(arguments.ranks, scene, words_of_run(arguments));
-  if (step_engine() != nullptr) process::cluster::refuse_what_ranks_cannot(scene);
+  if (arguments.ranks.ranks > 0) return run_on_ranks(arguments.ranks, scene);
+  if (step_engine() != nullptr) {
+    process::cluster::refuse_what_ranks_cannot(scene);
+    if (arguments.samples.powders > 0)
+      throw process::SceneError("--powder-samples runs many scenes and is not supported on ranks");
+  }
   process::RunOptions options = options_of(arguments, scene);
   if (arguments.samples.powders > 0) return run_samples(arguments, scene, options.directory);
   std::optional<OutputDirectory> output;

@@ -2,13 +2,12 @@
 
 #include <unistd.h>
 
-#include <cerrno>
 #include <cstdio>
-#include <cstring>
 #include <filesystem>
 #include <fstream>
-#include <thread>
 
+#include "app/commands/mpirun_child.h"
+#include "app/commands/step_engine.h"
 #include "app/exit_code.h"
 #include "process/cluster/mpi_command.h"
 #include "process/cluster/rank_limits.h"
@@ -27,15 +26,30 @@ std::filesystem::path rank_program() {
   return beside;
 }
 
-process::cluster::RankCommand command_of(const RankArguments& arguments,
-                                         const std::vector<std::string>& words) {
+/// The words that chose `command`, but for those of add_ranks().
+std::vector<std::string> words_of(const CLI::App& command) {
+  std::vector<std::string> words = {command.get_name()}, named;
+  for (const CLI::Option* option : command.get_options()) {
+    const std::string name = option->get_name();
+    if (option->count() == 0 || name == "--ranks" || name == "--hostfile" || name == "--slurm") continue;
+    if (option->get_positional())
+      words.insert(words.end(), option->results().begin(), option->results().end());
+    else if (option->get_expected_max() == 0)
+      named.push_back(name);
+    else
+      for (const std::string& value : option->results()) named.insert(named.end(), {name, value});
+  }
+  words.insert(words.end(), named.begin(), named.end());
+  return words;
+}
+
+process::cluster::RankCommand command_of(const RankArguments& arguments) {
   process::cluster::RankCommand command;
   command.program = rank_program();
   command.ranks = arguments.ranks;
   command.hostfile = arguments.hostfile;
-  command.words = words;
+  command.words = words_of(*arguments.command);
   command.as_root = geteuid() == 0;
-  command.cores = static_cast<int>(std::thread::hardware_concurrency());
   return command;
 }
 
@@ -51,6 +65,7 @@ int write_script(const std::string& file, const std::string& script) {
 }  // namespace
 
 void add_ranks(CLI::App& command, RankArguments& arguments) {
+  arguments.command = &command;
   auto* ranks =
       command
           .add_option("--ranks", arguments.ranks,
@@ -64,26 +79,21 @@ void add_ranks(CLI::App& command, RankArguments& arguments) {
       ->needs(ranks);
 }
 
-int run_on_ranks(const RankArguments& arguments, const process::Scene& scene,
-                 const std::vector<std::string>& words) {
+int run_on_ranks(const RankArguments& arguments, const process::Scene& scene) {
+  if (step_engine() != nullptr)
+    throw process::SceneError(
+        "--ranks: mpirun -np says on how many ranks diefill-mpi runs; leave the option out");
   process::cluster::refuse_what_ranks_cannot(scene);
-  const auto command = command_of(arguments, words);
+  const auto command = command_of(arguments);
   if (!arguments.slurm.empty()) return write_script(arguments.slurm, process::cluster::slurm_script(command));
   if (!arguments.hostfile.empty()) {
     try {
-      process::cluster::check_hosts(arguments.hostfile);
+      process::cluster::check_hosts(arguments.hostfile, arguments.ranks);
     } catch (const std::invalid_argument& error) {
       throw process::SceneError(error.what());
     }
   }
-  std::vector<std::string> whole = process::cluster::mpirun_words(command);
-  std::vector<char*> pointers;
-  for (std::string& word : whole) pointers.push_back(word.data());
-  pointers.push_back(nullptr);
-  std::fflush(nullptr);
-  execvp(pointers[0], pointers.data());
-  throw std::runtime_error(std::string("mpirun could not be started (") + std::strerror(errno) +
-                           "): install openmpi-bin");
+  return run_mpirun(process::cluster::mpirun_words(command));
 }
 
 }  // namespace diefill::app

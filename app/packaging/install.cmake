@@ -15,6 +15,9 @@ endfunction()
 
 # The program finds its sample tools beside it: bin/../share/diefill/sample_tools (process/input/sample_tools.h).
 install(TARGETS diefill RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT program)
+if(TARGET diefill-mpi) # which diefill starts from beside itself
+  install(TARGETS diefill-mpi RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT program)
+endif()
 install(DIRECTORY ${CMAKE_SOURCE_DIR}/sample_tools DESTINATION ${DIEFILL_SHARE} COMPONENT program
   PATTERN "*.cpp" EXCLUDE PATTERN "CMakeLists.txt" EXCLUDE PATTERN "__pycache__" EXCLUDE)
 diefill_install_tree(program ${DIEFILL_SHARE} README.md CHANGELOG.md CITATION.cff LICENSE)

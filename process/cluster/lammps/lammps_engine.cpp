@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cstdio>
 #include <thread>
 
 #include "process/cluster/lammps/grain_messages.h"
@@ -32,6 +33,20 @@ Task task_of(Task given, const RankEngine& ranks) {
   return {static_cast<Order>(numbers[0]), numbers[1]};
 }
 
+/// Does `work`, of which all ranks have their part. Where it fails on this one, the others would wait for
+/// ever in the midst of theirs: the program ends, in one line.
+template <class Work>
+auto with_all(const RankEngine& ranks, const Work& work) {
+  try {
+    return work();
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "diefill: %s\n", error.what());
+    std::fflush(stderr);
+    MPI_Abort(ranks.communicator(), 1);
+    throw;
+  }
+}
+
 }  // namespace
 
 LammpsEngine::~LammpsEngine() {
@@ -49,9 +64,11 @@ void LammpsEngine::compute(engine::Simulation& simulation, std::uint64_t steps) 
   if (simulation.searches() != searches_) {
     if (!contacts_shown_) throw std::logic_error("a simulation was changed whose contacts were not shown");
     task_of({Order::load, 0}, ranks_);
-    ranks_.load(&simulation);
+    with_all(ranks_, [&] {
+      ranks_.load(&simulation);
+      shares_ = ranks_.shares();
+    });
     searches_ = simulation.searches();
-    shares_ = ranks_.shares();
   }
   std::vector<engine::BodyMotion> motions;
   const double time_step = simulation.settings().time_step;
@@ -59,28 +76,33 @@ void LammpsEngine::compute(engine::Simulation& simulation, std::uint64_t steps) 
     for (const auto& body : simulation.bodies())
       motions.push_back(body.motion_at(static_cast<double>(simulation.steps() + k) * time_step));
   task_of({Order::run, steps}, ranks_);
-  const StepRecords records = ranks_.run(steps, motions);
+  const StepRecords records = with_all(ranks_, [&] { return ranks_.run(steps, motions); });
   for (std::uint64_t k = 0; k < steps; ++k) computed_.push_back(records.step(k, simulation.bodies().size()));
 }
 
 void LammpsEngine::show_grains(engine::Simulation& simulation) {
   if (grains_shown_) return;
   task_of({Order::grains, 0}, ranks_);
-  simulation.take_grains(ranks_.grains());
+  simulation.take_grains(with_all(ranks_, [&] { return ranks_.grains(); }));
   grains_shown_ = true;
 }
 
 void LammpsEngine::show_contacts(engine::Simulation& simulation) {
   if (contacts_shown_) return;
   task_of({Order::contacts, 0}, ranks_);
-  const engine::Grains grains = ranks_.grains();
-  engine::NamedContacts of_grains = ranks_.contacts_of_grains(), of_walls = ranks_.contacts_of_walls();
+  engine::Grains grains;
+  engine::NamedContacts of_grains, of_walls;
+  with_all(ranks_, [&] {
+    grains = ranks_.grains();
+    of_grains = ranks_.contacts_of_grains();
+    of_walls = ranks_.contacts_of_walls();
+    shares_ = ranks_.shares();
+  });
   const auto& settings = simulation.neighbours().settings();
   of_grains.history = with_width(of_grains, settings.grain_history_sign.size());
   of_walls.history = with_width(of_walls, settings.wall_history);
   simulation.take_grains(grains, of_grains, of_walls);
   searches_ = simulation.searches();
-  shares_ = ranks_.shares();
   grains_shown_ = contacts_shown_ = true;
 }
 

@@ -56,8 +56,9 @@ class Packet {
 
  private:
   void append(const void* from, std::size_t count) {
-    const char* first = static_cast<const char*>(from);
-    bytes_.insert(bytes_.end(), first, first + count);
+    const std::size_t end = bytes_.size();
+    bytes_.resize(end + count);
+    if (count > 0) std::memcpy(bytes_.data() + end, from, count);
   }
   void read(void* to, std::size_t count) {
     if (bytes_.size() - next_ < count) throw std::logic_error("a message between ranks ends too early");

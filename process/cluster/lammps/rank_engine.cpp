@@ -57,7 +57,7 @@ RankEngine::RankEngine(MPI_Comm ranks) : communicator_(ranks) {
     throw OtherRelease("LAMMPS of release " + std::to_string(lammps_->num_ver) +
                        " is installed, but runs on ranks need release " + std::to_string(kRelease) +
                        " (Debian 12: liblammps0)");
-  if (rank_ == 0) lammps_->screen = error_stream();
+  lammps_->screen = error_stream();  // of all ranks: LAMMPS has errors of single ones
 }
 
 RankEngine::~RankEngine() = default;

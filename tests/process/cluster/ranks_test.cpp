@@ -5,6 +5,7 @@
 
 #include "process/cluster/mpi_command.h"
 #include "process/cluster/rank_forecast.h"
+#include "tests/support/temporary_folder.h"
 
 namespace diefill::process::cluster {
 namespace {
@@ -14,7 +15,6 @@ RankCommand command_on(int ranks) {
   command.program = "/usr/bin/diefill-mpi";
   command.ranks = ranks;
   command.words = {"run", "my die.toml"};
-  command.cores = 4;
   return command;
 }
 
@@ -25,17 +25,29 @@ bool has(const std::vector<std::string>& words, const std::string& word) {
 TEST(RankCommand, AsksForMoreRanksThanCoresOnlyOnThisMachine) {
   RankCommand command = command_on(8);
   EXPECT_TRUE(has(mpirun_words(command), "--oversubscribe"));
-  EXPECT_FALSE(has(mpirun_words(command_on(4)), "--oversubscribe"));
   command.hostfile = "hosts";
   EXPECT_FALSE(has(mpirun_words(command), "--oversubscribe"));
   EXPECT_TRUE(has(mpirun_words(command), "hosts"));
   EXPECT_FALSE(has(mpirun_words(command), "--allow-run-as-root"));
 }
 
+TEST(Hosts, WithFewerSlotsThanRanksAreRefused) {
+  const support::TemporaryFolder folder;
+  folder.write("hosts", "# this machine\nlocalhost slots=2 max_slots=4\n127.0.0.1 slots=1\n");
+  EXPECT_NO_THROW(check_hosts(folder.path() / "hosts", 3));
+  try {
+    check_hosts(folder.path() / "hosts", 4);
+    FAIL() << "four ranks have no place";
+  } catch (const std::invalid_argument& error) {
+    EXPECT_NE(std::string(error.what()).find("3 slots for 4 ranks"), std::string::npos) << error.what();
+  }
+}
+
 TEST(SlurmScript, QuotesWordsAndResumes) {
   const std::string script = slurm_script(command_on(64));
   EXPECT_NE(script.find("#SBATCH --ntasks=64\n"), std::string::npos);
-  EXPECT_NE(script.find("exec srun /usr/bin/diefill-mpi run 'my die.toml' --resume\n"), std::string::npos)
+  EXPECT_NE(script.find("exec srun --mpi=pmix /usr/bin/diefill-mpi run 'my die.toml' --resume\n"),
+            std::string::npos)
       << script;
 }
 

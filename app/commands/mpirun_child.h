@@ -1,0 +1,16 @@
+// mpirun as a child of this program: it is asked to stop as the program is, and however it ends, one line
+// says so.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace diefill::app {
+
+/// Runs `words`, mpirun first, to the end, and passes on what the ranks say. Returns the program's exit code;
+/// kFailed, after one line, where mpirun or a rank ended without a word. Signals that stop the program make
+/// the ranks leave a checkpoint; when this process is killed, mpirun ends its ranks. Throws
+/// std::runtime_error where mpirun cannot be started.
+int run_mpirun(std::vector<std::string> words);
+
+}  // namespace diefill::app
