@@ -99,6 +99,11 @@ void measure(const LabQuantity& quantity, const FinishedRuns& runs, results::Lab
     if (std::isfinite(value)) row.values.push_back(value);
 }
 
+/// A series that a legend would name in vain.
+bool has_no_value(const results::ExperimentSeries& series) {
+  return std::none_of(series.y.begin(), series.y.end(), [](double value) { return std::isfinite(value); });
+}
+
 results::LabRow row_of(const LabQuantity& quantity, const FinishedRuns& runs,
                        const std::vector<PublishedFigure>& figures, bool published_powder) {
   results::LabRow row;
@@ -167,6 +172,7 @@ LabOutcome perform(const SceneExperiment& experiment, const LabSetting& setting,
     outcome.table.core_seconds += here;
   }
   if (plan.charts) outcome.charts = plan.charts(runs.seeds());
+  for (auto& chart : outcome.charts) std::erase_if(chart.series, has_no_value);
   return outcome;
 }
 
