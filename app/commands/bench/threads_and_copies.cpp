@@ -136,7 +136,7 @@ void print(const ordered_json& outcome, int threads) {
                 1e-6 * lap.at("threads").get<double>(), 1e-6 * lap.at("copies").get<double>(),
                 lap.at("ratio").get<double>());
   std::printf("median ratio: %.3f\n", outcome.at("ratio").get<double>());
-  std::printf("of the time of all threads: %.1f %% in serial parts, %.1f %% waiting in loops\n",
+  std::printf("serial: %.1f %% of the step; waiting in loops: %.1f %% of the time of all threads\n",
               100 * outcome.at("serial_share").get<double>(),
               100 * outcome.at("waiting_share").get<double>());
   for (const auto& more : outcome.at("foretold"))
