@@ -41,7 +41,7 @@ void add_run(Runs& runs, const std::vector<MeasuredQuantity>& quantities, const 
   runs.peak_memory.push_back(cost.peak_memory_bytes);
 }
 
-Runs read_runs(const std::filesystem::path& directory, const Setting& setting, int seeds,
+Runs read_runs(const std::filesystem::path& directory, const TriedSetting& setting, int seeds,
                const std::vector<MeasuredQuantity>& quantities) {
   Runs runs;
   runs.values.resize(quantities.size());
@@ -59,13 +59,13 @@ Runs read_runs(const std::filesystem::path& directory, const Setting& setting, i
   return runs;
 }
 
-std::string state_text(const Setting& setting, const Runs& runs) {
+std::string state_text(const TriedSetting& setting, const Runs& runs) {
   if (!runs.core_seconds.empty()) return "finished";
   if (!setting.refused.empty()) return "refused";
   return runs.failure.empty() ? "left out" : "failed";
 }
 
-results::TradeoffPoint point_of(const Setting& setting, const Runs& runs) {
+results::TradeoffPoint point_of(const TriedSetting& setting, const Runs& runs) {
   results::TradeoffPoint point;
   point.name = setting.name;
   point.label = setting.label;
@@ -101,7 +101,8 @@ bool before(const Knob& knob, const std::string& a, const std::string& b) {
   return first && second && *first < *second;
 }
 
-results::KnobRow row_of(const KnobValues& varied, const Scene& scene, const std::vector<Setting>& settings) {
+results::KnobRow row_of(const KnobValues& varied, const Scene& scene,
+                        const std::vector<TriedSetting>& settings) {
   struct Entry {
     std::size_t point;
     std::string value;
@@ -121,7 +122,7 @@ results::KnobRow row_of(const KnobValues& varied, const Scene& scene, const std:
 }
 
 /// Maps of the finished runs.
-std::vector<results::Field2D> fields_of(const std::filesystem::path& directory, const Setting& setting,
+std::vector<results::Field2D> fields_of(const std::filesystem::path& directory, const TriedSetting& setting,
                                         int seeds) {
   std::vector<results::Field2D> fields;
   for (const results::Job& job : jobs_of(setting, seeds)) {
@@ -151,7 +152,7 @@ std::vector<double> correlations(const std::vector<results::Field2D>& runs,
 
 }  // namespace
 
-std::vector<results::Job> jobs_of(const Setting& setting, int seeds) {
+std::vector<results::Job> jobs_of(const TriedSetting& setting, int seeds) {
   std::vector<results::Job> jobs;
   for (int k = 0; setting.refused.empty() && k < seeds; ++k) {
     const std::uint64_t seed = setting.variant.scene.seed + static_cast<std::uint64_t>(k);
@@ -161,11 +162,11 @@ std::vector<results::Job> jobs_of(const Setting& setting, int seeds) {
 }
 
 results::Tradeoff gather(const std::filesystem::path& directory, const Scene& scene,
-                         const std::vector<Setting>& settings, const std::vector<KnobValues>& knobs,
+                         const std::vector<TriedSetting>& settings, const std::vector<KnobValues>& knobs,
                          int seeds) {
   results::Tradeoff tradeoff;
   tradeoff.title = scene.title;
-  for (const Setting& setting : settings) {
+  for (const TriedSetting& setting : settings) {
     // Masses of a slice are per length, which the setting may have changed.
     const auto quantities = measured_quantities(setting.refused.empty() ? setting.variant.scene : scene);
     tradeoff.quantities.clear();
@@ -181,7 +182,7 @@ results::Tradeoff gather(const std::filesystem::path& directory, const Scene& sc
 }
 
 void add_map_correlation(results::Tradeoff& tradeoff, const std::filesystem::path& directory,
-                         const std::vector<Setting>& settings, int seeds, std::size_t reference) {
+                         const std::vector<TriedSetting>& settings, int seeds, std::size_t reference) {
   if (reference >= settings.size()) return;
   const auto map = fields_of(directory, settings[reference], seeds);
   if (map.empty()) return;

@@ -12,14 +12,14 @@ namespace diefill::process {
 /// `reference` (its own runs with those of its other seeds); none where that is no setting. Errors are not
 /// filled in.
 results::Tradeoff gather(const std::filesystem::path& directory, const Scene& scene,
-                         const std::vector<Setting>& settings, const std::vector<KnobValues>& knobs,
+                         const std::vector<TriedSetting>& settings, const std::vector<KnobValues>& knobs,
                          int seeds);
 
 /// Adds the quantity kMapCorrelation to every point.
 void add_map_correlation(results::Tradeoff& tradeoff, const std::filesystem::path& directory,
-                         const std::vector<Setting>& settings, int seeds, std::size_t reference);
+                         const std::vector<TriedSetting>& settings, int seeds, std::size_t reference);
 
 /// The jobs of a setting, seed by seed.
-std::vector<results::Job> jobs_of(const Setting& setting, int seeds);
+std::vector<results::Job> jobs_of(const TriedSetting& setting, int seeds);
 
 }  // namespace diefill::process

@@ -80,9 +80,9 @@ std::vector<KnobValues> usual_knobs(const Scene& scene) {
   return all;
 }
 
-Setting setting_with(const Scene& scene, const std::string& name, const std::string& label,
-                     const std::vector<std::pair<Knob, std::string>>& turned) {
-  Setting setting;
+TriedSetting setting_with(const Scene& scene, const std::string& name, const std::string& label,
+                          const std::vector<std::pair<Knob, std::string>>& turned) {
+  TriedSetting setting;
   setting.name = name;
   setting.label = label;
   for (const auto& [knob, value] : turned) setting.changes.push_back({knob.name, value});
@@ -98,13 +98,13 @@ Setting setting_with(const Scene& scene, const std::string& name, const std::str
   return setting;
 }
 
-std::vector<Setting> settings_of_variants(const Scene& scene) {
+std::vector<TriedSetting> settings_of_variants(const Scene& scene) {
   if (!has_variants(scene))
     throw SceneError(scene.file.string() +
                      ": --variants: the scene has no variants; add [[variant]] tables or remove the option");
-  std::vector<Setting> settings;
+  std::vector<TriedSetting> settings;
   for (Variant& variant : read_variants(scene.file)) {
-    Setting setting;
+    TriedSetting setting;
     setting.name = setting.label = variant.name;
     setting.changes = {{"variant", variant.name}};
     setting.work = work_per_second(variant.scene);
@@ -114,15 +114,16 @@ std::vector<Setting> settings_of_variants(const Scene& scene) {
   return settings;
 }
 
-void give_folders(std::vector<Setting>& settings) {
+void give_folders(std::vector<TriedSetting>& settings) {
   std::vector<std::string> names = {kCombined};
-  for (const Setting& setting : settings) names.push_back(setting.name);
+  for (const TriedSetting& setting : settings) names.push_back(setting.name);
   const auto folders = folder_names(names);
   for (std::size_t k = 0; k < settings.size(); ++k) settings[k].variant.folder = folders[k + 1];
 }
 
-std::vector<Setting> one_at_a_time(const Scene& scene, const std::vector<KnobValues>& knobs, bool strict) {
-  std::vector<Setting> settings = {setting_with(scene, kBase, kBase, {})};
+std::vector<TriedSetting> one_at_a_time(const Scene& scene, const std::vector<KnobValues>& knobs,
+                                        bool strict) {
+  std::vector<TriedSetting> settings = {setting_with(scene, kBase, kBase, {})};
   if (!settings.front().refused.empty())
     throw SceneError(scene.file.string() + ": " + settings.front().refused);
   for (const auto& [knob, values] : knobs) {
@@ -130,9 +131,9 @@ std::vector<Setting> one_at_a_time(const Scene& scene, const std::vector<KnobVal
     for (const std::string& value : values) {
       if (same_value(knob, value, now)) continue;
       const std::string name = knob.name + '=' + value;
-      Setting setting = setting_with(scene, name, knob.sign + ' ' + value, {{knob, value}});
+      TriedSetting setting = setting_with(scene, name, knob.sign + ' ' + value, {{knob, value}});
       if (strict && !setting.refused.empty()) throw SceneError("--vary " + name + ": " + setting.refused);
-      const auto same = [&](const Setting& other) { return other.name == setting.name; };
+      const auto same = [&](const TriedSetting& other) { return other.name == setting.name; };
       if (std::any_of(settings.begin(), settings.end(), same))
         throw SceneError("--vary " + name + ": this setting is given twice; give each value once");
       settings.push_back(std::move(setting));

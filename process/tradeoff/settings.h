@@ -23,7 +23,7 @@ KnobValues read_vary(const std::string& text);
 std::vector<KnobValues> usual_knobs(const Scene& scene);
 
 /// One setting: the scene with some knobs changed.
-struct Setting {
+struct TriedSetting {
   std::string name, label;                   ///< as in results::TradeoffPoint
   std::vector<results::KnobChange> changes;  ///< none for the base
   int finer = 0;        ///< 1: every knob turned to finer; -1: one to coarser; 0: neither, or unknown
@@ -36,19 +36,20 @@ inline constexpr const char* kBase = "base";          ///< name of the scene as 
 inline constexpr const char* kCombined = "combined";  ///< name of all worthwhile knobs turned together
 
 /// `scene` with these knobs turned from where it stands.
-Setting setting_with(const Scene& scene, const std::string& name, const std::string& label,
-                     const std::vector<std::pair<Knob, std::string>>& turned);
+TriedSetting setting_with(const Scene& scene, const std::string& name, const std::string& label,
+                          const std::vector<std::pair<Knob, std::string>>& turned);
 
 /// The scene's [[variant]] tables as settings: knobs turned together. Throws SceneError as read_variants
 /// does, and for a scene without variants.
-std::vector<Setting> settings_of_variants(const Scene& scene);
+std::vector<TriedSetting> settings_of_variants(const Scene& scene);
 
 /// Gives every setting a folder of its own among these and that of kCombined (scene/folder_names.h).
-void give_folders(std::vector<Setting>& settings);
+void give_folders(std::vector<TriedSetting>& settings);
 
 /// The base, and every knob at every value that is not the scene's own. A value that the scene refuses is an
 /// error with `strict` (SceneError, naming knob and value) and else a setting that says why. Throws
 /// SceneError for two settings of one name. Folders are left to give_folders.
-std::vector<Setting> one_at_a_time(const Scene& scene, const std::vector<KnobValues>& knobs, bool strict);
+std::vector<TriedSetting> one_at_a_time(const Scene& scene, const std::vector<KnobValues>& knobs,
+                                        bool strict);
 
 }  // namespace diefill::process

@@ -26,27 +26,28 @@ void refuse_unknown(const std::string& what, const std::string& word, const std:
   throw SceneError(message);
 }
 
-void check_words(const Scene& scene, const std::vector<Setting>& settings, const TradeoffOptions& options) {
+void check_words(const Scene& scene, const std::vector<TriedSetting>& settings,
+                 const TradeoffOptions& options) {
   std::vector<std::string> quantities, names = {kCombined};
   for (const auto& quantity : measured_quantities(scene)) quantities.push_back(quantity.about.key);
   for (const auto& [key, value] : options.targets) refuse_unknown("--target", key, quantities);
-  for (const Setting& setting : settings) names.push_back(setting.name);
+  for (const TriedSetting& setting : settings) names.push_back(setting.name);
   if (!options.reference.empty()) refuse_unknown("--reference", options.reference, names);
 }
 
-const Setting& setting_called(const std::vector<Setting>& settings, const std::string& name) {
+const TriedSetting& setting_called(const std::vector<TriedSetting>& settings, const std::string& name) {
   return *std::find_if(settings.begin(), settings.end(),
-                       [&](const Setting& setting) { return setting.name == name; });
+                       [&](const TriedSetting& setting) { return setting.name == name; });
 }
 
 /// What a job will cost (s of processor time) from what others have: from another seed of its setting, or
 /// else from the setting whose work is nearest. Nothing while none is known.
 std::optional<double> predicted_cost(const std::filesystem::path& directory,
-                                     const std::vector<Setting>& settings, int seeds,
-                                     const Setting& setting) {
+                                     const std::vector<TriedSetting>& settings, int seeds,
+                                     const TriedSetting& setting) {
   std::optional<double> predicted;
   double nearest = 0;
-  for (const Setting& other : settings)
+  for (const TriedSetting& other : settings)
     for (const results::Job& job : jobs_of(other, seeds)) {
       if (state_of(directory, job).stage != JobState::Stage::finished) continue;
       const double cost = results::read_job_cost(directory / job.folder).cpu_seconds;
@@ -58,21 +59,21 @@ std::optional<double> predicted_cost(const std::filesystem::path& directory,
   return predicted;
 }
 
-std::vector<Variant> variants_of(const std::vector<Setting>& settings) {
+std::vector<Variant> variants_of(const std::vector<TriedSetting>& settings) {
   std::vector<Variant> variants;
-  for (const Setting& setting : settings)
+  for (const TriedSetting& setting : settings)
     if (setting.refused.empty()) variants.push_back(setting.variant);
   return variants;
 }
 
 /// Runs what is not finished, cheap settings first and all of them with one seed before any with the next.
-void run_settings(const std::string& title, const std::vector<Setting>& settings,
+void run_settings(const std::string& title, const std::vector<TriedSetting>& settings,
                   const TradeoffOptions& options) {
-  std::vector<Setting> order;
-  for (const Setting& setting : settings)
+  std::vector<TriedSetting> order;
+  for (const TriedSetting& setting : settings)
     if (setting.refused.empty()) order.push_back(setting);
   std::stable_sort(order.begin(), order.end(),
-                   [](const Setting& a, const Setting& b) { return a.work < b.work; });
+                   [](const TriedSetting& a, const TriedSetting& b) { return a.work < b.work; });
   const results::JobList list =
       write_jobs(options.directory, {title, variants_of(order), options.seeds, {kCombined}}, options.say);
   JobOptions jobs = options.jobs;
@@ -98,8 +99,8 @@ void judge(results::Tradeoff& tradeoff, std::size_t reference, const TradeoffOpt
 
 /// Every knob at its cheapest value that alone stays within scatter and tolerance of the base; nothing where
 /// fewer than two knobs have one.
-std::optional<Setting> combination(const Scene& scene, results::Tradeoff tradeoff,
-                                   const std::vector<KnobValues>& knobs, double tolerance) {
+std::optional<TriedSetting> combination(const Scene& scene, results::Tradeoff tradeoff,
+                                        const std::vector<KnobValues>& knobs, double tolerance) {
   tradeoff.tolerance = tolerance;
   evaluate(tradeoff, 0);
   if (!tells_apart(tradeoff)) return std::nullopt;
@@ -149,9 +150,9 @@ void add_remarks(results::Tradeoff& tradeoff, const TradeoffOptions& options) {
     tradeoff.remarks.emplace_back("one seed each: the scatter over seeds is unknown; use --seeds 2");
 }
 
-void add_variants(const Scene& scene, std::vector<Setting>& settings) {
-  for (Setting& setting : settings_of_variants(scene)) {
-    const auto same = [&](const Setting& other) { return other.name == setting.name; };
+void add_variants(const Scene& scene, std::vector<TriedSetting>& settings) {
+  for (TriedSetting& setting : settings_of_variants(scene)) {
+    const auto same = [&](const TriedSetting& other) { return other.name == setting.name; };
     if (std::any_of(settings.begin(), settings.end(), same) || setting.name == kCombined)
       throw SceneError(scene.file.string() + ": --variants: variant \"" + setting.name +
                        "\" has the name of another setting; give it a unique name");
@@ -159,7 +160,7 @@ void add_variants(const Scene& scene, std::vector<Setting>& settings) {
   }
 }
 
-std::size_t reference_of(const results::Tradeoff& tradeoff, const std::vector<Setting>& settings,
+std::size_t reference_of(const results::Tradeoff& tradeoff, const std::vector<TriedSetting>& settings,
                          const std::string& wanted) {
   std::vector<int> finer;
   for (std::size_t k = 0; k < settings.size(); ++k) {

@@ -26,7 +26,7 @@ struct TradeoffOptions {
 /// What to try of a scene.
 struct TradeoffPlan {
   std::vector<KnobValues> knobs;
-  std::vector<Setting> settings;  ///< the base first
+  std::vector<TriedSetting> settings;  ///< the base first
 };
 
 /// The knobs with these values, usual_knobs where there are none nor variants, and their settings. Throws
