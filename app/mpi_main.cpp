@@ -6,7 +6,7 @@
 #include <exception>
 #include <string_view>
 
-#include "app/commands/step_engine.h"
+#include "app/commands/ranks/step_engine.h"
 #include "app/exit_code.h"
 #include "app/program.h"
 #include "process/cluster/lammps/lammps_engine.h"

@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "process/results/margins.h"
-#include "process/run/margin_warnings.h"
+#include "process/run/figures/margin_warnings.h"
 
 namespace diefill::results {
 namespace {

@@ -1,4 +1,4 @@
-#include "app/commands/run_on_ranks.h"
+#include "app/commands/ranks/run_on_ranks.h"
 
 #include <unistd.h>
 
@@ -6,8 +6,8 @@
 #include <filesystem>
 #include <fstream>
 
-#include "app/commands/mpirun_child.h"
-#include "app/commands/step_engine.h"
+#include "app/commands/ranks/mpirun_child.h"
+#include "app/commands/ranks/step_engine.h"
 #include "app/exit_code.h"
 #include "process/cluster/mpi_command.h"
 #include "process/cluster/rank_limits.h"

@@ -1,4 +1,4 @@
-#include "app/commands/step_engine.h"
+#include "app/commands/ranks/step_engine.h"
 
 namespace diefill::app {
 

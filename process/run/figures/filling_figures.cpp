@@ -1,4 +1,4 @@
-#include "process/run/filling_figures.h"
+#include "process/run/figures/filling_figures.h"
 
 #include <algorithm>
 #include <limits>

@@ -1,4 +1,4 @@
-#include "process/run/margin_warnings.h"
+#include "process/run/figures/margin_warnings.h"
 
 #include <cstdio>
 

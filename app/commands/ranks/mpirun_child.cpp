@@ -1,4 +1,4 @@
-#include "app/commands/mpirun_child.h"
+#include "app/commands/ranks/mpirun_child.h"
 
 #include <fcntl.h>
 #include <poll.h>

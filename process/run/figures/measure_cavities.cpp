@@ -1,4 +1,4 @@
-#include "process/run/measure_cavities.h"
+#include "process/run/figures/measure_cavities.h"
 
 #include "process/measure/fields/measured_fields.h"
 #include "process/measure/figures/counted_grains.h"
@@ -8,7 +8,7 @@
 #include "process/results/cavity_rows.h"
 #include "process/results/no_value.h"
 #include "process/run/assemble.h"
-#include "process/run/filling_figures.h"
+#include "process/run/figures/filling_figures.h"
 #include "process/tooling/die_frame.h"
 #include "process/tooling/other_cavities.h"
 
