@@ -27,7 +27,7 @@ std::string periodic_scene() {
 }
 
 Scene turned(const Scene& scene, const std::string& knob, const std::string& value) {
-  const Setting setting = setting_with(scene, "test", "test", {{knob_called(knob), value}});
+  const TriedSetting setting = setting_with(scene, "test", "test", {{knob_called(knob), value}});
   EXPECT_EQ(setting.refused, "");
   return setting.variant.scene;
 }
@@ -57,7 +57,7 @@ TEST(KnobRegistry, EveryKnobHasANameOfItsOwnAndDoesWhatItSays) {
     EXPECT_FALSE(now.empty()) << knob.name;
     EXPECT_FALSE(knob.usual(kept.scene).empty()) << knob.name;
     for (const std::string& value : knob.usual(kept.scene)) {
-      const Setting setting = setting_with(kept.scene, "test", "test", {{knob, value}});
+      const TriedSetting setting = setting_with(kept.scene, "test", "test", {{knob, value}});
       if (!setting.refused.empty()) continue;  // such as a slice of fewer than four grains
       EXPECT_TRUE(same_value(knob, knob.current(setting.variant.scene), value)) << knob.name << ' ' << value;
     }
