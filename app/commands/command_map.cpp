@@ -26,8 +26,8 @@ namespace diefill::app {
 namespace {
 
 struct MapArguments {
-  std::vector<std::string> directories, pictures, origin, measured;
-  std::string out, averaging_width, normal, from, to;
+  std::vector<std::string> directories, pictures, origin, measured, y;
+  std::string x, out, averaging_width, normal, from, to;
   LookArguments look;
   int cavity = 1;
   bool pdf = false, time_average = false;
@@ -146,6 +146,8 @@ PictureRequest request_of(const MapArguments& arguments) {
   request.upper = arguments.look.range.empty() ? none : arguments.look.range[1];
   if (request.lower >= request.upper)
     throw process::SceneError("--range: the first number must be less than the second");
+  request.x = arguments.x;
+  request.y = arguments.y;
   request.colour_by = arguments.look.colour_by;
   request.look = look_of(arguments.look);
   request.camera = camera_of(arguments.look.camera);
@@ -188,7 +190,17 @@ int against_measured(const PictureRequest& request, const std::vector<process::M
   return kDone;
 }
 
-int map(const MapArguments& arguments) {
+/// --x and --y alone ask for the chart of probes; with other kinds of picture they say nothing.
+void choose_probe_chart(MapArguments& arguments) {
+  if (arguments.x.empty() && arguments.y.empty()) return;
+  if (arguments.pictures.empty()) arguments.pictures.push_back("probe");
+  if (std::find(arguments.pictures.begin(), arguments.pictures.end(), "probe") == arguments.pictures.end())
+    throw process::SceneError("--x and --y: found --picture " + arguments.pictures.front() +
+                              "; they choose columns of --picture probe");
+}
+
+int map(MapArguments arguments) {
+  choose_probe_chart(arguments);
   for (const auto& name : arguments.pictures)
     picture_kind(name);  // says what is wrong before anything is read
   require_averages(arguments);
@@ -260,6 +272,13 @@ void add_map(CLI::App& program, Action& chosen) {
   command->add_option("--to", arguments->to, "time of a later instant, or of the view (default: the end)");
   command->add_flag("--time-average", arguments->time_average,
                     "average over all stored instants between --from and --to");
+  command->add_option("--x", arguments->x,
+                      "column of a probe along x, such as 'piston/z' (default: the time)");
+  command
+      ->add_option("--y", arguments->y,
+                   "column of a probe to draw, such as 'piston/F_z' or 'zone rim/solid fraction'; several of "
+                   "one unit in one chart")
+      ->allow_extra_args(false);
   add_look_options(*command, arguments->look);
   command->add_flag("--pdf", arguments->pdf, "also write charts as PDF");
   command->footer(
@@ -272,6 +291,8 @@ void add_map(CLI::App& program, Action& chosen) {
       "  diefill map out/one out/two --picture difference --picture height-profile --pdf --out out/compared\n"
       "  diefill map out/narrow_ring --picture displacement --from '0.2 s' --to '0.4 s'\n"
       "  diefill map out/slit --picture velocity-section --time-average --from '0.5 s' --to '0.6 s'\n"
+      "  diefill map out/slow out/fast --y 'filled mass'\n"
+      "  diefill map out/pressed --x 'piston/z' --y 'piston/F_z'\n"
       "  diefill map out/narrow_ring --picture view --tools translucent --camera corner --width 3200");
   command->callback([arguments, &chosen] { chosen = [arguments] { return map(*arguments); }; });
 }

@@ -48,11 +48,28 @@ void colour_by_powder(render::ViewOptions& options, const results::PowderState& 
   for (const auto kind : powder.kind) options.values.push_back(numbers[kind]);
 }
 
+/// A third of the trace of the stress that contacts carry in the grain's cell, kPa; none without a closed
+/// cell.
+std::vector<double> pressures(const results::FillResult& result) {
+  const auto& stress = result.contact_stress.normal;
+  if (stress.size() != result.powder.position.size())
+    throw process::SceneError(
+        "--colour-by pressure: the results hold contact forces of the end of a run only; leave out --to, and "
+        "run scenes of earlier versions again");
+  constexpr double kPerKilopascal = 1e-3;
+  std::vector<double> values;
+  for (std::size_t k = 0; k < stress.size(); ++k)
+    values.push_back(result.solid_fraction.open[k] != 0
+                         ? std::nan("")
+                         : -kPerKilopascal * stress[k].sum() / (3 * result.solid_fraction.cell_volume[k]));
+  return values;
+}
+
 }  // namespace
 
 const std::vector<std::string>& grain_colours() {
-  static const std::vector<std::string> names = {"solid-fraction", "speed",    "layer",
-                                                 "coordination",   "diameter", "powder"};
+  static const std::vector<std::string> names = {"solid-fraction", "speed",  "layer",   "coordination",
+                                                 "diameter",       "powder", "pressure"};
   return names;
 }
 
@@ -73,6 +90,10 @@ void colour_grains(render::ViewOptions& options, const std::string& by, const re
     options.unit = "mm";
     for (std::size_t k = 0; k < result.powder.position.size(); ++k)
       options.values.push_back(1e3 * result.powder.diameter_of(k));
+  } else if (by == "pressure") {
+    options.quantity = "pressure by contact forces";
+    options.unit = "kPa";
+    options.values = pressures(result);
   } else if (by == "coordination") {
     options.quantity = "grains touched";
     for (const int number : process::coordination_numbers(result.powder)) options.values.push_back(number);

@@ -39,6 +39,8 @@ const std::vector<PictureKind>& picture_kinds() {
       {"fill-level", "powder surface over azimuth, or along the travel if the cavity is not a ring",
        OverTime::one_instant, make_fill_level},
       {"coordination", "histogram of the coordination number", OverTime::one_instant, make_coordination},
+      {"probe", "what probes and zones recorded over time, or any of it against any other (--x, --y)",
+       OverTime::one_instant, make_probe_chart},
       {"view", "shaded view (--colour-by, --tools, --camera, --ambient-occlusion)", OverTime::one_instant,
        make_view},
       {"frames", "the filling as numbered views, and as film.mp4 where ffmpeg is installed",

@@ -29,6 +29,8 @@ struct PictureRequest {
   std::optional<double> from, to;  ///< s, instants to compare
   double lower, upper;             ///< of colour scales; NaN: from the data
   std::string colour_by;           ///< of shaded views
+  std::string x;               ///< column of a probe along x; empty: the time
+  std::vector<std::string> y;  ///< columns of probes to draw; empty: those of the first probe
   render::SceneLook look;
   render::Camera camera;
   double width = 1600;  ///< pixels
@@ -72,6 +74,7 @@ Pictures make_azimuth_profile(const PictureRequest& request);
 Pictures make_histogram(const PictureRequest& request);
 Pictures make_fill_level(const PictureRequest& request);
 Pictures make_coordination(const PictureRequest& request);
+Pictures make_probe_chart(const PictureRequest& request);
 Pictures make_view(const PictureRequest& request);
 Pictures make_frames(const PictureRequest& request);
 

@@ -55,20 +55,32 @@ results::FillResult result_at(const results::FillResult& result, double time, bo
   earlier.maps.clear();
   earlier.sections.clear();
   earlier.profiles.clear();
-  earlier.powder.time = nearest->time;
-  earlier.powder.id = nearest->id;
-  earlier.powder.kind = nearest->kind;
-  earlier.powder.position = nearest->position;
-  earlier.powder.orientation = nearest->orientation;
-  earlier.powder.velocity = nearest->velocity;
-  earlier.powder.angular_velocity.clear();
-  for (std::size_t n = 0; n < earlier.tools.size(); ++n)
-    earlier.tools[n] = tool_at(result.tools[n], *nearest, n);
-  earlier.solid_fraction = {};
-  if (!with_solid_fraction) return earlier;
-  earlier.solid_fraction = measure_solid_fraction(earlier.powder, earlier.tools, earlier.cavity);
-  earlier.summary = summarise(earlier.powder, earlier.solid_fraction, earlier.cavity);
+  earlier.contact_stress = {};  // is that of the end
+  results::FillResult then = powder_at(result, *nearest, with_solid_fraction);
+  earlier.powder = std::move(then.powder);
+  earlier.tools = std::move(then.tools);
+  earlier.solid_fraction = std::move(then.solid_fraction);
+  if (with_solid_fraction)
+    earlier.summary = summarise(earlier.powder, earlier.solid_fraction, earlier.cavity);
   return earlier;
+}
+
+results::FillResult powder_at(const results::FillResult& result, const results::Instant& instant,
+                              bool with_solid_fraction) {
+  results::FillResult then;
+  then.cavity = result.cavity;
+  then.powder = result.powder;
+  then.powder.time = instant.time;
+  then.powder.id = instant.id;
+  then.powder.kind = instant.kind;
+  then.powder.position = instant.position;
+  then.powder.orientation = instant.orientation;
+  then.powder.velocity = instant.velocity;
+  then.powder.angular_velocity.clear();
+  for (std::size_t n = 0; n < result.tools.size(); ++n)
+    then.tools.push_back(tool_at(result.tools[n], instant, n));
+  if (with_solid_fraction) then.solid_fraction = measure_solid_fraction(then.powder, then.tools, then.cavity);
+  return then;
 }
 
 }  // namespace diefill::process

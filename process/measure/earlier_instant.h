@@ -12,6 +12,11 @@ namespace diefill::process {
 results::FillResult result_at(const results::FillResult& result, double time,
                               bool with_solid_fraction = true);
 
+/// Powder, tools and cavity at a kept instant, with solid fractions measured again where wanted; nothing else
+/// of the result.
+results::FillResult powder_at(const results::FillResult& result, const results::Instant& instant,
+                              bool with_solid_fraction = true);
+
 /// The tool moved as at instant `instant`; `number` is its place in FillResult::tools.
 results::ToolState tool_at(const results::ToolState& tool, const results::Instant& instant,
                            std::size_t number);

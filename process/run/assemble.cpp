@@ -11,7 +11,7 @@
 #include "engine/observe/powder_figures.h"
 #include "process/measure/fields/measured_fields.h"
 #include "process/measure/figures/heap_slope.h"
-#include "process/measure/figures/zone.h"
+#include "process/measure/figures/zone_history.h"
 #include "process/measure/measure.h"
 #include "process/run/figures/margin_warnings.h"
 #include "process/run/figures/measure_cavities.h"
@@ -280,7 +280,9 @@ results::FillResult assemble(const Scene& scene, const Tooling& tooling, const F
     const double slope = heap_slope(result.powder, heap.from, heap.to);
     if (std::isfinite(slope)) result.figures[heap_figure(heap.name)] = slope;
   }
-  add_zone_figures(result, zones_in(scene.text));
+  const std::vector<Zone> zones = zones_in(scene.text);
+  add_zone_figures(result, zones);
+  for (auto& history : zone_histories(result, zones)) result.probes.push_back(std::move(history));
   return result;
 }
 

@@ -7,6 +7,7 @@
 #include "render/report/figure_text.h"
 #include "render/report/filling_section.h"
 #include "render/report/numbers.h"
+#include "render/report/over_time.h"
 #include "render/report/pictures_of.h"
 #include "render/report/versions.h"
 
@@ -195,6 +196,7 @@ std::vector<Section> run_sections(const FillResult& result, int level, const Sha
       filling_section(result),
       warnings_section(result),
       pictures_section(result, shared),
+      over_time_section(result),
       strategy_section(result),
       tooling_section(result),
       topics_section(result, "Powder and model", {"powder", "model", "walls", "numerics", "setting"}),
@@ -203,6 +205,7 @@ std::vector<Section> run_sections(const FillResult& result, int level, const Sha
       speed_section(result),
       versions_section(result),
       {"Scene", 1, {Listing{result.scene_text}}}};
+  std::erase_if(sections, [](const Section& section) { return section.blocks.empty(); });
   for (Section& section : sections) section.level = level;
   return sections;
 }

@@ -78,6 +78,8 @@ results::FillResult small_ring() {
     for (auto& place : instant.position) place *= 1 - 0.02 * time;
     result.instants.push_back(instant);
   }
+  result.probes = {{"filled mass", {"time", "filled mass"}, {"s", "kg"}, {0, 0, 0.1, 0.001, 0.3, 0.002}},
+                   {"shoe", {"time", "force x", "shift x"}, {"s", "N", "m"}, {0, 0, 0, 0.3, 2, 0.06}}};
   return result;
 }
 
@@ -141,6 +143,38 @@ TEST_F(EveryPicture, OfTwoRunsSharesTheirScale) {
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
   for (const char* name : {"map_one.png", "map_two.png", "difference_two.png", "histogram.png"})
     EXPECT_TRUE(fs::exists(out() / name)) << name;
+}
+
+TEST_F(EveryPicture, OfProbesDrawsAnyColumnAgainstAnyOther) {
+  const Outcome both = map({"--x", "shoe/shift x", "--y", "shoe/force x"}, true);
+  EXPECT_EQ(both.exit_code, 0) << both.err;
+  EXPECT_TRUE(fs::exists(out() / "probe.png"));
+  const std::string against_time = [&] {
+    EXPECT_EQ(map({"--y", "shoe"}).exit_code, 0);
+    return support::contents(out() / "probe.png");
+  }();
+  EXPECT_EQ(map({"--y", "shoe", "--x", "shoe/shift x"}).exit_code, 0);
+  EXPECT_NE(support::contents(out() / "probe.png"), against_time);
+}
+
+TEST_F(EveryPicture, OfProbesNamesTheColumnsThereAre) {
+  const auto complaint = [&](const std::vector<std::string>& words) {
+    const Outcome outcome = map(words);
+    EXPECT_EQ(outcome.exit_code, 2);
+    EXPECT_EQ(outcome.complaints(), 1U) << outcome.err;
+    return outcome.err;
+  };
+  EXPECT_NE(complaint({"--y", "shoe/force y"}).find("did you mean \"shoe/force x\"?"), std::string::npos);
+  EXPECT_NE(complaint({"--y", "shoe/force x", "--y", "filled mass"}).find("columns of one unit"),
+            std::string::npos);
+  EXPECT_NE(complaint({"--y", "shoe", "--picture", "map"}).find("--picture probe"), std::string::npos);
+}
+
+TEST_F(EveryPicture, OfGrainsUnderPressureIsOfTheEndOnly) {
+  EXPECT_EQ(map({"--picture", "view", "--colour-by", "pressure"}).exit_code, 0);
+  const Outcome earlier = map({"--picture", "view", "--colour-by", "pressure", "--to", "0.1 s"});
+  EXPECT_EQ(earlier.exit_code, 2);
+  EXPECT_NE(earlier.err.find("of the end of a run only"), std::string::npos) << earlier.err;
 }
 
 TEST_F(EveryPicture, OfSeveralRunsIsCalledByWhatTellsThemApart) {

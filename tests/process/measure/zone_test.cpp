@@ -1,10 +1,9 @@
 // Zones of a part: which grains they hold, and the figures of known powder.
-#include "process/measure/figures/zone.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 
+#include "process/measure/figures/zone_history.h"
 #include "process/results/no_value.h"
 #include "tests/process/measure_sample.h"
 
@@ -78,6 +77,45 @@ TEST(Zones, HaveNoSolidFractionOnFewGrains) {
   EXPECT_NE(results::reason_for(result, "solid_fraction_in_far_away")
                 .find("found no grain below the surface in zone \"far away\""),
             std::string::npos);
+}
+
+/// The block as it was, moved up by `rise` (m).
+results::Instant earlier_block(const results::FillResult& result, double time, double rise) {
+  results::Instant instant;
+  instant.time = time;
+  instant.id = result.powder.id;
+  instant.position = result.powder.position;
+  for (auto& place : instant.position) place.z() += rise;
+  instant.orientation = result.powder.orientation;
+  instant.velocity = result.powder.velocity;
+  return instant;
+}
+
+TEST(ZoneHistories, HaveARowForEveryInstantAndTheEnd) {
+  results::FillResult result = two_halves();
+  result.powder.time = 0.3;
+  result.instants = {earlier_block(result, 0.1, 0.5), earlier_block(result, 0.2, 0)};
+  result.cavity.volume = 0;  // all powder counts
+  const auto histories = zone_histories(result, {heights("low", -1, 0), heights("high", 0, 1)});
+  ASSERT_EQ(histories.size(), 2U);
+  EXPECT_EQ(histories[0].name, "zone low");
+  const auto value = [&](std::size_t zone, std::size_t row, std::size_t column) {
+    return histories[zone].values.at(4 * row + column);
+  };
+  ASSERT_EQ(histories[0].values.size(), 12U);
+  const double all = result.powder.grain_mass * static_cast<double>(result.powder.position.size());
+  EXPECT_EQ(value(0, 0, 0), 0.1);
+  EXPECT_EQ(value(0, 0, 1), 0);  // all above
+  EXPECT_TRUE(std::isnan(value(0, 0, 3)));
+  EXPECT_NEAR(value(1, 0, 1), all, 1e-9 * all);
+  EXPECT_NEAR(value(0, 1, 2), 0.5, 1e-9);
+  EXPECT_EQ(value(0, 2, 0), 0.3);
+  EXPECT_NEAR(value(0, 2, 3), 0.3, 1e-9);  // as the figure of the end
+  EXPECT_NEAR(value(1, 2, 3), 0.4, 1e-9);
+}
+
+TEST(ZoneHistories, AreLeftOutWhereNothingButTheEndIsKept) {
+  EXPECT_TRUE(zone_histories(two_halves(), {heights("low", -1, 0)}).empty());
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 #include "render/report/critical_speed.h"
 #include "render/report/figure_text.h"
 #include "render/report/html.h"
+#include "render/report/over_time.h"
 #include "render/report/pdf.h"
 #include "render/report/run_sections.h"
 #include "render/report/strategies.h"
@@ -57,6 +58,18 @@ TEST(HtmlReport, HoldsEveryBlockAndNeedsNothingElse) {
   EXPECT_NE(page.find("alt=\"c&quot;&#39;&lt;\" src=\"data:image/png;base64,cG5n\""), std::string::npos);
   const std::regex reference("(src|href)=\"(?!data:|#)[^\"]*\"|https?:|url\\(|@import|<script");
   EXPECT_FALSE(std::regex_search(page, reference));
+}
+
+TEST_F(ReportDrawing, ChartsOverTimeAreThoseOfProbesAndOfAllZonesTogether) {
+  results::FillResult result;
+  EXPECT_TRUE(over_time_section(result).blocks.empty());
+  const std::vector<std::string> columns = {"time", "mass", "share of mass", "solid fraction"};
+  result.probes = {{"filled mass", {"time", "filled mass"}, {"s", "kg"}, {0, 0, 1, 0.001}},
+                   {"zone upper", columns, {"s", "kg", "1", "1"}, {0, 0, 0, kNone, 1, 1e-3, 0.5, 0.3}},
+                   {"zone lower", columns, {"s", "kg", "1", "1"}, {0, 0, 0, 0.2, 1, 1e-3, 0.5, 0.4}}};
+  const Section section = over_time_section(result);
+  ASSERT_EQ(section.blocks.size(), 1U);
+  EXPECT_EQ(std::get<Figures>(section.blocks[0]).figures.size(), 2U);
 }
 
 TEST(CriticalSpeed, FindsThePowerLawThatTheRunsFollow) {

@@ -1,0 +1,84 @@
+#include "render/report/over_time.h"
+
+#include <algorithm>
+
+#include "process/results/probe_columns.h"
+#include "render/report/pictures_of.h"
+
+namespace diefill::render::report {
+namespace {
+
+using results::FillResult;
+using results::ProbeColumn;
+using results::ProbeSeries;
+
+constexpr std::size_t kMostCharts = 12;
+constexpr std::size_t kManyRows = 40;  // beyond, marks on the curve run into each other
+
+std::string part_behind(const std::string& name) {
+  return name.substr(name.find('/') + 1);
+}
+
+/// The columns named, one curve each.
+Chart chart_of(const FillResult& result, const std::string& title, const std::vector<std::string>& names) {
+  Chart chart;
+  chart.title = title;
+  chart.x.label = "Time [s]";
+  for (const std::string& name : names) {
+    const ProbeColumn column = results::in_shown_unit(*results::find_column(result, name));
+    Curve curve;
+    curve.name = part_behind(name);
+    curve.x = column.time;
+    curve.y = column.values;
+    curve.style = column.time.size() > kManyRows ? CurveStyle::kLine : CurveStyle::kLineAndMarkers;
+    chart.y.label = column.unit == "1" ? curve.name : curve.name + " [" + column.unit + ']';
+    if (names.size() > 1) chart.y.label = column.unit == "1" ? "Share" : '[' + column.unit + ']';
+    chart.curves.push_back(std::move(curve));
+  }
+  if (chart.curves.size() == 1) chart.curves.front().name.clear();
+  return chart;
+}
+
+bool is_zone(const ProbeSeries& probe) {
+  return probe.name.starts_with(results::kZoneProbe);
+}
+
+/// The solid fraction of every zone, named by the zones.
+Chart zones_chart(const FillResult& result) {
+  std::vector<std::string> names, zones;
+  for (const ProbeSeries& probe : result.probes)
+    if (is_zone(probe)) {
+      names.push_back(probe.name + "/solid fraction");
+      zones.push_back(probe.name.substr(std::string(results::kZoneProbe).size()));
+    }
+  Chart chart = chart_of(result, "Solid fraction of zones", names);
+  chart.y.label = "Solid fraction";
+  for (std::size_t k = 0; k < zones.size(); ++k) chart.curves[k].name = zones[k];
+  return chart;
+}
+
+bool has_points(const Chart& chart) {
+  return std::any_of(chart.curves.begin(), chart.curves.end(), [](const Curve& curve) {
+    return std::any_of(curve.y.begin(), curve.y.end(), [](double value) { return value == value; });
+  });
+}
+
+}  // namespace
+
+Section over_time_section(const FillResult& result) {
+  Section section{"Over time", 1, {}};
+  std::vector<Figure> figures;
+  const auto add = [&](const Chart& chart, const std::string& caption) {
+    if (has_points(chart) && figures.size() < kMostCharts) figures.push_back(chart_picture(chart, caption));
+  };
+  if (std::any_of(result.probes.begin(), result.probes.end(), is_zone))
+    add(zones_chart(result), "Zones at the stored instants; no value on too few grains.");
+  for (const ProbeSeries& probe : result.probes)
+    if (!is_zone(probe) && probe.columns.size() > 1)
+      add(chart_of(result, probe.name, results::columns_of_one_unit(probe)),
+          "Recorded by \"" + probe.name + "\".");
+  if (!figures.empty()) section.blocks.emplace_back(Figures{figures, true});
+  return section;
+}
+
+}  // namespace diefill::render::report
