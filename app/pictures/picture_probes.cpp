@@ -5,6 +5,7 @@
 
 #include "app/pictures/picture_files.h"
 #include "process/input/nearest_key.h"
+#include "process/results/figure_table.h"
 #include "process/results/probe_columns.h"
 
 namespace diefill::app {
@@ -73,10 +74,11 @@ std::string curve_name(const std::string& run, const ProbeColumn& column, bool s
 
 Pictures make_probe_chart(const PictureRequest& request) {
   render::Chart chart;
-  chart.x.label = "time [s]";
+  chart.x.label = "Time [s]";
   for (const PictureSource& source : request.sources) {
     const auto columns = columns_of(request, source);
-    if (chart.curves.empty()) chart.y.label = with_unit(axis_name(columns), columns.front().unit);
+    if (chart.curves.empty())
+      chart.y.label = results::capitalised(with_unit(axis_name(columns), columns.front().unit));
     for (const ProbeColumn& column : columns) {
       render::Curve curve;
       curve.name = curve_name(legend_of(request, source), column, columns.size() > 1);
@@ -85,7 +87,7 @@ Pictures make_probe_chart(const PictureRequest& request) {
       if (!request.x.empty()) {
         const ProbeColumn along = column_of(source.result, "--x", request.x);
         curve.x = results::values_at(along, column.time);
-        chart.x.label = with_unit(along.name, along.unit);
+        chart.x.label = results::capitalised(with_unit(along.name, along.unit));
       }
       chart.curves.push_back(std::move(curve));
     }

@@ -1,7 +1,7 @@
 // Discharge of a silo with a large and a small opening (Dosta et al. 2024, case 1, material M1). The other
 // codes start from a packing; here powder is poured and the gate leaves. Coarse and medium sizes have a
-// hundredth of the stiffness, which allows twenty times the step, and shorter times; the coarse one has
-// 40,000 grains in place of 100,000.
+// hundredth of the stiffness, which allows ten times the step, and shorter times; the coarse one has 40,000
+// grains in place of 100,000.
 #include <cmath>
 
 #include "process/laboratory/published/dosta/bulk_curves.h"
@@ -28,7 +28,7 @@ struct Window {
 };
 
 Window window_of(LabSize size) {
-  if (size == LabSize::coarse) return {40000, true, 0.15, 0.5, 0.5};
+  if (size == LabSize::coarse) return {40000, true, 0.1, 0.35, 0.35};
   if (size == LabSize::medium) return {100000, true, 0.5, 1.5, 1.5};
   return {100000, false, 0.5, 3.5, 5};
 }
@@ -43,7 +43,7 @@ LabRun run_of(const Opening& opening, LabSize size) {
   set += line("pour.fill_height", millimetres(0.2849517e-5 * window.grains));
   set += line("step.discharge.duration", '"' + plain(window.length) + " s\"");
   if (!window.soft) return run;
-  set += line("numerics.time_step", "\"30 us\"");
+  set += line("numerics.time_step", "\"15 us\"");
   set += line("contact.normal.modulus", "\"5.208333 MPa\"");
   set += line("contact.friction.shear_modulus", "\"1.157407 MPa\"");
   // Steel stays as stiff as it is.
