@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "process/results/figure_table.h"
 #include "process/results/probe_columns.h"
 #include "render/report/pictures_of.h"
 
@@ -13,17 +14,32 @@ using results::ProbeColumn;
 using results::ProbeSeries;
 
 constexpr std::size_t kMostCharts = 12;
+constexpr const char* kZoneColumn = "solid fraction";
 constexpr std::size_t kManyRows = 40;  // beyond, marks on the curve run into each other
 
 std::string part_behind(const std::string& name) {
   return name.substr(name.find('/') + 1);
 }
 
+/// The words with which all names begin, such as "force" of "force x" and "force y"; "value" where there are
+/// none.
+std::string common_words(const std::vector<Curve>& curves) {
+  std::string common = curves.front().name + ' ';
+  for (const Curve& curve : curves) {
+    const std::string name = curve.name + ' ';
+    const auto differ = std::mismatch(common.begin(), common.end(), name.begin(), name.end()).first;
+    common.erase(differ, common.end());
+  }
+  common.erase(std::min(common.find_last_of(' '), common.size()));
+  return common.empty() ? "value" : common;
+}
+
 /// The columns named, one curve each.
 Chart chart_of(const FillResult& result, const std::string& title, const std::vector<std::string>& names) {
   Chart chart;
-  chart.title = title;
+  chart.title = results::capitalised(title);
   chart.x.label = "Time [s]";
+  std::string unit;
   for (const std::string& name : names) {
     const ProbeColumn column = results::in_shown_unit(*results::find_column(result, name));
     Curve curve;
@@ -31,16 +47,17 @@ Chart chart_of(const FillResult& result, const std::string& title, const std::ve
     curve.x = column.time;
     curve.y = column.values;
     curve.style = column.time.size() > kManyRows ? CurveStyle::kLine : CurveStyle::kLineAndMarkers;
-    chart.y.label = column.unit == "1" ? curve.name : curve.name + " [" + column.unit + ']';
-    if (names.size() > 1) chart.y.label = column.unit == "1" ? "Share" : '[' + column.unit + ']';
+    unit = column.unit == "1" ? "" : " [" + column.unit + ']';
     chart.curves.push_back(std::move(curve));
   }
+  chart.y.label = results::capitalised(common_words(chart.curves)) + unit;
   if (chart.curves.size() == 1) chart.curves.front().name.clear();
   return chart;
 }
 
+/// A probe of the scene may have a name like a zone's, but not its columns.
 bool is_zone(const ProbeSeries& probe) {
-  return probe.name.starts_with(results::kZoneProbe);
+  return probe.name.starts_with(results::kZoneProbe) && probe.columns.back() == kZoneColumn;
 }
 
 /// The solid fraction of every zone, named by the zones.
@@ -48,7 +65,7 @@ Chart zones_chart(const FillResult& result) {
   std::vector<std::string> names, zones;
   for (const ProbeSeries& probe : result.probes)
     if (is_zone(probe)) {
-      names.push_back(probe.name + "/solid fraction");
+      names.push_back(probe.name + '/' + kZoneColumn);
       zones.push_back(probe.name.substr(std::string(results::kZoneProbe).size()));
     }
   Chart chart = chart_of(result, "Solid fraction of zones", names);
