@@ -4,8 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "process/laboratory/published/bierwisch/ring_scene.h"
 #include "process/laboratory/published/experiments.h"
-#include "process/laboratory/published/lab_powder.h"
 #include "process/results/figure_table.h"
 
 namespace diefill::process::laboratory {
@@ -23,13 +23,6 @@ std::string size_keys(const LabSetting& setting, const std::string& tools) {
          line("tool.die.file", '"' + tools + "die_d" + size + ".stl\"") +
          line("tool.\"lower punch\".file", '"' + tools + "punch_d" + size + ".stl\"") +
          line("walls.spacing", setting.size == LabSize::coarse ? "2.4" : "1.6");
-}
-
-LabRun passages(const LabSetting& setting, const char* name, const char* speed, int count) {
-  LabRun run{name, "../narrow_ring/fill.toml", {}};
-  run.changes.set = size_keys(setting, "") + line("step.1.velocity", speed) +
-                    line("step.1.passages", std::to_string(count));
-  return run;
 }
 
 /// A millionth of a millimetre stands for no shaking.
@@ -66,10 +59,18 @@ LabQuantity of_one(const char* quantity, const char* unit, const char* run, cons
 
 }  // namespace
 
+LabRun ring_passages(const LabSetting& setting, const char* name, const char* speed, int count) {
+  LabRun run{name, "../narrow_ring/fill.toml", {}};
+  run.changes.set = size_keys(setting, "") + line("step.1.velocity", speed) +
+                    line("step.1.passages", std::to_string(count));
+  return run;
+}
+
 LabPlan plan_ring_maps(const LabSetting& setting) {
   LabPlan plan;
-  plan.runs = {passages(setting, kSlow, "\"0.09 m/s\"", 1), passages(setting, kTwo, "\"0.2 m/s\"", 2),
-               volumetric(setting, kShaken, "\"1 mm\""), volumetric(setting, kStill, "\"0.000001 mm\"")};
+  plan.runs = {ring_passages(setting, kSlow, "\"0.09 m/s\"", 1),
+               ring_passages(setting, kTwo, "\"0.2 m/s\"", 2), volumetric(setting, kShaken, "\"1 mm\""),
+               volumetric(setting, kStill, "\"0.000001 mm\"")};
   plan.quantities.push_back(
       {.id = "M07", .quantity = "", .unit = "", .runs = {kSlow, kTwo}, .value = [](const SeedResults& seed) {
          constexpr double kFarSide = 180;  // deg, where the shoe leaves

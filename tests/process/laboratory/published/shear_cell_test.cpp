@@ -9,6 +9,7 @@
 #include <set>
 
 #include "process/laboratory/published/experiments.h"
+#include "project_paths.h"
 
 namespace diefill::process::laboratory {
 namespace {
@@ -58,6 +59,24 @@ TEST(ShearCell, RunsOfAPowderShareTheirPreShear) {
   }
   EXPECT_EQ(plan.runs.size(), 10U);
   EXPECT_EQ(beginnings.size(), 2U);
+}
+
+TEST(ShearCell, BedsOfADesignAreSharedByTheirNormalStresses) {
+  LabSetting setting;
+  setting.scenes = std::filesystem::path(DIEFILL_SOURCE_DIR) / "sample_tools/laboratory";
+  for (const auto plan_of : {plan_lactose_shear_screening, plan_lactose_shear_range, plan_lh100_shear_range,
+                             plan_lh220_shear_range}) {
+    std::set<std::string> beginnings;
+    const LabPlan plan = plan_of(setting);
+    for (const LabRun& run : plan.runs) {
+      std::string acts = run.changes.set;
+      const auto from = acts.find("step.unload.force"), to = acts.find('\n', from);
+      ASSERT_NE(from, std::string::npos);
+      beginnings.insert(acts.erase(from, to - from));
+    }
+    EXPECT_EQ(plan.runs.size(), 66U);
+    EXPECT_EQ(beginnings.size(), 33U);
+  }
 }
 
 }  // namespace
