@@ -16,19 +16,10 @@ constexpr const char* kTwo = "two passages at 0.2 m per s";
 constexpr const char* kShaken = "volumetric, shoe shaken";
 constexpr const char* kStill = "volumetric, shoe at rest";
 
-/// `tools`: where the scene's own folder has the ring's tools.
-std::string size_keys(const LabSetting& setting, const std::string& tools) {
-  const std::string size = setting.size == LabSize::coarse ? "1.88" : "0.94";
-  return line("powder.grain_diameter", '"' + size + " mm\"") +
-         line("tool.die.file", '"' + tools + "die_d" + size + ".stl\"") +
-         line("tool.\"lower punch\".file", '"' + tools + "punch_d" + size + ".stl\"") +
-         line("walls.spacing", setting.size == LabSize::coarse ? "2.4" : "1.6");
-}
-
 /// A millionth of a millimetre stands for no shaking.
 LabRun volumetric(const LabSetting& setting, const char* name, const char* amplitude) {
   LabRun run{name, "../narrow_ring/strategies/volumetric.toml", {}};
-  run.changes.set = size_keys(setting, "../") + line("step.2.amplitude", amplitude);
+  run.changes.set = ring_keys(setting, "../") + line("step.2.amplitude", amplitude);
   return run;
 }
 
@@ -59,10 +50,18 @@ LabQuantity of_one(const char* quantity, const char* unit, const char* run, cons
 
 }  // namespace
 
+std::string ring_keys(const LabSetting& setting, const std::string& tools) {
+  const std::string size = setting.size == LabSize::coarse ? "1.88" : "0.94";
+  return line("powder.grain_diameter", '"' + size + " mm\"") +
+         line("tool.die.file", '"' + tools + "die_d" + size + ".stl\"") +
+         line("tool.\"lower punch\".file", '"' + tools + "punch_d" + size + ".stl\"") +
+         line("walls.spacing", setting.size == LabSize::coarse ? "2.4" : "1.6");
+}
+
 LabRun ring_passages(const LabSetting& setting, const char* name, const char* speed, int count) {
-  LabRun run{name, "../narrow_ring/fill.toml", {}};
-  run.changes.set = size_keys(setting, "") + line("step.1.velocity", speed) +
-                    line("step.1.passages", std::to_string(count));
+  LabRun run{name, kRingScene, {}};
+  run.changes.set =
+      ring_keys(setting) + line("step.1.velocity", speed) + line("step.1.passages", std::to_string(count));
   return run;
 }
 

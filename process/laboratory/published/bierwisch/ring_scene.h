@@ -8,7 +8,12 @@
 
 namespace diefill::process::laboratory {
 
-/// `speed` as a scene has it, in quotes. Coarse: d = 1.88 mm; the other sizes: 0.94 mm.
+inline constexpr const char* kRingScene = "../narrow_ring/fill.toml";
+
+/// Keys of grain size, ring and walls. Coarse: d = 1.88 mm; the other sizes: 0.94 mm. `tools`: where the
+/// scene's own folder has the ring's tools.
+std::string ring_keys(const LabSetting& setting, const std::string& tools = "");
+/// A run of kRingScene, `speed` as a scene has it, in quotes.
 LabRun ring_passages(const LabSetting& setting, const char* name, const char* speed, int count);
 
 }  // namespace diefill::process::laboratory

@@ -47,22 +47,24 @@ LabRun watched_passage(const LabSetting& setting) {
   return run;
 }
 
-/// Twice to and fro; a rest of 50 ms and a snapshot after each pair.
+std::string step(const std::string& name, const std::string& keys) {
+  return "[[step]]\nname = \"" + name + "\"\n" + keys;
+}
+
+/// Three times to and fro; a rest of 50 ms and a snapshot after each pair.
 LabRun six_passages(const LabSetting& setting) {
-  LabRun run = ring_passages(setting, kSix, "\"0.2 m/s\"", 2);
-  run.changes.set += line("step.1.name", "\"pair 1\"") + line("numerics.most_sheared", "0.02");
+  LabRun run{kSix, kRingScene, {ring_keys(setting) + line("numerics.most_sheared", "0.02"), {}}};
+  std::string snapshots;
   for (int pair = 1; pair <= 3; ++pair) {
     const std::string number = std::to_string(pair);
-    if (pair > 1)
-      run.changes.set +=
-          "[[step]]\nname = \"pair " + number +
-          "\"\nkind = \"passage\"\ntool = \"shoe\"\ndirection = \"-x\"\nvelocity = \"0.2 m/s\"\n"
-          "passages = 2\nacceleration = \"10 m/s^2\"\nclearance = \"2 mm\"\n";
-    run.changes.set += "[[step]]\nname = \"rest " + number + "\"\nkind = \"wait\"\nduration = \"50 ms\"\n";
+    run.changes.set += step("pair " + number,
+                            "kind = \"passage\"\ntool = \"shoe\"\ndirection = \"-x\"\n"
+                            "velocity = \"0.2 m/s\"\npassages = 2\n"
+                            "acceleration = \"10 m/s^2\"\nclearance = \"2 mm\"\n");
+    run.changes.set += step("rest " + number, "kind = \"wait\"\nduration = \"50 ms\"\n");
+    snapshots += snapshot("after pair " + number, "after = \"rest " + number + '"');
   }
-  for (int pair = 1; pair <= 3; ++pair)
-    run.changes.set +=
-        snapshot("after pair " + std::to_string(pair), "after = \"rest " + std::to_string(pair) + '"');
+  run.changes.set += snapshots;
   return run;
 }
 
