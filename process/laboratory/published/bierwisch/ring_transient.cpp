@@ -51,7 +51,7 @@ std::string step(const std::string& name, const std::string& keys) {
   return "[[step]]\nname = \"" + name + "\"\n" + keys;
 }
 
-/// Three times to and fro; a rest of 50 ms and a snapshot after each pair.
+/// Three times back and forth; a rest of 50 ms and a snapshot after each pair.
 LabRun six_passages(const LabSetting& setting) {
   LabRun run{kSix, kRingScene, {ring_keys(setting) + line("numerics.most_sheared", "0.02"), {}}};
   std::string snapshots;
