@@ -125,7 +125,7 @@ CRITERIA = {
     "SCR-tau0": ("smallest size of the effects of A_H, r, f1 and f2 on tau_0, over the largest other", "1", 1, None),
     "SCR-kYL": ("share of A_H, -r, f1 and f2 with a falling effect on k_YL", "1", 1, None),
     "CAL-mus": ("effect of mu_s, 0.5 to 1.2, on tau_pre", "kPa", None, 0),
-    "ROLL-1": ("kinetic energy of a packed bed over m g d, mu_r = 1", "1", 0.01, None),
+    "ROLL-1": ("kinetic energy of a packed bed, Luding's spring with mu_r = 1 over none", "1", 10, None),
     "SCR-phi0": ("smaller of the effects of r and -A_H on the initial fraction, over the largest other", "1", 1,
                  None),
     "SCR-beta": ("correlation of the effects on beta and on the initial fraction, but mu_s", "1", None, -0.5),

@@ -82,7 +82,7 @@ TEST(Lab, CollectingLeavesFoldersOfRunsAsTheyAre) {
   EXPECT_EQ(SmallDie::files_in(other), std::vector<std::string>{"scene.toml"});
   EXPECT_FALSE(std::filesystem::exists(other.parent_path() / "seed-1-previous-1"));
   const auto table = nlohmann::json::parse(contents(folder.path() / "fill_height/coarse/fill_height.json"));
-  EXPECT_NE(table.dump().find("1 of 2 runs of a different scene"), std::string::npos) << table.dump();
+  EXPECT_NE(table.dump().find("1 of 3 runs of a different scene"), std::string::npos) << table.dump();
 }
 
 }  // namespace

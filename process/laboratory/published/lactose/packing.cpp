@@ -53,7 +53,7 @@ LabRun run_of(const Way& way, double diameter, LabSize size) {
 }
 
 double fraction(const SeedResults& seed, const Way& way, double diameter) {
-  return middle_fraction(seed.of(run_name(way, diameter)).powder);
+  return middle_fraction(packed_bed(seed, run_name(way, diameter)));
 }
 
 /// How much less the smallest spheres fill than the largest.
@@ -73,7 +73,7 @@ results::ExperimentChart chart_of(const LabSetting& setting, const SeedResults& 
     for (const double diameter : diameters(setting.size))
       if (is_run(way, diameter)) points.push_back({1e6 * diameter, run_name(way, diameter)});
     add_run_series(chart, seed, way.name, points,
-                   [&](const std::string& run) { return middle_fraction(seed.of(run).powder); });
+                   [&](const std::string& run) { return middle_fraction(packed_bed(seed, run)); });
   }
   return chart;
 }
