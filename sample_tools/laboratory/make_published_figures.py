@@ -120,7 +120,7 @@ CRITERIA = {
                     None),
     "PACK-1": ("drop of the fraction from the largest to the smallest spheres, clusters less plain falling", "1", 0,
                None),
-    "PACK-2": ("fraction of LH100 as packed over the measured one after pressing, 0.50", "1", 1, None),
+    "PACK-2": ("fraction of LH100 after pressing over the measured one, 0.50", "1", 1, None),
     "SCR-taupre": ("smallest of the effects of A_H, -r, f1 and f2 on tau_pre, over the largest other", "1", 1, None),
     "SCR-tau0": ("smallest size of the effects of A_H, r, f1 and f2 on tau_0, over the largest other", "1", 1, None),
     "SCR-kYL": ("share of A_H, -r, f1 and f2 with a falling effect on k_YL", "1", 1, None),

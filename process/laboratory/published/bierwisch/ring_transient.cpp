@@ -26,11 +26,11 @@ std::string snapshot(const std::string& name, const std::string& when) {
 }
 
 std::string at(int n) {
-  return "instant " + std::to_string(n);
+  return "instant_" + std::to_string(n);
 }
 
 std::string before(int n) {
-  return "before instant " + std::to_string(n);
+  return "before_instant_" + std::to_string(n);
 }
 
 LabRun watched_passage(const LabSetting& setting) {
@@ -62,14 +62,14 @@ LabRun six_passages(const LabSetting& setting) {
                             "velocity = \"0.2 m/s\"\npassages = 2\n"
                             "acceleration = \"10 m/s^2\"\nclearance = \"2 mm\"\n");
     run.changes.set += step("rest " + number, "kind = \"wait\"\nduration = \"50 ms\"\n");
-    snapshots += snapshot("after pair " + number, "after = \"rest " + number + '"');
+    snapshots += snapshot("after_pair_" + number, "after = \"rest " + number + '"');
   }
   run.changes.set += snapshots;
   return run;
 }
 
 const results::PowderState& after_pair(const SeedResults& seed, int pair) {
-  return seed.at(kSix, "after pair " + std::to_string(pair)).powder;
+  return seed.at(kSix, "after_pair_" + std::to_string(pair)).powder;
 }
 
 LabQuantity of_run(const char* run, const std::string& id, const std::string& quantity,

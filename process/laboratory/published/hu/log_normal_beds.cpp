@@ -3,7 +3,7 @@
 // number [assumed: not published]. The periods are as small as the largest spheres allow. Coarse: l = 4,
 // compared with l = 2 where spheres are equal; medium: l = 2 and 4; published: l = 1, 2 and 4. Enlargement of
 // the widest sizes at the weaker attraction is an experiment of its own: coarse: l = 8 from l = 4 and from l
-// = 2; the other sizes: l = 2 and 4 from l = 1.
+// = 2; the other sizes: l = 2 and 4 from l = 1; sizes up to the 99th percentile, coming in below 0.52 m.
 #include <algorithm>
 #include <cmath>
 
@@ -21,9 +21,10 @@ constexpr double kMean = 1e-3;                   // m, original
 constexpr double kFewest = 0.01, kMost = 0.999;  // percentiles kept
 constexpr std::size_t kClasses = 24;
 constexpr double kNarrowest = 5.6, kOfLargest = 4.02;  // mean and largest diameters
-/// m, below which spheres of the widest sizes come in: from a metre, small ones are pressed into each other
-/// between large ones beyond what the method allows (0.78 R at l = 8).
-constexpr double kHighest = 0.33;
+/// Of the comparison of enlarged spheres of the widest sizes: the largest percentile kept, and m, below which
+/// spheres come in. With those above, small spheres are pressed into each other between large ones that fall
+/// a metre beyond what the method allows (0.78 R at l = 8).
+constexpr double kMostCompared = 0.99, kHighest = 0.52;
 constexpr double kStrong = 0.2, kWeak = 0.02;  // J/m^2
 
 /// One bed.
@@ -36,25 +37,25 @@ std::string name_of(const Case& one) {
          " J per m2, l = " + plain(one.enlargement);
 }
 
-std::vector<SphereClass> classes_of(double variation) {
+std::vector<SphereClass> classes_of(double variation, double most) {
   if (variation == 0) return {{kMean, 1}};
   using Sizes = engine::SizeDistribution;
   const auto whole = Sizes::log_normal_of_mean(kMean, variation * kMean);
   const auto kept = Sizes::log_normal_of_mean(
       kMean, variation * kMean,
-      {whole.quantile(kFewest, engine::SizeBasis::number), whole.quantile(kMost, engine::SizeBasis::number)});
+      {whole.quantile(kFewest, engine::SizeBasis::number), whole.quantile(most, engine::SizeBasis::number)});
   std::vector<SphereClass> classes;
   for (const auto& one : engine::size_classes(kept, kClasses))
     classes.push_back({one.diameter, one.number_share});
   return classes;
 }
 
-InsertedBed bed_of(const Case& one) {
+InsertedBed bed_of(const Case& one, double most = kMost) {
   const double l = one.enlargement;
   InsertedBed bed{name_of(one), {}, {0.056 * l, 0.052 * l, 0.025, 1.015, 0.18 * l * l, 0, 1.05}};
   bed.spheres.enlargement = l;
   bed.spheres.surface_energy = one.surface_energy;
-  bed.spheres.sizes = classes_of(one.variation);
+  bed.spheres.sizes = classes_of(one.variation, most);
   bed.insertion =
       of_width(bed.insertion, std::max(kNarrowest * kMean * l, kOfLargest * largest_diameter(bed.spheres)));
   return bed;
@@ -204,7 +205,7 @@ LabPlan plan_log_normal_scaling(const LabSetting& setting) {
   LabPlan plan;
   for (const double l : coarse ? std::vector<double>{8, 4, 2} : std::vector<double>{4, 2, 1}) {
     const Case one{0.8, kWeak, l};
-    InsertedBed bed = bed_of(one);
+    InsertedBed bed = bed_of(one, kMostCompared);
     bed.insertion.to = kHighest;
     plan.runs.push_back(run_of(bed));
     plan.quantities.push_back(own_figure(name_of(one), "contacts", "1", kLow, kHigh, &BedFigures::contacts));
