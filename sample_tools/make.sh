@@ -41,6 +41,7 @@ for slit in 6 10 8.63 12.63; do
   make_part slit_plate/slit_plate.scad slit_plate/slit_${slit}mm.stl -D slit=$slit
 done
 make_part slit_plate/slit_plate.scad slit_plate/shoe_walls.stl -D 'part="shoe"'
+make_part slit_plate/slit_plate.scad slit_plate/shoe_walls_45mm.stl -D 'part="shoe"' -D shoe_x=45
 
 for part in block floor side_wall slider; do
   make_part tradeoff/tradeoff.scad tradeoff/$part.stl -D "part=\"$part\""

@@ -31,6 +31,13 @@ void copy_whole(const fs::path& file, const fs::path& copy) {
   results::write_text_atomically(copy, bytes);
 }
 
+/// Of the copy, relative to the directory; a file with `company` has a folder of its own.
+fs::path place_of(const fs::path& file, bool company) {
+  const std::string name = folder_of_name(file.stem().string()) + '-' + geometry::file_hash(file);
+  return company ? fs::path(kFolder) / name / file.filename()
+                 : fs::path(kFolder) / (name + file.extension().string());
+}
+
 }  // namespace
 
 CopiedFiles::CopiedFiles(const fs::path& directory) : directory_(directory) {
@@ -41,13 +48,15 @@ std::string CopiedFiles::copy(const fs::path& file) {
   const auto known = copied_.find(file);
   if (known != copied_.end()) return known->second;
   const auto referred = geometry::referred_files(file);
-  const std::string name = folder_of_name(file.stem().string()) + '-' + geometry::file_hash(file);
-  const fs::path target = referred.empty() ? fs::path(kFolder) / (name + file.extension().string())
-                                           : fs::path(kFolder) / name / file.filename();
+  const fs::path target = place_of(file, !referred.empty());
   copy_whole(file, directory_ / target);
   for (const fs::path& other : referred)
     copy_whole(file.parent_path() / other, directory_ / target.parent_path() / other);
   return copied_[file] = target.generic_string();
+}
+
+std::string path_of_copy(const fs::path& file) {
+  return place_of(file, !geometry::referred_files(file).empty()).generic_string();
 }
 
 }  // namespace diefill::process

@@ -23,4 +23,7 @@ class CopiedFiles {
   std::map<std::filesystem::path, std::string> copied_;
 };
 
+/// The path that `copy` gives, without copying. Throws results::ResultError where the file cannot be read.
+std::string path_of_copy(const std::filesystem::path& file);
+
 }  // namespace diefill::process

@@ -106,6 +106,23 @@ std::vector<std::string> left_out(const fs::path& directory, const results::JobL
   return folders;
 }
 
+using DoWithJob = std::function<void(const std::string& folder, const Scene&, std::uint64_t seed)>;
+
+/// The jobs, seed by seed; `act` is called for each.
+results::JobList jobs_of(const WantedJobs& wanted, const DoWithJob& act) {
+  results::JobList list;
+  list.title = wanted.title;
+  for (const Variant& variant : wanted.variants) list.variants.push_back(variant.name);
+  for (int k = 0; k < wanted.seeds; ++k)
+    for (const Variant& variant : wanted.variants) {
+      const std::uint64_t seed = variant.scene.seed + static_cast<std::uint64_t>(k);
+      const std::string folder = variant.folder + "/seed-" + std::to_string(seed);
+      act(folder, variant.scene, seed);
+      list.jobs.push_back({variant.name, seed, folder});
+    }
+  return list;
+}
+
 /// What the run said last, without the program's name.
 std::string last_complaint(const fs::path& log) {
   const std::string start = "diefill: ";
@@ -142,18 +159,11 @@ results::JobList write_jobs(const fs::path& directory, const WantedJobs& wanted,
   const results::JobList earlier = earlier_list(directory, say);
   CopiedFiles copies(directory);
   const auto elsewhere = [&](const fs::path& file) { return "../../" + copies.copy(file); };
-  results::JobList list;
-  list.title = wanted.title;
   std::vector<std::string> aside;
-  for (const Variant& variant : wanted.variants) list.variants.push_back(variant.name);
-  for (int k = 0; k < wanted.seeds; ++k)
-    for (const Variant& variant : wanted.variants) {
-      const std::uint64_t seed = variant.scene.seed + static_cast<std::uint64_t>(k);
-      const std::string folder = variant.folder + "/seed-" + std::to_string(seed);
-      if (const auto kept = write_scene(directory / folder, scene_text_with(variant.scene, seed, elsewhere)))
-        aside.push_back(folder + " as " + kept->filename().string());
-      list.jobs.push_back({variant.name, seed, folder});
-    }
+  const auto list = jobs_of(wanted, [&](const std::string& folder, const Scene& scene, std::uint64_t seed) {
+    if (const auto kept = write_scene(directory / folder, scene_text_with(scene, seed, elsewhere)))
+      aside.push_back(folder + " as " + kept->filename().string());
+  });
   const auto missing = left_out(directory, earlier, list, wanted.later);
   if (say && !aside.empty())
     say("note: in " + directory.string() + ", runs of a different scene were renamed: " + listed(aside));
@@ -162,6 +172,19 @@ results::JobList write_jobs(const fs::path& directory, const WantedJobs& wanted,
         ", earlier runs are no longer in the list and were left in place: " + listed(missing));
   results::write_job_list(directory, list);
   return list;
+}
+
+FoundJobs find_jobs(const fs::path& directory, const WantedJobs& wanted) {
+  check_seeds(wanted.variants, wanted.seeds);
+  const auto elsewhere = [](const fs::path& file) { return "../../" + path_of_copy(file); };
+  FoundJobs found;
+  found.list = jobs_of(wanted, [&](const std::string& folder, const Scene& scene, std::uint64_t seed) {
+    const fs::path file = directory / folder / kJobScene;
+    if (!fs::exists(file)) return;
+    const std::string there = contents_or_nothing(file), text = scene_text_with(scene, seed, elsewhere);
+    if (there != text && !ask_for_the_same(there, text, file)) found.other_scenes.insert(folder);
+  });
+  return found;
 }
 
 JobState state_of(const fs::path& directory, const results::Job& job) {

@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -33,6 +34,16 @@ void check_seeds(const std::vector<Variant>& variants, int seeds);
 /// `seed-<k>-previous-<n>`, with its contents; this, and results no longer in the list, is reported.
 /// Throws results::ResultError, and SceneError as check_seeds does.
 results::JobList write_jobs(const std::filesystem::path& directory, const WantedJobs& wanted, const Say& say);
+
+/// Jobs of a directory that is only read.
+struct FoundJobs {
+  results::JobList list;               ///< as write_jobs lists them
+  std::set<std::string> other_scenes;  ///< folders of jobs that hold a run of another scene
+};
+
+/// Makes, writes and renames nothing. Throws results::ResultError for a file of a scene that cannot be read,
+/// and SceneError as check_seeds does.
+FoundJobs find_jobs(const std::filesystem::path& directory, const WantedJobs& wanted);
 
 /// Writes what runs the jobs elsewhere: jobs.txt, one command line each; run_here.sh, which runs several at a
 /// time; and slurm.sh, an array job. Files with other contents are renamed, which is reported. Throws

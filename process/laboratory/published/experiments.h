@@ -20,6 +20,7 @@ LabPlan plan_shoe_discharge(const LabSetting& setting);
 LabPlan plan_slit_fields(const LabSetting& setting);
 /// Discharge of the moving shoe against the prediction from hopper flow (section 5.2.2, E15).
 LabPlan plan_moving_shoe(const LabSetting& setting);
+LabPlan plan_long_shoe(const LabSetting& setting);
 /// What Young's modulus changes (section 4.2.2, E11), and damping (section 4.2.3, E12).
 LabPlan plan_youngs_modulus(const LabSetting& setting);
 LabPlan plan_damping(const LabSetting& setting);
@@ -38,10 +39,19 @@ LabPlan plan_lactose_screening(const LabSetting& setting);
 LabPlan plan_lactose_large_range(const LabSetting& setting);
 LabPlan plan_lh100_range(const LabSetting& setting);
 LabPlan plan_lh220_range(const LabSetting& setting);
+/// Shear tests of the same beds.
+LabPlan plan_lactose_shear_screening(const LabSetting& setting);
+LabPlan plan_lactose_shear_range(const LabSetting& setting);
+LabPlan plan_lh100_shear_range(const LabSetting& setting);
+LabPlan plan_lh220_shear_range(const LabSetting& setting);
+/// Beds with Luding's rolling spring (Kottlan 2018, section 2.2.4).
+LabPlan plan_rolling_model(const LabSetting& setting);
 /// Half angle and slot of a wedge hopper from a shear test (Kottlan 2018, section 3.4).
 LabPlan plan_hopper_design(const LabSetting& setting);
 /// Angles of the heaps on slider and floor (sections 4.1.3 and 4.1.4, E5).
 LabPlan plan_angle_of_repose(const LabSetting& setting);
+/// Toe and peak of these heaps over the grain size (section 3.2.3).
+LabPlan plan_heap_sizes(const LabSetting& setting);
 /// Mean solid fractions at rest and in the moving shoe (section 4.1.5, E6).
 LabPlan plan_mean_fractions(const LabSetting& setting);
 /// Discharge over the depth of powder in the shoe (section 4.1.6, E7).
@@ -63,6 +73,7 @@ LabPlan plan_mono_disperse_beds(const LabSetting& setting);
 LabPlan plan_bed_variants(const LabSetting& setting);
 LabPlan plan_bi_disperse_beds(const LabSetting& setting);
 LabPlan plan_log_normal_beds(const LabSetting& setting);
+LabPlan plan_log_normal_scaling(const LabSetting& setting);
 /// Angle of repose of heaps on a plate (Hu 2024, section 5.3).
 LabPlan plan_heap_on_plate(const LabSetting& setting);
 /// Time step at which elastic spheres gain energy (Hu 2024, section 4.4).
@@ -76,6 +87,9 @@ LabPlan plan_wall_discharge(const LabSetting& setting);
 /// Filling level of a narrow ring over azimuth and grain size (Bierwisch 2009, section 6.1, E16).
 LabPlan plan_ring_levels(const LabSetting& setting);
 LabPlan plan_ring_maps(const LabSetting& setting);
+/// The same ring while it fills, and how deep later passages move its powder (section 6.4, E18).
+LabPlan plan_ring_transient(const LabSetting& setting);
+LabPlan plan_ring_displacement(const LabSetting& setting);
 /// Scatter of the discharge over packings (section 4.2.1, E10).
 LabPlan plan_packing_scatter(const LabSetting& setting);
 

@@ -32,7 +32,9 @@ std::vector<Variant> variants_of(const LabPlan& plan, const LabSetting& setting)
 /// Everything about the runs that the rows need.
 class FinishedRuns {
  public:
-  FinishedRuns(const fs::path& directory, const results::JobList& list) : directory_(directory) {
+  FinishedRuns(const fs::path& directory, const FoundJobs& found)
+      : directory_(directory), other_scenes_(found.other_scenes) {
+    const results::JobList& list = found.list;
     std::set<std::uint64_t> seeds;
     for (const results::Job& job : list.jobs) seeds.insert(job.seed);
     for (const std::uint64_t seed : seeds) {
@@ -40,7 +42,7 @@ class FinishedRuns {
       for (const results::Job& job : list.jobs) {
         if (job.seed != seed) continue;
         jobs_[job.variant].push_back(job);
-        if (state_of(directory, job).stage == JobState::Stage::finished)
+        if (!is_other(job) && state_of(directory, job).stage == JobState::Stage::finished)
           folders[job.variant] = directory / job.folder;
       }
       seeds_.emplace_back(seed, std::move(folders));
@@ -54,27 +56,33 @@ class FinishedRuns {
     double sum = 0;
     for (const std::string& run : runs)
       for (const results::Job& job : jobs_.at(run))
-        sum += results::read_job_cost(directory_ / job.folder).cpu_seconds;
+        if (!is_other(job)) sum += results::read_job_cost(directory_ / job.folder).cpu_seconds;
     return sum;
   }
 
   /// Why some of these runs are not finished; empty where all are.
   std::string why_missing(const std::vector<std::string>& runs) const {
-    std::size_t open = 0, all = 0;
+    std::size_t open = 0, other = 0, all = 0;
     for (const std::string& run : runs)
       for (const results::Job& job : jobs_.at(run)) {
         ++all;
+        other += is_other(job) ? 1U : 0U;
+        if (is_other(job)) continue;
         const JobState state = state_of(directory_, job);
         if (state.stage == JobState::Stage::failed) return "run \"" + run + "\" failed: " + state.reason;
         open += state.stage == JobState::Stage::open ? 1U : 0U;
       }
+    if (other > 0) return std::to_string(other) + " of " + std::to_string(all) + " runs of a different scene";
     if (open == 0) return {};
     return std::to_string(open) + " of " + std::to_string(all) +
            " runs not finished (budget used, or stopped)";
   }
 
  private:
+  bool is_other(const results::Job& job) const { return other_scenes_.contains(job.folder); }
+
   fs::path directory_;
+  std::set<std::string> other_scenes_;
   std::map<std::string, std::vector<results::Job>> jobs_;
   std::vector<SeedResults> seeds_;
 };
@@ -144,13 +152,17 @@ std::string verdict_of(const results::LabRow& row) {
 LabOutcome perform(const SceneExperiment& experiment, const LabSetting& setting,
                    const std::vector<PublishedFigure>& figures, const LabJobs& jobs) {
   const LabPlan plan = experiment.plan(setting);
-  results::JobList list;
+  FoundJobs found;
   if (!plan.runs.empty()) {
-    list =
-        write_jobs(jobs.directory, {experiment.name, variants_of(plan, setting), jobs.seeds, {}}, jobs.say);
-    if (jobs.run) run_jobs(jobs.directory, list, jobs.options);
+    const WantedJobs wanted{experiment.name, variants_of(plan, setting), jobs.seeds, {}};
+    if (jobs.run) {
+      found.list = write_jobs(jobs.directory, wanted, jobs.say);
+      run_jobs(jobs.directory, found.list, jobs.options);
+    } else {
+      found = find_jobs(jobs.directory, wanted);
+    }
   }
-  const FinishedRuns runs(jobs.directory, list);
+  const FinishedRuns runs(jobs.directory, found);
   LabOutcome outcome;
   outcome.table.experiment = experiment.name;
   outcome.table.question = experiment.question;

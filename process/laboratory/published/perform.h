@@ -21,7 +21,7 @@ struct LabJobs {
   JobOptions options;  ///< its `cpu_seconds` are the budget
   int seeds = 1;
   Say say;
-  bool run = true;  ///< false: only what is finished there is measured
+  bool run = true;  ///< false: only what is finished there is measured, and no run's folder is touched
 };
 
 /// Quantity, unit and range of the published figure that the row stands for.

@@ -22,6 +22,7 @@ using Role = ExperimentSeries::Role;
 constexpr double kWidth = 8e-3, kDepth = 12e-3;  // m, of the slot and the ring, and how deep they are
 constexpr double kAnnulus = 1.4;                 // d
 constexpr double kOneSeed = 0.2;                 // d / b below which a ring is filled once
+constexpr double kPublished = 0.47 / 2.488;      // d / b of the source's narrow ring
 constexpr double kBedFraction = 0.39;            // solid, of a wide bed (STABILITY.md, time step)
 
 /// A cavity below z = 0 with powder above it, in a mesh of triangles.
@@ -118,6 +119,23 @@ double filled_share(const Cavity& cavity, std::uint64_t seed, int threads) {
   return static_cast<double>(inside) * settings.shape().solid_volume / (cavity.nominal_area() * kDepth);
 }
 
+/// Between two of rising `shares`, on straight lines through `held`.
+double at_share(const std::vector<double>& shares, const std::vector<double>& held, double share) {
+  std::size_t k = 1;
+  while (k + 1 < shares.size() && shares[k] < share) ++k;
+  const double part = (share - shares[k - 1]) / (shares[k] - shares[k - 1]);
+  return held[k - 1] + part * (held[k] - held[k - 1]);
+}
+
+/// Largest d / b at which a cavity holds within 5 % of what it holds with the published grains.
+double usable_coarseness(const std::vector<double>& shares, const std::vector<double>& held) {
+  constexpr double kStep = 1e-3, kLost = 0.05;
+  const double least = (1 - kLost) * at_share(shares, held, kPublished);
+  double share = kPublished;
+  while (share < shares.back() && at_share(shares, held, share + kStep) >= least) share += kStep;
+  return share;
+}
+
 void fill(bool ring, const std::vector<double>& coarseness, const ExperimentOptions& options,
           results::ExperimentResult& result) {
   const std::string what = ring ? "ring" : "slot";
@@ -153,6 +171,9 @@ void fill(bool ring, const std::vector<double>& coarseness, const ExperimentOpti
     result.limits.push_back(
         {name + ", 1.4 d wider: the same", when_wider, kBedFraction, "1", "a bed of model D"});
   }
+  if (ring && coarseness.front() < kPublished)
+    result.figures.push_back(
+        {"M03", usable_coarseness(coarseness, plain.y), "filled from above", kWidth * coarseness.back()});
   chart.series = {plain, wider, theory, bed};
   result.charts.push_back(chart);
 }

@@ -66,7 +66,23 @@ TEST(Lab, WhatTheBudgetLeavesOutIsSaid) {
   ASSERT_EQ(table["rows"].size(), 16U);
   EXPECT_EQ(table["rows"][0]["verdict"], "no value");
   EXPECT_EQ(table["rows"][0]["reason"], "1 of 1 runs not finished (budget used, or stopped)");
-  EXPECT_EQ(nlohmann::json::parse(contents(kept / "jobs.json"))["jobs"].size(), 2U);
+}
+
+// What was run of another scene stays as it is, and the table says why it does not count.
+TEST(Lab, CollectingLeavesFoldersOfRunsAsTheyAre) {
+  const support::TemporaryFolder folder;
+  const std::vector<std::string> collect = {"lab",     "fill_height", "--collect",
+                                            "--quiet", "--out",       folder.path().string()};
+  const auto other = folder.path() / "fill_height/coarse/D2__10_mm_of_powder/seed-1";
+  std::filesystem::create_directories(other);
+  std::ofstream(other / "scene.toml") << "title = \"another\"\n";
+  const Outcome outcome = run_program(collect);
+  EXPECT_EQ(outcome.exit_code, 1) << outcome.err;
+  EXPECT_EQ(contents(other / "scene.toml"), "title = \"another\"\n");
+  EXPECT_EQ(SmallDie::files_in(other), std::vector<std::string>{"scene.toml"});
+  EXPECT_FALSE(std::filesystem::exists(other.parent_path() / "seed-1-previous-1"));
+  const auto table = nlohmann::json::parse(contents(folder.path() / "fill_height/coarse/fill_height.json"));
+  EXPECT_NE(table.dump().find("1 of 3 runs of a different scene"), std::string::npos) << table.dump();
 }
 
 }  // namespace

@@ -1,6 +1,8 @@
 // Folders of jobs: what stands stays, what no longer fits is kept aside, and all that a scene needs is there.
 #include <gtest/gtest.h>
 
+#include <map>
+
 #include "process/compare/job_folder.h"
 #include "process/compare/kept_aside.h"
 #include "process/results/storage/result_file.h"
@@ -70,6 +72,31 @@ TEST(JobFolders, KeepResultsWhateverHasNoPartInTheComputation) {
     EXPECT_EQ(finished(jobs, list), 4U) << other;
     EXPECT_EQ(jobs.said, "") << other;
   }
+}
+
+TEST(JobFolders, AreOnlyReadWhereJobsAreFound) {
+  Jobs jobs;
+  const std::string scene = faultless_scene() + kVariants;
+  const auto before = jobs.write_jobs_of(scene);
+  jobs.finish(before);
+  const auto all = [&] {
+    std::map<fs::path, std::string> files;
+    for (const auto& entry : fs::recursive_directory_iterator(jobs.out()))
+      files[entry.path()] = entry.is_regular_file() ? contents(entry.path()) : "";
+    return files;
+  };
+  const auto files = all();
+  const auto find = [&](const std::string& text) {
+    std::ofstream(jobs.folder() / "scene.toml") << text;
+    return find_jobs(jobs.out(), {"title", read_variants(jobs.folder() / "scene.toml"), 2, {}});
+  };
+  const FoundJobs same = find(scene);
+  EXPECT_EQ(same.list.jobs.size(), 4U);
+  EXPECT_EQ(same.list.jobs[1].folder, before.jobs[1].folder);
+  EXPECT_TRUE(same.other_scenes.empty());
+  const FoundJobs other = find(support::exchanged(scene, "powder.friction = 0.5", "powder.friction = 0.6"));
+  EXPECT_EQ(other.other_scenes, std::set<std::string>{before.jobs[1].folder});
+  EXPECT_EQ(all(), files);
 }
 
 TEST(JobFolders, KeepAsideWhatNoLongerFits) {

@@ -6,7 +6,6 @@
 
 #include "process/laboratory/published/bierwisch/repose_scene.h"
 #include "process/laboratory/published/experiments.h"
-#include "process/laboratory/published/lab_powder.h"
 #include "process/measure/figures/heap_slope.h"
 #include "process/results/figure_table.h"
 
@@ -132,18 +131,22 @@ results::ExperimentChart chart_of(const std::vector<Model>& models, const SeedRe
 
 }  // namespace
 
-SceneChanges repose_changes(const LabSetting& setting, const std::string& preset, bool creeps) {
-  const LabPowder powder = lab_powder(setting, preset, setting.scale());
+SceneChanges repose_changes(const LabSetting& setting, const LabPowder& powder, bool half_lengths,
+                            bool creeps) {
   const double half = 2.5 * powder.size;
-  const bool coarse = setting.size == LabSize::coarse;
   SceneChanges changes = powder.changes;
-  changes.set += coarse ? half_size(half) : full_size(half);
+  changes.set += half_lengths ? half_size(half) : full_size(half);
   changes.set += line("step.draw.distance", powder.size >= 0.9e-3 ? "\"10 mm\"" : "\"5 mm\"");
   changes.set += line("numerics.periodic", "{ y = " + millimetres(2 * half) + " }");
   if (!has_own_powder(setting))
     changes.set += line("numerics.time_step", '"' + plain(2 * powder.size / powder.own_size) + " us\"");
   if (creeps) changes.set += creep_steps();
   return changes;
+}
+
+SceneChanges repose_changes(const LabSetting& setting, const std::string& preset, bool creeps) {
+  return repose_changes(setting, lab_powder(setting, preset, setting.scale()),
+                        setting.size == LabSize::coarse, creeps);
 }
 
 LabPlan plan_angle_of_repose(const LabSetting& setting) {

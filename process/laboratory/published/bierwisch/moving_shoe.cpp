@@ -1,6 +1,6 @@
 // Discharge of the moving shoe against what the transient discharge of the hopper predicts (Bierwisch 2009,
-// section 5.2.2, Eq. 5.17 with Table 5.2): model D, friction 0.5, no cohesion, a shoe of 32 mm. Coarse grains
-// have wider slits as in shoe_discharge.cpp.
+// section 5.2.2, Eq. 5.17 with Table 5.2): model D, friction 0.5, no cohesion, a shoe of 32 mm, and one
+// of 45 mm over a slit of 15 mm. Coarse grains have wider slits as in shoe_discharge.cpp.
 #include "process/laboratory/published/bierwisch/slit_scene.h"
 #include "process/laboratory/published/experiments.h"
 
@@ -9,25 +9,24 @@ namespace {
 
 struct Point {
   const char* id;
-  double width, speed;  ///< m, m/s
+  SlitPassage passage;
 };
 
-constexpr Point kPoints[] = {
-    {"E06", 0.006, 0.2}, {"E07", 0.006, 0.4}, {"E08", 0.010, 0.2}, {"E09", 0.010, 0.4}};
+/// A shoe of 45 mm over the slit of 15 mm, with deep powder: the slow passage takes most of 24 mm.
+constexpr double kLong = 0.045, kDeep = 0.041;  // m
 
 std::string run_name(const Point& point) {
-  return "slit " + plain(1e3 * point.width) + " mm, " + plain(point.speed) + " m/s";
+  return "slit " + plain(1e3 * point.passage.width) + " mm, " + plain(point.passage.speed) + " m/s";
 }
 
-}  // namespace
-
-LabPlan plan_moving_shoe(const LabSetting& setting) {
+LabPlan plan_of(const LabSetting& setting, const std::vector<Point>& points) {
   LabPowder powder = lab_powder(setting, "ASC100.29 initial D", setting.scale());
   if (!has_own_powder(setting))
     powder.changes.set += "powder.friction = 0.5\npowder.work_of_adhesion = \"0 J/m^2\"\n";
   LabPlan plan;
-  for (const Point& point : kPoints) {
-    const SlitPassage passage{.width = adjusted_slit(point.width, powder), .speed = point.speed};
+  for (const Point& point : points) {
+    SlitPassage passage = point.passage;
+    passage.width = adjusted_slit(passage.width, powder);
     const std::string run = run_name(point);
     plan.runs.push_back({run, "slit.toml", slit_changes(setting, powder, passage)});
     plan.quantities.push_back(
@@ -36,6 +35,20 @@ LabPlan plan_moving_shoe(const LabSetting& setting) {
          }});
   }
   return plan;
+}
+
+}  // namespace
+
+LabPlan plan_moving_shoe(const LabSetting& setting) {
+  return plan_of(setting, {{"E06", {.width = 0.006, .speed = 0.2}},
+                           {"E07", {.width = 0.006, .speed = 0.4}},
+                           {"E08", {.width = 0.010, .speed = 0.2}},
+                           {"E09", {.width = 0.010, .speed = 0.4}}});
+}
+
+LabPlan plan_long_shoe(const LabSetting& setting) {
+  return plan_of(setting, {{"E10", {.width = 0.015, .speed = 0.2, .fill = kDeep, .inside = kLong}},
+                           {"E11", {.width = 0.015, .speed = 0.4, .fill = kDeep, .inside = kLong}}});
 }
 
 }  // namespace diefill::process::laboratory

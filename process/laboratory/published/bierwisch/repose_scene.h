@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "process/laboratory/published/scene_experiment.h"
+#include "process/laboratory/published/lab_powder.h"
 
 namespace diefill::process::laboratory {
 
@@ -14,5 +14,8 @@ inline constexpr const char* kHeapOnFloor = "heap on the floor";
 /// Its changes for `preset`, or for the setting's own powder. Where the heap `creeps`, two snapshots "first"
 /// and "second" are a second apart, and the powder is cleared away in the end.
 SceneChanges repose_changes(const LabSetting& setting, const std::string& preset, bool creeps = false);
+/// The same for a powder of any size; with half the lengths of the published set-up if wanted.
+SceneChanges repose_changes(const LabSetting& setting, const LabPowder& powder, bool half_lengths,
+                            bool creeps);
 
 }  // namespace diefill::process::laboratory

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "process/laboratory/published/bierwisch/ring_scene.h"
 #include "process/laboratory/published/experiments.h"
-#include "process/laboratory/published/lab_powder.h"
 #include "process/results/figure_table.h"
 
 namespace diefill::process::laboratory {
@@ -16,26 +16,10 @@ constexpr const char* kTwo = "two passages at 0.2 m per s";
 constexpr const char* kShaken = "volumetric, shoe shaken";
 constexpr const char* kStill = "volumetric, shoe at rest";
 
-/// `tools`: where the scene's own folder has the ring's tools.
-std::string size_keys(const LabSetting& setting, const std::string& tools) {
-  const std::string size = setting.size == LabSize::coarse ? "1.88" : "0.94";
-  return line("powder.grain_diameter", '"' + size + " mm\"") +
-         line("tool.die.file", '"' + tools + "die_d" + size + ".stl\"") +
-         line("tool.\"lower punch\".file", '"' + tools + "punch_d" + size + ".stl\"") +
-         line("walls.spacing", setting.size == LabSize::coarse ? "2.4" : "1.6");
-}
-
-LabRun passages(const LabSetting& setting, const char* name, const char* speed, int count) {
-  LabRun run{name, "../narrow_ring/fill.toml", {}};
-  run.changes.set = size_keys(setting, "") + line("step.1.velocity", speed) +
-                    line("step.1.passages", std::to_string(count));
-  return run;
-}
-
 /// A millionth of a millimetre stands for no shaking.
 LabRun volumetric(const LabSetting& setting, const char* name, const char* amplitude) {
   LabRun run{name, "../narrow_ring/strategies/volumetric.toml", {}};
-  run.changes.set = size_keys(setting, "../") + line("step.2.amplitude", amplitude);
+  run.changes.set = ring_keys(setting, "../") + line("step.2.amplitude", amplitude);
   return run;
 }
 
@@ -66,10 +50,26 @@ LabQuantity of_one(const char* quantity, const char* unit, const char* run, cons
 
 }  // namespace
 
+std::string ring_keys(const LabSetting& setting, const std::string& tools) {
+  const std::string size = setting.size == LabSize::coarse ? "1.88" : "0.94";
+  return line("powder.grain_diameter", '"' + size + " mm\"") +
+         line("tool.die.file", '"' + tools + "die_d" + size + ".stl\"") +
+         line("tool.\"lower punch\".file", '"' + tools + "punch_d" + size + ".stl\"") +
+         line("walls.spacing", setting.size == LabSize::coarse ? "2.4" : "1.6");
+}
+
+LabRun ring_passages(const LabSetting& setting, const char* name, const char* speed, int count) {
+  LabRun run{name, kRingScene, {}};
+  run.changes.set =
+      ring_keys(setting) + line("step.1.velocity", speed) + line("step.1.passages", std::to_string(count));
+  return run;
+}
+
 LabPlan plan_ring_maps(const LabSetting& setting) {
   LabPlan plan;
-  plan.runs = {passages(setting, kSlow, "\"0.09 m/s\"", 1), passages(setting, kTwo, "\"0.2 m/s\"", 2),
-               volumetric(setting, kShaken, "\"1 mm\""), volumetric(setting, kStill, "\"0.000001 mm\"")};
+  plan.runs = {ring_passages(setting, kSlow, "\"0.09 m/s\"", 1),
+               ring_passages(setting, kTwo, "\"0.2 m/s\"", 2), volumetric(setting, kShaken, "\"1 mm\""),
+               volumetric(setting, kStill, "\"0.000001 mm\"")};
   plan.quantities.push_back(
       {.id = "M07", .quantity = "", .unit = "", .runs = {kSlow, kTwo}, .value = [](const SeedResults& seed) {
          constexpr double kFarSide = 180;  // deg, where the shoe leaves

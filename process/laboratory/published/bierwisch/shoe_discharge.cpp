@@ -6,6 +6,7 @@
 
 #include "process/laboratory/published/bierwisch/slit_scene.h"
 #include "process/laboratory/published/experiments.h"
+#include "process/laboratory/published/run_series.h"
 
 namespace diefill::process::laboratory {
 namespace {
@@ -103,15 +104,12 @@ results::ExperimentChart chart_of(const std::vector<Model>& models, double width
   }
   chart.series.push_back(curve);
   for (const Model& model : models) {
-    results::ExperimentSeries series{.name = model.name, .x = {}, .y = {}};
-    for (const double speed : speeds) {
-      const std::string run = run_name(model, width, speed);
-      if (!seed.has(run)) continue;
+    std::vector<PointOfRun> points;
+    for (const double speed : speeds) points.push_back({speed, run_name(model, width, speed)});
+    add_run_series(chart, seed, model.name, points, [&](const std::string& run) {
       const double area = 1e6 * discharged_area(seed, run);
-      series.x.push_back(speed);
-      series.y.push_back(area > 0 ? area : NAN);
-    }
-    if (!series.x.empty()) chart.series.push_back(series);
+      return area > 0 ? area : NAN;
+    });
   }
   return chart;
 }

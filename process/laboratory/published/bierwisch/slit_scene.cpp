@@ -11,15 +11,15 @@
 namespace diefill::process::laboratory {
 namespace {
 
-constexpr double kInside = 0.032, kWall = 0.003;  // m, of the shoe
-constexpr double kAcceleration = 10;              // m/s^2
-constexpr double kMargin = 1e-3;                  // m, between slit and shoe
-constexpr double kPublishedStep = 2e-6;           // s, at the published grain size
+constexpr double kUsual = 0.032, kWall = 0.003;  // m, of the shoe: inside and walls
+constexpr double kAcceleration = 10;             // m/s^2
+constexpr double kMargin = 1e-3;                 // m, between slit and shoe
+constexpr double kPublishedStep = 2e-6;          // s, at the published grain size
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
 /// m, where the shoe's middle starts.
 double start_of(const SlitPassage& passage) {
-  return 0.5 * kInside + kWall + 0.5 * passage.width + kMargin +
+  return 0.5 * passage.inside + kWall + 0.5 * passage.width + kMargin +
          passage.speed * passage.speed / (2 * kAcceleration);
 }
 
@@ -59,7 +59,8 @@ double adjusted_slit(double width, const LabPowder& powder) {
 SceneChanges slit_changes(const LabSetting& setting, const LabPowder& powder, const SlitPassage& passage) {
   const double start = start_of(passage), half = 0.5 * slice_depth(powder, passage);
   const double travel =
-      passage.past ? 2 * start : start + 0.5 * kInside + passage.speed * passage.speed / (2 * kAcceleration);
+      passage.past ? 2 * start
+                   : start + 0.5 * passage.inside + passage.speed * passage.speed / (2 * kAcceleration);
   SceneChanges changes = powder.changes;
   changes.set += bounded_settling(powder);
   changes.set +=
@@ -67,8 +68,11 @@ SceneChanges slit_changes(const LabSetting& setting, const LabPowder& powder, co
   changes.set +=
       line("tool.\"left half of the platen\".position", point_in_millimetres(-0.5 * passage.width, 0, 0));
   changes.set += line("tool.shoe.position", point_in_millimetres(start, 0, 0));
-  changes.set += line("pour.from", point_in_millimetres(start - 0.5 * kInside, -half, 0));
-  changes.set += line("pour.to", point_in_millimetres(start + 0.5 * kInside, half, 0.046));
+  if (passage.inside != kUsual)
+    changes.set +=
+        line("tool.shoe.file", "\"../slit_plate/shoe_walls_" + plain(1e3 * passage.inside) + "mm.stl\"");
+  changes.set += line("pour.from", point_in_millimetres(start - 0.5 * passage.inside, -half, 0));
+  changes.set += line("pour.to", point_in_millimetres(start + 0.5 * passage.inside, half, 0.046));
   changes.set += line("pour.fill_height", millimetres(passage.fill));
   changes.set += line("step.passage.velocity", '"' + plain(passage.speed) + " m/s\"");
   changes.set += line("step.passage.travel", millimetres(travel));
@@ -92,7 +96,7 @@ double steady_solid_rate(const SeedResults& seed, const std::string& run, const 
   const auto stage = std::find_if(result.stages.begin(), result.stages.end(),
                                   [](const auto& one) { return one.tool == "shoe"; });
   if (stage == result.stages.end()) return kNone;
-  const double covered = 0.5 * kInside - 0.5 * passage.width;
+  const double covered = 0.5 * passage.inside - 0.5 * passage.width;
   const double from = stage->start + time_over_slit(passage, -covered + kLeftOut * 2 * covered);
   const double to = stage->start + time_over_slit(passage, covered);
   const auto& probe = slit_probe(result);
@@ -104,7 +108,7 @@ double steady_solid_rate(const SeedResults& seed, const std::string& run, const 
 
 double measured_area(double width, double speed) {
   return continuum::mass_of_passage(continuum::kMeasuredDischarge, {1, width, 1, continuum::kStandardGravity},
-                                    kInside, speed);
+                                    kUsual, speed);
 }
 
 }  // namespace diefill::process::laboratory

@@ -11,11 +11,12 @@ namespace diefill::process::laboratory {
 
 /// One passage. SI units.
 struct SlitPassage {
-  double width = 0.01;  ///< m, D between the platen's edges
-  double speed = 0.18;  ///< m/s
-  double fill = 0.024;  ///< m, depth of the powder
-  double depth = 0;     ///< m, b, the slice's period; 0: 4.6 d as published, but at least 4.1 d
-  bool past = true;     ///< the whole shoe passes; false: it stops with the slit under its trailing wall
+  double width = 0.01;    ///< m, D between the platen's edges
+  double speed = 0.18;    ///< m/s
+  double fill = 0.024;    ///< m, depth of the powder
+  double depth = 0;       ///< m, b, the slice's period; 0: 4.6 d as published, but at least 4.1 d
+  double inside = 0.032;  ///< m, of the shoe along its way, as there are drawings for: 32 or 45 mm
+  bool past = true;       ///< the whole shoe passes; false: it stops with the slit under its trailing wall
 };
 
 /// Its scene with that powder.

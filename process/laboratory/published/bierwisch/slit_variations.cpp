@@ -6,6 +6,7 @@
 #include "process/compare/statistics.h"
 #include "process/laboratory/published/bierwisch/slit_scene.h"
 #include "process/laboratory/published/experiments.h"
+#include "process/laboratory/published/run_series.h"
 #include "process/results/figure_table.h"
 
 namespace diefill::process::laboratory {
@@ -39,13 +40,10 @@ results::ExperimentChart fill_chart(const std::vector<Model>& models, const Seed
   chart.x = {.label = "Depth of the powder [mm]"};
   chart.y = {.label = "Discharged area [mm2]"};
   for (const Model& model : models) {
-    results::ExperimentSeries series{.name = model.name, .x = {}, .y = {}};
-    for (const double fill : kFills)
-      if (seed.has(fill_name(model, fill))) {
-        series.x.push_back(1e3 * fill);
-        series.y.push_back(1e6 * discharged_area(seed, fill_name(model, fill)));
-      }
-    chart.series.push_back(series);
+    std::vector<PointOfRun> points;
+    for (const double fill : kFills) points.push_back({1e3 * fill, fill_name(model, fill)});
+    add_run_series(chart, seed, model.name, points,
+                   [&](const std::string& run) { return 1e6 * discharged_area(seed, run); });
   }
   return chart;
 }

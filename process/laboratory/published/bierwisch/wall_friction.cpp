@@ -11,6 +11,7 @@
 #include "process/laboratory/published/bierwisch/slit_scene.h"
 #include "process/laboratory/published/dosta/bulk_curves.h"
 #include "process/laboratory/published/experiments.h"
+#include "process/laboratory/published/run_series.h"
 #include "process/results/figure_table.h"
 
 namespace diefill::process::laboratory {
@@ -85,13 +86,10 @@ results::ExperimentChart chart_of(const SeedResults& seed) {
   chart.x = {.label = "Friction coefficient mu_w [1]", .lower = 0};
   chart.y = {.label = "Effective friction [1]", .lower = 0};
   for (const double spacing : kSpacings) {
-    results::ExperimentSeries series{.name = "spacing " + plain(spacing) + " R_w", .x = {}, .y = {}};
-    for (const double friction : kFrictions) {
-      if (!seed.has(name_of(friction, spacing))) continue;
-      series.x.push_back(friction);
-      series.y.push_back(effective_friction(seed, name_of(friction, spacing)));
-    }
-    if (!series.x.empty()) chart.series.push_back(series);
+    std::vector<PointOfRun> points;
+    for (const double friction : kFrictions) points.push_back({friction, name_of(friction, spacing)});
+    add_run_series(chart, seed, "spacing " + plain(spacing) + " R_w", points,
+                   [&](const std::string& run) { return effective_friction(seed, run); });
   }
   return chart;
 }

@@ -1,7 +1,9 @@
 // Beds of log-normal sizes at two surface energies (Hu 2024, section 6.3): density and contacts between 20
 // and 60 mm over the width of the distribution. Sizes are kept from the 1st to the 99.9th percentile by
 // number [assumed: not published]. The periods are as small as the largest spheres allow. Coarse: l = 4,
-// compared with l = 2 where spheres are equal; medium: l = 2 and 4; published: l = 1, 2 and 4.
+// compared with l = 2 where spheres are equal; medium: l = 2 and 4; published: l = 1, 2 and 4. Enlargement of
+// the widest sizes at the weaker attraction is an experiment of its own: coarse: l = 8 from l = 4 and from l
+// = 2; the other sizes: l = 2 and 4 from l = 1; sizes up to the 99th percentile, coming in below 0.52 m.
 #include <algorithm>
 #include <cmath>
 
@@ -9,6 +11,7 @@
 #include "process/laboratory/published/experiments.h"
 #include "process/laboratory/published/hu/inserted_bed.h"
 #include "process/laboratory/published/lab_powder.h"
+#include "process/laboratory/published/run_series.h"
 
 namespace diefill::process::laboratory {
 namespace {
@@ -18,7 +21,11 @@ constexpr double kMean = 1e-3;                   // m, original
 constexpr double kFewest = 0.01, kMost = 0.999;  // percentiles kept
 constexpr std::size_t kClasses = 24;
 constexpr double kNarrowest = 5.6, kOfLargest = 4.02;  // mean and largest diameters
-constexpr double kStrong = 0.2, kWeak = 0.02;          // J/m^2
+/// Of the comparison of enlarged spheres of the widest sizes: the largest percentile kept, and m, below which
+/// spheres come in. With those above, small spheres are pressed into each other between large ones that fall
+/// a metre beyond what the method allows (0.78 R at l = 8).
+constexpr double kMostCompared = 0.99, kHighest = 0.52;
+constexpr double kStrong = 0.2, kWeak = 0.02;  // J/m^2
 
 /// One bed.
 struct Case {
@@ -30,25 +37,25 @@ std::string name_of(const Case& one) {
          " J per m2, l = " + plain(one.enlargement);
 }
 
-std::vector<SphereClass> classes_of(double variation) {
+std::vector<SphereClass> classes_of(double variation, double most) {
   if (variation == 0) return {{kMean, 1}};
   using Sizes = engine::SizeDistribution;
   const auto whole = Sizes::log_normal_of_mean(kMean, variation * kMean);
   const auto kept = Sizes::log_normal_of_mean(
       kMean, variation * kMean,
-      {whole.quantile(kFewest, engine::SizeBasis::number), whole.quantile(kMost, engine::SizeBasis::number)});
+      {whole.quantile(kFewest, engine::SizeBasis::number), whole.quantile(most, engine::SizeBasis::number)});
   std::vector<SphereClass> classes;
   for (const auto& one : engine::size_classes(kept, kClasses))
     classes.push_back({one.diameter, one.number_share});
   return classes;
 }
 
-InsertedBed bed_of(const Case& one) {
+InsertedBed bed_of(const Case& one, double most = kMost) {
   const double l = one.enlargement;
   InsertedBed bed{name_of(one), {}, {0.056 * l, 0.052 * l, 0.025, 1.015, 0.18 * l * l, 0, 1.05}};
   bed.spheres.enlargement = l;
   bed.spheres.surface_energy = one.surface_energy;
-  bed.spheres.sizes = classes_of(one.variation);
+  bed.spheres.sizes = classes_of(one.variation, most);
   bed.insertion =
       of_width(bed.insertion, std::max(kNarrowest * kMean * l, kOfLargest * largest_diameter(bed.spheres)));
   return bed;
@@ -166,15 +173,14 @@ results::ExperimentChart chart_of(LabSize size, const SeedResults& seed, bool co
   chart.x = {.label = "Standard deviation of the diameter over its mean [1]"};
   chart.y = {.label = contacts ? "Coordination number [1]" : "Bulk density [kg/m3]"};
   for (const double energy : {kStrong, kWeak}) {
-    results::ExperimentSeries series{
-        .name = plain(energy) + " J/m2, l = " + plain(finest(size)), .x = {}, .y = {}};
-    for (const double variation : variations(size, energy)) {
-      const Case one{variation, energy, finest(size)};
-      if (!seed.has(name_of(one))) continue;
-      series.x.push_back(variation);
-      series.y.push_back(contacts ? figures(seed, one).contacts : figures(seed, one).density);
-    }
-    if (!series.x.empty()) chart.series.push_back(series);
+    std::vector<PointOfRun> points;
+    for (const double variation : variations(size, energy))
+      points.push_back({variation, name_of({variation, energy, finest(size)})});
+    add_run_series(chart, seed, plain(energy) + " J/m2, l = " + plain(finest(size)), points,
+                   [&](const std::string& run) {
+                     const BedFigures bed = figures_of(seed, run, kLow, kHigh);
+                     return contacts ? bed.contacts : bed.density;
+                   });
   }
   chart.series.push_back({.name = "published, 0.2 J/m2, l = 1",
                           .role = Role::published,
@@ -183,7 +189,33 @@ results::ExperimentChart chart_of(LabSize size, const SeedResults& seed, bool co
   return chart;
 }
 
+/// How far contacts of the widest sizes are from those of less enlarged spheres.
+LabQuantity contacts_apart(const char* id, double l, double original) {
+  const Case enlarged{0.8, kWeak, l}, reference{0.8, kWeak, original};
+  return quantity(id, "deviation of coordination number, l = " + plain(l) + " from l = " + plain(original),
+                  {enlarged, reference}, [=](const SeedResults& seed) {
+                    return std::abs(figures(seed, enlarged).contacts - figures(seed, reference).contacts);
+                  });
+}
+
 }  // namespace
+
+LabPlan plan_log_normal_scaling(const LabSetting& setting) {
+  const bool coarse = setting.size == LabSize::coarse;
+  LabPlan plan;
+  for (const double l : coarse ? std::vector<double>{8, 4, 2} : std::vector<double>{4, 2, 1}) {
+    const Case one{0.8, kWeak, l};
+    InsertedBed bed = bed_of(one, kMostCompared);
+    bed.insertion.to = kHighest;
+    plan.runs.push_back(run_of(bed));
+    plan.quantities.push_back(own_figure(name_of(one), "contacts", "1", kLow, kHigh, &BedFigures::contacts));
+  }
+  plan.quantities.push_back(coarse ? contacts_apart("LN-002-M1z2", 8, 4)
+                                   : contacts_apart("LN-002-M1z2", 2, 1));
+  plan.quantities.push_back(coarse ? contacts_apart("LN-002-M1z4", 8, 2)
+                                   : contacts_apart("LN-002-M1z4", 4, 1));
+  return plan;
+}
 
 LabPlan plan_log_normal_beds(const LabSetting& setting) {
   const LabSize size = setting.size;

@@ -107,8 +107,8 @@ std::string powder_lines(const AdhesivePowder& powder, Packing packing) {
   set += line("contact.damping",
               "{ law = \"linear restitution\", restitution = " + plain(powder.restitution) + " }");
   set += line("contact.friction", friction_part(powder, powder.friction));
-  set +=
-      line("contact.rolling", "{ law = \"elastic CDT\", rolling_friction = " + plain(powder.rolling) + " }");
+  set += line("contact.rolling", std::string("{ law = \"") + powder.rolling_law +
+                                     "\", rolling_friction = " + plain(powder.rolling) + " }");
   set += line("contact.attraction", attraction_part(powder, packing));
   set += line("contact.walls.normal",
               "{ law = \"linear\", stiffness = " + with_unit(kWallRatio * k, "N/m") + " }");

@@ -21,7 +21,8 @@ struct AdhesivePowder {
   double rolling = 0;          ///< mu_roll
   double cohesion_ratio = 0;   ///< f_2 = k_c / k_1
   double tangential_ratio = 0.6, dynamic_ratio = 1, restitution = 0.65,
-         damping_ratio = 0.6;  ///< f_3, f_4, e, f_5
+         damping_ratio = 0.6;               ///< f_3, f_4, e, f_5
+  const char* rolling_law = "elastic CDT";  ///< as `contact.rolling` has it
 
   double diameter() const { return 2 * radius; }
   double mass() const;  ///< kg, 1545 kg/m^3

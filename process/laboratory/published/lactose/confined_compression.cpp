@@ -63,6 +63,17 @@ void add_quantities(LabPlan& plan, const Lactose& one) {
   plan.quantities.push_back(fraction(one, "after", [](const BedMetrics& of) { return of.final_fraction; }));
 }
 
+/// Of LH100: the fraction of the pressed bed over that measured.
+LabQuantity looser_than_simulated(const Lactose& one) {
+  constexpr double kMeasured = 0.50;  // Table 5
+  return {
+      .id = "PACK-2",
+      .quantity = "",
+      .unit = "",
+      .runs = {one.bed.name},
+      .value = [=](const SeedResults& seed) { return metrics_of(seed, one.bed).final_fraction / kMeasured; }};
+}
+
 results::ExperimentSeries empty_series(const Lactose& one) {
   return {.name = one.bed.name, .role = results::ExperimentSeries::Role::predicted, .x = {}, .y = {}};
 }
@@ -118,6 +129,7 @@ LabPlan plan_confined_compression(const LabSetting& setting) {
   }
   plan.quantities.push_back(smaller(
       all, "SCR-order", [](const BedMetrics& of) { return of.stiffness.unloading / of.stiffness.loading; }));
+  plan.quantities.push_back(looser_than_simulated(all.front()));
   plan.quantities.push_back(smaller(all, "SCR-tens2", [](const BedMetrics& of) { return of.fracture; }));
   plan.charts = [all](const std::vector<SeedResults>& seeds) {
     return std::vector{load_chart(all, seeds.front()), pull_chart(all, seeds.front())};

@@ -25,6 +25,8 @@ enum class Factor {
   rolling
 };
 inline constexpr std::size_t kFactors = 12;
+/// In the folder of scenes.
+inline constexpr const char* kLactoseDesigns = "lactose_designs.csv";
 
 struct DesignRun {
   AdhesivePowder powder;

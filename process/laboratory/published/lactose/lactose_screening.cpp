@@ -3,96 +3,46 @@
 // regression (Tables 9, 10, 19 and 20). 33 beds each, spheres of one size, periodic; coarse: 6 d wide, 10 d
 // of powder.
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 
 #include "process/laboratory/published/experiments.h"
-#include "process/laboratory/published/lactose/lactose_designs.h"
+#include "process/laboratory/published/lactose/design_study.h"
 #include "process/laboratory/published/lactose/pressed_bed.h"
 
 namespace diefill::process::laboratory {
 namespace {
 
-constexpr const char* kFile = "lactose_designs.csv";
-constexpr double kMeasuredStrength = 64.6;  // Pa, of LH220 (Table 6)
+constexpr double kMeasuredStrength = 64.6;                     // Pa, of LH220 (Table 6)
+enum : std::size_t { kBeta, kLoading, kUnloading, kTension };  // of a study's metrics
 
-struct Study {
-  std::vector<DesignRun> runs;
+struct Study : DesignStudy {
   std::vector<PressedBed> beds;
-
-  std::vector<std::string> names() const {
-    std::vector<std::string> names;
-    for (const PressedBed& bed : beds) names.push_back(bed.name);
-    return names;
-  }
+  DesignMetric initial, last;  ///< solid fractions
 };
 
 Study study_of(const LabSetting& setting, const std::string& table) {
   const AdhesiveBed bed = setting.size == LabSize::coarse ? AdhesiveBed{6, 10} : AdhesiveBed{10, 20};
   Study study;
-  study.runs = design_runs(setting.scenes / kFile, table);
-  for (std::size_t k = 0; k < study.runs.size(); ++k)
-    study.beds.push_back({"run " + std::to_string(k), study.runs[k].powder, bed});
+  study.design = design_runs(setting.scenes / kLactoseDesigns, table);
+  for (std::size_t k = 0; k < study.design.size(); ++k) {
+    study.beds.push_back({"run " + std::to_string(k), study.design[k].powder, bed});
+    study.runs.push_back(study.beds.back().name);
+  }
+  const auto metric = [beds = study.beds](double (*value)(const BedMetrics&)) -> DesignMetric {
+    return [=](const SeedResults& seed, std::size_t k) { return value(metrics_of(seed, beds[k])); };
+  };
+  study.metrics = {{"beta", metric([](const BedMetrics& of) { return 100 * of.stiffness.beta; })},
+                   {"k_load", metric([](const BedMetrics& of) { return 1e-6 * of.stiffness.loading; })},
+                   {"k_unload", metric([](const BedMetrics& of) { return 1e-6 * of.stiffness.unloading; })},
+                   {"sigma_tens", metric([](const BedMetrics& of) { return 1e-3 * of.strength; })}};
+  study.initial = metric([](const BedMetrics& of) { return of.initial_fraction; });
+  study.last = metric([](const BedMetrics& of) { return of.final_fraction; });
   return study;
 }
 
-using Metric = double (*)(const BedMetrics&);
-
-struct Named {
-  const char* name;  ///< as ids have it
-  Metric value;
-};
-/// In the units of the published figures.
-constexpr std::array<Named, 4> kMetrics = {
-    {{"beta", [](const BedMetrics& of) { return 100 * of.stiffness.beta; }},
-     {"k_load", [](const BedMetrics& of) { return 1e-6 * of.stiffness.loading; }},
-     {"k_unload", [](const BedMetrics& of) { return 1e-6 * of.stiffness.unloading; }},
-     {"sigma_tens", [](const BedMetrics& of) { return 1e-3 * of.strength; }}}};
-constexpr Metric kInitial = [](const BedMetrics& of) { return of.initial_fraction; };
-constexpr Metric kFinal = [](const BedMetrics& of) { return of.final_fraction; };
-
-std::vector<double> values_of(const Study& study, const SeedResults& seed, Metric metric) {
-  std::vector<double> values;
-  for (const PressedBed& bed : study.beds) values.push_back(metric(metrics_of(seed, bed)));
-  return values;
-}
-
-LabQuantity quantity(const Study& study, const std::string& id,
-                     const std::function<double(const SeedResults&)>& value) {
-  return {.id = id, .quantity = "", .unit = "", .runs = study.names(), .value = value};
-}
-
-/// Effects of all factors on a metric.
-std::array<double, kFactors> effects(const Study& study, const SeedResults& seed, Metric metric) {
-  const auto values = values_of(study, seed, metric);
-  std::array<double, kFactors> all{};
-  for (std::size_t k = 0; k < kFactors; ++k) all[k] = effect_of(study.runs, values, static_cast<Factor>(k));
-  return all;
-}
-
-double of(const std::array<double, kFactors>& all, Factor factor) {
-  return all[static_cast<std::size_t>(factor)];
-}
-
-/// The largest size of an effect but for these factors'.
-double largest_other(const std::array<double, kFactors>& all, std::initializer_list<Factor> but) {
-  double largest = 0;
-  for (std::size_t k = 0; k < kFactors; ++k)
-    if (std::find(but.begin(), but.end(), static_cast<Factor>(k)) == but.end())
-      largest = std::max(largest, std::abs(all[k]));
-  return largest;
-}
-
-/// Share of factors whose effect has the published sign.
-double agreeing(const std::array<double, kFactors>& all, const std::vector<std::pair<Factor, int>>& signs) {
-  double count = 0;
-  for (const auto& [factor, sign] : signs) count += sign * of(all, factor) > 0 ? 1 : 0;
-  return count / static_cast<double>(signs.size());
-}
-
 /// Correlation of the effects on two metrics, but for static friction.
-double likeness(const std::array<double, kFactors>& one, const std::array<double, kFactors>& other) {
+double likeness(const Effects& one, const Effects& other) {
   double products = 0, ones = 0, others = 0;
   for (std::size_t k = 0; k < kFactors; ++k) {
     if (static_cast<Factor>(k) == Factor::friction) continue;
@@ -105,33 +55,13 @@ double likeness(const std::array<double, kFactors>& one, const std::array<double
 /// metric where it is largest.
 double of_negligible(const Study& study, const SeedResults& seed) {
   double largest = 0;
-  for (const Named& metric : kMetrics) {
-    const auto all = effects(study, seed, metric.value);
+  for (const NamedMetric& metric : study.metrics) {
+    const auto all = effects_of(study, seed, metric.value);
     for (const Factor factor :
          {Factor::restitution, Factor::damping_ratio, Factor::tangential_ratio, Factor::dynamic_ratio})
       largest = std::max(largest, std::abs(of(all, factor)) / largest_other(all, {}));
   }
   return largest;
-}
-
-void add_ranges(LabPlan& plan, const Study& study, const std::string& powder) {
-  for (const Named& metric : kMetrics)
-    for (const bool most : {false, true})
-      plan.quantities.push_back(quantity(study, powder + "-range-" + (most ? "max-" : "min-") + metric.name,
-                                         [=](const SeedResults& seed) {
-                                           const auto values = values_of(study, seed, metric.value);
-                                           return most ? *std::max_element(values.begin(), values.end())
-                                                       : *std::min_element(values.begin(), values.end());
-                                         }));
-}
-
-void add_errors(LabPlan& plan, const Study& study, const std::string& table) {
-  for (const bool pairs : {false, true})
-    for (const Named& metric : kMetrics)
-      plan.quantities.push_back(quantity(
-          study, "ERR-" + table + (pairs ? "-with-" : "-no-") + metric.name, [=](const SeedResults& seed) {
-            return regression_error(study.runs, values_of(study, seed, metric.value), pairs);
-          }));
 }
 
 LabPlan plan_of(const Study& study) {
@@ -143,25 +73,26 @@ LabPlan plan_of(const Study& study) {
 /// Least gain of the interactions over the metrics: error without over that with them.
 double least_gain(const Study& study, const SeedResults& seed) {
   double least = std::numeric_limits<double>::infinity();
-  for (const Named& metric : kMetrics) {
+  for (const NamedMetric& metric : study.metrics) {
     const auto values = values_of(study, seed, metric.value);
     least = std::min(
-        least, regression_error(study.runs, values, false) / regression_error(study.runs, values, true));
+        least, regression_error(study.design, values, false) / regression_error(study.design, values, true));
   }
   return least;
 }
 
 void add_fraction_effects(LabPlan& plan, const Study& study) {
-  plan.quantities.push_back(quantity(study, "SCR-phi0", [=](const SeedResults& seed) {
-    const auto all = effects(study, seed, kInitial);
+  plan.quantities.push_back(study_quantity(study, "SCR-phi0", [=](const SeedResults& seed) {
+    const auto all = effects_of(study, seed, study.initial);
     return std::min(of(all, Factor::radius), -of(all, Factor::hamaker)) /
            largest_other(all, {Factor::radius, Factor::hamaker});
   }));
-  plan.quantities.push_back(quantity(study, "SCR-beta", [=](const SeedResults& seed) {
-    return likeness(effects(study, seed, kInitial), effects(study, seed, kMetrics[0].value));
+  plan.quantities.push_back(study_quantity(study, "SCR-beta", [=](const SeedResults& seed) {
+    return likeness(effects_of(study, seed, study.initial),
+                    effects_of(study, seed, study.metrics[kBeta].value));
   }));
-  plan.quantities.push_back(quantity(study, "SCR-phif", [=](const SeedResults& seed) {
-    const auto all = effects(study, seed, kFinal);
+  plan.quantities.push_back(study_quantity(study, "SCR-phif", [=](const SeedResults& seed) {
+    const auto all = effects_of(study, seed, study.last);
     return std::min(std::abs(of(all, Factor::friction)), std::abs(of(all, Factor::young))) /
            largest_other(all, {Factor::friction, Factor::young});
   }));
@@ -173,23 +104,23 @@ LabPlan plan_lactose_screening(const LabSetting& setting) {
   const Study study = study_of(setting, "T17");
   LabPlan plan = plan_of(study);
   add_fraction_effects(plan, study);
-  std::vector<std::pair<Factor, int>> signs = {
+  std::vector<SignedFactor> signs = {
       {Factor::young, 1}, {Factor::unloading_ratio, 1}, {Factor::depth, -1}, {Factor::friction, -1}};
-  plan.quantities.push_back(quantity(study, "SCR-kunload", [=](const SeedResults& seed) {
-    return agreeing(effects(study, seed, kMetrics[2].value), signs);
+  plan.quantities.push_back(study_quantity(study, "SCR-kunload", [=](const SeedResults& seed) {
+    return agreeing(effects_of(study, seed, study.metrics[kUnloading].value), signs);
   }));
   signs.emplace_back(Factor::tangential_ratio, 1);
-  plan.quantities.push_back(quantity(study, "SCR-kload", [=](const SeedResults& seed) {
-    return agreeing(effects(study, seed, kMetrics[1].value), signs);
+  plan.quantities.push_back(study_quantity(study, "SCR-kload", [=](const SeedResults& seed) {
+    return agreeing(effects_of(study, seed, study.metrics[kLoading].value), signs);
   }));
-  plan.quantities.push_back(quantity(study, "SCR-tens", [=](const SeedResults& seed) {
+  plan.quantities.push_back(study_quantity(study, "SCR-tens", [=](const SeedResults& seed) {
     double above = 0;
-    for (const double value : values_of(study, seed, kMetrics[3].value))
+    for (const double value : values_of(study, seed, study.metrics[kTension].value))
       above += value > 1e-3 * kMeasuredStrength ? 1 : 0;
     return above / static_cast<double>(study.beds.size());
   }));
   plan.quantities.push_back(
-      quantity(study, "SCR-neg", [=](const SeedResults& seed) { return of_negligible(study, seed); }));
+      study_quantity(study, "SCR-neg", [=](const SeedResults& seed) { return of_negligible(study, seed); }));
   return plan;
 }
 
@@ -198,7 +129,7 @@ LabPlan plan_lactose_large_range(const LabSetting& setting) {
   LabPlan plan = plan_of(study);
   add_errors(plan, study, "9");
   plan.quantities.push_back(
-      quantity(study, "CAL-err", [=](const SeedResults& seed) { return least_gain(study, seed); }));
+      study_quantity(study, "CAL-err", [=](const SeedResults& seed) { return least_gain(study, seed); }));
   return plan;
 }
 

@@ -7,6 +7,7 @@
 #include "process/laboratory/published/experiments.h"
 #include "process/laboratory/published/lab_powder.h"
 #include "process/laboratory/published/lactose/pressed_bed.h"
+#include "process/laboratory/published/run_series.h"
 
 namespace diefill::process::laboratory {
 namespace {
@@ -52,7 +53,7 @@ LabRun run_of(const Way& way, double diameter, LabSize size) {
 }
 
 double fraction(const SeedResults& seed, const Way& way, double diameter) {
-  return middle_fraction(seed.of(run_name(way, diameter)).powder);
+  return middle_fraction(packed_bed(seed, run_name(way, diameter)));
 }
 
 /// How much less the smallest spheres fill than the largest.
@@ -68,13 +69,11 @@ results::ExperimentChart chart_of(const LabSetting& setting, const SeedResults& 
   chart.x = {.label = "Diameter [um]", .logarithmic = true};
   chart.y = {.label = "Solid fraction [1]"};
   for (const Way& way : kWays) {
-    results::ExperimentSeries series{.name = way.name, .x = {}, .y = {}};
-    for (const double diameter : diameters(setting.size)) {
-      if (!is_run(way, diameter) || !seed.has(run_name(way, diameter))) continue;
-      series.x.push_back(1e6 * diameter);
-      series.y.push_back(fraction(seed, way, diameter));
-    }
-    if (!series.x.empty()) chart.series.push_back(std::move(series));
+    std::vector<PointOfRun> points;
+    for (const double diameter : diameters(setting.size))
+      if (is_run(way, diameter)) points.push_back({1e6 * diameter, run_name(way, diameter)});
+    add_run_series(chart, seed, way.name, points,
+                   [&](const std::string& run) { return middle_fraction(packed_bed(seed, run)); });
   }
   return chart;
 }

@@ -57,11 +57,15 @@ PullCurve pull_curve(const SeedResults& seed, const PressedBed& bed) {
   return curve;
 }
 
+const results::PowderState& packed_bed(const SeedResults& seed, const std::string& run) {
+  return seed.at(run, kPacked).powder;
+}
+
 BedMetrics metrics_of(const SeedResults& seed, const PressedBed& bed) {
   const Tension tension = tension_of(pull_curve(seed, bed));
-  return {middle_fraction(seed.at(bed.name, kPacked).powder),
-          middle_fraction(seed.at(bed.name, kPressed).powder), stiffness_of(load_curve(seed, bed), kLoads),
-          tension.strength / bed.area(), tension.fracture / bed.powder.diameter()};
+  return {middle_fraction(packed_bed(seed, bed.name)), middle_fraction(seed.at(bed.name, kPressed).powder),
+          stiffness_of(load_curve(seed, bed), kLoads), tension.strength / bed.area(),
+          tension.fracture / bed.powder.diameter()};
 }
 
 double middle_fraction(const results::PowderState& powder) {

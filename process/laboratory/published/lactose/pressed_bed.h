@@ -34,6 +34,10 @@ struct BedMetrics {
   double fracture;  ///< d, see Tension
 };
 
+/// The bed of a run of adhesive_bed.toml as it is packed, before anything presses it; in the end the scene
+/// clears it away.
+const results::PowderState& packed_bed(const SeedResults& seed, const std::string& run);
+
 BedMetrics metrics_of(const SeedResults& seed, const PressedBed& bed);
 
 /// Of the middle six tenths of a bed.

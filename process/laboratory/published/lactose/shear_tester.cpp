@@ -3,118 +3,38 @@
 // stresses from the same pre-sheared bed. Spheres of one size; the loose bed is pressed by the head at once.
 // Coarse: a cell of 10 d and 900 spheres; medium: 16 d, 4,000 spheres; published: a quarter of that speed.
 #include <cmath>
-#include <limits>
 
 #include "process/continuum/wedge_hopper.h"
-#include "process/continuum/yield_locus.h"
-#include "process/laboratory/published/bed_window.h"
 #include "process/laboratory/published/experiments.h"
 #include "process/laboratory/published/lab_powder.h"
-#include "process/laboratory/published/lactose/shear_cell.h"
+#include "process/laboratory/published/lactose/sheared_bed.h"
 
 namespace diefill::process::laboratory {
 namespace {
 
 using continuum::MohrCircle, continuum::StressPoint, continuum::YieldLocus;
 
-constexpr const char *kHead = "head", *kPreshearedBed = "presheared";
-constexpr double kPreshear = 3e3;  // Pa
-constexpr double kStresses[] = {2e3, 1.75e3, 1.5e3, 1.25e3, 1e3};
-constexpr double kVanes = 3;  // d, below the head's face
-constexpr double kMost = 20, kStretch = 3,
-                 kSheared = 4;    // d at the rim: of pre-shear, of its means, of shear
-constexpr double kPeak = 0.3;     // d, over which the strength is a mean
-constexpr double kTravel = 2;     // d, of the head after it is unloaded, up and down
-constexpr double kRow = 0.02;     // d, between rows of the probe
-constexpr double kSettle = 0.25;  // sqrt(d / g), until a new load is held
-/// Of the head's motions: pressed, pre-sheared, freed of torque, unloaded, sheared.
-constexpr std::size_t kPreshearMotion = 1, kShearMotion = 4, kMotions = 5;
-
 /// One powder, its published figures and the measured wall friction for the design of a hopper.
 struct ShearedPowder {
-  std::string id, name;
-  FilledCell filled;
+  std::string id;
+  ShearTest test;
   YieldLocus published;
   double published_preshear, wall_angle;  ///< Pa, deg
 };
 
 std::vector<ShearedPowder> powders(LabSize size) {
   const ShearCell cell = shear_cell(size);
-  return {{"L100", "LH100", {lh100(), cell}, {0.586, 184}, 1.91e3, 7.77},
-          {"L220", "LH220", {lh220(), cell}, {0.457, 763}, 2.39e3, 20.03}};
-}
-
-std::string run_name(const ShearedPowder& one, double stress) {
-  return one.name + ", " + plain(1e-3 * stress) + " kPa";
-}
-
-std::string newtons(double force) {
-  return with_unit(force, "N");
-}
-
-LabRun run_of(const ShearedPowder& one, double stress) {
-  const FilledCell& filled = one.filled;
-  const double unit = std::sqrt(filled.powder.diameter() / 9.81);
-  const std::string hold = with_unit(kSettle * unit, "s"), speed = turns_a_minute(filled.turn_speed());
-  std::string set = filled_cell_lines(filled, kHead, "shear_head", kVanes);
-  const double d = filled.powder.diameter();
-  set += line("step.press.force", newtons(filled.force(kPreshear)));
-  set += line("step.preshear.start",
-              "{ with = \"press\", force = " + newtons(0.98 * filled.force(kPreshear)) + ", on = \"head\" }");
-  set += line("step.preshear.speed_limit", speed);
-  set += line("step.preshear.steady", "{ over = " + degrees(filled.angle(kStretch)) + ", within = 0.03 }");
-  set += line("step.preshear.angle", degrees(filled.angle(kMost)));
-  set += line("step.release.speed_limit", speed);
-  set += line("step.release.back", degrees(filled.angle(0.5)));
-  set += line("step.release.pause", hold);
-  set += line("step.unload.force", newtons(filled.force(stress)));
-  set += line("step.unload.travel", millimetres(kTravel * d));
-  set += line("step.unload.back", millimetres(kTravel * d));
-  set += line("step.shear.start", "{ with = \"unload\", delay = " + hold + " }");
-  set += line("step.shear.speed_limit", speed);
-  set += line("step.shear.angle", degrees(filled.angle(kSheared)));
-  set += line("probe.head.interval", with_unit(filled.seconds(kRow), "s"));
-  return {run_name(one, stress), "shear_tester.toml", {set, {}}};
-}
-
-StressPoint point_of(const MeanStress& stress) {
-  return {stress.normal, stress.shear};
-}
-
-/// Steady: the mean over the last stretches of the pre-shear.
-StressPoint preshear_of(const SeedResults& seed, const ShearedPowder& one) {
-  const std::string run = run_name(one, kStresses[0]);
-  const auto spans = spans_of(seed, run, kHead);
-  if (spans.size() < kMotions) return {std::nan(""), std::nan("")};
-  const double end = spans[kPreshearMotion].end;
-  return point_of(
-      mean_stress(shear_curve(seed, run, kHead, one.filled), end - 2 * one.filled.seconds(kStretch), end));
-}
-
-StressPoint strength_of(const SeedResults& seed, const ShearedPowder& one, double stress) {
-  const std::string run = run_name(one, stress);
-  const auto spans = spans_of(seed, run, kHead);
-  if (spans.size() < kMotions) return {std::nan(""), std::nan("")};
-  return point_of(highest_stress(shear_curve(seed, run, kHead, one.filled), spans[kShearMotion].start,
-                                 spans[kShearMotion].end, one.filled.seconds(kPeak)));
-}
-
-std::vector<StressPoint> strengths_of(const SeedResults& seed, const ShearedPowder& one) {
-  std::vector<StressPoint> points;
-  for (const double stress : kStresses)
-    if (seed.has(run_name(one, stress))) points.push_back(strength_of(seed, one, stress));
-  return points;
+  const std::vector<double> stresses = {2e3, 1.75e3, 1.5e3, 1.25e3, 1e3};
+  return {{"L100", {"LH100", {lh100(), cell}, stresses}, {0.586, 184}, 1.91e3, 7.77},
+          {"L220", {"LH220", {lh220(), cell}, stresses}, {0.457, 763}, 2.39e3, 20.03}};
 }
 
 YieldLocus locus_of(const SeedResults& seed, const ShearedPowder& one) {
-  return continuum::yield_locus_through(strengths_of(seed, one));
+  return locus_of(seed, one.test);
 }
 
-/// Of the pre-sheared bed between a grain diameter over the floor's vanes and one under those of the head.
-double fraction_of(const SeedResults& seed, const ShearedPowder& one) {
-  const auto& powder = seed.at(run_name(one, kStresses[0]), kPreshearedBed).powder;
-  const double d = one.filled.powder.diameter(), from = 2 * d, to = surface_of(powder) - (kVanes + 1) * d;
-  return volume_between(powder, from, to) / (one.filled.area() * (to - from));
+StressPoint preshear_of(const SeedResults& seed, const ShearedPowder& one) {
+  return preshear_of(seed, one.test);
 }
 
 continuum::WedgeHopper hopper_of(const SeedResults& seed, const ShearedPowder& one) {
@@ -125,18 +45,19 @@ continuum::WedgeHopper hopper_of(const SeedResults& seed, const ShearedPowder& o
                                   .slope = locus.slope,
                                   .cohesion = locus.cohesion,
                                   .wall_angle = one.wall_angle,
-                                  .bulk_density = 1545 * fraction_of(seed, one)});
+                                  .bulk_density = 1545 * fraction_of(seed, one.test)});
 }
 
 using Value = double (*)(const SeedResults&, const ShearedPowder&);
 
 LabQuantity quantity(const ShearedPowder& one, const std::string& id, const std::string& what,
                      const std::string& unit, Value value) {
-  LabQuantity of{.id = id, .quantity = "", .unit = "", .runs = {}, .value = [=](const SeedResults& seed) {
-                   return value(seed, one);
-                 }};
-  if (!what.empty()) of.quantity = one.name + ": " + what, of.unit = unit;
-  for (const double stress : kStresses) of.runs.push_back(run_name(one, stress));
+  LabQuantity of{.id = id,
+                 .quantity = "",
+                 .unit = "",
+                 .runs = one.test.run_names(),
+                 .value = [=](const SeedResults& seed) { return value(seed, one); }};
+  if (!what.empty()) of.quantity = one.test.name + ": " + what, of.unit = unit;
   return of;
 }
 
@@ -162,7 +83,7 @@ void add_published(LabPlan& plan, const ShearedPowder& one) {
 
 void add_own(LabPlan& plan, const ShearedPowder& one) {
   const auto add = [&](const char* id, const char* what, const char* unit, Value value) {
-    plan.quantities.push_back(quantity(one, one.name + '-' + id, what, unit, value));
+    plan.quantities.push_back(quantity(one, one.test.name + '-' + id, what, unit, value));
   };
   add("f_c", "unconfined yield strength", "kPa", [](const SeedResults& seed, const ShearedPowder& of) {
     return 1e-3 * continuum::unconfined_circle(locus_of(seed, of)).major();
@@ -178,7 +99,8 @@ void add_own(LabPlan& plan, const ShearedPowder& one) {
         return continuum::effective_angle(
             continuum::steady_circle(locus_of(seed, of), preshear_of(seed, of)));
       });
-  add("phi", "solid fraction after pre-shear", "1", fraction_of);
+  add("phi", "solid fraction after pre-shear", "1",
+      [](const SeedResults& seed, const ShearedPowder& of) { return fraction_of(seed, of.test); });
   add("half_angle", "half angle of a wedge hopper for mass flow", "deg",
       [](const SeedResults& seed, const ShearedPowder& of) {
         return none_unless_cohesive(seed, of,
@@ -203,7 +125,7 @@ LabQuantity above_the_locus(const std::vector<ShearedPowder>& all) {
         return largest;
       }};
   for (const ShearedPowder& one : all)
-    for (const double stress : kStresses) of.runs.push_back(run_name(one, stress));
+    for (const auto& run : one.test.run_names()) of.runs.push_back(run);
   return of;
 }
 
@@ -230,15 +152,15 @@ std::vector<StressPoint> upper_half(const MohrCircle& circle) {
 }
 
 results::ExperimentChart locus_chart(const ShearedPowder& one, const SeedResults& seed) {
-  const auto strengths = strengths_of(seed, one);
+  const auto strengths = strengths_of(seed, one.test);
   const YieldLocus locus = continuum::yield_locus_through(strengths);
   const StressPoint steady = preshear_of(seed, one);
   const MohrCircle large = continuum::steady_circle(locus, steady);
-  const double right = std::ceil(1e-3 * std::fmax(large.major(), kPreshear) + 0.2);
+  const double right = std::ceil(1e-3 * std::fmax(large.major(), kPreshearStress) + 0.2);
   results::ExperimentChart chart;
-  chart.name = "yield_locus_" + one.name;
-  chart.title = "Yield locus of " + one.name + " after pre-shear at 3 kPa";
-  chart.subtitle = "Vaned head in a cell of " + std::to_string(one.filled.cell.bore) +
+  chart.name = "yield_locus_" + one.test.name;
+  chart.title = "Yield locus of " + one.test.name + " after pre-shear at 3 kPa";
+  chart.subtitle = "Vaned head in a cell of " + std::to_string(one.test.filled.cell.bore) +
                    " d, spheres of one size, calibrated set (Kottlan 2018)";
   // The same scale along both axes, so that circles are circles.
   chart.x = {.label = "Normal stress [kPa]", .lower = 0, .upper = right};
@@ -252,8 +174,8 @@ results::ExperimentChart locus_chart(const ShearedPowder& one, const SeedResults
     chart.series.push_back(series_of("Mohr circle, unconfined", Role::predicted,
                                      upper_half(continuum::unconfined_circle(locus))));
   std::vector<StressPoint> published;
-  for (const double stress : kStresses) published.push_back({stress, one.published.at(stress)});
-  published.push_back({kPreshear, one.published_preshear});
+  for (const double stress : one.test.stresses) published.push_back({stress, one.published.at(stress)});
+  published.push_back({kPreshearStress, one.published_preshear});
   chart.series.push_back(series_of("Kottlan 2018, Tables 12 and 15", Role::published, published));
   return chart;
 }
@@ -269,34 +191,33 @@ void add_displacement(results::ExperimentSeries& series, const ShearCurve& curve
 
 results::ExperimentChart shear_chart(const ShearedPowder& one, const SeedResults& seed) {
   results::ExperimentChart chart;
-  chart.name = "shear_" + one.name;
-  chart.title = "Shear stress of " + one.name + " in pre-shear and shear";
+  chart.name = "shear_" + one.test.name;
+  chart.title = "Shear stress of " + one.test.name + " in pre-shear and shear";
   chart.subtitle = "Pre-shear at 3 kPa, then freed of torque, unloaded and sheared again (Kottlan 2018)";
   chart.x = {.label = "Displacement of the rim [d]"};
   chart.y = {.label = "Shear stress [kPa]"};
   double sheared = 0;
-  for (const double stress : kStresses) {
-    const std::string run = run_name(one, stress);
-    const auto spans = spans_of(seed, run, kHead);
-    if (spans.size() < kMotions) continue;
-    const ShearCurve curve = shear_curve(seed, run, kHead, one.filled);
+  for (const double stress : one.test.stresses) {
+    const auto spans = shear_spans(seed, one.test, stress);
+    if (!spans) continue;
+    const ShearCurve curve = head_curve(seed, one.test, stress);
     if (sheared == 0) {
       results::ExperimentSeries first{.name = "pre-shear, 3 kPa", .role = Role::predicted, .x = {}, .y = {}};
-      add_displacement(first, curve, one.filled, spans[kPreshearMotion], 0);
+      add_displacement(first, curve, one.test.filled, spans->preshear, 0);
       chart.series.push_back(std::move(first));
-      sheared = (spans[kPreshearMotion].end - spans[kPreshearMotion].start) / one.filled.seconds(1);
+      sheared = (spans->preshear.end - spans->preshear.start) / one.test.filled.seconds(1);
     }
     results::ExperimentSeries series{
         .name = plain(1e-3 * stress) + " kPa", .role = Role::predicted, .x = {}, .y = {}};
-    add_displacement(series, curve, one.filled, spans[kShearMotion], sheared);
+    add_displacement(series, curve, one.test.filled, spans->shear, sheared);
     chart.series.push_back(std::move(series));
   }
   return chart;
 }
 
 bool has_all(const SeedResults& seed, const ShearedPowder& one) {
-  for (const double stress : kStresses)
-    if (!seed.has(run_name(one, stress))) return false;
+  for (const auto& run : one.test.run_names())
+    if (!seed.has(run)) return false;
   return true;
 }
 
@@ -306,7 +227,7 @@ LabPlan plan_shear_tester(const LabSetting& setting) {
   const std::vector<ShearedPowder> all = powders(setting.size);
   LabPlan plan;
   for (const ShearedPowder& one : all) {
-    for (const double stress : kStresses) plan.runs.push_back(run_of(one, stress));
+    for (const double stress : one.test.stresses) plan.runs.push_back(run_of(one.test, stress));
     add_published(plan, one);
     add_own(plan, one);
   }

@@ -7,6 +7,7 @@
 #include <filesystem>
 
 #include "process/input/scene_error.h"
+#include "process/laboratory/published/lactose/design_study.h"
 #include "project_paths.h"
 #include "tests/support/temporary_folder.h"
 
@@ -71,6 +72,41 @@ TEST(LactoseDesigns, AWrongFileIsNamed) {
         << error.what();
   }
   EXPECT_THROW(design_runs(folder.path() / "none.csv", "T17"), SceneError);
+}
+
+/// A number that rises by 2 from low to high Hamaker constant and falls by 6 with friction.
+DesignStudy planted() {
+  DesignStudy study;
+  study.design = runs_of("T17");
+  study.metrics = {{"planted", [design = study.design](const SeedResults&, std::size_t k) {
+                      return 10.0 + level(design[k], Factor::hamaker) -
+                             3 * level(design[k], Factor::friction);
+                    }}};
+  return study;
+}
+
+TEST(DesignStudy, SaysWhichFactorsLeadAndWithWhichSign) {
+  const DesignStudy study = planted();
+  const SeedResults seed(1, {});
+  const Effects all = effects_of(study, seed, study.metrics.front().value);
+  EXPECT_NEAR(of(all, Factor::hamaker), 2, 1e-9);
+  EXPECT_NEAR(of(all, Factor::friction), -6, 1e-9);
+  EXPECT_NEAR(largest_other(all, {Factor::friction}), 2, 1e-9);
+  EXPECT_NEAR(agreeing(all, {{Factor::hamaker, 1}, {Factor::friction, 1}}), 0.5, 1e-12);
+}
+
+TEST(DesignStudy, HasExtremesAndErrorsOfEachMetric) {
+  LabPlan plan;
+  const DesignStudy study = planted();
+  add_ranges(plan, study, "P");
+  add_errors(plan, study, "1");
+  ASSERT_EQ(plan.quantities.size(), 4U);
+  const SeedResults seed(1, {});
+  EXPECT_EQ(plan.quantities[0].id, "P-range-min-planted");
+  EXPECT_EQ(plan.quantities[0].value(seed), 6);
+  EXPECT_EQ(plan.quantities[1].value(seed), 14);
+  EXPECT_EQ(plan.quantities[2].id, "ERR-1-no-planted");
+  EXPECT_NEAR(plan.quantities[2].value(seed), 0, 1e-9);
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include <set>
 
 #include "process/laboratory/published/experiments.h"
+#include "project_paths.h"
 
 namespace diefill::process::laboratory {
 namespace {
@@ -47,17 +48,33 @@ TEST(ShearCell, ThePeakIsTheHighestMeanOverItsLength) {
   EXPECT_TRUE(std::isnan(mean_stress(curve, 2, 3).shear));
 }
 
-TEST(ShearCell, RunsOfAPowderShareTheirPreShear) {
+/// Scenes of a plan but for the stress that the head is unloaded to.
+std::set<std::string> beginnings_of(const LabPlan& plan) {
   std::set<std::string> beginnings;
-  const LabPlan plan = plan_shear_tester({});
   for (const LabRun& run : plan.runs) {
     std::string acts = run.changes.set;
     const auto from = acts.find("step.unload.force"), to = acts.find('\n', from);
-    ASSERT_NE(from, std::string::npos);
+    EXPECT_NE(from, std::string::npos);
     beginnings.insert(acts.erase(from, to - from));
   }
+  return beginnings;
+}
+
+TEST(ShearCell, RunsOfAPowderShareTheirPreShear) {
+  const LabPlan plan = plan_shear_tester({});
   EXPECT_EQ(plan.runs.size(), 10U);
-  EXPECT_EQ(beginnings.size(), 2U);
+  EXPECT_EQ(beginnings_of(plan).size(), 2U);
+}
+
+TEST(ShearCell, BedsOfADesignAreSharedByTheirNormalStresses) {
+  LabSetting setting;
+  setting.scenes = std::filesystem::path(DIEFILL_SOURCE_DIR) / "sample_tools/laboratory";
+  for (const auto plan_of : {plan_lactose_shear_screening, plan_lactose_shear_range, plan_lh100_shear_range,
+                             plan_lh220_shear_range}) {
+    const LabPlan plan = plan_of(setting);
+    EXPECT_EQ(plan.runs.size(), 66U);
+    EXPECT_EQ(beginnings_of(plan).size(), 33U);
+  }
 }
 
 }  // namespace

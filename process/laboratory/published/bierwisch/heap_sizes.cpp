@@ -1,0 +1,77 @@
+// What coarse grains change in heaps: the toe of the heap on the floor and the peak of that on the slider
+// (Bierwisch 2009, section 3.2.3): model D, mu = 1, cohesion in proportion to the grain size. Coarse: d =
+// 0.94 and 1.88 mm, half the lengths of the set-up; medium: the same sizes in the whole one; published: also
+// 0.47 mm.
+#include "process/laboratory/published/bierwisch/heap_shape.h"
+#include "process/laboratory/published/bierwisch/repose_scene.h"
+#include "process/laboratory/published/experiments.h"
+
+namespace diefill::process::laboratory {
+namespace {
+
+constexpr const char* kPreset = "ASC100.29 D2";
+constexpr double kSlider = 0.010;  // m, that the slider is drawn by
+
+std::vector<double> scales(LabSize size) {
+  return size == LabSize::published ? std::vector<double>{1, 2, 4} : std::vector<double>{2, 4};
+}
+
+std::string run_name(const LabPowder& powder) {
+  return "d = " + plain(1e3 * powder.size) + " mm";
+}
+
+/// m, parts of the box that the heaps stand in, of the whole set-up or half of it.
+struct Reach {
+  double floor, side_wall, floor_end, slider_end;
+};
+
+Reach reach_of(LabSize size) {
+  if (size == LabSize::coarse) return {-0.024, 0.020, -0.048, 0.010};
+  return {-0.042, 0.030, -0.078, 0.020};
+}
+
+/// m
+double toe_on_floor(const SeedResults& seed, const std::string& run, const Reach& reach) {
+  return heap_shape(seed.of(run).powder, {reach.floor_end, -1, reach.floor}, {reach.side_wall, 1, -0.002},
+                    true)
+      .toe;
+}
+
+double peak_on_slider(const SeedResults& seed, const std::string& run, const Reach& reach) {
+  return heap_shape(seed.of(run).powder, {-kSlider, -1, 0}, {reach.slider_end, 1, 1}, false).peak;
+}
+
+}  // namespace
+
+LabPlan plan_heap_sizes(const LabSetting& setting) {
+  const Reach reach = reach_of(setting.size);
+  LabPlan plan;
+  std::vector<std::string> runs;
+  for (const double scale : scales(setting.size)) {
+    const LabPowder powder = lab_powder(setting, kPreset, scale);
+    const std::string run = run_name(powder);
+    runs.push_back(run);
+    plan.runs.push_back(
+        {run, "repose.toml", repose_changes(setting, powder, setting.size == LabSize::coarse, false)});
+    const auto add = [&](const char* what,
+                         double (*value)(const SeedResults&, const std::string&, const Reach&)) {
+      plan.quantities.push_back(
+          {.id = std::string(what) + ", " + run,
+           .quantity = std::string(what) + ", " + run,
+           .unit = "mm",
+           .runs = {run},
+           .value = [=](const SeedResults& seed) { return 1e3 * value(seed, run, reach); }});
+    };
+    add("toe of the heap on the floor", toe_on_floor);
+    add("height lacking at the peak on the slider", peak_on_slider);
+  }
+  plan.quantities.push_back(
+      {.id = "R12", .quantity = "", .unit = "", .runs = runs, .value = [=](const SeedResults& seed) {
+         const std::string &fine = runs.front(), &coarse = runs.back();
+         return 0.5 * (toe_on_floor(seed, coarse, reach) > toe_on_floor(seed, fine, reach)) +
+                0.5 * (peak_on_slider(seed, coarse, reach) > peak_on_slider(seed, fine, reach));
+       }});
+  return plan;
+}
+
+}  // namespace diefill::process::laboratory

@@ -1,0 +1,31 @@
+// Where powder in a ring moves and condenses: between two instants of a filling (Bierwisch 2009, section
+// 6.4). The ring is about the z axis, its upper edge at z = 0; azimuth 0 is at +x.
+#pragma once
+
+#include "process/results/fill_result.h"
+
+namespace diefill::process::laboratory {
+
+struct RingSpace {
+  double inner, outer, depth;  ///< m
+};
+
+/// Solid volume of the grains below the upper edge, m^3, by centres; within 90 deg of azimuth 0 alone if
+/// wanted.
+double filled_volume(const results::PowderState& powder, bool near_start = false);
+
+/// Share of the change of solid volume over cells (12 sectors, layers of d) that lies no deeper than 3 d
+/// below the powder's level in the sector, the lower one of both instants. The level is that of powder of
+/// solid fraction 0.35. NaN where nothing changes.
+double change_near_surface(const results::PowderState& before, const results::PowderState& after,
+                           const RingSpace& ring);
+
+/// m, depth down to which, layer by layer of d from the upper edge, a tenth of the grains that are in the
+/// ring at both instants have moved by half a diameter.
+double depth_of_motion(const results::PowderState& before, const results::PowderState& after,
+                       const RingSpace& ring);
+
+/// d, mean way of the grains that are in the ring at both instants; NaN without any.
+double mean_motion(const results::PowderState& before, const results::PowderState& after);
+
+}  // namespace diefill::process::laboratory
