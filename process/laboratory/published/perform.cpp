@@ -184,7 +184,10 @@ LabOutcome perform(const SceneExperiment& experiment, const LabSetting& setting,
     outcome.table.core_seconds += here;
   }
   if (plan.charts) outcome.charts = plan.charts(runs.seeds());
-  for (auto& chart : outcome.charts) std::erase_if(chart.series, has_no_value);
+  for (auto& chart : outcome.charts) {
+    std::erase_if(chart.series, has_no_value);
+    if (chart.name == experiment.name) chart.name += "_chart";  // <experiment>.csv is the table
+  }
   return outcome;
 }
 
