@@ -11,7 +11,6 @@ void give_back_freed_memory() {
 #ifdef __GLIBC__
   constexpr int kBigArray = 4 * 1024 * 1024;  // bytes
   mallopt(M_MMAP_THRESHOLD, kBigArray);
-  mallopt(M_TRIM_THRESHOLD, 2 * kBigArray);
 #endif
 }
 
