@@ -1,5 +1,5 @@
-// Timing a scene under way, as in the middle of a passage: tools move, powder flows, and the run monitors both and
-// records what it is asked for.
+// Timing a scene under way, as in the middle of a passage: tools move, powder flows, and the run monitors
+// both and records what it is asked for.
 #pragma once
 
 #include <filesystem>
