@@ -9,7 +9,7 @@ namespace diefill::app {
 
 void give_back_freed_memory() {
 #ifdef __GLIBC__
-  constexpr int kBigArray = 32 * 1024;  // bytes; what a block of grains remembers counts
+  constexpr int kBigArray = 4 * 1024 * 1024;  // bytes
   mallopt(M_MMAP_THRESHOLD, kBigArray);
 #endif
 }

@@ -5,11 +5,12 @@
 #include <fstream>
 #include <memory>
 #include <nlohmann/json.hpp>
-#include <numeric>
 #include <optional>
 
 #include "app/commands/bench/bench_trace.h"
+#include "app/commands/bench/loop_figures.h"
 #include "app/commands/bench/threads_and_copies.h"
+#include "app/commands/bench/timed_scene.h"
 #include "app/commands/commands.h"
 #include "app/exit_code.h"
 #include "app/freed_memory.h"
@@ -36,6 +37,8 @@ struct BenchOptions {
   int threads = 1, steps = 600, copies = 1, every = 100, laps = 5;
   std::size_t spheres = 50000;
   bool json = false, against_copies = false;
+
+  bool is_scene() const { return bed != "spheres" && bed != "clumps"; }
 };
 
 /// Steps before timing: the first searches and page faults are not typical of a run.
@@ -63,20 +66,6 @@ double touching_grain_pairs(const engine::Simulation& simulation) {
   for (const auto& block : simulation.neighbours().blocks())
     for (const auto touches : block.grain_pairs.touching) touching += touches;
   return static_cast<double>(touching);
-}
-
-/// Where the time of several threads went in `steps` steps of `seconds` since time_loops().
-void add_loop_figures(const engine::Simulation& simulation, double seconds, int steps,
-                      nlohmann::ordered_json& figures) {
-  const engine::LoopTimes times = simulation.loop_times();
-  const double threads = simulation.settings().threads;
-  const double busy = std::accumulate(times.busy.begin(), times.busy.end(), 0.0);
-  const bool shared = threads > 1;
-  figures["serial_share"] = shared ? 1 - times.loops / seconds : 1;
-  figures["waiting_share"] = shared ? times.loops / seconds - busy / (threads * seconds) : 0;
-  figures["blocks"] = simulation.neighbours().blocks().size();
-  figures["bytes_per_step"] = engine::bytes_moved_per_step(simulation);
-  figures["seconds_per_step"] = seconds / steps;
 }
 
 /// Figures of `steps` steps from now on.
@@ -110,9 +99,7 @@ nlohmann::ordered_json timed(engine::Simulation& simulation, int steps, double b
   figures["bytes_per_sphere"] = bytes / spheres;
   figures["bytes_moved_per_sphere_step"] = engine::bytes_moved_per_step(simulation) / spheres;
   add_loop_figures(simulation, seconds, steps, figures);
-  char hash[32];
-  std::snprintf(hash, sizeof hash, "%016llx", static_cast<unsigned long long>(simulation.hash()));
-  figures["state_hash"] = hash;
+  figures["state_hash"] = hash_text(simulation);
   return figures;
 }
 
@@ -164,25 +151,63 @@ process::laboratory::RaceBedState wanted_bed(const BenchOptions& options) {
   return bed;
 }
 
+/// The words of the command line that tell of a bed or scene.
+std::vector<std::string> words_of_bench(const BenchOptions& options) {
+  std::vector<std::string> words = {"bench", options.bed, "--steps", std::to_string(options.steps)};
+  const auto add = [&](const std::string& name, const std::string& value) {
+    words.insert(words.end(), {name, value});
+  };
+  if (options.state) add("--state", *options.state);
+  if (options.is_scene()) return words;
+  add("--law", options.law);
+  if (!options.state) add("--spheres", std::to_string(options.spheres));
+  if (options.copies > 1) add("--copies", std::to_string(options.copies));
+  if (options.width > 0) add("--width", std::to_string(options.width));
+  return words;
+}
+
 /// The same measurement with the words of the command line.
 int against_copies(const BenchOptions& options) {
   CopiesRace race;
-  race.words = {"bench", options.bed, "--law", options.law, "--steps", std::to_string(options.steps)};
-  if (options.state) {
-    race.words.insert(race.words.end(),
-                      {"--state", *options.state, "--copies", std::to_string(options.copies)});
-    if (options.width > 0) race.words.insert(race.words.end(), {"--width", std::to_string(options.width)});
-  } else {
-    race.words.insert(race.words.end(), {"--spheres", std::to_string(options.spheres)});
-  }
+  race.words = words_of_bench(options);
   race.threads = options.threads;
   race.laps = options.laps;
   race.json = options.json;
   return race_against_copies(race);
 }
 
+/// What is only said of beds.
+void refuse_words_of_beds(const BenchOptions& options) {
+  if (options.trace || options.width > 0 || options.copies > 1 || options.law != "bierwisch")
+    throw process::SceneError("bench: " + options.bed +
+                              " is a scene: --law, --width, --copies and --trace are for beds; remove them");
+  if (!options.state)
+    throw process::SceneError("bench: " + options.bed +
+                              " is a scene: --state must name the directory of a stopped run of it");
+}
+
+void show(const BenchOptions& options, const nlohmann::ordered_json& figures) {
+  if (options.json)
+    std::printf("%s\n", figures.dump(2).c_str());
+  else
+    print(figures);
+}
+
+int bench_scene(const BenchOptions& options) {
+  TimedScene wanted;
+  wanted.scene = options.bed;
+  wanted.run = *options.state;
+  wanted.threads = options.threads;
+  wanted.warm_up = kWarmUp;
+  wanted.steps = options.steps;
+  show(options, timed(wanted));
+  return kDone;
+}
+
 int bench(const BenchOptions& options) {
+  if (options.is_scene()) refuse_words_of_beds(options);
   if (options.against_copies) return against_copies(options);
+  if (options.is_scene()) return bench_scene(options);
   give_back_freed_memory();
   const double before = resident_bytes();
   std::optional<engine::Simulation> simulation;
@@ -193,29 +218,29 @@ int bench(const BenchOptions& options) {
   }
   const int settling = options.state ? kWarmUp : process::laboratory::kRaceBedFall;
   for (int k = 0; k < settling; ++k) simulation->step();
-  const auto figures = timed(*simulation, options.steps, resident_bytes() - before);
-  if (options.json)
-    std::printf("%s\n", figures.dump(2).c_str());
-  else
-    print(figures);
+  show(options, timed(*simulation, options.steps, resident_bytes() - before));
   return kDone;
 }
 
 }  // namespace
 
 void add_bench(CLI::App& program, Action& chosen) {
-  auto* command = program.add_subcommand("bench", "Time the engine on a settled bed");
+  auto* command =
+      program.add_subcommand("bench", "Time the engine on a settled bed, or in a scene under way");
   auto options = std::make_shared<BenchOptions>();
-  command->add_option("BED", options->bed, "spheres or clumps (model D)")
+  command
+      ->add_option("BED", options->bed,
+                   "spheres, clumps (model D), or a scene file (TOML) with the --state of a run of it")
       ->required()
-      ->check(CLI::IsMember({"spheres", "clumps"}));
+      ->check(CLI::IsMember({"spheres", "clumps"}) | CLI::ExistingFile);
   command->add_option("--law", options->law, "contact law: the tuned one, or one composed of parts")
       ->check(CLI::IsMember(process::laboratory::race_laws()))
       ->capture_default_str();
   command
       ->add_option("--state", options->state,
-                   "settled bed to start from (CSV, plain or gzip; default: generate one)")
-      ->check(CLI::ExistingFile);
+                   "settled bed to start from (CSV, plain or gzip; default: generate one); of a scene, the "
+                   "directory of a stopped run")
+      ->check(CLI::ExistingPath);
   command->add_option("--width", options->width, "side in mm of the periodic box of --state")
       ->check(CLI::Range(1.0, 1000.0))
       ->check(finite_number())
@@ -242,6 +267,7 @@ void add_bench(CLI::App& program, Action& chosen) {
   command->add_flag("--json", options->json, "print JSON");
   command->footer(
       "Examples:\n  diefill bench clumps\n  diefill bench spheres --law hertz-mindlin --threads 2 --json\n"
+      "  diefill bench my_die.toml --state out/my_die --threads 8 --against-copies\n"
       "Timings are noisy: compare only figures measured alternately in one session.");
   command->callback([options, &chosen] { chosen = [options] { return bench(*options); }; });
 }

@@ -44,6 +44,8 @@ struct ContactBatch {
 
   /// For laws by parts: the law of a lane, and how far it has come.
   const Law* law[Law::kByParts ? kLanes + kLaneGroup : 1];
+  /// For laws that differ from lane to lane: loops that look reaches up do not become vector instructions.
+  Lanes<Law::kByParts ? kLanes : 1> reach_contact, reach_radius;  ///< m, as PairReach
   ContactsInParts<Law::kByParts ? kLanes : 1> parts;
   Vectors torque;  ///< N m on i besides that of the force; for laws by parts
 
@@ -132,12 +134,12 @@ struct Lever {
 };
 
 /// Where the pairs meet: overlaps and normals.
-template <class Law, class OfLane>
-void meet(ContactBatch<Law>& batch, const OfLane& of_lane) {
+template <class Law, class ReachOf>
+void meet(ContactBatch<Law>& batch, const ReachOf& reach_of) {
   const std::size_t lanes = whole_groups(batch.count);
 #pragma GCC ivdep
   for (std::size_t lane = 0; lane < lanes; ++lane) {
-    const auto& [law, reach] = of_lane(lane);
+    const PairReach reach = reach_of(lane);
     const Vector3 separation = batch.separation[lane];
     const double squared = dot(separation, separation), inverse = reciprocal_root(squared);
     batch.overlap[lane] = reach.contact - squared * inverse;
@@ -227,33 +229,45 @@ void react_in_stages(ContactBatch<Law>& batch, const OfLane& of_lane, double tim
   }
 }
 
-/// The reaction of all pairs by a law of parts.
-template <LeverArm kArm, bool kClumps, bool kUnequal, class Law, class OfLane>
-void react_in_parts(ContactBatch<Law>& batch, const OfLane& of_lane, InstructionSet instructions,
+/// The reaction of all pairs by a law of parts; `reach_of(lane)` is the PairReach of each.
+template <LeverArm kArm, bool kClumps, bool kUnequal, class Law, class ReachOf>
+void react_in_parts(ContactBatch<Law>& batch, const ReachOf& reach_of, InstructionSet instructions,
                     double time_step) {
   const std::size_t lanes = whole_groups(batch.count);
 #pragma GCC ivdep
   for (std::size_t lane = 0; lane < lanes; ++lane)
-    batch.velocity.set(lane,
-                       contact_of<kArm, kUnequal>(batch, lane, of_lane(lane).reach, time_step).velocity);
-  for (std::size_t lane = 0; lane < lanes; ++lane) batch.law[lane] = &of_lane(lane).law;
+    batch.velocity.set(lane, contact_of<kArm, kUnequal>(batch, lane, reach_of(lane), time_step).velocity);
   react_by_parts(batch, instructions, time_step);
 #pragma GCC ivdep
   for (std::size_t lane = 0; lane < lanes; ++lane)
-    put_moments<kArm, kClumps, kUnequal>(batch.force[lane], batch.torque[lane], of_lane(lane).reach, lane,
-                                         batch);
+    put_moments<kArm, kClumps, kUnequal>(batch.force[lane], batch.torque[lane], reach_of(lane), lane, batch);
 }
 
-/// Forces of all pairs in the batch; `of_lane(lane)` is the PairLaw of each. `kComposed`: moments are about
+/// Forces of all pairs in the batch; `of_lane(lane)` is the LawOfPair of each. `kClumps`: moments are about
 /// the reference point, otherwise about the centres of i and j. `kUnequal`: radii of i and j may differ.
-template <LeverArm kArm, bool kClumps, bool kUnequal = false, class Law, class OfLane>
+/// `kLookedUp`: of_lane() looks laws up, instead of giving all lanes the same one.
+template <LeverArm kArm, bool kClumps, bool kUnequal = false, bool kLookedUp = kUnequal, class Law,
+          class OfLane>
 void react(ContactBatch<Law>& batch, const OfLane& of_lane, InstructionSet instructions, double time_step) {
-  static_assert(Law::kByParts || !kUnequal);
-  meet(batch, of_lane);
-  if constexpr (Law::kByParts)
-    react_in_parts<kArm, kClumps, kUnequal>(batch, of_lane, instructions, time_step);
-  else
+  static_assert(Law::kByParts || !(kUnequal || kLookedUp));
+  if constexpr (!Law::kByParts) {
+    meet(batch, [&](std::size_t lane) { return of_lane(lane).reach; });
     react_in_stages<kArm, kClumps>(batch, of_lane, time_step);
+  } else {
+    for (std::size_t lane = 0; lane < whole_groups(batch.count); ++lane) {
+      const auto& [law, reach] = of_lane(lane);
+      batch.law[lane] = &law;
+      if constexpr (!kLookedUp) continue;
+      batch.reach_contact[lane] = reach.contact;
+      batch.reach_radius[lane] = reach.radius;
+    }
+    const auto reach_of = [&](std::size_t lane) {
+      if constexpr (kLookedUp) return PairReach{batch.reach_contact[lane], batch.reach_radius[lane]};
+      return of_lane(lane).reach;
+    };
+    meet(batch, reach_of);
+    react_in_parts<kArm, kClumps, kUnequal>(batch, reach_of, instructions, time_step);
+  }
 }
 
 }  // namespace diefill::engine

@@ -99,7 +99,7 @@ class WallLoop final : public PairLoop {
   double own_share(std::size_t body) const { return mirror(body) ? 0.5 : 1; }
   void react_all(Batch& batch, std::size_t body, const ContactScene& scene, double time_step) const {
     const LawOfPair<Law> first{law(body, 0), {reach(scene, body, 0), radii_[0]}};
-    react<kArm, kClumps>(
+    react<kArm, kClumps, false, kSeveralClasses>(
         batch,
         [&](std::size_t lane) {
           if constexpr (!kSeveralClasses) return first;

@@ -73,6 +73,41 @@ TEST(Bench, RacesThreadsAgainstCopies) {
       << refused.err;
 }
 
+// A run that ends too early leaves a checkpoint; timing goes on from it and leaves it as it is.
+TEST(Bench, TimesASceneUnderWay) {
+  SmallDie die;
+  ASSERT_EQ(die.run({"--no-pictures", "--set", "numerics.max_time = \"0.02 s\""}).exit_code, 4);
+  const auto files = SmallDie::files_in(die.out());
+  const auto timed = [&](const std::string& threads) {
+    const Outcome outcome = run_program({"bench", die.scene().string(), "--state", die.out().string(),
+                                         "--steps", "40", "--threads", threads, "--json"});
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    return nlohmann::json::parse(outcome.out);
+  };
+  const auto one = timed("1"), two = timed("2");
+  EXPECT_EQ(one["steps"], 40);
+  EXPECT_GT(one["spheres"], 0);
+  EXPECT_GT(one["from_s"].get<double>(), 0.02);
+  EXPECT_GT(one["to_s"].get<double>(), one["from_s"].get<double>());
+  EXPECT_EQ(one["state_hash"], two["state_hash"]);
+  EXPECT_EQ(SmallDie::files_in(die.out()), files);
+}
+
+TEST(Bench, ScenesNeedACheckpointAndNoWordsOfBeds) {
+  SmallDie die;
+  const auto refusal = [&](const std::vector<std::string>& more) {
+    std::vector<std::string> words = {"bench", die.scene().string()};
+    words.insert(words.end(), more.begin(), more.end());
+    const Outcome outcome = run_program(words);
+    EXPECT_EQ(outcome.exit_code, 2);
+    EXPECT_EQ(outcome.complaints(), 1U) << outcome.err;
+    return outcome.err;
+  };
+  EXPECT_NE(refusal({}).find("--state must name the directory of a stopped run"), std::string::npos);
+  EXPECT_NE(refusal({"--law", "jkr"}).find("are for beds"), std::string::npos);
+  EXPECT_NE(refusal({"--state", die.folder().string()}).find("no checkpoint of a run"), std::string::npos);
+}
+
 // A tenth of the step on two threads is serial, nothing waits: 0.1 + 1.8 / N of its time.
 TEST(Bench, ForetellsMoreThreadsByAmdahlsLawAndWholeBlocks) {
   const StepCounts counts = {2, 1e-3, 0.1, 0, 160, 1e6};
