@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <ctime>
 #include <set>
 
+#include "process/laboratory/published/own_runs.h"
 #include "process/results/figure_table.h"
 #include "process/results/studies/job_cost.h"
 #include "process/run/assemble.h"
@@ -32,9 +32,13 @@ std::vector<Variant> variants_of(const LabPlan& plan, const LabSetting& setting)
 /// Everything about the runs that the rows need.
 class FinishedRuns {
  public:
-  FinishedRuns(const fs::path& directory, const results::JobList& list) : directory_(directory) {
+  FinishedRuns(const fs::path& directory, const results::JobList& list, const std::vector<OwnRun>& own,
+               int own_seeds)
+      : directory_(directory) {
     std::set<std::uint64_t> seeds;
     for (const results::Job& job : list.jobs) seeds.insert(job.seed);
+    for (int seed = 1; !own.empty() && seed <= own_seeds; ++seed)
+      seeds.insert(static_cast<std::uint64_t>(seed));
     for (const std::uint64_t seed : seeds) {
       std::map<std::string, fs::path> folders;
       for (const results::Job& job : list.jobs) {
@@ -43,7 +47,12 @@ class FinishedRuns {
         if (state_of(directory, job).stage == JobState::Stage::finished)
           folders[job.variant] = directory / job.folder;
       }
-      seeds_.emplace_back(seed, std::move(folders));
+      std::map<std::string, std::string> results;
+      for (const OwnRun& run : own) {
+        const KeptOwnRun& kept = own_[run.name].emplace_back(kept_own_run(directory, run, seed));
+        if (kept.finished) results[run.name] = kept.result;
+      }
+      seeds_.emplace_back(seed, std::move(folders), std::move(results));
     }
     if (seeds_.empty()) seeds_.emplace_back(1, std::map<std::string, fs::path>());
   }
@@ -52,30 +61,48 @@ class FinishedRuns {
 
   double core_seconds(const std::vector<std::string>& runs) const {
     double sum = 0;
-    for (const std::string& run : runs)
-      for (const results::Job& job : jobs_.at(run))
+    for (const std::string& run : runs) {
+      for (const results::Job& job : jobs_of(run))
         sum += results::read_job_cost(directory_ / job.folder).cpu_seconds;
+      for (const KeptOwnRun& own : own_of(run)) sum += own.core_seconds;
+    }
     return sum;
   }
 
   /// Why some of these runs are not finished; empty where all are.
   std::string why_missing(const std::vector<std::string>& runs) const {
     std::size_t open = 0, all = 0;
-    for (const std::string& run : runs)
-      for (const results::Job& job : jobs_.at(run)) {
+    for (const std::string& run : runs) {
+      for (const results::Job& job : jobs_of(run)) {
         ++all;
         const JobState state = state_of(directory_, job);
         if (state.stage == JobState::Stage::failed) return "run \"" + run + "\" failed: " + state.reason;
         open += state.stage == JobState::Stage::open ? 1U : 0U;
       }
+      for (const KeptOwnRun& own : own_of(run)) {
+        ++all;
+        if (!own.failure.empty()) return "run \"" + run + "\" failed: " + own.failure;
+        open += own.finished ? 0U : 1U;
+      }
+    }
     if (open == 0) return {};
     return std::to_string(open) + " of " + std::to_string(all) +
            " runs not finished (budget used, or stopped)";
   }
 
  private:
+  std::vector<results::Job> jobs_of(const std::string& run) const {
+    const auto found = jobs_.find(run);
+    return found == jobs_.end() ? std::vector<results::Job>() : found->second;
+  }
+  std::vector<KeptOwnRun> own_of(const std::string& run) const {
+    const auto found = own_.find(run);
+    return found == own_.end() ? std::vector<KeptOwnRun>() : found->second;
+  }
+
   fs::path directory_;
   std::map<std::string, std::vector<results::Job>> jobs_;
+  std::map<std::string, std::vector<KeptOwnRun>> own_;  ///< of each seed
   std::vector<SeedResults> seeds_;
 };
 
@@ -150,7 +177,8 @@ LabOutcome perform(const SceneExperiment& experiment, const LabSetting& setting,
         write_jobs(jobs.directory, {experiment.name, variants_of(plan, setting), jobs.seeds, {}}, jobs.say);
     if (jobs.run) run_jobs(jobs.directory, list, jobs.options);
   }
-  const FinishedRuns runs(jobs.directory, list);
+  if (jobs.run) make_own_runs(plan.own_runs, jobs);
+  const FinishedRuns runs(jobs.directory, list, plan.own_runs, jobs.seeds);
   LabOutcome outcome;
   outcome.table.experiment = experiment.name;
   outcome.table.question = experiment.question;
@@ -160,17 +188,10 @@ LabOutcome perform(const SceneExperiment& experiment, const LabSetting& setting,
   outcome.table.seeds = jobs.seeds;
   std::vector<std::string> all;
   for (const LabRun& run : plan.runs) all.push_back(run.name);
+  for (const OwnRun& run : plan.own_runs) all.push_back(run.name);
   outcome.table.core_seconds = runs.core_seconds(all);
-  if (plan.simulates && !jobs.run) return outcome;
-  for (const LabQuantity& quantity : plan.quantities) {
-    const std::clock_t began = std::clock();
+  for (const LabQuantity& quantity : plan.quantities)
     outcome.table.rows.push_back(row_of(quantity, runs, figures, setting.powder.empty()));
-    if (!plan.simulates) continue;
-    // The first of several quantities of one simulation has its whole time, and none has no time at all.
-    const double here = static_cast<double>(std::clock() - began + 1) / CLOCKS_PER_SEC;
-    outcome.table.rows.back().core_seconds = here;
-    outcome.table.core_seconds += here;
-  }
   if (plan.charts) outcome.charts = plan.charts(runs.seeds());
   for (auto& chart : outcome.charts) std::erase_if(chart.series, has_no_value);
   return outcome;

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <thread>
 #include <unordered_map>
 
 #include "engine/powder/rigid_motion.h"
@@ -187,10 +186,6 @@ FilledSlurry fill(const SlurrySpace& space, const SlurryMixture& mixture, std::u
   const double fluid = mixture.density * (space.volume - solid_volume);
   add_fluid(space, static_cast<std::size_t>(std::lround(fluid)), occupied, random, simulation);
   return filled;
-}
-
-int all_threads() {
-  return static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
 }
 
 }  // namespace diefill::process::laboratory::sawing

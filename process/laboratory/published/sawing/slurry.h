@@ -58,7 +58,4 @@ struct FilledSlurry {
 FilledSlurry fill(const SlurrySpace& space, const SlurryMixture& mixture, std::uint64_t seed,
                   engine::FluidSimulation& simulation);
 
-/// Threads of this machine; results do not depend on their number.
-int all_threads();
-
 }  // namespace diefill::process::laboratory::sawing
