@@ -54,10 +54,12 @@ std::vector<Eigen::Vector3d> ingot_particles(const GrooveCase& one, std::vector<
   return places;
 }
 
+/// As wide as the ingot's layers: fluid would leave through the edges.
 std::vector<Eigen::Vector3d> lid_particles(const GrooveCase& one) {
   std::vector<Eigen::Vector3d> places;
+  const double half = one.groove_radius + 2 * kSpacing;
   for (const double depth : kLayers)
-    for (const double x : spread(-one.groove_radius, one.groove_radius))
+    for (const double x : spread(-half, half))
       for (const double y : spread(-0.5 * one.length, 0.5 * one.length))
         places.emplace_back(x, y, one.top + depth);
   return places;

@@ -16,8 +16,9 @@ using engine::RigidSetSpec;
 
 constexpr double kCell = kSpacing * kSpacing * kSpacing;  // r_c^3, of a solid's particle
 // r_c, how near to walls and to each other grains and fluid are put.
-constexpr double kGrainToWall = 0.8, kGrainToGrain = 0.8, kFluidToWall = 0.3, kFluidToSolid = 0.5;
-constexpr int kTries = 20000;  // of a grain to find room
+constexpr double kGrainToWall = 0.8, kGrainToGrain = 0.8, kFluidToWall = 0.3, kFluidToSolid = 0.5,
+                 kFluidToFluid = 0.45;
+constexpr int kTries = 20000;  // of a grain or particle to find room
 
 /// Places of solids' particles, for the question whether one is near.
 class OccupiedPlaces {
@@ -116,14 +117,20 @@ double add_grains(const SlurrySpace& space, double size, double share, std::mt19
   return volume;
 }
 
-/// `count` particles where no wall or solid is.
-void add_fluid(const SlurrySpace& space, std::size_t count, const OccupiedPlaces& occupied,
+/// `count` particles where no wall or solid is, and apart from each other: what overlaps by chance would fly
+/// apart, and out through the walls.
+void add_fluid(const SlurrySpace& space, std::size_t count, const OccupiedPlaces& solids,
                std::mt19937_64& random, FluidSimulation& simulation) {
   std::normal_distribution<double> speed;
   std::vector<Eigen::Vector3d> places, velocities;
+  OccupiedPlaces fluid(space.period);
+  int tries = 0;
   while (places.size() < count) {
     const Eigen::Vector3d place = random_place(space, random);
-    if (space.clearance(place) < kFluidToWall || occupied.any_near(place, kFluidToSolid)) continue;
+    if (space.clearance(place) < kFluidToWall || solids.any_near(place, kFluidToSolid)) continue;
+    if (++tries < kTries && fluid.any_near(place, kFluidToFluid)) continue;
+    tries = 0;
+    fluid.add(place);
     places.push_back(place);
     const double x = speed(random), y = speed(random), z = speed(random);
     velocities.emplace_back(x + simulation.settings().shear_rate * place.y(), y, z);

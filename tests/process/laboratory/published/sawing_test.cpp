@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "process/laboratory/published/own_runs.h"
 #include "process/laboratory/published/sawing/groove_charts.h"
@@ -94,6 +95,23 @@ TEST(WireSawing, KeepsItsGrainsForAFilm) {
   // The wire sinks: earlier it stands higher than at the end.
   EXPECT_GT(film.instants.front().tool_displacement[0].z(), 0);
   EXPECT_NEAR(film.powder.largest_diameter(), 4 * kMetre, 1e-12);
+}
+
+TEST(WireSawing, FluidStaysInTheGroove) {
+  const support::TemporaryFolder folder;
+  Stopping never(folder.path(), 2);
+  GrooveCase one = small_groove();
+  one.pressure = 0, one.solids = 0, one.instants = 0;
+  const GrooveFigures figures = saw(one, 1, never);
+  constexpr double kIntoWalls = 0.3;
+  for (const SectionPoint& point : figures.section) {
+    if (point.part != SectionPoint::Part::fluid) continue;
+    const double from_axis = std::hypot(point.x, point.z);
+    EXPECT_LT(point.z < 0 ? from_axis : std::abs(point.x), one.groove_radius + kIntoWalls);
+    EXPECT_LT(point.z, one.top + kIntoWalls);
+    EXPECT_GT(from_axis, one.wire_radius - kIntoWalls);
+  }
+  EXPECT_NEAR(figures.temperature, 1, 0.05);
 }
 
 TEST(WireSawing, RunsOfOtherSettingsHaveOtherKeys) {
