@@ -99,6 +99,19 @@ RigidSetSpec lid_of(const GrooveCase& one) {
   return tool_of(lid_particles(one), kGrainDensity);
 }
 
+namespace {
+
+double from_wire(const GrooveCase& one, const Eigen::Vector3d& place) {
+  return std::hypot(place.x(), place.z() - one.wire_start) - one.wire_radius;
+}
+
+double from_rest(const GrooveCase& one, const Eigen::Vector3d& place) {
+  const double from_middle = place.z() < 0 ? std::hypot(place.x(), place.z()) : std::abs(place.x());
+  return std::min(one.groove_radius - from_middle, one.top - place.z());
+}
+
+}  // namespace
+
 SlurrySpace space_of(const GrooveCase& one) {
   const double wide = one.groove_radius;
   const double area = 0.5 * std::numbers::pi * wide * wide + 2 * wide * one.top -
@@ -108,10 +121,11 @@ SlurrySpace space_of(const GrooveCase& one) {
       {wide, 0.5 * one.length, one.top},
       {std::nullopt, one.length, std::nullopt},
       area * one.length,
-      [one](const Eigen::Vector3d& place) {
-        const double from_axis = std::hypot(place.x(), place.z() - one.wire_start);
-        const double from_middle = place.z() < 0 ? std::hypot(place.x(), place.z()) : std::abs(place.x());
-        return std::min({from_axis - one.wire_radius, one.groove_radius - from_middle, one.top - place.z()});
+      [one](const Eigen::Vector3d& place) { return std::min(from_wire(one, place), from_rest(one, place)); },
+      // Without slip at either: what it would become in the gap takes long to settle from rest.
+      [one](const Eigen::Vector3d& place) -> Eigen::Vector3d {
+        const double wire = from_wire(one, place), rest = from_rest(one, place);
+        return {0, one.speed * rest / (wire + rest), 0};
       }};
 }
 

@@ -134,6 +134,7 @@ void add_fluid(const SlurrySpace& space, std::size_t count, const OccupiedPlaces
     places.push_back(place);
     const double x = speed(random), y = speed(random), z = speed(random);
     velocities.emplace_back(x + simulation.settings().shear_rate * place.y(), y, z);
+    if (space.flow) velocities.back() += space.flow(place);
   }
   simulation.add_fluid(places, velocities);
 }
@@ -187,7 +188,10 @@ FilledSlurry fill(const SlurrySpace& space, const SlurryMixture& mixture, std::u
     filled.grain_size.resize(grains.size(), size);
   }
   const double rate = simulation.settings().shear_rate;
-  for (RigidSetSpec& grain : grains) grain.velocity = {rate * grain.centre.y(), 0, 0};
+  for (RigidSetSpec& grain : grains) {
+    grain.velocity = {rate * grain.centre.y(), 0, 0};
+    if (space.flow) grain.velocity += space.flow(grain.centre);
+  }
   filled.first_grain = simulation.add_solids(grains);
   filled.solids = solid_volume / space.volume;
   const double fluid = mixture.density * (space.volume - solid_volume);

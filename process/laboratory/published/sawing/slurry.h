@@ -38,6 +38,8 @@ struct SlurrySpace {
   double volume = 0;  ///< r_c^3
   /// r_c, of a point from the nearest wall; below 0: not in the space.
   std::function<double(const Eigen::Vector3d&)> clearance;
+  /// The fluid's mean velocity at a point to begin with; nothing: that of the simulation's shear.
+  std::function<Eigen::Vector3d(const Eigen::Vector3d&)> flow = {};
 };
 
 /// Share of solids, and sizes (r_c) with equal shares of it.

@@ -41,6 +41,10 @@ int steps(double count, const Extent& extent) {
 
 constexpr double kSlurryRates[] = {0.1, 0.2};
 
+/// Noise between fluid and solids over that within the fluid: with less the fluid slips along wire and ingot,
+/// which it does not in the source (README.md).
+constexpr double kGrip = 4;
+
 /// Runs of one kind, and the shear rate of each.
 struct RunsAtRates {
   std::vector<double> rates;
@@ -70,6 +74,7 @@ ShearedSlurry sheared_slurry(double rate, const Extent& extent) {
   return {.edge = extent.slurry_edge,
           .rate = rate,
           .solids = 0.25,
+          .grip = kGrip,
           .settling = 1000,
           .sampled = steps(4000, extent)};
 }
@@ -128,6 +133,7 @@ std::string groove_name(std::size_t k) {
 GrooveCase drag(const Extent& extent) {
   return {.length = extent.drag_length,
           .speed = kSpeed,
+          .grip = kGrip,
           .settling = steps(2500, extent),
           .sampled = steps(3500, extent)};
 }
@@ -138,6 +144,7 @@ GrooveCase sawing_case(std::size_t k, const Extent& extent) {
           .speed = kSpeed * kCases[k].speed / kSpeedOfProcess,
           .pressure = kCases[k].pressure / ReducedUnits::pressure_of_process,
           .solids = 0.25,
+          .grip = kGrip,
           .settling = steps(5000, extent),
           .sampled = steps(3000, extent),
           .instants = k == kNonContact || k == kSemiContact ? kInstants : 0};

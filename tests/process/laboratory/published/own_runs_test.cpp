@@ -1,11 +1,12 @@
 // Runs that experiments make themselves: kept whole or not at all, gone on with where they were stopped, not
 // made twice.
+#include "process/laboratory/published/own_runs.h"
+
 #include <gtest/gtest.h>
 
 #include <fstream>
 
 #include "engine/numerics/out_of_range.h"
-#include "process/laboratory/published/own_runs.h"
 #include "process/run/fill_run.h"
 #include "tests/support/temporary_folder.h"
 
@@ -122,11 +123,12 @@ LabPlan plan_counting(const LabSetting&) {
   LabPlan plan;
   plan.own_runs = {asked->run("first"), asked->run("second")};
   for (const char* name : {"first", "second"})
-    plan.quantities.push_back({.id = std::string("sum of ") + name,
-                               .quantity = "",
-                               .unit = "1",
-                               .runs = {name},
-                               .value = [name](const SeedResults& seed) { return std::stod(seed.own(name)); }});
+    plan.quantities.push_back(
+        {.id = std::string("sum of ") + name,
+         .quantity = "",
+         .unit = "1",
+         .runs = {name},
+         .value = [name](const SeedResults& seed) { return std::stod(seed.own(name)); }});
   return plan;
 }
 
