@@ -58,6 +58,7 @@ class FinishedRuns {
   }
 
   const std::vector<SeedResults>& seeds() const { return seeds_; }
+  bool is_scene(const std::string& run) const { return jobs_.contains(run); }
 
   double core_seconds(const std::vector<std::string>& runs) const {
     double sum = 0;
@@ -114,8 +115,9 @@ void measure(const LabQuantity& quantity, const FinishedRuns& runs, results::Lab
     if (!std::all_of(quantity.runs.begin(), quantity.runs.end(), has)) continue;
     seeds.push_back(seed);
     for (const std::string& run : quantity.runs)
-      row.grain_diameter =
-          std::fmax(row.grain_diameter, results::figure_of(seed.of(run), "grain_diameter_m"));
+      if (runs.is_scene(run))
+        row.grain_diameter =
+            std::fmax(row.grain_diameter, results::figure_of(seed.of(run), "grain_diameter_m"));
   }
   std::vector<double> values;
   if (!quantity.over_seeds)

@@ -45,18 +45,22 @@ void GrooveMeasures::sample(const FluidSimulation& simulation, int k) {
   sums_.figures.mean_distance += sums_.figures.distance.back();
 }
 
+std::size_t GrooveMeasures::stretch_of(const SurfacePlace& at) const {
+  const std::vector<GrooveStress>& stress = sums_.figures.stress;
+  const double from = stress.front().place - 0.5 * stress.front().width;
+  return std::min(static_cast<std::size_t>((at.along - from) / stress[0].width), stress.size() - 1);
+}
+
 void GrooveMeasures::sample_particles(const FluidSimulation& simulation) {
   const engine::Grains& particles = simulation.particles();
   std::vector<GrooveStress>& stress = sums_.figures.stress;
-  const double half = -(stress.front().place - 0.5 * stress.front().width);
   for (std::size_t k = 0; k < particles.size(); ++k) {
     const std::uint32_t set = simulation.solids().set_of(particles.id[k]);
     if (set == engine::RigidSets::kFluid) {
       add_speed(particles.position[k], particles.velocity[k].y());
     } else if (set == parts_.ingot) {
       const SurfacePlace& at = parts_.surface[particles.id[k] - parts_.first_of_ingot];
-      const auto stretch = static_cast<std::size_t>((at.along + half) / stress.front().width);
-      stress[std::min(stretch, stress.size() - 1)].stress += particles.force[k].dot(at.into);
+      stress[stretch_of(at)].stress += particles.force[k].dot(at.into);
     } else if (set == parts_.lid) {
       sums_.lid_force += particles.force[k].z();
     }
@@ -116,6 +120,18 @@ void GrooveMeasures::take_section(const FluidSimulation& simulation) {
   }
 }
 
+/// Over the area of the stretch's particles: a stretch holds some more or less than its width asks for.
+void GrooveMeasures::conclude_stress() {
+  std::vector<GrooveStress>& stress = sums_.figures.stress;
+  std::vector<double> area(stress.size());
+  for (const SurfacePlace& at : parts_.surface) area[stretch_of(at)] += at.area;
+  const double lid = sums_.lid_force / sums_.samples / (2 * case_.groove_radius * case_.length);
+  for (std::size_t k = 0; k < stress.size(); ++k) {
+    stress[k].stress = stress[k].stress / sums_.samples / area[k] - lid;
+    stress[k].width = area[k] / case_.length;
+  }
+}
+
 void GrooveMeasures::conclude(const FluidSimulation& simulation) {
   GrooveFigures& figures = sums_.figures;
   take_section(simulation);
@@ -125,9 +141,7 @@ void GrooveMeasures::conclude(const FluidSimulation& simulation) {
     if (sums_.count[k] > 0)
       figures.gap.push_back({case_.wire_radius + width * (static_cast<double>(k) + 0.5) / layers,
                              sums_.speed[k] / sums_.count[k]});
-  const double lid = sums_.lid_force / sums_.samples / (2 * case_.groove_radius * case_.length);
-  for (GrooveStress& stretch : figures.stress)
-    stretch.stress = stretch.stress / sums_.samples / (stretch.width * case_.length) - lid;
+  conclude_stress();
   for (GrainStress& one : figures.grains) {
     const double all = one.low + one.middle + one.high;
     one.low /= all, one.middle /= all, one.high /= all;

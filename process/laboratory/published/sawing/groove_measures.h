@@ -34,6 +34,8 @@ class GrooveMeasures {
   void conclude(const engine::FluidSimulation& simulation);
 
  private:
+  std::size_t stretch_of(const SurfacePlace& at) const;
+  void conclude_stress();
   void sample_particles(const engine::FluidSimulation& simulation);
   void add_speed(const Eigen::Vector3d& place, double speed);
   void add_grain_stress(const engine::FluidSimulation& simulation);

@@ -35,21 +35,26 @@ RigidSetSpec tool_of(const std::vector<Eigen::Vector3d>& places, double density_
 std::vector<Eigen::Vector3d> ingot_particles(const GrooveCase& one, std::vector<SurfacePlace>& surface) {
   std::vector<Eigen::Vector3d> places;
   const double radius = one.groove_radius, quarter = 0.5 * std::numbers::pi;
-  const auto add = [&](double x, double z, double along, const Eigen::Vector3d& into) {
-    for (const double y : spread(-0.5 * one.length, 0.5 * one.length)) {
+  const std::vector<double> rows = spread(-0.5 * one.length, 0.5 * one.length);
+  // `area` of a whole row.
+  const auto add = [&](double x, double z, double along, const Eigen::Vector3d& into, double area) {
+    for (const double y : rows) {
       places.emplace_back(x, y, z);
-      surface.push_back({along, into});
+      surface.push_back({along, into, area / static_cast<double>(rows.size())});
     }
   };
   for (const double depth : kLayers) {
-    const double r = radius + depth;
-    for (const double arc : spread(-quarter * r, quarter * r)) {
+    const double r = radius + depth, length = depth == kLayers[0] ? one.length : 0;
+    const std::vector<double> arcs = spread(-quarter * r, quarter * r), heights = spread(0, one.top);
+    for (const double arc : arcs) {
       const Eigen::Vector3d into(std::sin(arc / r), 0, -std::cos(arc / r));
-      add(r * into.x(), r * into.z(), radius * arc / r, into);
+      add(r * into.x(), r * into.z(), radius * arc / r, into,
+          2 * quarter * radius * length / static_cast<double>(arcs.size()));
     }
-    for (const double z : spread(0, one.top))
+    for (const double z : heights)
       for (const double side : {-1.0, 1.0})
-        add(side * r, z, side * (radius * quarter + z), side * Eigen::Vector3d::UnitX());
+        add(side * r, z, side * (radius * quarter + z), side * Eigen::Vector3d::UnitX(),
+            one.top * length / static_cast<double>(heights.size()));
   }
   return places;
 }

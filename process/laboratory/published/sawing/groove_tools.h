@@ -11,10 +11,12 @@ namespace diefill::process::laboratory::sawing {
 /// Density of the wire over that of the fluid: 7.8 over 1.2 g/cm^3.
 inline constexpr double kSteel = 6.5;
 
-/// A particle of the ingot: where along the surface it is, and the direction into the ingot.
+/// A particle of the ingot: where along the surface it is, the direction into the ingot, and the area of the
+/// surface that it stands for, 0 of those of deeper layers.
 struct SurfacePlace {
   double along;
   Eigen::Vector3d into;
+  double area;
 };
 
 /// The wire as a tool, which moves up and down where there is a pressure on it.

@@ -117,12 +117,26 @@ double add_grains(const SlurrySpace& space, double size, double share, std::mt19
   return volume;
 }
 
+/// Thermal velocities, at rest as a whole: across a sheared box a fluid that drifts leaves its profile
+/// behind.
+std::vector<Eigen::Vector3d> thermal_velocities(std::size_t count, std::mt19937_64& random) {
+  std::normal_distribution<double> speed;
+  std::vector<Eigen::Vector3d> velocities;
+  Eigen::Vector3d mean = Eigen::Vector3d::Zero();
+  for (std::size_t k = 0; k < count; ++k) {
+    const double x = speed(random), y = speed(random), z = speed(random);
+    velocities.emplace_back(x, y, z);
+    mean += velocities.back() / static_cast<double>(count);
+  }
+  for (Eigen::Vector3d& velocity : velocities) velocity -= mean;
+  return velocities;
+}
+
 /// `count` particles where no wall or solid is, and apart from each other: what overlaps by chance would fly
 /// apart, and out through the walls.
 void add_fluid(const SlurrySpace& space, std::size_t count, const OccupiedPlaces& solids,
                std::mt19937_64& random, FluidSimulation& simulation) {
-  std::normal_distribution<double> speed;
-  std::vector<Eigen::Vector3d> places, velocities;
+  std::vector<Eigen::Vector3d> places, velocities = thermal_velocities(count, random);
   OccupiedPlaces fluid(space.period);
   int tries = 0;
   while (places.size() < count) {
@@ -131,10 +145,10 @@ void add_fluid(const SlurrySpace& space, std::size_t count, const OccupiedPlaces
     if (++tries < kTries && fluid.any_near(place, kFluidToFluid)) continue;
     tries = 0;
     fluid.add(place);
+    Eigen::Vector3d& velocity = velocities[places.size()];
+    velocity.x() += simulation.settings().shear_rate * place.y();
+    if (space.flow) velocity += space.flow(place);
     places.push_back(place);
-    const double x = speed(random), y = speed(random), z = speed(random);
-    velocities.emplace_back(x + simulation.settings().shear_rate * place.y(), y, z);
-    if (space.flow) velocities.back() += space.flow(place);
   }
   simulation.add_fluid(places, velocities);
 }
