@@ -134,15 +134,16 @@ std::vector<Eigen::Vector3d> thermal_velocities(std::size_t count, std::mt19937_
 
 /// `count` particles where no wall or solid is, and apart from each other: what overlaps by chance would fly
 /// apart, and out through the walls.
-void add_fluid(const SlurrySpace& space, std::size_t count, const OccupiedPlaces& solids,
+void add_fluid(const SlurrySpace& space, std::size_t count, double density, const OccupiedPlaces& solids,
                std::mt19937_64& random, FluidSimulation& simulation) {
+  const double apart = kFluidToFluid * std::cbrt(SlurryMixture().density / density);
   std::vector<Eigen::Vector3d> places, velocities = thermal_velocities(count, random);
   OccupiedPlaces fluid(space.period);
   int tries = 0;
   while (places.size() < count) {
     const Eigen::Vector3d place = random_place(space, random);
     if (space.clearance(place) < kFluidToWall || solids.any_near(place, kFluidToSolid)) continue;
-    if (++tries < kTries && fluid.any_near(place, kFluidToFluid)) continue;
+    if (++tries < kTries && fluid.any_near(place, apart)) continue;
     tries = 0;
     fluid.add(place);
     Eigen::Vector3d& velocity = velocities[places.size()];
@@ -209,7 +210,8 @@ FilledSlurry fill(const SlurrySpace& space, const SlurryMixture& mixture, std::u
   filled.first_grain = simulation.add_solids(grains);
   filled.solids = solid_volume / space.volume;
   const double fluid = mixture.density * (space.volume - solid_volume);
-  add_fluid(space, static_cast<std::size_t>(std::lround(fluid)), occupied, random, simulation);
+  add_fluid(space, static_cast<std::size_t>(std::lround(fluid)), mixture.density, occupied, random,
+            simulation);
   return filled;
 }
 
