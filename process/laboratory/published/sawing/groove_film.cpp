@@ -132,12 +132,18 @@ Instant instant_of(const engine::FluidSimulation& simulation, const GrooveParts&
     if (set != engine::RigidSets::kFluid && set >= slurry.first_grain) order.emplace_back(particles.id[k], k);
   }
   std::sort(order.begin(), order.end());
+  // Between searches particles may be beyond the period's border.
+  const double length = simulation.settings().period[1].value();
+  const auto in_period = [&](Eigen::Vector3d place) {
+    place.y() -= length * std::round(place.y() / length);
+    return place;
+  };
   Instant instant;
   instant.time = kSecond * simulation.time();
   for (const auto& [id, k] : order) {
     const double size = slurry.grain_size[simulation.solids().set_of(id) - slurry.first_grain];
     instant.id.push_back(id);
-    instant.position.push_back(metres(particles.position[k]));
+    instant.position.push_back(metres(in_period(particles.position[k])));
     instant.orientation.emplace_back(1, 0, 0, 0);
     instant.velocity.push_back(1e-2 * (1e2 * kSpeedUnit * particles.velocity[k]).array().round().matrix());
     instant.kind.push_back(
