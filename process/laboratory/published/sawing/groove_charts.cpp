@@ -103,7 +103,7 @@ ExperimentChart viscosity_chart(const ViscosityCurve& fluid, const ViscosityCurv
   chart.name = "wire_sawing_viscosity";
   chart.title = "Viscosity of fluid and slurry under shear";
   chart.subtitle = "DPD, sheared box; slurry with grains of 6, 10, 14 and 20 um (Bierwisch 2009, A.2)";
-  chart.x = {.label = "Shear rate, reduced [1]", .logarithmic = true};
+  chart.x = {.label = "Shear rate, reduced [1]", .lower = 0};
   chart.y = {.label = "Viscosity [mPa s]", .lower = 0};
   add_viscosities("fluid", fluid, 0.085, chart);
   add_viscosities("slurry", slurry, 0.34, chart);
