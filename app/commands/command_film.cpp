@@ -24,6 +24,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr int kFilmWidth = 1280;
+
 struct FilmArguments {
   std::vector<std::string> directories;
   std::string out;
@@ -105,10 +107,19 @@ int film(const FilmArguments& arguments) {
 
 }  // namespace
 
+void make_film(const fs::path& directory, const fs::path& to, const std::string& colour_by) {
+  FilmArguments arguments;
+  arguments.directories = {directory.string()};
+  arguments.out = to.string();
+  arguments.look.colour_by = colour_by;
+  arguments.look.width = kFilmWidth;
+  film(arguments);
+}
+
 void add_film(CLI::App& program, Action& chosen) {
   auto* command = program.add_subcommand("film", "Make a film of a run, or of up to four runs in one frame");
   auto arguments = std::make_shared<FilmArguments>();
-  arguments->look.width = 1280;
+  arguments->look.width = kFilmWidth;
   command->add_option("DIR", arguments->directories, "results directories of runs; one camera for all")
       ->required();
   command->add_flag("--turntable", arguments->turntable,

@@ -7,6 +7,7 @@
 #include <memory>
 #include <thread>
 
+#include "app/commands/film_command.h"
 #include "app/commands/live_jobs.h"
 #include "app/exit_code.h"
 #include "app/kept_notes.h"
@@ -43,7 +44,7 @@ struct LabArguments {
   std::string size = "coarse", out, powder, scenes, page;
   int seeds = 1, jobs = 1;
   double budget = 0;  ///< core minutes; 0: no limit
-  bool quiet = false, collect = false;
+  bool quiet = false, collect = false, film = false;
 };
 
 fs::path scenes_folder(const std::string& wanted) {
@@ -115,12 +116,27 @@ fs::path all_of(const LabArguments& arguments) {
   return arguments.out.empty() ? fs::path("out/lab") : fs::path(arguments.out);
 }
 
+/// Films of the experiment's own runs that kept their grains over time, as <run>.mp4; without --film the
+/// command that makes one.
+void make_films(const fs::path& directory, const laboratory::SceneExperiment& one,
+                const LabArguments& arguments) {
+  for (const auto& run : one.plan(setting_of(arguments)).own_runs) {
+    const fs::path results = directory / run.name / "seed-1";
+    if (!fs::exists(results / "results.h5")) continue;
+    if (arguments.film)
+      make_film(results, directory / (run.name + ".mp4"), "diameter");
+    else
+      std::printf("film of %s: diefill film %s --colour-by diameter\n", run.name.c_str(), results.c_str());
+  }
+}
+
 int experiment(const laboratory::SceneExperiment& one, const LabArguments& arguments) {
   set_up_drawing();
   const fs::path directory = folder_of(all_of(arguments), one.name, arguments);
   const auto table = perform_into(directory, one, arguments).table;
   std::printf("in %s: %s.csv, %s.json, charts\n", directory.string().c_str(), one.name.c_str(),
               one.name.c_str());
+  make_films(directory, one, arguments);
   for (const auto& row : table.rows)
     if (row.values.empty()) return kFailed;
   return kDone;
@@ -233,6 +249,7 @@ void add_lab_experiments(CLI::App& lab, Action& chosen) {
         ->add_option("--powder", arguments->powder,
                      "powder file, or scene with the powder, in place of the experiment's powders")
         ->check(CLI::ExistingFile);
+    command->add_flag("--film", arguments->film, "make films of runs that keep their grains (wire_sawing)");
     command->callback(
         [arguments, &one, &chosen] { chosen = [arguments, &one] { return experiment(one, *arguments); }; });
   }

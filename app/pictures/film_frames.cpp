@@ -22,8 +22,8 @@ std::vector<double> times_of(const std::vector<PictureSource>& sources) {
     times.push_back(source.result.powder.time);
   }
   std::sort(times.begin(), times.end());
-  constexpr double kSame = 1e-6;  // s
-  times.erase(std::unique(times.begin(), times.end(), [](double a, double b) { return b - a < kSame; }),
+  const double same = times.empty() ? 0 : 1e-6 * times.back();
+  times.erase(std::unique(times.begin(), times.end(), [&](double a, double b) { return b - a <= same; }),
               times.end());
   return times;
 }

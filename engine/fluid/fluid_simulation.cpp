@@ -28,7 +28,9 @@ SimulationSettings as_powder(const FluidSettings& settings) {
   powder.gravity.setZero();
   powder.time_step = settings.time_step;
   powder.period = settings.period;
-  powder.skin = settings.skin;
+  // The skin that follows the motion of powder is made for slow grains that seldom change their neighbours.
+  constexpr double kOfReach = 0.4;
+  powder.skin = settings.skin > 0 ? settings.skin : kOfReach * settings.law.reach;
   powder.threads = settings.threads;
   return powder;
 }

@@ -37,6 +37,8 @@ const std::vector<Rule>& rules() {
       {"process/compare/kept_aside.cpp", {"process/"}, {"nlohmann/"}},
       {"process/plan/kept_pilot.cpp", {"engine/", "geometry/", "process/"}, {"nlohmann/"}},
       {"process/estimate/powder_discharge.cpp", {"engine/", "geometry/", "process/"}, {"nlohmann/"}},
+      {"process/laboratory/published/own_runs.cpp", {"engine/", "process/"}, {"nlohmann/"}},
+      {"process/laboratory/published/sawing/kept_figures.h", {"process/"}, {"nlohmann/"}},
       {"process/calibration/methods/",
        {"process/results/", "process/calibration/methods/"},
        {"Eigen/", "boost/random/", "nlopt.h"}},

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <ctime>
 #include <set>
 
+#include "process/laboratory/published/own_runs.h"
 #include "process/results/figure_table.h"
 #include "process/results/studies/job_cost.h"
 #include "process/run/assemble.h"
@@ -32,11 +32,14 @@ std::vector<Variant> variants_of(const LabPlan& plan, const LabSetting& setting)
 /// Everything about the runs that the rows need.
 class FinishedRuns {
  public:
-  FinishedRuns(const fs::path& directory, const FoundJobs& found)
+  FinishedRuns(const fs::path& directory, const FoundJobs& found, const std::vector<OwnRun>& own,
+               int own_seeds)
       : directory_(directory), other_scenes_(found.other_scenes) {
     const results::JobList& list = found.list;
     std::set<std::uint64_t> seeds;
     for (const results::Job& job : list.jobs) seeds.insert(job.seed);
+    for (int seed = 1; !own.empty() && seed <= own_seeds; ++seed)
+      seeds.insert(static_cast<std::uint64_t>(seed));
     for (const std::uint64_t seed : seeds) {
       std::map<std::string, fs::path> folders;
       for (const results::Job& job : list.jobs) {
@@ -45,26 +48,34 @@ class FinishedRuns {
         if (!is_other(job) && state_of(directory, job).stage == JobState::Stage::finished)
           folders[job.variant] = directory / job.folder;
       }
-      seeds_.emplace_back(seed, std::move(folders));
+      std::map<std::string, std::string> results;
+      for (const OwnRun& run : own) {
+        const KeptOwnRun& kept = own_[run.name].emplace_back(kept_own_run(directory, run, seed));
+        if (kept.finished) results[run.name] = kept.result;
+      }
+      seeds_.emplace_back(seed, std::move(folders), std::move(results));
     }
     if (seeds_.empty()) seeds_.emplace_back(1, std::map<std::string, fs::path>());
   }
 
   const std::vector<SeedResults>& seeds() const { return seeds_; }
+  bool is_scene(const std::string& run) const { return jobs_.contains(run); }
 
   double core_seconds(const std::vector<std::string>& runs) const {
     double sum = 0;
-    for (const std::string& run : runs)
-      for (const results::Job& job : jobs_.at(run))
+    for (const std::string& run : runs) {
+      for (const results::Job& job : jobs_of(run))
         if (!is_other(job)) sum += results::read_job_cost(directory_ / job.folder).cpu_seconds;
+      for (const KeptOwnRun& own : own_of(run)) sum += own.core_seconds;
+    }
     return sum;
   }
 
   /// Why some of these runs are not finished; empty where all are.
   std::string why_missing(const std::vector<std::string>& runs) const {
     std::size_t open = 0, other = 0, all = 0;
-    for (const std::string& run : runs)
-      for (const results::Job& job : jobs_.at(run)) {
+    for (const std::string& run : runs) {
+      for (const results::Job& job : jobs_of(run)) {
         ++all;
         other += is_other(job) ? 1U : 0U;
         if (is_other(job)) continue;
@@ -72,6 +83,12 @@ class FinishedRuns {
         if (state.stage == JobState::Stage::failed) return "run \"" + run + "\" failed: " + state.reason;
         open += state.stage == JobState::Stage::open ? 1U : 0U;
       }
+      for (const KeptOwnRun& own : own_of(run)) {
+        ++all;
+        if (!own.failure.empty()) return "run \"" + run + "\" failed: " + own.failure;
+        open += own.finished ? 0U : 1U;
+      }
+    }
     if (other > 0) return std::to_string(other) + " of " + std::to_string(all) + " runs of a different scene";
     if (open == 0) return {};
     return std::to_string(open) + " of " + std::to_string(all) +
@@ -80,10 +97,19 @@ class FinishedRuns {
 
  private:
   bool is_other(const results::Job& job) const { return other_scenes_.contains(job.folder); }
+  std::vector<results::Job> jobs_of(const std::string& run) const {
+    const auto found = jobs_.find(run);
+    return found == jobs_.end() ? std::vector<results::Job>() : found->second;
+  }
+  std::vector<KeptOwnRun> own_of(const std::string& run) const {
+    const auto found = own_.find(run);
+    return found == own_.end() ? std::vector<KeptOwnRun>() : found->second;
+  }
 
   fs::path directory_;
   std::set<std::string> other_scenes_;
   std::map<std::string, std::vector<results::Job>> jobs_;
+  std::map<std::string, std::vector<KeptOwnRun>> own_;  ///< of each seed
   std::vector<SeedResults> seeds_;
 };
 
@@ -95,8 +121,9 @@ void measure(const LabQuantity& quantity, const FinishedRuns& runs, results::Lab
     if (!std::all_of(quantity.runs.begin(), quantity.runs.end(), has)) continue;
     seeds.push_back(seed);
     for (const std::string& run : quantity.runs)
-      row.grain_diameter =
-          std::fmax(row.grain_diameter, results::figure_of(seed.of(run), "grain_diameter_m"));
+      if (runs.is_scene(run))
+        row.grain_diameter =
+            std::fmax(row.grain_diameter, results::figure_of(seed.of(run), "grain_diameter_m"));
   }
   std::vector<double> values;
   if (!quantity.over_seeds)
@@ -162,7 +189,8 @@ LabOutcome perform(const SceneExperiment& experiment, const LabSetting& setting,
       found = find_jobs(jobs.directory, wanted);
     }
   }
-  const FinishedRuns runs(jobs.directory, found);
+  if (jobs.run) make_own_runs(plan.own_runs, jobs);
+  const FinishedRuns runs(jobs.directory, found, plan.own_runs, jobs.seeds);
   LabOutcome outcome;
   outcome.table.experiment = experiment.name;
   outcome.table.question = experiment.question;
@@ -172,17 +200,10 @@ LabOutcome perform(const SceneExperiment& experiment, const LabSetting& setting,
   outcome.table.seeds = jobs.seeds;
   std::vector<std::string> all;
   for (const LabRun& run : plan.runs) all.push_back(run.name);
+  for (const OwnRun& run : plan.own_runs) all.push_back(run.name);
   outcome.table.core_seconds = runs.core_seconds(all);
-  if (plan.simulates && !jobs.run) return outcome;
-  for (const LabQuantity& quantity : plan.quantities) {
-    const std::clock_t began = std::clock();
+  for (const LabQuantity& quantity : plan.quantities)
     outcome.table.rows.push_back(row_of(quantity, runs, figures, setting.powder.empty()));
-    if (!plan.simulates) continue;
-    // The first of several quantities of one simulation has its whole time, and none has no time at all.
-    const double here = static_cast<double>(std::clock() - began + 1) / CLOCKS_PER_SEC;
-    outcome.table.rows.back().core_seconds = here;
-    outcome.table.core_seconds += here;
-  }
   if (plan.charts) outcome.charts = plan.charts(runs.seeds());
   for (auto& chart : outcome.charts) {
     std::erase_if(chart.series, has_no_value);

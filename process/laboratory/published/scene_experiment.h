@@ -12,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include "process/laboratory/published/own_run.h"
 #include "process/results/fill_result.h"
 #include "process/results/studies/experiment_result.h"
 #include "process/scene/variants.h"
@@ -43,22 +44,26 @@ struct LabRun {
 /// The results of one seed, read when they are asked for.
 class SeedResults {
  public:
-  /// `folders` of the runs that are finished, by name.
-  SeedResults(std::uint64_t seed, std::map<std::string, std::filesystem::path> folders)
-      : seed_(seed), folders_(std::move(folders)) {}
+  /// `folders` of the runs that are finished, and results of `own` runs (own_run.h), by name.
+  SeedResults(std::uint64_t seed, std::map<std::string, std::filesystem::path> folders,
+              std::map<std::string, std::string> own = {})
+      : seed_(seed), folders_(std::move(folders)), own_(std::move(own)) {}
 
   std::uint64_t seed() const { return seed_; }
-  bool has(const std::string& run) const { return folders_.contains(run); }
+  bool has(const std::string& run) const { return folders_.contains(run) || own_.contains(run); }
   /// Throws results::ResultError, and std::out_of_range for a run that is not finished.
   const results::FillResult& of(const std::string& run) const;
   /// At a [[snapshot]] of the scene.
   const results::FillResult& at(const std::string& run, const std::string& snapshot) const;
+  /// Of one of the experiment's own. Throws std::out_of_range for one that is not finished.
+  const std::string& own(const std::string& run) const { return own_.at(run); }
 
  private:
   const results::FillResult& read(const std::filesystem::path& folder) const;
 
   std::uint64_t seed_;
   std::map<std::string, std::filesystem::path> folders_;
+  std::map<std::string, std::string> own_;
   mutable std::map<std::filesystem::path, std::shared_ptr<const results::FillResult>> read_;
 };
 
@@ -79,9 +84,8 @@ using LabCharts = std::function<std::vector<results::ExperimentChart>(const std:
 struct LabPlan {
   std::vector<LabRun> runs;
   std::vector<LabQuantity> quantities;
-  LabCharts charts;  ///< nothing: none
-  /// Quantities that take no runs are simulations of minutes: not measured where nothing is to be run.
-  bool simulates = false;
+  LabCharts charts;                   ///< nothing: none
+  std::vector<OwnRun> own_runs = {};  ///< that no scene can say
 };
 
 struct SceneExperiment {

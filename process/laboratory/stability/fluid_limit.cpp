@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <limits>
+#include <stdexcept>
 
 #include "engine/numerics/out_of_range.h"
 #include "process/laboratory/published/sawing/viscosity.h"
@@ -15,24 +16,29 @@ using sawing::ShearedSlurry;
 
 constexpr double kTolerated = 0.05;  // error of the temperature
 
-/// |T - 1|, infinite where the run breaks down.
+/// |T - 1|, infinite where the run breaks down, or the box is too small for what moves in a step.
 double temperature_error(ShearedSlurry fluid, const ExperimentOptions& options) {
   const double time = options.quick ? 20 : 60;  // reduced, of the samples
   fluid.edge = options.quick ? 6 : 10;
   fluid.settling = static_cast<int>(10 / fluid.time_step);
   fluid.sampled = static_cast<int>(time / fluid.time_step);
   try {
+    constexpr double kBroken = 1;  // a fluid this hot has lost its pairs
     const double error = std::abs(measure(fluid, 1).temperature - 1);
-    return std::isfinite(error) ? error : std::numeric_limits<double>::infinity();
+    return error < kBroken ? error : std::numeric_limits<double>::infinity();
   } catch (const engine::OutOfRange&) {
+    return std::numeric_limits<double>::infinity();
+  } catch (const std::invalid_argument&) {
     return std::numeric_limits<double>::infinity();
   }
 }
 
-/// Errors over one quantity of the fluid, and the first value at which more than kTolerated is reached.
+/// Errors over one quantity of the fluid, and the first values at which more than kTolerated is reached and
+/// no run is possible; NaN: not at the values tried.
 struct Search {
   ExperimentSeries series;
   double limit = std::numeric_limits<double>::quiet_NaN();
+  double fails = std::numeric_limits<double>::quiet_NaN();
 };
 
 /// `nth` of the three searches.
@@ -48,7 +54,9 @@ Search search(const std::vector<double>& values, double ShearedSlurry::*quantity
     const double error = temperature_error(fluid, options);
     if (std::isfinite(error)) found.series.x.push_back(value), found.series.y.push_back(error);
     if (error > kTolerated && std::isnan(found.limit)) found.limit = value;
-    if (!std::isfinite(error)) break;
+    if (std::isfinite(error)) continue;
+    found.fails = value;
+    break;
   }
   return found;
 }
@@ -57,6 +65,16 @@ Search search(const std::vector<double>& values, double ShearedSlurry::*quantity
 double order_of(const ExperimentSeries& series) {
   const std::size_t last = series.x.size() - 1, first = last / 2;
   return std::log(series.y[last] / series.y[first]) / std::log(series.x[last] / series.x[first]);
+}
+
+void add_limits(const std::string& quantity, const Search& found, results::ExperimentResult& result) {
+  constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+  if (!std::isnan(found.limit))
+    result.limits.push_back({"fluid: " + quantity + " with more than 5 % error of the temperature",
+                             found.limit, kNone, "reduced", ""});
+  if (!std::isnan(found.fails))
+    result.limits.push_back(
+        {"fluid: " + quantity + " at which no run is possible", found.fails, kNone, "reduced", ""});
 }
 
 results::ExperimentChart chart_of(const std::string& name, const std::string& label,
@@ -76,15 +94,12 @@ results::ExperimentChart chart_of(const std::string& name, const std::string& la
 void find_fluid_limit(const ExperimentOptions& options, results::ExperimentResult& result) {
   const Search step = search({0.005, 0.01, 0.02, 0.03, 0.04, 0.06}, &ShearedSlurry::time_step, 0, options);
   const Search density = search({2, 3, 4.15, 5, 6, 7, 8, 10}, &ShearedSlurry::density, 1, options);
-  const Search rate = search({0.1, 0.2, 0.5, 1, 2}, &ShearedSlurry::rate, 2, options);
-  result.limits.push_back({"fluid: step with more than 5 % error of the temperature", step.limit,
-                           std::numeric_limits<double>::quiet_NaN(), "reduced", ""});
+  const Search rate = search({0.1, 0.2, 0.5, 1, 2, 5, 10}, &ShearedSlurry::rate, 2, options);
+  add_limits("step", step, result);
   result.limits.push_back({"fluid: order of that error in the step", order_of(step.series), 2, "1",
                            "velocity Verlet (Groot and Warren 1997)"});
-  result.limits.push_back({"fluid: density with more than 5 % error of the temperature", density.limit,
-                           std::numeric_limits<double>::quiet_NaN(), "reduced", ""});
-  result.limits.push_back({"fluid: shear rate with more than 5 % error of the temperature", rate.limit,
-                           std::numeric_limits<double>::quiet_NaN(), "reduced", ""});
+  add_limits("density", density, result);
+  add_limits("shear rate", rate, result);
   result.charts = {chart_of("step", "Time step, reduced [1]", step.series),
                    chart_of("density", "Density, reduced [1]", density.series),
                    chart_of("rate", "Shear rate, reduced [1]", rate.series)};

@@ -2,8 +2,10 @@
 // A.3). Reduced units; the wire lies along y, z is up, and the groove's bottom is round about the origin.
 #pragma once
 
+#include <string>
 #include <vector>
 
+#include "process/laboratory/published/own_run.h"
 #include "process/laboratory/published/sawing/slurry.h"
 
 namespace diefill::process::laboratory::sawing {
@@ -17,7 +19,9 @@ struct GrooveCase {
   double speed = 0;       ///< of the wire along y
   double pressure = 0;    ///< on the wire's projected area (OP-18), down; 0: the wire keeps its height
   double solids = 0;      ///< share of the slurry
+  double grip = 1;        ///< DpdParameters::grip
   int settling = 2000, sampled = 4000;  ///< steps
+  int instants = 0;                     ///< of the grains, kept for a film
 };
 
 /// A place in the gap below the wire and the fluid's mean speed along it there.
@@ -53,9 +57,15 @@ struct GrooveFigures {
   double mean_distance = 0;            ///< of the sampled steps
   double solids = 0;                   ///< share that found room
   double temperature = 0;
-  double particle_steps = 0, seconds = 0;
+  double particle_steps = 0;
 };
 
-GrooveFigures saw(const GrooveCase& one, std::uint64_t seed);
+/// One line: all that the run's result depends on, but its seed.
+std::string settings_text(const GrooveCase& one);
+/// Particle steps, about.
+double work_of(const GrooveCase& one);
+
+/// Runs it; a film of the grains (groove_film.h) goes to the watch's folder. Throws OwnRunStopped.
+GrooveFigures saw(const GrooveCase& one, std::uint64_t seed, OwnRunWatch& watch);
 
 }  // namespace diefill::process::laboratory::sawing

@@ -32,16 +32,25 @@ ExperimentSeries series_of(const std::string& name, Role role) {
   return {.name = name, .role = role, .x = {}, .y = {}};
 }
 
-void add_viscosities(const std::string& name, const std::vector<double>& rates,
-                     const std::vector<ShearedFigures>& all, double published, ExperimentChart& chart) {
+void add_viscosities(const std::string& name, const ViscosityCurve& curve, double published,
+                     ExperimentChart& chart) {
   ExperimentSeries here = series_of(name, Role::measured),
                    source = series_of(name + ", published", Role::published);
-  for (std::size_t k = 0; k < rates.size(); ++k) {
-    here.x.push_back(rates[k]), here.y.push_back(ReducedUnits::viscosity * all[k].viscosity);
-    source.x.push_back(rates[k]), source.y.push_back(published);
+  for (std::size_t k = 0; k < curve.rates.size(); ++k) {
+    here.x.push_back(curve.rates[k]), here.y.push_back(ReducedUnits::viscosity * curve.figures[k].viscosity);
+    source.x.push_back(curve.rates[k]), source.y.push_back(published);
   }
   chart.series.push_back(here);
   chart.series.push_back(source);
+}
+
+/// Adds a series for each run, which `fill` gives its points.
+template <class Fill>
+void add_runs(const std::vector<NamedGroove>& all, Role role, ExperimentChart& chart, const Fill& fill) {
+  for (const NamedGroove& one : all) {
+    chart.series.push_back(series_of(one.name, role));
+    fill(one, chart.series.back());
+  }
 }
 
 }  // namespace
@@ -72,23 +81,32 @@ double stress_at_sides(const GrooveFigures& figures) {
   return sum / count;
 }
 
+double late_change(const GrooveFigures& figures) {
+  const std::vector<double>& distance = figures.distance;
+  const std::size_t all = distance.size(), tenth = std::max<std::size_t>(1, all / 10), third = all / 3;
+  const auto mean_from = [&](std::size_t first) {
+    double sum = 0;
+    for (std::size_t k = first; k < first + tenth; ++k) sum += distance.at(k);
+    return sum / static_cast<double>(tenth);
+  };
+  return mean_from(all - tenth) - mean_from(all - third - tenth);
+}
+
 const GrainStress& grains_of(const GrooveFigures& figures, double size) {
   for (const GrainStress& one : figures.grains)
     if (one.size == size) return one;
   throw std::out_of_range("no grains of this size in the groove");
 }
 
-ExperimentChart viscosity_chart(const std::vector<double>& rates, const std::vector<ShearedFigures>& fluid,
-                                const std::vector<double>& slurry_rates,
-                                const std::vector<ShearedFigures>& slurry) {
+ExperimentChart viscosity_chart(const ViscosityCurve& fluid, const ViscosityCurve& slurry) {
   ExperimentChart chart;
   chart.name = "wire_sawing_viscosity";
   chart.title = "Viscosity of fluid and slurry under shear";
   chart.subtitle = "DPD, sheared box; slurry with grains of 6, 10, 14 and 20 um (Bierwisch 2009, A.2)";
-  chart.x = {.label = "Shear rate, reduced [1]", .logarithmic = true};
+  chart.x = {.label = "Shear rate, reduced [1]", .lower = 0};
   chart.y = {.label = "Viscosity [mPa s]", .lower = 0};
-  add_viscosities("fluid", rates, fluid, 0.085, chart);
-  add_viscosities("slurry", slurry_rates, slurry, 0.34, chart);
+  add_viscosities("fluid", fluid, 0.085, chart);
+  add_viscosities("slurry", slurry, 0.34, chart);
   return chart;
 }
 
@@ -119,14 +137,12 @@ ExperimentChart stress_chart(const std::vector<NamedGroove>& all) {
   chart.subtitle = "Over the pressure on the wire; the stress on the lid above is taken off";
   chart.x = {.label = "Tangential coordinate [um]"};
   chart.y = {.label = "Normal stress over pressure on the wire [1]"};
-  for (const NamedGroove& one : all) {
-    ExperimentSeries series = series_of(one.name, Role::measured);
-    for (const GrooveStress& stretch : one.figures->stress) {
+  add_runs(all, Role::measured, chart, [](const NamedGroove& one, ExperimentSeries& series) {
+    for (const GrooveStress& stretch : one.figures.stress) {
       series.x.push_back(ReducedUnits::micrometres * stretch.place);
       series.y.push_back(stretch.stress * ReducedUnits::pressure_of_process / one.pressure);
     }
-    chart.series.push_back(series);
-  }
+  });
   return chart;
 }
 
@@ -142,7 +158,7 @@ ExperimentChart section_chart(const NamedGroove& one, std::size_t number) {
       {Part::fluid, "fluid"}, {Part::grain, "grains"}, {Part::tool, "wire and ingot"}};
   for (const auto& [part, name] : kParts) {
     ExperimentSeries series = series_of(name, Role::points);
-    for (const SectionPoint& point : one.figures->section) {
+    for (const SectionPoint& point : one.figures.section) {
       if (point.part != part) continue;
       series.x.push_back(ReducedUnits::micrometres * point.x);
       series.y.push_back(ReducedUnits::micrometres * point.z);
@@ -159,15 +175,29 @@ ExperimentChart distance_chart(const std::vector<NamedGroove>& all) {
   chart.subtitle = "Grains of 6, 10, 14 and 20 um, 25 percent by volume";
   chart.x = {.label = "Time, reduced [1]"};
   chart.y = {.label = "Wire to ingot [um]", .lower = 0};
-  for (const NamedGroove& one : all) {
-    ExperimentSeries series = series_of(one.name, Role::predicted);
-    const std::size_t every = std::max<std::size_t>(1, one.figures->time.size() / 200);
-    for (std::size_t k = 0; k < one.figures->time.size(); k += every) {
-      series.x.push_back(one.figures->time[k]);
-      series.y.push_back(ReducedUnits::micrometres * one.figures->distance[k]);
+  add_runs(all, Role::predicted, chart, [](const NamedGroove& one, ExperimentSeries& series) {
+    const std::size_t every = std::max<std::size_t>(1, one.figures.time.size() / 200);
+    for (std::size_t k = 0; k < one.figures.time.size(); k += every) {
+      series.x.push_back(one.figures.time[k]);
+      series.y.push_back(ReducedUnits::micrometres * one.figures.distance[k]);
     }
-    chart.series.push_back(series);
-  }
+  });
+  return chart;
+}
+
+ExperimentChart grain_chart(const std::vector<NamedGroove>& all) {
+  ExperimentChart chart;
+  chart.name = "wire_sawing_grains";
+  chart.title = "Grains under more than 25 N/mm2";
+  chart.subtitle = "Share of the grains of each size, over the sampled steps";
+  chart.x = {.label = "Grain size [um]"};
+  chart.y = {.label = "Share of grains [1]", .lower = 0};
+  add_runs(all, Role::measured, chart, [](const NamedGroove& one, ExperimentSeries& series) {
+    for (const GrainStress& grains : one.figures.grains) {
+      series.x.push_back(ReducedUnits::micrometres * grains.size);
+      series.y.push_back(grains.high);
+    }
+  });
   return chart;
 }
 

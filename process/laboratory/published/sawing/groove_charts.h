@@ -24,6 +24,8 @@ double speed_at(const std::vector<GapSpeed>& gap, double radius);
 double share_at_centre(const GrooveFigures& figures);
 /// Mean normal stress on the ingot beyond 100 um from that line.
 double stress_at_sides(const GrooveFigures& figures);
+/// Distance in the last tenth of the run less that before its last third: 0 once the wire keeps its height.
+double late_change(const GrooveFigures& figures);
 /// Grains of this size; throws std::out_of_range where there are none.
 const GrainStress& grains_of(const GrooveFigures& figures, double size);
 
@@ -31,17 +33,22 @@ const GrainStress& grains_of(const GrooveFigures& figures, double size);
 struct NamedGroove {
   std::string name;
   double pressure;
-  const GrooveFigures* figures;
+  GrooveFigures figures;
 };
 
-results::ExperimentChart viscosity_chart(const std::vector<double>& rates,
-                                         const std::vector<ShearedFigures>& fluid,
-                                         const std::vector<double>& slurry_rates,
-                                         const std::vector<ShearedFigures>& slurry);
+/// Viscosity over the shear rate.
+struct ViscosityCurve {
+  std::vector<double> rates;
+  std::vector<ShearedFigures> figures;
+};
+
+results::ExperimentChart viscosity_chart(const ViscosityCurve& fluid, const ViscosityCurve& slurry);
 results::ExperimentChart gap_chart(const std::vector<GapSpeed>& gap, double wire_speed);
 results::ExperimentChart stress_chart(const std::vector<NamedGroove>& all);
 /// View across the wire: particles of a slice.
 results::ExperimentChart section_chart(const NamedGroove& one, std::size_t number);
 results::ExperimentChart distance_chart(const std::vector<NamedGroove>& all);
+/// Share of grains under more than 25 N/mm^2 over their size.
+results::ExperimentChart grain_chart(const std::vector<NamedGroove>& all);
 
 }  // namespace diefill::process::laboratory::sawing

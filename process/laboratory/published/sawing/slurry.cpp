@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <thread>
 #include <unordered_map>
 
 #include "engine/powder/rigid_motion.h"
@@ -17,8 +16,9 @@ using engine::RigidSetSpec;
 
 constexpr double kCell = kSpacing * kSpacing * kSpacing;  // r_c^3, of a solid's particle
 // r_c, how near to walls and to each other grains and fluid are put.
-constexpr double kGrainToWall = 0.8, kGrainToGrain = 0.8, kFluidToWall = 0.3, kFluidToSolid = 0.5;
-constexpr int kTries = 20000;  // of a grain to find room
+constexpr double kGrainToWall = 0.8, kGrainToGrain = 0.8, kFluidToWall = 0.3, kFluidToSolid = 0.5,
+                 kFluidToFluid = 0.45;
+constexpr int kTries = 20000;  // of a grain or particle to find room
 
 /// Places of solids' particles, for the question whether one is near.
 class OccupiedPlaces {
@@ -117,17 +117,39 @@ double add_grains(const SlurrySpace& space, double size, double share, std::mt19
   return volume;
 }
 
-/// `count` particles where no wall or solid is.
-void add_fluid(const SlurrySpace& space, std::size_t count, const OccupiedPlaces& occupied,
-               std::mt19937_64& random, FluidSimulation& simulation) {
+/// Thermal velocities, at rest as a whole: across a sheared box a fluid that drifts leaves its profile
+/// behind.
+std::vector<Eigen::Vector3d> thermal_velocities(std::size_t count, std::mt19937_64& random) {
   std::normal_distribution<double> speed;
-  std::vector<Eigen::Vector3d> places, velocities;
+  std::vector<Eigen::Vector3d> velocities;
+  Eigen::Vector3d mean = Eigen::Vector3d::Zero();
+  for (std::size_t k = 0; k < count; ++k) {
+    const double x = speed(random), y = speed(random), z = speed(random);
+    velocities.emplace_back(x, y, z);
+    mean += velocities.back() / static_cast<double>(count);
+  }
+  for (Eigen::Vector3d& velocity : velocities) velocity -= mean;
+  return velocities;
+}
+
+/// `count` particles where no wall or solid is, and apart from each other: what overlaps by chance would fly
+/// apart, and out through the walls.
+void add_fluid(const SlurrySpace& space, std::size_t count, double density, const OccupiedPlaces& solids,
+               std::mt19937_64& random, FluidSimulation& simulation) {
+  const double apart = kFluidToFluid * std::cbrt(SlurryMixture().density / density);
+  std::vector<Eigen::Vector3d> places, velocities = thermal_velocities(count, random);
+  OccupiedPlaces fluid(space.period);
+  int tries = 0;
   while (places.size() < count) {
     const Eigen::Vector3d place = random_place(space, random);
-    if (space.clearance(place) < kFluidToWall || occupied.any_near(place, kFluidToSolid)) continue;
+    if (space.clearance(place) < kFluidToWall || solids.any_near(place, kFluidToSolid)) continue;
+    if (++tries < kTries && fluid.any_near(place, apart)) continue;
+    tries = 0;
+    fluid.add(place);
+    Eigen::Vector3d& velocity = velocities[places.size()];
+    velocity.x() += simulation.settings().shear_rate * place.y();
+    if (space.flow) velocity += space.flow(place);
     places.push_back(place);
-    const double x = speed(random), y = speed(random), z = speed(random);
-    velocities.emplace_back(x + simulation.settings().shear_rate * place.y(), y, z);
   }
   simulation.add_fluid(places, velocities);
 }
@@ -181,16 +203,16 @@ FilledSlurry fill(const SlurrySpace& space, const SlurryMixture& mixture, std::u
     filled.grain_size.resize(grains.size(), size);
   }
   const double rate = simulation.settings().shear_rate;
-  for (RigidSetSpec& grain : grains) grain.velocity = {rate * grain.centre.y(), 0, 0};
+  for (RigidSetSpec& grain : grains) {
+    grain.velocity = {rate * grain.centre.y(), 0, 0};
+    if (space.flow) grain.velocity += space.flow(grain.centre);
+  }
   filled.first_grain = simulation.add_solids(grains);
   filled.solids = solid_volume / space.volume;
   const double fluid = mixture.density * (space.volume - solid_volume);
-  add_fluid(space, static_cast<std::size_t>(std::lround(fluid)), occupied, random, simulation);
+  add_fluid(space, static_cast<std::size_t>(std::lround(fluid)), mixture.density, occupied, random,
+            simulation);
   return filled;
-}
-
-int all_threads() {
-  return static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
 }
 
 }  // namespace diefill::process::laboratory::sawing

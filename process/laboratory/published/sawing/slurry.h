@@ -38,6 +38,8 @@ struct SlurrySpace {
   double volume = 0;  ///< r_c^3
   /// r_c, of a point from the nearest wall; below 0: not in the space.
   std::function<double(const Eigen::Vector3d&)> clearance;
+  /// The fluid's mean velocity at a point to begin with; nothing: that of the simulation's shear.
+  std::function<Eigen::Vector3d(const Eigen::Vector3d&)> flow = {};
 };
 
 /// Share of solids, and sizes (r_c) with equal shares of it.
@@ -57,8 +59,5 @@ struct FilledSlurry {
 /// Fills grains at random into the space, the largest first, and fluid between them.
 FilledSlurry fill(const SlurrySpace& space, const SlurryMixture& mixture, std::uint64_t seed,
                   engine::FluidSimulation& simulation);
-
-/// Threads of this machine; results do not depend on their number.
-int all_threads();
 
 }  // namespace diefill::process::laboratory::sawing

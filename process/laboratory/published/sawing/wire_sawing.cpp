@@ -1,15 +1,14 @@
 // Wire sawing (Bierwisch 2009, appendix A). No scene has a fluid of particles: quantities are measured in
-// runs of their own, one of each kind and seed, in reduced units.
+// runs of the experiment's own, in reduced units.
 #include "process/laboratory/published/sawing/wire_sawing.h"
 
 #include <algorithm>
 #include <cmath>
-#include <map>
-#include <memory>
 
 #include "process/laboratory/published/lab_powder.h"
 #include "process/laboratory/published/sawing/groove.h"
 #include "process/laboratory/published/sawing/groove_charts.h"
+#include "process/laboratory/published/sawing/kept_figures.h"
 #include "process/laboratory/published/sawing/viscosity.h"
 
 namespace diefill::process::laboratory {
@@ -17,71 +16,85 @@ namespace {
 
 using namespace sawing;
 
-/// Runs made once for each seed, when they are first asked for.
-template <class Figures>
-class Runs {
- public:
-  explicit Runs(std::function<Figures(std::uint64_t seed)> make) : make_(std::move(make)) {}
-  const Figures& of(std::uint64_t seed) {
-    const auto found = made_.find(seed);
-    return found != made_.end() ? found->second : made_.emplace(seed, make_(seed)).first->second;
-  }
-
- private:
-  std::function<Figures(std::uint64_t)> make_;
-  std::map<std::uint64_t, Figures> made_;
-};
-
 /// How much of the published experiment each size does.
 struct Extent {
-  std::vector<double> rates;                      ///< of the fluid
-  double fluid_edge, slurry_edge, groove_length;  ///< r_c
-  double longer;                                  ///< of all sampled times
+  std::vector<double> rates;                                   ///< of the fluid
+  double fluid_edge, slurry_edge, drag_length, groove_length;  ///< r_c
+  double longer;                                               ///< of all times
 };
 
 Extent extent_of(LabSize size) {
   switch (size) {
     case LabSize::coarse:
-      return {{0.1, 0.2}, 8, 12, 6, 1};
+      return {{0.1, 0.2}, 8, 10, 4, 6, 1};
     case LabSize::medium:
-      return {{0.05, 0.1, 0.2}, 10, 20, 12, 2};
+      return {{0.05, 0.1, 0.2}, 10, 20, 12, 12, 3};
     case LabSize::published:
       break;
   }
-  return {{0.02, 0.05, 0.1, 0.2}, 10, 30, 20, 10};
+  return {{0.02, 0.05, 0.1, 0.2}, 10, 30, 20, 20, 10};
 }
 
 int steps(double count, const Extent& extent) {
-  return static_cast<int>(count * extent.longer);
+  return static_cast<int>(std::lround(count * extent.longer));
 }
 
 constexpr double kSlurryRates[] = {0.1, 0.2};
 
+/// Noise between fluid and solids over that within the fluid: with less the fluid slips along wire and ingot,
+/// which it does not in the source (README.md).
+constexpr double kGrip = 4;
+
+/// Runs of one kind, and the shear rate of each.
+struct RunsAtRates {
+  std::vector<double> rates;
+  std::vector<std::string> names;
+};
+
+template <class Case>
+OwnRun own_run(const std::string& name, const Case& one) {
+  return {name, settings_text(one), work_of(one), [one](std::uint64_t seed, OwnRunWatch& watch) {
+            if constexpr (std::is_same_v<Case, GrooveCase>)
+              return text_of(saw(one, seed, watch));
+            else
+              return text_of(measure(one, seed, watch));
+          }};
+}
+
+/// The smaller the stress, the more of its scatter is averaged.
+ShearedSlurry sheared_fluid(double rate, const Extent& extent) {
+  constexpr double kAtOne = 300;  // steps, over the square of the rate
+  return {.edge = extent.fluid_edge,
+          .rate = rate,
+          .settling = 1000,
+          .sampled = steps(std::min(200000.0, kAtOne / (rate * rate)), extent)};
+}
+
+ShearedSlurry sheared_slurry(double rate, const Extent& extent) {
+  return {.edge = extent.slurry_edge,
+          .rate = rate,
+          .solids = 0.25,
+          .grip = kGrip,
+          .settling = 1000,
+          .sampled = steps(4000, extent)};
+}
+
+RunsAtRates add_sheared(const std::string& kind, const std::vector<double>& rates, const Extent& extent,
+                        ShearedSlurry (*slurry)(double, const Extent&), LabPlan& plan) {
+  RunsAtRates added{rates, {}};
+  for (const double rate : rates) {
+    added.names.push_back("sheared_" + kind + '_' + plain(rate));
+    plan.own_runs.push_back(own_run(added.names.back(), slurry(rate, extent)));
+  }
+  return added;
+}
+
 /// Viscosity at several shear rates.
 using Viscosities = std::vector<ShearedFigures>;
 
-Viscosities fluid_viscosities(const Extent& extent, std::uint64_t seed) {
+Viscosities viscosities(const RunsAtRates& runs, const SeedResults& seed) {
   Viscosities all;
-  for (const double rate : extent.rates) {  // the smaller the stress, the more of its scatter is averaged
-    constexpr double kAtOne = 500;          // steps, over the square of the rate
-    all.push_back(measure({.edge = extent.fluid_edge,
-                           .rate = rate,
-                           .settling = 1000,
-                           .sampled = steps(std::min(200000.0, kAtOne / (rate * rate)), extent)},
-                          seed));
-  }
-  return all;
-}
-
-Viscosities slurry_viscosities(const Extent& extent, std::uint64_t seed) {
-  Viscosities all;
-  for (const double rate : kSlurryRates)
-    all.push_back(measure({.edge = extent.slurry_edge,
-                           .rate = rate,
-                           .solids = 0.25,
-                           .settling = 2000,
-                           .sampled = steps(6000, extent)},
-                          seed));
+  for (const std::string& name : runs.names) all.push_back(sheared_figures(seed.own(name)));
   return all;
 }
 
@@ -110,51 +123,58 @@ constexpr SawingCase kCases[] = {{"17 m/s, 0.15 N/mm2", 17, 0.15},
                                  {"17 m/s, 1.5 N/mm2", 17, 1.5},
                                  {"4.25 m/s, 0.15 N/mm2", 4.25, 0.15}};
 
-GrooveFigures drag(const Extent& extent, std::uint64_t seed) {
-  return saw({.length = extent.groove_length,
-              .speed = kSpeed,
-              .settling = steps(6000, extent),
-              .sampled = steps(8000, extent)},
-             seed);
+constexpr std::size_t kNonContact = 0, kSemiContact = 1;  // of kCases
+constexpr const char *kAtRest = "fluid_at_rest", *kDrag = "drag";
+
+std::string groove_name(std::size_t k) {
+  return "groove_" + std::to_string(k + 1);
 }
 
-GrooveFigures saw_slurry(const SawingCase& one, const Extent& extent, std::uint64_t seed) {
-  return saw({.length = extent.groove_length,
-              .speed = kSpeed * one.speed / kSpeedOfProcess,
-              .pressure = one.pressure / ReducedUnits::pressure_of_process,
-              .solids = 0.25,
-              .settling = steps(8000, extent),
-              .sampled = steps(4000, extent)},
-             seed);
+GrooveCase drag(const Extent& extent) {
+  return {.length = extent.drag_length,
+          .speed = kSpeed,
+          .grip = kGrip,
+          .settling = steps(2500, extent),
+          .sampled = steps(3500, extent)};
+}
+
+GrooveCase sawing_case(std::size_t k, const Extent& extent) {
+  constexpr int kInstants = 60;
+  return {.length = extent.groove_length,
+          .speed = kSpeed * kCases[k].speed / kSpeedOfProcess,
+          .pressure = kCases[k].pressure / ReducedUnits::pressure_of_process,
+          .solids = 0.25,
+          .grip = kGrip,
+          .settling = steps(5000, extent),
+          .sampled = steps(3000, extent),
+          .instants = k == kNonContact || k == kSemiContact ? kInstants : 0};
 }
 
 /// All runs of the experiment.
 struct SawingRuns {
-  explicit SawingRuns(const Extent& extent)
-      : fluid([=](std::uint64_t seed) { return fluid_viscosities(extent, seed); }),
-        slurry([=](std::uint64_t seed) { return slurry_viscosities(extent, seed); }),
-        still([=](std::uint64_t seed) {
-          return measure({.edge = extent.fluid_edge, .rate = 0, .sampled = steps(2000, extent)}, seed);
-        }),
-        dragged([=](std::uint64_t seed) { return drag(extent, seed); }) {
-    for (const SawingCase& one : kCases)
-      sawn.emplace_back([=](std::uint64_t seed) { return saw_slurry(one, extent, seed); });
+  SawingRuns(const Extent& extent, LabPlan& plan) {
+    fluid = add_sheared("fluid", extent.rates, extent, sheared_fluid, plan);
+    slurry = add_sheared("slurry", {std::begin(kSlurryRates), std::end(kSlurryRates)}, extent, sheared_slurry,
+                         plan);
+    const ShearedSlurry at_rest{.edge = extent.fluid_edge, .rate = 0, .sampled = steps(2000, extent)};
+    plan.own_runs.push_back(own_run(kAtRest, at_rest));
+    plan.own_runs.push_back(own_run(kDrag, drag(extent)));
+    for (std::size_t k = 0; k < std::size(kCases); ++k)
+      plan.own_runs.push_back(own_run(groove_name(k), sawing_case(k, extent)));
   }
-  Runs<Viscosities> fluid, slurry;
-  Runs<ShearedFigures> still;
-  Runs<GrooveFigures> dragged;
-  std::vector<Runs<GrooveFigures>> sawn;
+  RunsAtRates fluid, slurry;
 };
 
-using SharedRuns = std::shared_ptr<SawingRuns>;
-using ValueOf = double (*)(SawingRuns& runs, std::uint64_t seed);
+using ValueOf = std::function<double(const SeedResults& seed)>;
 
-void add(LabPlan& plan, const SharedRuns& runs, const std::string& id, const std::string& quantity,
-         const std::string& unit, const ValueOf& value) {
-  plan.quantities.push_back(
-      {.id = id, .quantity = quantity, .unit = unit, .runs = {}, .value = [=](const SeedResults& seed) {
-         return value(*runs, seed.seed());
-       }});
+/// A quantity; without name and unit those of the published figure.
+void add(LabPlan& plan, const std::string& id, std::vector<std::string> runs, const ValueOf& value,
+         const std::string& quantity = "", const std::string& unit = "1") {
+  plan.quantities.push_back({.id = id,
+                             .quantity = quantity,
+                             .unit = quantity.empty() ? "" : unit,
+                             .runs = std::move(runs),
+                             .value = value});
 }
 
 /// Reynolds number (Eq. A.6): speed (m/s), gap (m), density (kg/m^3), viscosity (Pa s).
@@ -162,105 +182,134 @@ double reynolds(double speed, double gap, double density, double viscosity) {
   return speed * gap * density / viscosity;
 }
 
-void add_formulas(LabPlan& plan, const SharedRuns& runs) {
-  add(plan, runs, "Z06", "", "", [](SawingRuns&, std::uint64_t) { return reynolds(17, 20e-6, 1700, 0.2); });
-  add(plan, runs, "Z07", "", "",
-      [](SawingRuns&, std::uint64_t) { return reynolds(122, 4.4e-9, 1700, 0.34e-3); });
+void add_formulas(LabPlan& plan) {
+  add(plan, "Z06", {}, [](const SeedResults&) { return reynolds(17, 20e-6, 1700, 0.2); });
+  add(plan, "Z07", {}, [](const SeedResults&) { return reynolds(122, 4.4e-9, 1700, 0.34e-3); });
 }
 
-void add_viscosities(LabPlan& plan, const SharedRuns& runs) {
-  add(plan, runs, "Z01", "", "", [](SawingRuns& all, std::uint64_t seed) {
-    return ReducedUnits::viscosity * mean_viscosity(all.slurry.of(seed));
+void add_viscosities(const SawingRuns& runs, LabPlan& plan) {
+  const RunsAtRates fluid = runs.fluid, slurry = runs.slurry;
+  std::vector<std::string> both = fluid.names;
+  both.insert(both.end(), slurry.names.begin(), slurry.names.end());
+  add(plan, "Z01", slurry.names, [=](const SeedResults& seed) {
+    return ReducedUnits::viscosity * mean_viscosity(viscosities(slurry, seed));
   });
-  add(plan, runs, "Z02", "", "", [](SawingRuns& all, std::uint64_t seed) {
-    return mean_viscosity(all.slurry.of(seed)) / mean_viscosity(all.fluid.of(seed));
+  add(plan, "Z02", both, [=](const SeedResults& seed) {
+    return mean_viscosity(viscosities(slurry, seed)) / mean_viscosity(viscosities(fluid, seed));
   });
-  add(plan, runs, "Z03", "", "", [](SawingRuns& all, std::uint64_t seed) {
-    return ReducedUnits::viscosity * mean_viscosity(all.fluid.of(seed));
+  add(plan, "Z03", fluid.names, [=](const SeedResults& seed) {
+    return ReducedUnits::viscosity * mean_viscosity(viscosities(fluid, seed));
   });
-  add(plan, runs, "Z04", "", "",
-      [](SawingRuns& all, std::uint64_t seed) { return largest_difference(all.fluid.of(seed)); });
-  add(plan, runs, "SAW-temperature", "temperature of the fluid at rest over the one asked for", "1",
-      [](SawingRuns& all, std::uint64_t seed) { return all.still.of(seed).temperature; });
-  add(plan, runs, "SAW-pressure", "pressure of the fluid at rest at density 4.15, reduced", "1",
-      [](SawingRuns& all, std::uint64_t seed) { return all.still.of(seed).pressure; });
-  add(plan, runs, "SAW-solids", "share of solids in the slurry of the viscosity", "1",
-      [](SawingRuns& all, std::uint64_t seed) { return all.slurry.of(seed).front().solids; });
+  add(plan, "Z04", fluid.names,
+      [=](const SeedResults& seed) { return largest_difference(viscosities(fluid, seed)); });
+  add(
+      plan, "SAW-temperature", {kAtRest},
+      [](const SeedResults& seed) { return sheared_figures(seed.own(kAtRest)).temperature; },
+      "temperature of the fluid at rest over the one asked for");
+  add(
+      plan, "SAW-pressure", {kAtRest},
+      [](const SeedResults& seed) { return sheared_figures(seed.own(kAtRest)).pressure; },
+      "pressure of the fluid at rest at density 4.15, reduced");
+  add(
+      plan, "SAW-solids", slurry.names,
+      [=](const SeedResults& seed) { return viscosities(slurry, seed).front().solids; },
+      "share of solids in the slurry of the viscosity");
 }
 
-void add_drag(LabPlan& plan, const SharedRuns& runs) {
-  add(plan, runs, "Z05", "", "",
-      [](SawingRuns& all, std::uint64_t seed) { return line_through(all.dragged.of(seed).gap).r_squared; });
-  add(plan, runs, "SAW-slip-wire", "slip of the fluid at the wire over its speed", "1",
-      [](SawingRuns& all, std::uint64_t seed) {
-        return std::abs(1 - speed_at(all.dragged.of(seed).gap, GrooveCase().wire_radius) / kSpeed);
-      });
-  add(plan, runs, "SAW-slip-ingot", "slip of the fluid at the ingot over the speed of the wire", "1",
-      [](SawingRuns& all, std::uint64_t seed) {
-        return std::abs(speed_at(all.dragged.of(seed).gap, GrooveCase().groove_radius) / kSpeed);
-      });
+/// The fluid's speed in the gap.
+std::vector<GapSpeed> gap_of(const SeedResults& seed) {
+  return groove_figures(seed.own(kDrag)).gap;
 }
 
-constexpr std::size_t kNonContact = 0, kSemiContact = 1;  // of kCases
+void add_drag(LabPlan& plan) {
+  add(plan, "Z05", {kDrag}, [](const SeedResults& seed) { return line_through(gap_of(seed)).r_squared; });
+  add(
+      plan, "SAW-slip-wire", {kDrag},
+      [](const SeedResults& seed) {
+        return std::abs(1 - speed_at(gap_of(seed), GrooveCase().wire_radius) / kSpeed);
+      },
+      "slip of the fluid at the wire over its speed");
+  add(
+      plan, "SAW-slip-ingot", {kDrag},
+      [](const SeedResults& seed) {
+        return std::abs(speed_at(gap_of(seed), GrooveCase().groove_radius) / kSpeed);
+      },
+      "slip of the fluid at the ingot over the speed of the wire");
+}
 
-void add_sawing(LabPlan& plan, const SharedRuns& runs) {
-  add(plan, runs, "Z08", "", "", [](SawingRuns& all, std::uint64_t seed) {
-    return share_at_centre(all.sawn[kSemiContact].of(seed)) / share_at_centre(all.sawn[kNonContact].of(seed));
+GrooveFigures groove_of(const SeedResults& seed, std::size_t k) {
+  return groove_figures(seed.own(groove_name(k)));
+}
+
+/// A figure of the run in semi-contact over that of the one without.
+void add_ratio(const std::string& id, double (*figure)(const GrooveFigures&), LabPlan& plan) {
+  add(plan, id, {groove_name(kNonContact), groove_name(kSemiContact)}, [=](const SeedResults& seed) {
+    return figure(groove_of(seed, kSemiContact)) / figure(groove_of(seed, kNonContact));
   });
-  add(plan, runs, "Z09", "", "", [](SawingRuns& all, std::uint64_t seed) {
-    return stress_at_sides(all.sawn[kSemiContact].of(seed)) / stress_at_sides(all.sawn[kNonContact].of(seed));
-  });
-  for (std::size_t k = 0; k < std::size(kCases); ++k)
-    plan.quantities.push_back({.id = "SAW-distance-" + std::to_string(k + 1),
-                               .quantity = std::string("wire to ingot, ") + kCases[k].name,
-                               .unit = "um",
-                               .runs = {},
-                               .value = [=](const SeedResults& seed) {
-                                 return ReducedUnits::micrometres *
-                                        runs->sawn[k].of(seed.seed()).mean_distance;
-                               }});
+}
+
+void add_sawing(LabPlan& plan) {
+  add_ratio("Z08", share_at_centre, plan);
+  add_ratio("Z09", stress_at_sides, plan);
+  for (std::size_t k = 0; k < std::size(kCases); ++k) {
+    add(
+        plan, "SAW-distance-" + std::to_string(k + 1), {groove_name(k)},
+        [=](const SeedResults& seed) { return ReducedUnits::micrometres * groove_of(seed, k).mean_distance; },
+        std::string("wire to ingot, ") + kCases[k].name, "um");
+    add(
+        plan, "SAW-change-" + std::to_string(k + 1), {groove_name(k)},
+        [=](const SeedResults& seed) { return ReducedUnits::micrometres * late_change(groove_of(seed, k)); },
+        std::string("change of that distance in the last third of the run, ") + kCases[k].name, "um");
+  }
   for (const std::size_t k : {kNonContact, kSemiContact})
     for (std::size_t size = 0; size < SlurryMixture().sizes.size(); ++size)
-      plan.quantities.push_back(
-          {.id = "SAW-grains-" + std::to_string(k + 1) + '-' + std::to_string(size + 1),
-           .quantity = "grains of " + plain(ReducedUnits::micrometres * SlurryMixture().sizes[size]) +
-                       " um under more than 25 N/mm2, " + kCases[k].name,
-           .unit = "1",
-           .runs = {},
-           .value = [=](const SeedResults& seed) {
-             return grains_of(runs->sawn[k].of(seed.seed()), SlurryMixture().sizes[size]).high;
-           }});
+      add(
+          plan, "SAW-grains-" + std::to_string(k + 1) + '-' + std::to_string(size + 1), {groove_name(k)},
+          [=](const SeedResults& seed) {
+            return grains_of(groove_of(seed, k), SlurryMixture().sizes[size]).high;
+          },
+          "grains of " + plain(ReducedUnits::micrometres * SlurryMixture().sizes[size]) +
+              " um under more than 25 N/mm2, " + kCases[k].name);
 }
 
-std::vector<results::ExperimentChart> charts_of(const std::vector<double>& rates, SawingRuns& runs,
-                                                std::uint64_t seed) {
+/// Figures at the rates whose run is finished.
+ViscosityCurve curve_of(const RunsAtRates& runs, const SeedResults& seed) {
+  ViscosityCurve curve;
+  for (std::size_t k = 0; k < runs.names.size(); ++k) {
+    if (!seed.has(runs.names[k])) continue;
+    curve.rates.push_back(runs.rates[k]);
+    curve.figures.push_back(sheared_figures(seed.own(runs.names[k])));
+  }
+  return curve;
+}
+
+std::vector<results::ExperimentChart> charts_of(const SawingRuns& runs, const SeedResults& seed) {
   std::vector<results::ExperimentChart> charts = {
-      viscosity_chart(rates, runs.fluid.of(seed), {std::begin(kSlurryRates), std::end(kSlurryRates)},
-                      runs.slurry.of(seed)),
-      gap_chart(runs.dragged.of(seed).gap, kSpeed)};
+      viscosity_chart(curve_of(runs.fluid, seed), curve_of(runs.slurry, seed))};
+  if (seed.has(kDrag)) charts.push_back(gap_chart(gap_of(seed), kSpeed));
   std::vector<NamedGroove> all;
-  for (std::size_t k = 0; k < std::size(kCases); ++k)
-    all.push_back({kCases[k].name, kCases[k].pressure, &runs.sawn[k].of(seed)});
+  for (std::size_t k = 0; k < std::size(kCases); ++k) {
+    if (!seed.has(groove_name(k))) continue;
+    all.push_back({kCases[k].name, kCases[k].pressure, groove_of(seed, k)});
+    charts.push_back(section_chart(all.back(), k + 1));
+  }
+  if (all.empty()) return charts;
   charts.push_back(stress_chart(all));
   charts.push_back(distance_chart(all));
-  for (std::size_t k = 0; k < all.size(); ++k) charts.push_back(section_chart(all[k], k + 1));
+  charts.push_back(grain_chart(all));
   return charts;
 }
 
 }  // namespace
 
 LabPlan plan_wire_sawing(const LabSetting& setting) {
-  const Extent extent = extent_of(setting.size);
-  const auto runs = std::make_shared<SawingRuns>(extent);
   LabPlan plan;
-  plan.simulates = true;
-  add_formulas(plan, runs);
-  add_viscosities(plan, runs);
-  add_drag(plan, runs);
-  add_sawing(plan, runs);
-  plan.charts = [runs, rates = extent.rates](const std::vector<SeedResults>& seeds) {
-    return charts_of(rates, *runs, seeds.front().seed());
-  };
+  const SawingRuns runs(extent_of(setting.size), plan);
+  add_formulas(plan);
+  add_viscosities(runs, plan);
+  add_drag(plan);
+  add_sawing(plan);
+  plan.charts = [runs](const std::vector<SeedResults>& seeds) { return charts_of(runs, seeds.front()); };
   return plan;
 }
 

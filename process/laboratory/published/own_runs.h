@@ -1,0 +1,36 @@
+// Makes the runs of an experiment that no scene can say, several at a time, and keeps each in
+// `<run>/seed-<k>/` of the experiment's folder: result.json, whole or not at all, once it is done; until then
+// checkpoint.bin. A run is made again where its settings are others than those kept.
+#pragma once
+
+#include <stdexcept>
+#include <vector>
+
+#include "process/laboratory/published/perform.h"
+
+namespace diefill::process::laboratory {
+
+/// A run has been stopped; what it goes on from is kept.
+struct OwnRunStopped : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+/// s between two checkpoints.
+inline constexpr double kOwnCheckpoint = 60;
+
+/// Makes every run that is not finished, with `jobs.seeds` seeds from 1 on, one core each, within the budget
+/// in processor time that all have together, earlier calls included. Throws Interrupted when asked to stop,
+/// results::ResultError where results cannot be written.
+void make_own_runs(const std::vector<OwnRun>& runs, const LabJobs& jobs);
+
+/// A run as it is kept.
+struct KeptOwnRun {
+  bool finished = false;
+  std::string result;       ///< of a finished one
+  std::string failure;      ///< why it failed; empty: it did not
+  double core_seconds = 0;  ///< s of processor time so far
+};
+
+KeptOwnRun kept_own_run(const std::filesystem::path& directory, const OwnRun& run, std::uint64_t seed);
+
+}  // namespace diefill::process::laboratory
