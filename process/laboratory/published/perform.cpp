@@ -126,10 +126,14 @@ void measure(const LabQuantity& quantity, const FinishedRuns& runs, results::Lab
             std::fmax(row.grain_diameter, results::figure_of(seed.of(run), "grain_diameter_m"));
   }
   std::vector<double> values;
-  if (!quantity.over_seeds)
-    for (const SeedResults& seed : seeds) values.push_back(quantity.value(seed));
-  else if (seeds.size() > 1)
-    values.push_back(quantity.over_seeds(seeds));
+  try {
+    if (!quantity.over_seeds)
+      for (const SeedResults& seed : seeds) values.push_back(quantity.value(seed));
+    else if (seeds.size() > 1)
+      values.push_back(quantity.over_seeds(seeds));
+  } catch (const results::ResultError& error) {
+    row.reason = error.what();
+  }
   for (const double value : values)
     if (std::isfinite(value)) row.values.push_back(value);
 }
@@ -137,6 +141,22 @@ void measure(const LabQuantity& quantity, const FinishedRuns& runs, results::Lab
 /// A series that a legend would name in vain.
 bool has_no_value(const results::ExperimentSeries& series) {
   return std::none_of(series.y.begin(), series.y.end(), [](double value) { return std::isfinite(value); });
+}
+
+/// Charts of what there is; a result that lacks what they draw leaves them out, and `say` has the reason.
+std::vector<results::ExperimentChart> charts_of(const SceneExperiment& experiment, const LabPlan& plan,
+                                                const std::vector<SeedResults>& seeds, const Say& say) {
+  std::vector<results::ExperimentChart> charts;
+  try {
+    charts = plan.charts(seeds);
+  } catch (const results::ResultError& error) {
+    if (say) say(std::string("charts of ") + experiment.name + ": " + error.what());
+  }
+  for (auto& chart : charts) {
+    std::erase_if(chart.series, has_no_value);
+    if (chart.name == experiment.name) chart.name += "_chart";  // <experiment>.csv is the table
+  }
+  return charts;
 }
 
 results::LabRow row_of(const LabQuantity& quantity, const FinishedRuns& runs,
@@ -151,7 +171,7 @@ results::LabRow row_of(const LabQuantity& quantity, const FinishedRuns& runs,
   if (row.quantity.empty()) row.quantity = row.id;
   measure(quantity, runs, row);
   row.core_seconds = runs.core_seconds(quantity.runs);
-  row.reason = runs.why_missing(quantity.runs);
+  if (const std::string missing = runs.why_missing(quantity.runs); !missing.empty()) row.reason = missing;
   if (row.values.empty() && row.reason.empty())
     row.reason = quantity.over_seeds ? "takes two seeds at least" : "the results do not have it";
   row.verdict = published_powder || row.published.empty() ? verdict_of(row) : "-";
@@ -204,11 +224,7 @@ LabOutcome perform(const SceneExperiment& experiment, const LabSetting& setting,
   outcome.table.core_seconds = runs.core_seconds(all);
   for (const LabQuantity& quantity : plan.quantities)
     outcome.table.rows.push_back(row_of(quantity, runs, figures, setting.powder.empty()));
-  if (plan.charts) outcome.charts = plan.charts(runs.seeds());
-  for (auto& chart : outcome.charts) {
-    std::erase_if(chart.series, has_no_value);
-    if (chart.name == experiment.name) chart.name += "_chart";  // <experiment>.csv is the table
-  }
+  if (plan.charts) outcome.charts = charts_of(experiment, plan, runs.seeds(), jobs.say);
   return outcome;
 }
 

@@ -64,8 +64,8 @@ TimeCurve probe_curve(const SeedResults& seed, const std::string& run, const std
 }
 
 double start_of_motion(const SeedResults& seed, const std::string& run, const std::string& tool) {
-  for (const auto& stage : seed.of(run).stages)
-    if (stage.tool == tool) return stage.start;
+  for (const auto& stage : seed.of(run).stages)  // of several tools: "shoe, lid"
+    if ((", " + stage.tool + ", ").find(", " + tool + ", ") != std::string::npos) return stage.start;
   throw results::ResultError("run \"" + run + "\": tool \"" + tool + "\" has not moved");
 }
 

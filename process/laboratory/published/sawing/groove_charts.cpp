@@ -151,7 +151,7 @@ ExperimentChart section_chart(const NamedGroove& one, std::size_t number) {
   chart.name = "wire_sawing_section_" + std::to_string(number);
   chart.title = "Slice across the wire: " + one.name;
   chart.subtitle = "Particles of fluid, grains, wire and ingot at the end of the run";
-  chart.x = {.label = "Across [um]"};
+  chart.x = {.label = "Across [um]", .lower = -170, .upper = 170};  // both axes to one scale
   chart.y = {.label = "Height above the round bottom's middle [um]"};
   using Part = SectionPoint::Part;
   constexpr std::pair<Part, const char*> kParts[] = {

@@ -152,5 +152,48 @@ TEST(OwnRuns, AreCollectedWithoutBeingMade) {
   EXPECT_EQ(counting.steps, 200);
 }
 
+/// An experiment whose result lacks a column, with a chart of the experiment's own name.
+LabPlan plan_lacking(const LabSetting&) {
+  LabPlan plan;
+  plan.quantities = {
+      {.id = "lacking",
+       .quantity = "lacking",
+       .unit = "1",
+       .runs = {},
+       .value = [](const SeedResults&) -> double {
+         throw results::ResultError("the results have no \"level\"");
+       }},
+      {.id = "whole", .quantity = "whole", .unit = "1", .runs = {}, .value = [](const SeedResults&) {
+         return 2.0;
+       }}};
+  plan.charts = [](const std::vector<SeedResults>&) {
+    results::ExperimentChart chart;
+    chart.name = "lacking";
+    chart.series = {{.name = "one", .role = results::ExperimentSeries::Role::points, .x = {1}, .y = {2}}};
+    return std::vector{chart};
+  };
+  return plan;
+}
+
+TEST(Perform, AResultThatLacksSomethingLeavesTheOtherRows) {
+  const support::TemporaryFolder folder;
+  LabJobs jobs;
+  jobs.directory = folder.path();
+  const LabOutcome outcome = perform({"lacking", "what is left", plan_lacking}, {}, {}, jobs);
+  ASSERT_EQ(outcome.table.rows.size(), 2U);
+  EXPECT_EQ(outcome.table.rows[0].verdict, "no value");
+  EXPECT_EQ(outcome.table.rows[0].reason, "the results have no \"level\"");
+  EXPECT_EQ(outcome.table.rows[1].values, std::vector<double>{2});
+}
+
+TEST(Perform, ChartsDoNotHaveTheNameOfTheTable) {
+  const support::TemporaryFolder folder;
+  LabJobs jobs;
+  jobs.directory = folder.path();
+  const LabOutcome outcome = perform({"lacking", "what is left", plan_lacking}, {}, {}, jobs);
+  ASSERT_EQ(outcome.charts.size(), 1U);
+  EXPECT_EQ(outcome.charts[0].name, "lacking_chart");
+}
+
 }  // namespace
 }  // namespace diefill::process::laboratory
