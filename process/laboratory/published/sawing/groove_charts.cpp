@@ -188,14 +188,14 @@ ExperimentChart distance_chart(const std::vector<NamedGroove>& all) {
 ExperimentChart grain_chart(const std::vector<NamedGroove>& all) {
   ExperimentChart chart;
   chart.name = "wire_sawing_grains";
-  chart.title = "Grains under more than 25 N/mm2";
+  chart.title = "Grains under more than 5 N/mm2";
   chart.subtitle = "Share of the grains of each size, over the sampled steps";
   chart.x = {.label = "Grain size [um]"};
   chart.y = {.label = "Share of grains [1]", .lower = 0};
   add_runs(all, Role::measured, chart, [](const NamedGroove& one, ExperimentSeries& series) {
     for (const GrainStress& grains : one.figures.grains) {
       series.x.push_back(ReducedUnits::micrometres * grains.size);
-      series.y.push_back(grains.high);
+      series.y.push_back(grains.middle + grains.high);
     }
   });
   return chart;
