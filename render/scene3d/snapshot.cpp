@@ -108,13 +108,20 @@ void draw_foot(QPainter& painter, const SnapshotPicture& picture, const QString&
   draw_swatch(painter, {picture.scene.left() + 0.36 * picture.scene.width(), middle - 14}, grey, grey_means);
 }
 
+/// s in milliseconds' digits; shorter times, of the wire's groove, in microseconds.
+QString time_text(double time) {
+  constexpr double kMilli = 1e-3, kMicro = 1e-6;
+  if (time <= 0 || time >= kMilli) return QStringLiteral("t = %1 s").arg(time, 0, 'f', 3);
+  return QStringLiteral("t = %1 µs").arg(time / kMicro, 0, 'g', 3);
+}
+
 std::string subtitle_of(const results::FillResult& result) {
   std::string text = result.powder_name;
   const auto add = [&text](const QString& part) { text += (text.empty() ? "" : ", ") + part.toStdString(); };
   if (result.powder.grain_diameter > 0)
     add(QStringLiteral("grain size ") + QString::fromStdString(result.powder.sizes_text()));
   if (!result.powder.position.empty()) add(QStringLiteral("%1 grains").arg(result.powder.position.size()));
-  add(QStringLiteral("t = %1 s").arg(result.powder.time, 0, 'f', 3));
+  add(time_text(result.powder.time));
   return text;
 }
 
