@@ -6,6 +6,7 @@
 
 #include "process/laboratory/published/own_runs.h"
 #include "process/results/figure_table.h"
+#include "process/results/storage/result_file.h"
 #include "process/results/studies/job_cost.h"
 #include "process/run/assemble.h"
 #include "process/scene/folder_names.h"

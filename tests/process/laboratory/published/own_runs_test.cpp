@@ -7,6 +7,7 @@
 #include <fstream>
 
 #include "engine/numerics/out_of_range.h"
+#include "process/results/storage/result_file.h"
 #include "process/run/fill_run.h"
 #include "tests/support/temporary_folder.h"
 
