@@ -29,8 +29,8 @@ struct PictureRequest {
   std::optional<double> from, to;  ///< s, instants to compare
   double lower, upper;             ///< of colour scales; NaN: from the data
   std::string colour_by;           ///< of shaded views
-  std::string x;               ///< column of a probe along x; empty: the time
-  std::vector<std::string> y;  ///< columns of probes to draw; empty: those of the first probe
+  std::string x;                   ///< column of a probe along x; empty: the time
+  std::vector<std::string> y;      ///< columns of probes to draw; empty: those of the first probe
   render::SceneLook look;
   render::Camera camera;
   double width = 1600;  ///< pixels
