@@ -261,7 +261,7 @@ void add_bench(CLI::App& program, Action& chosen) {
   auto* copies =
       command->add_flag("--against-copies", options->against_copies,
                         "time N threads and N pinned programs of one thread in turns (N: --threads)");
-  command->add_option("--laps", options->laps, "laps of --against-copies")
+  command->add_option("--repeats", options->laps, "measurements of --against-copies; the median is printed")
       ->check(CLI::Range(1, 1000))
       ->needs(copies);
   command->add_flag("--json", options->json, "print JSON");

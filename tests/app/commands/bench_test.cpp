@@ -56,7 +56,7 @@ TEST(Bench, RacesThreadsAgainstCopies) {
       "bench",   "spheres", "--state",         (die.folder() / "bed.csv").string(),
       "--steps", "20",      "--against-copies"};
   auto alone = words;
-  alone.insert(alone.end(), {"--threads", "1", "--laps", "2", "--json"});
+  alone.insert(alone.end(), {"--threads", "1", "--repeats", "2", "--json"});
   const Outcome outcome = run_program(alone);
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
   const auto race = nlohmann::json::parse(outcome.out);
