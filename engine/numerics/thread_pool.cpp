@@ -1,47 +1,21 @@
 #include "engine/numerics/thread_pool.h"
 
-#include <oneapi/tbb/parallel_for.h>
-#include <oneapi/tbb/task_arena.h>
-
+#include <algorithm>
 #include <atomic>
 #include <chrono>
-#include <optional>
+#include <cstdint>
+#include <exception>
+#include <mutex>
+#include <thread>
+#include <utility>
 
+#include "engine/numerics/loop_shares.h"
 #include "engine/numerics/per_worker.h"
+#include "engine/numerics/work_range.h"
 
 namespace diefill::engine {
 
 namespace {
-
-/// Tells the thread sanitizer the order that oneTBB guarantees, because Debian's library is not instrumented:
-/// all before a parallel loop happens before its body, and all in its body before what follows. Costs nothing
-/// in other builds.
-class LoopOrder {
-#ifdef __SANITIZE_THREAD__
- public:
-  void begin() {
-    begun_.fetch_add(1, std::memory_order_release);
-  }
-  void enter() {
-    begun_.load(std::memory_order_acquire);
-  }
-  void leave() {
-    ended_.fetch_add(1, std::memory_order_release);
-  }
-  void end() {
-    ended_.load(std::memory_order_acquire);
-  }
-
- private:
-  std::atomic<unsigned> begun_{0}, ended_{0};
-#else
- public:
-  void begin() {}
-  void enter() {}
-  void leave() {}
-  void end() {}
-#endif
-};
 
 using Clock = std::chrono::steady_clock;
 
@@ -49,58 +23,172 @@ double seconds_since(Clock::time_point begin) {
   return std::chrono::duration<double>(Clock::now() - begin).count();
 }
 
+/// Waits for a moment without leaving the processor.
+void pause() {
+#if defined(__x86_64__)
+  __builtin_ia32_pause();
+#endif
+}
+
+/// Returns true as soon as `done` does, false when it has not for some tenths of a millisecond: long enough
+/// for the serial parts of a step. Others that want the processor get it after the first microseconds.
+template <class Done>
+bool awaited(const Done& done) {
+  constexpr int kPauses = 1000, kYields = 1000;
+  for (int k = 0; k < kPauses; ++k) {
+    if (done()) return true;
+    pause();
+  }
+  for (int k = 0; k < kYields; ++k) {
+    if (done()) return true;
+    std::this_thread::yield();
+  }
+  return done();
+}
+
 }  // namespace
 
-/// oneTBB's types, kept out of the header, and the times of its loops where they are wanted.
-class ThreadPool::Arena : public oneapi::tbb::task_arena {
+/// The threads, and the loop that they share. A loop is open while its number is odd. Who enters says so
+/// first and then looks whether the loop is still open; who closes it does so first and then waits for those
+/// inside. A thread that sleeps, or has lost its processor to another program, is not waited for.
+class ThreadPool::Team {
  public:
-  using task_arena::task_arena;
+  using Call = void (*)(const void* action, std::size_t k, std::size_t worker);
 
-  double loops = 0;
-  std::optional<PerWorker<double>> busy;
+  explicit Team(int threads) : members_(threads) {
+    const auto processors = static_cast<int>(std::thread::hardware_concurrency());
+    count_ = static_cast<std::size_t>(std::clamp(threads, 1, std::max(1, processors)));
+    for (std::size_t worker = 1; worker < count_; ++worker)
+      threads_.emplace_back([this, worker] { serve(worker); });
+  }
+
+  ~Team() {
+    ended_.store(true);
+    loop_.fetch_add(2);
+    loop_.notify_all();
+    for (auto& thread : threads_) thread.join();
+  }
+
+  Team(const Team&) = delete;
+  Team& operator=(const Team&) = delete;
+
+  /// Calls call(action, k, worker) for k in [0, count).
+  void run(std::size_t count, Call call, const void* action) {
+    const auto began = timed ? Clock::now() : Clock::time_point{};
+    call_ = call;
+    action_ = action;
+    LoopShares& shares = shares_of(call);
+    const auto borders = shares.borders(count);
+    for (std::size_t w = 0; w < count_; ++w) {
+      members_[w].range.set(borders[w], borders[w + 1]);
+      members_[w].taken = 0;
+    }
+    loop_.fetch_add(1);
+    loop_.notify_all();
+    work(0);
+    loop_.fetch_add(1);
+    for (std::size_t w = 1; w < count_; ++w)
+      while (!awaited([&] { return !members_[w].inside.load(); })) {
+      }
+    for (std::size_t w = 0; w < count_; ++w) shares.remember(w, members_[w].taken, count);
+    if (timed) loops += seconds_since(began);
+    if (failure_) std::rethrow_exception(std::exchange(failure_, nullptr));
+  }
+
+  double busy(std::size_t worker) { return members_[worker].busy; }
+  void forget_times() {
+    loops = 0;
+    for (std::size_t w = 0; w < count_; ++w) members_[w].busy = 0;
+  }
+
+  bool timed = false;
+  double loops = 0;  ///< s
+
+ private:
+  struct Member {
+    WorkRange range;
+    std::atomic<bool> inside{false};
+    std::size_t taken = 0;  ///< items in this loop
+    double busy = 0;        ///< s
+  };
+
+  LoopShares& shares_of(Call loop) {
+    for (auto& [known, shares] : shares_)
+      if (known == loop) return shares;
+    return shares_.emplace_back(loop, LoopShares(count_)).second;
+  }
+
+  /// What a thread of the team does until the end.
+  void serve(std::size_t worker) {
+    std::uint32_t last = 0;
+    while (!ended_.load()) {
+      if (!awaited([&] { return loop_.load() != last; })) loop_.wait(last);
+      last = loop_.load();
+      if (last % 2 == 0) continue;
+      members_[worker].inside.store(true);
+      if (loop_.load() == last) work(worker);
+      members_[worker].inside.store(false);
+    }
+  }
+
+  /// Own items from the front on, then those of others from the back.
+  void work(std::size_t worker) {
+    const auto entered = timed ? Clock::now() : Clock::time_point{};
+    try {
+      std::size_t taken = 0;
+      for (; const auto k = members_[worker].range.take_first(); ++taken) call_(action_, *k, worker);
+      for (std::size_t next = 1; next < count_; ++next)
+        for (; const auto k = members_[(worker + next) % count_].range.take_last(); ++taken)
+          call_(action_, *k, worker);
+      members_[worker].taken += taken;
+    } catch (...) {
+      fail(std::current_exception());
+    }
+    if (timed) members_[worker].busy += seconds_since(entered);
+  }
+
+  /// Keeps the first failure and leaves nothing to do.
+  void fail(std::exception_ptr failure) {
+    const std::lock_guard lock(failing_);
+    if (!failure_) failure_ = std::move(failure);
+    for (std::size_t w = 0; w < count_; ++w) members_[w].range.clear();
+  }
+
+  std::size_t count_ = 1;  ///< threads that run, with the calling one
+  PerWorker<Member> members_;
+  std::vector<std::pair<Call, LoopShares>> shares_;
+  Call call_ = nullptr;
+  const void* action_ = nullptr;
+  std::exception_ptr failure_;
+  std::mutex failing_;
+  std::atomic<bool> ended_{false};
+  alignas(128) std::atomic<std::uint32_t> loop_{0};
+  std::vector<std::thread> threads_;
 };
 
-ThreadPool::ThreadPool(int threads) : threads_(threads), arena_(std::make_unique<Arena>(threads)) {}
+ThreadPool::ThreadPool(int threads) : threads_(threads), team_(std::make_unique<Team>(threads)) {}
 ThreadPool::~ThreadPool() = default;
 ThreadPool::ThreadPool(ThreadPool&&) noexcept = default;
 ThreadPool& ThreadPool::operator=(ThreadPool&&) noexcept = default;
 
 void ThreadPool::time_loops() {
-  arena_->loops = 0;
-  arena_->busy.emplace(threads_);
+  team_->forget_times();
+  team_->timed = true;
 }
 
 LoopTimes ThreadPool::loop_times() const {
   LoopTimes times;
-  if (!arena_->busy) return times;
-  times.loops = arena_->loops;
+  if (!team_->timed) return times;
+  times.loops = team_->loops;
   for (int worker = 0; worker < threads_; ++worker)
-    times.busy.push_back((*arena_->busy)[static_cast<std::size_t>(worker)]);
+    times.busy.push_back(team_->busy(static_cast<std::size_t>(worker)));
   return times;
 }
 
 void ThreadPool::share_out(std::size_t count,
                            void (*call)(const void* action, std::size_t k, std::size_t worker),
                            const void* action) {
-  LoopOrder order;
-  order.begin();
-  const bool timed = arena_->busy.has_value();
-  const auto began = timed ? Clock::now() : Clock::time_point{};
-  arena_->execute([&] {
-    oneapi::tbb::parallel_for(
-        oneapi::tbb::blocked_range<std::size_t>(0, count, 1),
-        [&](const auto& range) {
-          order.enter();
-          const auto worker = static_cast<std::size_t>(oneapi::tbb::this_task_arena::current_thread_index());
-          const auto entered = timed ? Clock::now() : Clock::time_point{};
-          for (std::size_t k = range.begin(); k != range.end(); ++k) call(action, k, worker);
-          if (timed) (*arena_->busy)[worker] += seconds_since(entered);
-          order.leave();
-        },
-        oneapi::tbb::simple_partitioner());
-  });
-  order.end();
-  if (timed) arena_->loops += seconds_since(began);
+  team_->run(count, call, action);
 }
 
 }  // namespace diefill::engine

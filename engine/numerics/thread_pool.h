@@ -1,5 +1,7 @@
 // Threads of the engine. Work is divided into the same blocks for any number of threads, and sums over blocks
-// run in block order, so results do not depend on which thread computed what.
+// run in block order, so results do not depend on which thread computed what. A loop takes microseconds and a
+// step has several, so threads wait for the next one awake for a while, and each begins with the items that
+// it had in the last loop of the same length, which are still in its caches.
 #pragma once
 
 #include <cstddef>
@@ -14,9 +16,11 @@ struct LoopTimes {
   std::vector<double> busy;  ///< in actions, of each worker; the rest of `loops` it waited
 };
 
-/// Runs independent tasks on a fixed number of threads.
+/// Runs independent tasks on a fixed number of threads, of which the calling one is the first. One loop at a
+/// time.
 class ThreadPool {
  public:
+  /// No more threads run than this program may use processors: more would only wait for each other.
   explicit ThreadPool(int threads);
   ~ThreadPool();
   ThreadPool(ThreadPool&&) noexcept;
@@ -52,14 +56,14 @@ class ThreadPool {
   }
 
  private:
-  class Arena;
+  class Team;
 
   /// Calls call(action, k, worker), as for_each_by_worker() does.
   void share_out(std::size_t count, void (*call)(const void* action, std::size_t k, std::size_t worker),
                  const void* action);
 
   int threads_;
-  std::unique_ptr<Arena> arena_;
+  std::unique_ptr<Team> team_;
 };
 
 }  // namespace diefill::engine

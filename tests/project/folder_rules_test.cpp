@@ -19,7 +19,7 @@ struct Rule {
 /// The longest prefix wins, so that process/results is not ruled by process.
 const std::vector<Rule>& rules() {
   static const std::vector<Rule> all = {
-      {"engine/", {"engine/"}, {"Eigen/", "oneapi/tbb/"}},
+      {"engine/", {"engine/"}, {"Eigen/"}},
       {"geometry/", {"geometry/"}, {"Eigen/", "CGAL/", "assimp/", "voro++/", "oneapi/tbb/", "tbb/"}},
       {"geometry/cad/read_3mf.cpp", {"geometry/"}, {"Eigen/", "Model/COM/"}},
       {"geometry/cad/referred_files.cpp", {"geometry/"}, {"nlohmann/"}},

@@ -4,9 +4,15 @@
 #include <gtest/gtest.h>
 
 #include <atomic>
+#include <chrono>
+#include <optional>
+#include <stdexcept>
+#include <thread>
 #include <vector>
 
+#include "engine/numerics/loop_shares.h"
 #include "engine/numerics/per_worker.h"
+#include "engine/numerics/work_range.h"
 
 namespace diefill::engine {
 namespace {
@@ -36,6 +42,76 @@ TEST(ThreadPool, OneThreadIsWorkerZero) {
   std::size_t sum = 0;
   pool.for_each_by_worker(10, [&](std::size_t k, std::size_t worker) { sum += k + 100 * worker; });
   EXPECT_EQ(sum, 45U);
+}
+
+TEST(ThreadPool, ManyLoopsOfAllLengthsDoEachItemOnce) {
+  ThreadPool pool(3);
+  for (std::size_t loop = 0; loop < 3000; ++loop) {
+    const std::size_t count = loop % 50;
+    std::vector<std::atomic<int>> done(count);
+    pool.for_each(count, [&](std::size_t k) { ++done[k]; });
+    for (std::size_t k = 0; k < count; ++k) ASSERT_EQ(done[k], 1) << k << " of loop " << loop;
+  }
+}
+
+TEST(ThreadPool, WhatAnItemWritesIsThereAfterTheLoop) {
+  ThreadPool pool(2);
+  std::vector<std::size_t> values(40);
+  for (std::size_t loop = 1; loop <= 1000; ++loop) {
+    pool.for_each(values.size(), [&](std::size_t k) { values[k] += k; });
+    for (std::size_t k = 0; k < values.size(); ++k) ASSERT_EQ(values[k], k * loop);
+  }
+}
+
+TEST(ThreadPool, ThrowsWhatAnItemThrowsAndGoesOnAfterwards) {
+  ThreadPool pool(2);
+  const auto fails = [&] {
+    pool.for_each(100, [](std::size_t k) {
+      if (k == 70) throw std::runtime_error("item 70");
+    });
+  };
+  for (int loop = 0; loop < 100; ++loop) EXPECT_THROW(fails(), std::runtime_error);
+  std::atomic<int> done{0};
+  pool.for_each(100, [&](std::size_t) { ++done; });
+  EXPECT_EQ(done, 100);
+}
+
+TEST(ThreadPool, WakesThreadsThatHaveGoneToSleep) {
+  ThreadPool pool(2);
+  std::atomic<int> done{0};
+  for (int loop = 0; loop < 5; ++loop) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    pool.for_each(10, [&](std::size_t) { ++done; });
+  }
+  EXPECT_EQ(done, 50);
+}
+
+TEST(LoopShares, BeginsWithEqualSharesAndFollowsWhatWorkersDid) {
+  LoopShares shares(2);
+  EXPECT_EQ(shares.borders(10), (std::vector<std::size_t>{0, 5, 10}));
+  for (int loop = 0; loop < 200; ++loop) {
+    shares.remember(0, 7, 10);
+    shares.remember(1, 3, 10);
+  }
+  EXPECT_EQ(shares.borders(10), (std::vector<std::size_t>{0, 7, 10}));
+  EXPECT_EQ(shares.borders(100), (std::vector<std::size_t>{0, 70, 100}));
+}
+
+TEST(LoopShares, AWorkerWithoutItemsLeavesAllToOthers) {
+  LoopShares shares(3);
+  for (int loop = 0; loop < 500; ++loop)
+    shares.remember(2, 0, 9), shares.remember(1, 9, 9), shares.remember(0, 0, 9);
+  EXPECT_EQ(shares.borders(9), (std::vector<std::size_t>{0, 0, 9, 9}));
+}
+
+TEST(WorkRange, GivesItsItemsFromBothEnds) {
+  WorkRange range;
+  range.set(3, 6);
+  EXPECT_EQ(range.take_first(), 3U);
+  EXPECT_EQ(range.take_last(), 5U);
+  EXPECT_EQ(range.take_first(), 4U);
+  EXPECT_EQ(range.take_first(), std::nullopt);
+  EXPECT_EQ(range.take_last(), std::nullopt);
 }
 
 TEST(PerWorker, ValuesShareNoCacheLine) {
