@@ -7,6 +7,8 @@
 #include <numbers>
 #include <vector>
 
+#include "process/measure/figures/line_fit.h"
+
 namespace diefill::process {
 namespace {
 
@@ -38,16 +40,12 @@ std::vector<Top> surface(const results::PowderState& powder, const Eigen::Vector
 
 /// dz/dx of the line of least squares.
 double gradient(const std::vector<Top>& tops) {
-  double mean_x = 0, mean_z = 0, covariance = 0, variance = 0;
+  std::vector<double> x, z;
   for (const Top& top : tops) {
-    mean_x += top.x / static_cast<double>(tops.size());
-    mean_z += top.z / static_cast<double>(tops.size());
+    x.push_back(top.x);
+    z.push_back(top.z);
   }
-  for (const Top& top : tops) {
-    covariance += (top.x - mean_x) * (top.z - mean_z);
-    variance += (top.x - mean_x) * (top.x - mean_x);
-  }
-  return covariance / variance;
+  return fit_line(x, z).slope;
 }
 
 }  // namespace

@@ -4,28 +4,22 @@
 #include <cmath>
 #include <map>
 
+#include "process/measure/figures/line_fit.h"
+
 namespace diefill::process::laboratory {
 namespace {
 
 constexpr double kBeyond = 0.02, kFitted = 0.6, kPeak = 0.2;  // shares of grains, of columns
 
-/// height = level + slope x, by least squares.
-struct Line {
-  double level, slope;
-
-  double at(double x) const { return level + slope * x; }
-};
-
 using Surface = std::vector<std::pair<double, double>>;  // x, height in m, from the toe up
 
-Line line_through(const Surface& surface, std::size_t from, std::size_t to) {
-  double n = 0, x = 0, z = 0, xx = 0, xz = 0;
+FittedLine line_through(const Surface& surface, std::size_t from, std::size_t to) {
+  std::vector<double> x, height;
   for (std::size_t k = from; k < to; ++k) {
-    const auto& [place, height] = surface[k];
-    ++n, x += place, z += height, xx += place * place, xz += place * height;
+    x.push_back(surface[k].first);
+    height.push_back(surface[k].second);
   }
-  const double slope = (n * xz - x * z) / (n * xx - x * x);
-  return {(z - slope * x) / n, slope};
+  return fit_line(x, height);
 }
 
 /// From the toe up, x counted toward the peak.
@@ -58,7 +52,7 @@ HeapShape heap_shape(const results::PowderState& powder, const Eigen::Vector3d& 
     return static_cast<std::size_t>(std::lround(of * static_cast<double>(columns)));
   };
   const std::size_t outside = share(0.5 * (1 - kFitted)), highest = std::max<std::size_t>(1, share(kPeak));
-  const Line line = line_through(surface, outside, columns - outside);
+  const FittedLine line = line_through(surface, outside, columns - outside);
   std::sort(along.begin(), along.end());
   const double last = along[static_cast<std::size_t>(kBeyond * static_cast<double>(along.size()))];
   const double foot = (from.z() - line.level) / line.slope;

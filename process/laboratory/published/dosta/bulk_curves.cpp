@@ -7,6 +7,7 @@
 
 #include "process/input/scene_error.h"
 #include "process/laboratory/published/csv_fields.h"
+#include "process/measure/figures/line_fit.h"
 #include "process/results/storage/result_file.h"
 
 namespace diefill::process::laboratory {
@@ -71,19 +72,13 @@ double start_of_motion(const SeedResults& seed, const std::string& run, const st
 
 double slope_of(const TimeCurve& curve, double from, double to) {
   constexpr double kRounding = 1e-9;  // s
-  double count = 0, time = 0, value = 0, squares = 0, products = 0;
+  std::vector<double> time, value;
   for (std::size_t k = 0; k < curve.time.size(); ++k) {
     if (curve.time[k] < from - kRounding || curve.time[k] > to + kRounding) continue;
-    // From the window's start, so that no digits are lost.
-    const double since = curve.time[k] - from;
-    ++count;
-    time += since;
-    value += curve.value[k];
-    squares += since * since;
-    products += since * curve.value[k];
+    time.push_back(curve.time[k]);
+    value.push_back(curve.value[k]);
   }
-  if (count < 2) return kNone;
-  return (count * products - time * value) / (count * squares - time * time);
+  return fit_line(time, value).slope;
 }
 
 double value_at(const TimeCurve& curve, double time) {

@@ -14,18 +14,16 @@ using Role = ExperimentSeries::Role;
 constexpr double kCentre = 30, kSides = 100;  // um, of the groove's surface
 constexpr double kAtWalls = 0.5;              // r_c, of the gap
 
-/// Least squares of speed over x(radius).
+/// Speed over x(radius), of all of the gap but its borders.
 template <class Abscissa>
-Line fit(const std::vector<GapSpeed>& gap, const Abscissa& x) {
-  double count = 0, sx = 0, sy = 0, sxx = 0, sxy = 0, syy = 0;
+FittedLine fit(const std::vector<GapSpeed>& gap, const Abscissa& x) {
+  std::vector<double> place, speed;
   for (const GapSpeed& at : gap) {
     if (at.radius < gap.front().radius + kAtWalls || at.radius > gap.back().radius - kAtWalls) continue;
-    const double a = x(at.radius), b = at.speed;
-    ++count, sx += a, sy += b, sxx += a * a, sxy += a * b, syy += b * b;
+    place.push_back(x(at.radius));
+    speed.push_back(at.speed);
   }
-  const double xx = sxx - sx * sx / count, xy = sxy - sx * sy / count, yy = syy - sy * sy / count;
-  const double slope = xy / xx;
-  return {(sy - slope * sx) / count, slope, xy * xy / (xx * yy)};
+  return fit_line(place, speed);
 }
 
 ExperimentSeries series_of(const std::string& name, Role role) {
@@ -55,13 +53,12 @@ void add_runs(const std::vector<NamedGroove>& all, Role role, ExperimentChart& c
 
 }  // namespace
 
-Line line_through(const std::vector<GapSpeed>& gap) {
+FittedLine line_through(const std::vector<GapSpeed>& gap) {
   return fit(gap, [](double radius) { return radius; });
 }
 
 double speed_at(const std::vector<GapSpeed>& gap, double radius) {
-  const Line line = fit(gap, [](double r) { return std::log(r); });
-  return line.offset + line.slope * std::log(radius);
+  return fit(gap, [](double r) { return std::log(r); }).at(std::log(radius));
 }
 
 double share_at_centre(const GrooveFigures& figures) {

@@ -6,16 +6,14 @@
 
 #include "process/laboratory/published/sawing/groove.h"
 #include "process/laboratory/published/sawing/viscosity.h"
+#include "process/measure/figures/line_fit.h"
 #include "process/results/studies/experiment_result.h"
 
 namespace diefill::process::laboratory::sawing {
 
-/// Speed over the radius, least squares.
-struct Line {
-  double offset = 0, slope = 0, r_squared = 0;
-};
-/// Through all of the gap but half a unit at either wall, where particles lie in layers.
-Line line_through(const std::vector<GapSpeed>& gap);
+/// Speed over the radius, through all of the gap but half a unit at either wall, where particles lie in
+/// layers.
+FittedLine line_through(const std::vector<GapSpeed>& gap);
 /// The fluid's speed at a wall of this radius: of the profile between two cylinders, which is a line over the
 /// logarithm of the radius, through the same places.
 double speed_at(const std::vector<GapSpeed>& gap, double radius);
