@@ -87,23 +87,21 @@ class Constraints {
 }  // namespace
 
 SolidQuery::Known OffsetSurface::nearest_at(const Eigen::Vector3d& place,
-                                            const Eigen::Vector3d& near_boundary,
-                                            TriangleTree::Region& region, std::size_t step,
+                                            const Eigen::Vector3d& near_boundary, std::size_t step,
                                             Trail* trail) const {
-  if (trail != nullptr && step < trail->size()) return query_.signed_nearest(place, (*trail)[step], region);
-  const SolidQuery::Known nearest = query_.signed_nearest(place, (place - near_boundary).norm(), region);
+  if (trail != nullptr && step < trail->size()) return query_.signed_nearest(place, (*trail)[step]);
+  const SolidQuery::Known nearest = query_.signed_nearest(place, (place - near_boundary).norm());
   if (trail != nullptr) trail->push_back(nearest);
   return nearest;
 }
 
 std::optional<OffsetSurface::Place> OffsetSurface::settle(const Eigen::Vector3d& guess,
-                                                          Eigen::Vector3d near_boundary,
-                                                          TriangleTree::Region& region, double& thickness,
+                                                          Eigen::Vector3d near_boundary, double& thickness,
                                                           Trail* trail) const {
   Eigen::Vector3d place = guess;
   Constraints constraints;
   for (std::size_t step = 0; step < kSettleSteps; ++step) {
-    const SolidQuery::Known nearest = nearest_at(place, near_boundary, region, step, trail);
+    const SolidQuery::Known nearest = nearest_at(place, near_boundary, step, trail);
     near_boundary = nearest.point;
     // Moves may lead through the opposite face of a wedge; the guess itself has to be inside.
     if ((step == 0 && !nearest.inside) || nearest.distance == 0) return std::nullopt;
@@ -125,9 +123,8 @@ std::optional<OffsetSurface::Place> OffsetSurface::settle(const Eigen::Vector3d&
 
 std::optional<double> OffsetSurface::thickness_between_opposite_faces(
     const Eigen::Vector3d& guess, const Eigen::Vector3d& near_boundary) const {
-  TriangleTree::Region region;
   double thickness = 0;
-  if (settle(guess, near_boundary, region, thickness, nullptr) || thickness == 0) return std::nullopt;
+  if (settle(guess, near_boundary, thickness, nullptr) || thickness == 0) return std::nullopt;
   return thickness;
 }
 

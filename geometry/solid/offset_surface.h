@@ -25,20 +25,19 @@ class OffsetSurface {
   /// line at depth R below both faces of a convex edge, say); one too deep is moved towards the nearest point
   /// of the boundary. Empty when the guess is outside or the solid is too thin there. Soonest where
   /// `near_boundary` is about the point of the boundary nearest to the guess; the answer does not depend on
-  /// it, nor on `region`, which is best that of a guess near by.
-  std::optional<Place> settle(const Eigen::Vector3d& guess, const Eigen::Vector3d& near_boundary,
-                              TriangleTree::Region& region) const {
+  /// it.
+  std::optional<Place> settle(const Eigen::Vector3d& guess, const Eigen::Vector3d& near_boundary) const {
     double thickness = 0;
-    return settle(guess, near_boundary, region, thickness, nullptr);
+    return settle(guess, near_boundary, thickness, nullptr);
   }
   /// Answers on the way from a guess to its place, for reuse.
   using Trail = std::vector<SolidQuery::Known>;
   /// The same, faster where `trail` is of a guess that differs by rounding alone;
   /// fills it where it is empty.
   std::optional<Place> settle(const Eigen::Vector3d& guess, const Eigen::Vector3d& near_boundary,
-                              TriangleTree::Region& region, Trail& trail) const {
+                              Trail& trail) const {
     double thickness = 0;
-    return settle(guess, near_boundary, region, thickness, &trail);
+    return settle(guess, near_boundary, thickness, &trail);
   }
 
   /// Places farther than this many R from the guess are another part of the tool: settle() finds none there.
@@ -59,10 +58,10 @@ class OffsetSurface {
   double depth() const { return depth_; }
 
  private:
-  std::optional<Place> settle(const Eigen::Vector3d& guess, Eigen::Vector3d near_boundary,
-                              TriangleTree::Region& region, double& thickness, Trail* trail) const;
+  std::optional<Place> settle(const Eigen::Vector3d& guess, Eigen::Vector3d near_boundary, double& thickness,
+                              Trail* trail) const;
   SolidQuery::Known nearest_at(const Eigen::Vector3d& place, const Eigen::Vector3d& near_boundary,
-                               TriangleTree::Region& region, std::size_t step, Trail* trail) const;
+                               std::size_t step, Trail* trail) const;
 
   SolidQuery query_;
   double depth_;

@@ -173,17 +173,15 @@ SolidQuery::SignedNearest SolidQuery::signed_nearest(const Eigen::Vector3d& poin
   return implementation_->signed_by(implementation_->tree.nearest(point), point);
 }
 
-SolidQuery::Known SolidQuery::signed_nearest(const Eigen::Vector3d& point, double guess,
-                                             TriangleTree::Region& region) const {
-  return implementation_->signed_by(implementation_->tree.nearest(point, guess, region), point);
+SolidQuery::Known SolidQuery::signed_nearest(const Eigen::Vector3d& point, double guess) const {
+  return implementation_->signed_by(implementation_->tree.nearest(point, guess), point);
 }
 
-SolidQuery::Known SolidQuery::signed_nearest(const Eigen::Vector3d& point, const Known& known,
-                                             TriangleTree::Region& region) const {
+SolidQuery::Known SolidQuery::signed_nearest(const Eigen::Vector3d& point, const Known& known) const {
   // No other triangle is nearly as near, so this margin makes none of them the nearest.
   constexpr double kRounding = 1e-11;
   if (!known.alone || (point - known.asked).norm() > kRounding * known.distance)
-    return signed_nearest(point, (point - known.point).norm(), region);
+    return signed_nearest(point, (point - known.point).norm());
   TriangleTree::Hit hit;
   hit.triangle = known.tree_triangle;
   hit.foot = closest_point(implementation_->tree.corners(hit.triangle), point);

@@ -38,11 +38,10 @@ class SolidQuery {
     std::uint32_t tree_triangle;  ///< number in tree()
     bool alone;                   ///< TriangleTree::Hit::alone
   };
-  /// The same, faster where the surface is within `guess` (m) of the point or little farther and `region` is
-  /// that of a question about a near place.
-  Known signed_nearest(const Eigen::Vector3d& point, double guess, TriangleTree::Region& region) const;
+  /// The same, faster where the surface is within `guess` (m) of the point or little farther.
+  Known signed_nearest(const Eigen::Vector3d& point, double guess) const;
   /// The same, fastest where `known` is of a point that differs by rounding alone.
-  Known signed_nearest(const Eigen::Vector3d& point, const Known& known, TriangleTree::Region& region) const;
+  Known signed_nearest(const Eigen::Vector3d& point, const Known& known) const;
   bool inside(const Eigen::Vector3d& point) const;
   /// Distance to the surface in m, negative inside the solid.
   double signed_distance(const Eigen::Vector3d& point) const;

@@ -72,10 +72,10 @@ Hole HoleFinder::find(const SurfaceSample& sample, const Eigen::Vector3d& place,
 Eigen::Vector3d HoleFinder::below(const SurfaceSample& sample) {
   const OffsetSurface& offset = layout_.offset();
   const Eigen::Vector3d guess = sample.at_depth(offset.depth());
-  if (const auto place = offset.settle(guess, sample.point, region_)) return place->centre;
+  if (const auto place = offset.settle(guess, sample.point)) return place->centre;
   const double thickness = offset.thickness(sample.point, sample.normal);
   const Eigen::Vector3d inside = sample.point - thickness / 2 * sample.normal;
-  if (const auto place = offset.settle(inside, sample.point, region_)) return place->centre;
+  if (const auto place = offset.settle(inside, sample.point)) return place->centre;
   if (const auto narrow = offset.thickness_between_opposite_faces(inside, sample.point))
     throw_too_thin(sample.point, *narrow, offset.depth());
   return guess;
@@ -112,7 +112,7 @@ std::optional<Hole> HoleFinder::hole_at(const Eigen::Vector3d& guess, const Eige
     way.guess = guess;
     way.trail.clear();
   }
-  const auto place = layout_.offset().settle(guess, surface_point, region_, way.trail);
+  const auto place = layout_.offset().settle(guess, surface_point, way.trail);
   if (!place) return std::nullopt;
   return Hole{place->centre, distance_to_nearest(place->centre, limit())};
 }

@@ -59,7 +59,6 @@ class HoleFinder {
   NearPoints near_;
   /// Many samples see the same centres, between which the way is the same but for rounding.
   SpatialCache<Way, 256> ways_;
-  TriangleTree::Region region_;  ///< where the last guesses were
 };
 
 }  // namespace diefill::geometry

@@ -35,14 +35,13 @@ WallLayout::WallLayout(const OffsetSurface& offset, double spacing,
 
 std::optional<OffsetSurface::Place> WallLayout::add(const Eigen::Vector3d& guess, const Eigen::Vector3d& foot,
                                                     double least_distance) {
-  return keep(settled(guess, foot, region_), least_distance);
+  return keep(settled(guess, foot), least_distance);
 }
 
 std::optional<OffsetSurface::Place> WallLayout::settled(const Eigen::Vector3d& guess,
-                                                        const Eigen::Vector3d& foot,
-                                                        TriangleTree::Region& region) const {
+                                                        const Eigen::Vector3d& foot) const {
   if (!wanted_(foot)) return std::nullopt;
-  return offset_.settle(guess, foot, region);
+  return offset_.settle(guess, foot);
 }
 
 std::optional<OffsetSurface::Place> WallLayout::keep(const std::optional<OffsetSurface::Place>& place,
@@ -65,12 +64,11 @@ void WallLayout::add_grid(const Strip& strip) {
   for (std::size_t begin = 0; begin < all; begin += places.size()) {
     places.assign(std::min(kAtATime, all - begin), std::nullopt);
     in_parts_on_all_cores(places.size(), [&](std::size_t first, std::size_t end) {
-      TriangleTree::Region region;
       for (std::size_t k = first; k < end; ++k) {
         const auto i = static_cast<double>((begin + k) / across),
                    j = static_cast<double>((begin + k) % across);
         const StripPoint point = strip.at(i * u.length, strip.low + j * v.length, offset_.depth());
-        places[k] = settled(point.centre, point.foot, region);
+        places[k] = settled(point.centre, point.foot);
       }
     });
     for (const auto& place : places) keep(place, least_distance);

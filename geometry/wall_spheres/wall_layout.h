@@ -36,10 +36,9 @@ class WallLayout {
   static constexpr double kLeastDistance = 0.7;
 
  private:
-  /// Where the guess settles; none where no sphere is of use. Several threads may ask at once, each with a
-  /// region of its own.
-  std::optional<OffsetSurface::Place> settled(const Eigen::Vector3d& guess, const Eigen::Vector3d& foot,
-                                              TriangleTree::Region& region) const;
+  /// Where the guess settles; none where no sphere is of use. Several threads may ask at once.
+  std::optional<OffsetSurface::Place> settled(const Eigen::Vector3d& guess,
+                                              const Eigen::Vector3d& foot) const;
   /// Adds a settled place as add() does.
   std::optional<OffsetSurface::Place> keep(const std::optional<OffsetSurface::Place>& place,
                                            double least_distance);
@@ -48,7 +47,6 @@ class WallLayout {
   double spacing_;
   std::function<bool(const Eigen::Vector3d&)> wanted_;
   PointGrid centres_;
-  TriangleTree::Region region_;  ///< where add() settled its last guess
 };
 
 }  // namespace diefill::geometry

@@ -20,7 +20,9 @@ struct Rule {
 const std::vector<Rule>& rules() {
   static const std::vector<Rule> all = {
       {"engine/", {"engine/"}, {"Eigen/"}},
-      {"geometry/", {"geometry/"}, {"Eigen/", "CGAL/", "assimp/", "voro++/", "oneapi/tbb/", "tbb/"}},
+      {"geometry/",
+       {"geometry/"},
+       {"Eigen/", "CGAL/", "assimp/", "embree3/", "voro++/", "oneapi/tbb/", "tbb/"}},
       {"geometry/cad/read_3mf.cpp", {"geometry/"}, {"Eigen/", "Model/COM/"}},
       {"geometry/cad/referred_files.cpp", {"geometry/"}, {"nlohmann/"}},
       {"geometry/cad/read_curved_faces.cpp",

@@ -63,12 +63,13 @@ Search search(const std::vector<double>& values, double ShearedSlurry::*quantity
   return found;
 }
 
-/// Slope of the logarithm of the error over that of the step.
+/// Slope of the logarithm of the error over that of the step, from the usual step on: below it the error is
+/// no more than a few times its scatter.
 double order_of(const ExperimentSeries& series) {
-  constexpr double kScatter = 0.01;  // smaller errors are mostly scatter
+  constexpr double kUsual = 0.01;
   std::vector<double> step, error;
   for (std::size_t k = 0; k < series.x.size(); ++k) {
-    if (series.y[k] < kScatter) continue;
+    if (series.x[k] < kUsual) continue;
     step.push_back(std::log(series.x[k]));
     error.push_back(std::log(series.y[k]));
   }

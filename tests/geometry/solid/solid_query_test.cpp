@@ -76,8 +76,7 @@ TEST(SolidQuery, AnswersTheSameWhateverTheGuess) {
     if (i % 4 == 0) point.y() = 0;
     const SolidQuery::SignedNearest plain = query.signed_nearest(point);
     for (const double factor : {0.0, 0.5, 1 - 1e-9, 1 - 1e-12, 1.0, 1 + 1e-12, 1 + 1e-9, 1.5, 100.0}) {
-      TriangleTree::Region region;
-      expect_same(query.signed_nearest(point, factor * plain.distance, region), plain);
+      expect_same(query.signed_nearest(point, factor * plain.distance), plain);
     }
   }
 }
@@ -86,14 +85,13 @@ TEST(SolidQuery, AnswersTheSameWhereverItAskedBefore) {
   const SolidQuery query(sample::tube(0.008, 0.012, 0.01, 720));
   std::mt19937 random(5);
   std::uniform_real_distribution<double> step(-1, 1), length(-6, -2);
-  TriangleTree::Region region;
   Eigen::Vector3d point(0.008, 0, 0.005);
   for (int i = 0; i < 3000; ++i) {
     // Mostly a little farther along, now and then far away.
     point += std::pow(10, length(random)) * Eigen::Vector3d(step(random), step(random), step(random));
     if (point.norm() > 0.02) point = Eigen::Vector3d(0, i % 3 == 0 ? 0 : 0.01, 0.005);
     const SolidQuery::SignedNearest plain = query.signed_nearest(point);
-    expect_same(query.signed_nearest(point, (1 + 0.1 * (i % 4)) * plain.distance, region), plain);
+    expect_same(query.signed_nearest(point, (1 + 0.1 * (i % 4)) * plain.distance), plain);
   }
 }
 
