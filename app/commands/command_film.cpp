@@ -1,8 +1,12 @@
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <fstream>
 #include <limits>
+#include <sstream>
+#include <stdexcept>
 #include <thread>
 
 #include "app/commands/film_command.h"
@@ -15,6 +19,7 @@
 #include "app/pictures/in_processes.h"
 #include "app/pictures/picture_files.h"
 #include "app/pictures/source_names.h"
+#include "process/compare/child_process.h"
 #include "process/input/scene_error.h"
 #include "process/results/storage/result_file.h"
 
@@ -108,12 +113,17 @@ int film(const FilmArguments& arguments) {
 }  // namespace
 
 void make_film(const fs::path& directory, const fs::path& to, const std::string& colour_by) {
-  FilmArguments arguments;
-  arguments.directories = {directory.string()};
-  arguments.out = to.string();
-  arguments.look.colour_by = colour_by;
-  arguments.look.width = kFilmWidth;
-  film(arguments);
+  const fs::path log = to.string() + ".log";
+  fs::remove(log);
+  process::ChildProcess program({fs::read_symlink("/proc/self/exe").string(), "film", directory.string(),
+                                 "--out", to.string(), "--colour-by", colour_by},
+                                log);
+  while (!program.ended()) std::this_thread::sleep_for(std::chrono::milliseconds(50));
+  std::stringstream said;
+  said << std::ifstream(log).rdbuf();
+  if (*program.ended() != kDone) throw std::runtime_error("film " + directory.string() + ": " + said.str());
+  fs::remove(log);
+  std::printf("%s", said.str().c_str());
 }
 
 void add_film(CLI::App& program, Action& chosen) {

@@ -123,6 +123,7 @@ void make_films(const fs::path& directory, const laboratory::SceneExperiment& on
   for (const auto& run : one.plan(setting_of(arguments)).own_runs) {
     const fs::path results = directory / run.name / "seed-1";
     if (!fs::exists(results / "results.h5")) continue;
+    if (arguments.film && !arguments.quiet) std::fprintf(stderr, "film of %s\n", run.name.c_str());
     if (arguments.film)
       make_film(results, directory / (run.name + ".mp4"), "diameter");
     else

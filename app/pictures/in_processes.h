@@ -7,9 +7,9 @@
 
 namespace diefill::app {
 
-/// Calls `work` for every number below `count`, in `jobs` processes that see memory as it is now and leave
-/// Throws std::runtime_error where one fails; it has said why on
-/// standard error.
+/// Calls `work` for every number below `count`, in `jobs` processes that see memory as it is now and leave no
+/// trace in it. Only where nothing has been drawn yet: forks have none of the threads that drawing starts.
+/// Throws std::runtime_error where one fails; it has said why on standard error.
 void in_processes(std::size_t count, std::size_t jobs, const std::function<void(std::size_t)>& work);
 
 }  // namespace diefill::app
