@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <exception>
 #include <mutex>
+#include <system_error>
 #include <thread>
 #include <utility>
 
@@ -58,8 +59,12 @@ class ThreadPool::Team {
   explicit Team(int threads) : members_(threads) {
     const auto processors = static_cast<int>(std::thread::hardware_concurrency());
     count_ = static_cast<std::size_t>(std::clamp(threads, 1, std::max(1, processors)));
-    for (std::size_t worker = 1; worker < count_; ++worker)
-      threads_.emplace_back([this, worker] { serve(worker); });
+    try {
+      for (std::size_t worker = 1; worker < count_; ++worker)
+        threads_.emplace_back([this, worker] { serve(worker); });
+    } catch (const std::system_error&) {
+      count_ = threads_.size() + 1;  // the system gives no more; with fewer, every result is the same
+    }
   }
 
   ~Team() {

@@ -3,7 +3,6 @@
 #include <embree3/rtcore.h>
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <stdexcept>
 
@@ -55,7 +54,6 @@ class TriangleTree::Scene {
     rtcCommitGeometry(geometry);
     rtcAttachGeometry(scene_, geometry);
     rtcReleaseGeometry(geometry);
-    begun_.store(true, std::memory_order_release);
     rtcCommitScene(scene_);
     if (rtcGetDeviceError(device()) != RTC_ERROR_NONE) {
       rtcReleaseScene(scene_);
@@ -94,8 +92,6 @@ class TriangleTree::Scene {
   /// Called on all cores.
   static void give_box(const RTCBoundsFunctionArguments* asked) {
     const auto& scene = *static_cast<const Scene*>(asked->geometryUserPtr);
-    // Debian's Embree is not built for the thread sanitizer, which learns the order from this.
-    scene.begun_.load(std::memory_order_acquire);
     const Box box = box_of(scene.tree_.triangles_[asked->primID]);
     const Eigen::Vector3d lower = box.lower - scene.middle_, upper = box.upper - scene.middle_;
     RTCBounds& bounds = *asked->bounds_o;
@@ -129,7 +125,6 @@ class TriangleTree::Scene {
   const TriangleTree& tree_;
   Eigen::Vector3d middle_;  ///< m
   RTCScene scene_;
-  std::atomic<bool> begun_{false};
 };
 
 TriangleTree::TriangleTree(std::size_t count, const std::function<Corners(std::size_t)>& corners_of)
