@@ -14,19 +14,18 @@ class LoopShares {
  public:
   explicit LoopShares(std::size_t workers) : share_(workers, 1 / static_cast<double>(workers)) {}
 
-  /// First item of each worker, and behind the last one `count`.
-  std::vector<std::size_t> borders(std::size_t count) const {
-    std::vector<std::size_t> borders;
-    borders.reserve(share_.size() + 1);
-    borders.push_back(0);
+  /// Calls use(worker, begin, end) with the items of [0, count) that each worker begins with.
+  template <class Use>
+  void divide(std::size_t count, const Use& use) const {
     double upto = 0;
-    for (const double share : share_) {
-      upto += share;
+    std::size_t begin = 0;
+    for (std::size_t worker = 0; worker < share_.size(); ++worker) {
+      upto += share_[worker];
       const auto border = static_cast<std::size_t>(std::lround(upto * static_cast<double>(count)));
-      borders.push_back(std::clamp(border, borders.back(), count));
+      const std::size_t end = worker + 1 == share_.size() ? count : std::clamp(border, begin, count);
+      use(worker, begin, end);
+      begin = end;
     }
-    borders.back() = count;
-    return borders;
   }
 
   /// `worker` did `taken` of `count` items. One loop counts little: any may have met a busy processor.

@@ -83,11 +83,10 @@ class ThreadPool::Team {
     call_ = call;
     action_ = action;
     LoopShares& shares = shares_of(call);
-    const auto borders = shares.borders(count);
-    for (std::size_t w = 0; w < count_; ++w) {
-      members_[w].range.set(borders[w], borders[w + 1]);
-      members_[w].taken = 0;
-    }
+    shares.divide(count, [&](std::size_t worker, std::size_t begin, std::size_t end) {
+      members_[worker].range.set(begin, end);
+      members_[worker].taken = 0;
+    });
     loop_.fetch_add(1);
     loop_.notify_all();
     work(0);

@@ -1,7 +1,7 @@
 // Threads of the engine. Work is divided into the same blocks for any number of threads, and sums over blocks
 // run in block order, so results do not depend on which thread computed what. A loop takes microseconds and a
 // step has several, so threads wait for the next one awake for a while, and each begins with the items that
-// it had in the last loop of the same length, which are still in its caches.
+// it had when this loop last ran, which are still in its caches.
 #pragma once
 
 #include <cstddef>

@@ -67,8 +67,8 @@ class TriangleTree::Scene {
 
   /// The nearest triangle, if it is within `reach` (m); another one, or none, otherwise.
   Hit nearest_within(double reach, const Eigen::Vector3d& point) const {
-    Question question{this, point, kFarther * (point - middle_).cwiseAbs().maxCoeff(), {}};
-    question.margin += kFarther * (tree_.box_.upper - middle_).maxCoeff();
+    const double farthest = (point - middle_).cwiseAbs().maxCoeff() + (tree_.box_.upper - middle_).maxCoeff();
+    Question question{this, point, kFarther * farthest, {}};
     const Eigen::Vector3f place = (point - middle_).cast<float>();
     alignas(16) RTCPointQuery sphere{place.x(), place.y(), place.z(), 0, question.radius_for(reach)};
     RTCPointQueryContext context;
