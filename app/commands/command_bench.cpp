@@ -34,7 +34,7 @@ struct BenchOptions {
   std::string bed, law = "bierwisch";
   std::optional<std::string> state, trace;
   double width = 0;  ///< mm, of the box that `state` fills; 0: that of its kind
-  int threads = 1, steps = 600, copies = 1, every = 100, laps = 5;
+  int threads = 1, steps = 600, copies = 1, every = 100, repeats = 5;
   std::size_t spheres = 50000;
   bool json = false, against_copies = false;
 
@@ -171,7 +171,7 @@ int against_copies(const BenchOptions& options) {
   CopiesRace race;
   race.words = words_of_bench(options);
   race.threads = options.threads;
-  race.laps = options.laps;
+  race.repeats = options.repeats;
   race.json = options.json;
   return race_against_copies(race);
 }
@@ -261,7 +261,7 @@ void add_bench(CLI::App& program, Action& chosen) {
   auto* copies =
       command->add_flag("--against-copies", options->against_copies,
                         "time N threads and N pinned programs of one thread in turns (N: --threads)");
-  command->add_option("--repeats", options->laps, "measurements of --against-copies; the median is printed")
+  command->add_option("--repeats", options->repeats, "measurements of --against-copies; the median is printed")
       ->check(CLI::Range(1, 1000))
       ->needs(copies);
   command->add_flag("--json", options->json, "print JSON");

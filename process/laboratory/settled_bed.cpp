@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "engine/observe/energy_balance.h"
 #include "process/laboratory/bed_contacts.h"
+#include "process/laboratory/layer_profile.h"
 #include "process/measure/measure.h"
 #include "process/powder/material.h"
 #include "process/run/fill_run.h"
@@ -100,43 +100,6 @@ results::ToolState wall_state(const engine::WallBodySpec& body) {
   return tool;
 }
 
-/// Share of the horizontal plane that lies in grains' spheres, every d / 20: falls to 0 at the ground by
-/// itself. Exact for spheres that do not overlap (model D).
-void layer_profile(const BedSpec& spec, const results::PowderState& powder, BedFigures& figures) {
-  const double d = powder.grain_diameter, step = d / 20, radius = powder.sphere_radius;
-  const auto centres = powder.sphere_centres();
-  double top = 0;
-  for (const auto& centre : centres) top = std::max(top, centre[2]);
-  for (double z = 0; z < top - 2 * d; z += step) {
-    double area = 0;
-    for (const auto& centre : centres) {
-      const double away = centre[2] - z;
-      area += std::numbers::pi * std::max(0.0, radius * radius - away * away);
-    }
-    figures.height.push_back(z / d);
-    figures.fraction.push_back(area / (spec.width * spec.depth));
-  }
-}
-
-/// Smallest fraction between the ground's first layer and two grain sizes up, and where the bulk value is
-/// reached for good.
-void ground_figures(BedFigures& figures) {
-  constexpr double kNearGround = 2;  // d
-  constexpr double kWithin = 0.1;
-  const auto near = static_cast<std::size_t>(
-      std::lower_bound(figures.height.begin(), figures.height.end(), kNearGround) - figures.height.begin());
-  figures.lowest_fraction_near_ground = 1;
-  // The final drop is where the profile only falls towards the ground: it ends at the first maximum seen from
-  // there.
-  std::size_t first = 1;
-  while (first + 1 < near && figures.fraction[first + 1] >= figures.fraction[first]) ++first;
-  for (std::size_t k = first; k < near; ++k) {
-    figures.lowest_fraction_near_ground = std::min(figures.lowest_fraction_near_ground, figures.fraction[k]);
-    if (std::abs(figures.fraction[k] / figures.bulk_fraction - 1) > kWithin)
-      figures.bulk_reached_at = figures.height[k];
-  }
-}
-
 void fraction_figures(const BedSpec& spec, const engine::Simulation& simulation,
                       const std::vector<engine::WallBodySpec>& walls, BedFigures& figures) {
   const auto powder = powder_state(simulation, simulation.settings().shape(), spec.powder.grain_diameter);
@@ -152,8 +115,12 @@ void fraction_figures(const BedSpec& spec, const engine::Simulation& simulation,
     ++count;
   }
   figures.arithmetic_fraction = count > 0 ? sum / count : 0;
-  layer_profile(spec, powder, figures);
-  ground_figures(figures);
+  const LayerProfile profile = layer_profile(powder, spec.width * spec.depth);
+  const NearGround near = near_ground(profile, figures.bulk_fraction);
+  figures.height = profile.height;
+  figures.fraction = profile.share;
+  figures.lowest_fraction_near_ground = near.lowest_share;
+  figures.bulk_reached_at = near.bulk_reached_at;
 }
 
 }  // namespace

@@ -65,12 +65,36 @@ void tell_unfilled(const Scene& scene, const results::FillResult& result, std::v
   lines.push_back(kAlert + std::string(text));
 }
 
+bool holds_powder(const ToolSpec& tool) {
+  return tool.role == ToolRole::die || tool.role == ToolRole::shoe;
+}
+
+/// True if a step shakes a tool that also holds powder outside the cavity.
+bool shakes_bed(const Scene& scene) {
+  const auto holds = [&](const std::string& name) {
+    return std::any_of(scene.tools.begin(), scene.tools.end(),
+                       [&](const ToolSpec& tool) { return tool.name == name && holds_powder(tool); });
+  };
+  return std::any_of(scene.steps.begin(), scene.steps.end(), [&](const auto& step) {
+    const std::vector<std::string> moved = step->tools();
+    return step->stays() && std::any_of(moved.begin(), moved.end(), holds);
+  });
+}
+
+void tell_shaken_bed(const Scene& scene, const results::FillResult& result, std::vector<std::string>& lines) {
+  if (!std::isfinite(figure(result, "fill_ratio")) || !shakes_bed(scene)) return;
+  lines.emplace_back(
+      "shaking also packed the powder outside the cavity, which the fill ratio refers to; compare ways of "
+      "shaking by filled mass of model powder or mean solid fraction");
+}
+
 }  // namespace
 
 std::vector<std::string> outcome_text(const Scene& scene, const results::FillResult& result) {
   std::vector<std::string> lines;
   tell_lost(scene, result, lines);
   tell_unfilled(scene, result, lines);
+  tell_shaken_bed(scene, result, lines);
   return lines;
 }
 

@@ -1,12 +1,12 @@
 #!/bin/sh
 # Races diefill against LAMMPS on settled beds: the same state and contact law, double precision, one pinned core, in
-# turns, because machines are noisy. Prints every lap and the median of the laps' ratios.
+# turns, because machines are noisy. Prints every measurement and the median of their ratios.
 #
 #   sh tests/benchmark/against_lammps.sh BEDS ["RACE ..."] [LAPS] [STEPS]
 #
 # RACE: clumps, spheres (law of Bierwisch 2009), hertz-mindlin, jkr (spheres under laws composed of parts).
 # BEDS: folder with clumps.csv.gz, spheres.csv.gz, to_lammps.py and lammps/in.clumps, lammps/in.spheres.
-# Environment: DIEFILL (program, default build/bin/diefill), CORE (default 0), CSV (file that laps are added to).
+# Environment: DIEFILL (program, default build/bin/diefill), CORE (default 0), CSV (file that measurements are added to).
 # What differs between the codes: diefill also keeps energy accounts and deepest overlaps in every step, chooses its own
 # skin, and turns clumps by forces at the contact point (half the overlap inside the surface), LAMMPS at the surface.
 set -eu
@@ -14,7 +14,7 @@ set -eu
 [ $# -ge 1 ] || { sed -n '2,11s/^# \{0,1\}//p' "$0" >&2; exit 2; }
 beds=$1
 which=${2:-clumps spheres hertz-mindlin jkr}
-laps=${3:-7}
+repeats=${3:-7}
 steps=${4:-600}
 core=${CORE:-0}
 here=$(cd "$(dirname "$0")/../.." && pwd)
@@ -37,7 +37,7 @@ law_of() { case $1 in hertz-mindlin | jkr) echo "$1" ;; *) echo bierwisch ;; esa
 normal_of() { case $1 in jkr) echo "jkr 1.82e7 0.5 0.3 0.005" ;; *) echo "hertz/material 1.82e7 0.5 0.3" ;; esac; }
 
 # Million sphere-steps a second of one run of each.
-lap_of_lammps() { # race spheres
+speed_of_lammps() { # race spheres
   case $1 in
     hertz-mindlin | jkr) folder=$here/tests/benchmark/laws input=in.spheres ;;
     *) folder=$beds/lammps input=in.$1 ;;
@@ -46,7 +46,7 @@ lap_of_lammps() { # race spheres
     -var normal "$(normal_of "$1")" -var steps "$steps" -log none -screen "$work/screen" >/dev/null)
   awk -v n="$2" -v steps="$steps" '/^Loop time of/ { seconds = $4 } END { printf "%.4f", n * steps / seconds / 1e6 }' "$work/screen"
 }
-lap_of_diefill() { # race
+speed_of_diefill() { # race
   taskset -c "$core" "$diefill" bench "$(bed_of "$1")" --law "$(law_of "$1")" --state "$beds/$(bed_of "$1").csv.gz" \
     --steps "$steps" | awk '/^sphere_steps_per_second/ { printf "%.4f", $2 / 1e6 }'
 }
@@ -55,18 +55,18 @@ for race in $which; do
   spheres=50000
   [ "$race" = clumps ] && spheres=49000
   python3 "$beds/to_lammps.py" "$(bed_of "$race")" "$work/$(bed_of "$race").data"
-  echo "$race: million sphere-steps a second on core $core, $steps steps a lap"
+  echo "$race: million sphere-steps a second on core $core, $steps steps a measurement"
   : >"$work/ratios"
-  lap=1
-  while [ "$lap" -le "$laps" ]; do
-    ours=$(lap_of_diefill "$race")
-    theirs=$(lap_of_lammps "$race" "$spheres")
+  repeat=1
+  while [ "$repeat" -le "$repeats" ]; do
+    ours=$(speed_of_diefill "$race")
+    theirs=$(speed_of_lammps "$race" "$spheres")
     ratio=$(awk -v a="$ours" -v b="$theirs" 'BEGIN { printf "%.3f", a / b }')
-    echo "  lap $lap: diefill $ours, LAMMPS $theirs, ratio $ratio"
+    echo "  repeat $repeat: diefill $ours, LAMMPS $theirs, ratio $ratio"
     echo "$ratio" >>"$work/ratios"
-    [ -z "${CSV:-}" ] || echo "$race,$lap,$ours,$theirs,$ratio" >>"$CSV"
-    lap=$((lap + 1))
+    [ -z "${CSV:-}" ] || echo "$race,$repeat,$ours,$theirs,$ratio" >>"$CSV"
+    repeat=$((repeat + 1))
   done
   sort -n "$work/ratios" | awk -v race="$race" '{ r[NR] = $1 }
-    END { m = NR % 2 ? r[(NR + 1) / 2] : (r[NR / 2] + r[NR / 2 + 1]) / 2; printf "%s: median ratio %.2f of %d laps\n", race, m, NR }'
+    END { m = NR % 2 ? r[(NR + 1) / 2] : (r[NR / 2] + r[NR / 2 + 1]) / 2; printf "%s: median ratio %.2f of %d repeats\n", race, m, NR }'
 done

@@ -1,7 +1,7 @@
 // What several sizes and several powders cost over one powder of one size: settled beds of each, timed in
 // turns in one run, as processor time per sphere and step and per touching pair. Quote ratios: machines are
 // noisy.
-//   ninja mixed_powders && bin/mixed_powders [LAPS] [STEPS] [SPHERES]
+//   ninja mixed_powders && bin/mixed_powders [REPEATS] [STEPS] [SPHERES]
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -130,7 +130,7 @@ double timed(Simulation& simulation, int steps, double per) {
   return 1e9 * static_cast<double>(std::clock() - began) / CLOCKS_PER_SEC / (per * steps);
 }
 
-void race(bool clumps, bool composed, int laps, int steps,
+void race(bool clumps, bool composed, int repeats, int steps,
           const std::vector<std::unique_ptr<Simulation>>& beds) {
   const auto all = powders(clumps);
   std::vector<std::vector<double>> per_sphere(beds.size()), per_contact(beds.size()),
@@ -142,7 +142,7 @@ void race(bool clumps, bool composed, int laps, int steps,
   const auto spheres = [&](std::size_t b) {
     return static_cast<double>(beds[b]->grains().size() * beds[b]->types().spheres());
   };
-  for (int lap = 0; lap < laps; ++lap)
+  for (int k = 0; k < repeats; ++k)
     for (std::size_t b = 0; b < beds.size(); ++b) {
       per_sphere[b].push_back(timed(*beds[b], steps, spheres(b)));
       per_contact[b].push_back(per_sphere[b].back() * spheres(b) /
@@ -158,14 +158,14 @@ void race(bool clumps, bool composed, int laps, int steps,
   std::fflush(stdout);
 }
 
-void race_all(int laps, int steps, std::size_t count) {
+void race_all(int repeats, int steps, std::size_t count) {
   std::puts(
       "grains,law,powder,spheres,touching_pairs_per_sphere,ns_per_sphere_step,ns_per_contact,"
       "over_one_per_sphere_step,over_one_per_contact");
   for (const bool clumps : {false, true}) {
     std::vector<std::unique_ptr<Simulation>> beds;
     for (const Powder& powder : powders(clumps)) beds.push_back(bed_of(powder, clumps, count));
-    for (const bool composed : {false, true}) race(clumps, composed, laps, steps, beds);
+    for (const bool composed : {false, true}) race(clumps, composed, repeats, steps, beds);
   }
 }
 

@@ -2,7 +2,7 @@
 // packing, Bierwisch's law, sums) in double and in single precision, in turns in one run, with places
 // relative to the block and sums in double. The kernel is a plain one, the same lines for both, so that only
 // the numbers' width differs.
-//   ninja single_precision && bin/single_precision spheres|clumps BED.csv.gz [LAPS]
+//   ninja single_precision && bin/single_precision spheres|clumps BED.csv.gz [REPEATS]
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -268,7 +268,7 @@ double own_step(engine::Simulation& simulation, double spheres, int steps) {
   return 1e9 * (processor_time() - began) / (spheres * steps);
 }
 
-void race(process::laboratory::RaceBed kind, const std::string& file, int laps) {
+void race(process::laboratory::RaceBed kind, const std::string& file, int repeats) {
   const auto bed = process::laboratory::read_race_bed(kind, file);
   engine::Simulation simulation(bed.settings, bed.walls);
   simulation.add_grains(bed.grains);
@@ -291,21 +291,21 @@ void race(process::laboratory::RaceBed kind, const std::string& file, int laps) 
   const double weight =
       9.81 * simulation.shape_of(0).mass / static_cast<double>(simulation.types().spheres());
   print_errors(wide, narrow, 2 * radius, weight);
-  std::puts("lap,precision,distances_ns,contacts_ns,law_ns_of_these,own_step_ns");
+  std::puts("repeat,precision,distances_ns,contacts_ns,law_ns_of_these,own_step_ns");
   // The lists above belong to the blocks, which a search would change: steps are timed on another.
   engine::Simulation other(bed.settings, bed.walls);
   other.add_grains(bed.grains);
   own_step(other, spheres, 100);
   std::vector<double> gains, law_gains;
   constexpr int kRounds = 40;
-  for (int lap = 1; lap <= laps; ++lap) {
+  for (int repeat = 1; repeat <= repeats; ++repeat) {
     Times of_wide, of_narrow;
     for (int round = 0; round < kRounds; ++round) compute(wide, law, of_wide);
     for (int round = 0; round < kRounds; ++round) compute(narrow, narrow_law, of_narrow);
     const double step = own_step(other, spheres, kRounds);
     const auto row = [&](const char* name, const Times& times) {
       const double per = 1e9 / (spheres * kRounds);
-      std::printf("%d,%s,%.2f,%.2f,%.2f,%.2f\n", lap, name, per * times.distances, per * times.contacts,
+      std::printf("%d,%s,%.2f,%.2f,%.2f,%.2f\n", repeat, name, per * times.distances, per * times.contacts,
                   per * times.law, step);
     };
     row("double", of_wide);
@@ -328,7 +328,7 @@ void race(process::laboratory::RaceBed kind, const std::string& file, int laps) 
 int main(int count, char** words) {
   using diefill::process::laboratory::RaceBed;
   if (count < 3) {
-    std::fputs("usage: single_precision spheres|clumps BED.csv.gz [LAPS]\n", stderr);
+    std::fputs("usage: single_precision spheres|clumps BED.csv.gz [REPEATS]\n", stderr);
     return 2;
   }
   const bool clumps = std::string(words[1]) == "clumps";

@@ -108,33 +108,33 @@ double median(std::vector<double> values) {
   return values.size() % 2 == 1 ? values[half] : 0.5 * (values[half - 1] + values[half]);
 }
 
-double median_of(const ordered_json& laps, const char* name) {
+double median_of(const ordered_json& repeats, const char* name) {
   std::vector<double> values;
-  for (const auto& lap : laps) values.push_back(lap.at(name).get<double>());
+  for (const auto& repeat : repeats) values.push_back(repeat.at(name).get<double>());
   return median(values);
 }
 
-/// One lap: the threads, then the copies.
-ordered_json lap_of(const CopiesRace& race, const std::vector<int>& processors) {
+/// One measurement: the threads, then the copies.
+ordered_json threads_and_copies(const CopiesRace& race, const std::vector<int>& processors) {
   const ordered_json threads = measured(race, {{processors, race.threads}}).front();
   std::vector<Measurement> copies;
   for (const int processor : processors) copies.push_back({{processor}, 1});
   double together = 0;
   for (const ordered_json& copy : measured(race, copies)) together += rate(copy);
-  ordered_json lap;
-  lap["threads"] = rate(threads);
-  lap["copies"] = together;
-  lap["ratio"] = rate(threads) / together;
+  ordered_json repeat;
+  repeat["threads"] = rate(threads);
+  repeat["copies"] = together;
+  repeat["ratio"] = rate(threads) / together;
   for (const char* name : {"serial_share", "waiting_share", "blocks", "bytes_per_step", "seconds_per_step"})
-    lap[name] = threads.at(name);
-  return lap;
+    repeat[name] = threads.at(name);
+  return repeat;
 }
 
 void print(const ordered_json& outcome, int threads) {
-  for (const auto& lap : outcome.at("laps"))
+  for (const auto& repeat : outcome.at("repeats"))
     std::printf("%d threads %.2f, copies %.2f million sphere-steps/s, ratio %.3f\n", threads,
-                1e-6 * lap.at("threads").get<double>(), 1e-6 * lap.at("copies").get<double>(),
-                lap.at("ratio").get<double>());
+                1e-6 * repeat.at("threads").get<double>(), 1e-6 * repeat.at("copies").get<double>(),
+                repeat.at("ratio").get<double>());
   std::printf("median ratio: %.3f\n", outcome.at("ratio").get<double>());
   std::printf("serial: %.1f %% of the step; waiting in loops: %.1f %% of the time of all threads\n",
               100 * outcome.at("serial_share").get<double>(),
@@ -155,15 +155,15 @@ int race_against_copies(const CopiesRace& race) {
                               "; use fewer threads");
   processors.resize(static_cast<std::size_t>(race.threads));
   ordered_json outcome;
-  for (int lap = 0; lap < race.laps; ++lap) outcome["laps"].push_back(lap_of(race, processors));
+  for (int k = 0; k < race.repeats; ++k) outcome["repeats"].push_back(threads_and_copies(race, processors));
   for (const char* name : {"ratio", "serial_share", "waiting_share"})
-    outcome[name] = median_of(outcome["laps"], name);
+    outcome[name] = median_of(outcome["repeats"], name);
   const StepCounts counts = {race.threads,
-                             median_of(outcome["laps"], "seconds_per_step"),
+                             median_of(outcome["repeats"], "seconds_per_step"),
                              outcome["serial_share"].get<double>(),
                              outcome["waiting_share"].get<double>(),
-                             outcome["laps"][0]["blocks"].get<double>(),
-                             outcome["laps"][0]["bytes_per_step"].get<double>()};
+                             outcome["repeats"][0]["blocks"].get<double>(),
+                             outcome["repeats"][0]["bytes_per_step"].get<double>()};
   for (const int more : {16, 64}) {
     const Foretold foretold = foretell(counts, more);
     outcome["foretold"].push_back(

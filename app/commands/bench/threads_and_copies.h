@@ -11,11 +11,11 @@ namespace diefill::app {
 struct CopiesRace {
   std::vector<std::string> words;  ///< of `diefill bench`, without threads
   int threads = 2;
-  int laps = 5;
+  int repeats = 5;
   bool json = false;
 };
 
-/// Runs threads and copies in turns, each pinned to the same processors, and prints every lap, the medians,
+/// Runs threads and copies in turns, each pinned to the same processors, and prints every measurement, the medians,
 /// and what the counts foretell for more processors. Throws SceneError where this machine has fewer
 /// processors than threads, std::runtime_error where a measurement fails.
 int race_against_copies(const CopiesRace& race);

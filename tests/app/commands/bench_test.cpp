@@ -60,9 +60,9 @@ TEST(Bench, RacesThreadsAgainstCopies) {
   const Outcome outcome = run_program(alone);
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
   const auto race = nlohmann::json::parse(outcome.out);
-  ASSERT_EQ(race["laps"].size(), 2U);
-  for (const auto& lap : race["laps"])
-    EXPECT_DOUBLE_EQ(lap["ratio"].get<double>(), lap["threads"].get<double>() / lap["copies"].get<double>());
+  ASSERT_EQ(race["repeats"].size(), 2U);
+  for (const auto& repeat : race["repeats"])
+    EXPECT_DOUBLE_EQ(repeat["ratio"].get<double>(), repeat["threads"].get<double>() / repeat["copies"].get<double>());
   EXPECT_EQ(race["foretold"][1]["threads"], 64);
 
   auto too_many = words;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <string_view>
 
+#include "process/laboratory/layer_profile.h"
 #include "process/laboratory/published/contact_statistics.h"
 #include "process/laboratory/published/experiments.h"
 #include "process/laboratory/published/lab_powder.h"
@@ -101,6 +102,10 @@ std::vector<std::string> both(const Set& set, const Sizes& sizes) {
   return {run_name(set, sizes.fine), run_name(set, sizes.coarse)};
 }
 
+LayerProfile layers_of(const results::PowderState& powder) {
+  return layer_profile(powder, powder.period[0] * powder.period[1]);
+}
+
 std::vector<results::ExperimentChart> charts_of(const std::vector<SeedResults>& seeds, const Sizes& sizes) {
   results::ExperimentChart overlaps, layers;
   overlaps.name = "bulk_formation_overlaps";
@@ -119,7 +124,7 @@ std::vector<results::ExperimentChart> charts_of(const std::vector<SeedResults>& 
       if (!seeds.front().has(run)) continue;
       const auto& powder = seeds.front().of(run).powder;
       const auto contacts = contact_statistics(powder);
-      const auto profile = layer_profile(powder);
+      const auto profile = layers_of(powder);
       using Role = results::ExperimentSeries::Role;
       overlaps.series.push_back({run, Role::predicted, contacts.overlap, contacts.share});
       layers.series.push_back({run, Role::predicted, profile.height, profile.share});
@@ -149,10 +154,10 @@ LabPlan plan_bulk_formation(const LabSetting& setting) {
                      of_one("K04", cohesive, contacts_of),
                      of_one("K05", cohesive,
                             [](const results::FillResult& bed) {
-                              return near_ground(layer_profile(bed.powder), bulk_of(bed)).lowest_share;
+                              return near_ground(layers_of(bed.powder), bulk_of(bed)).lowest_share;
                             }),
                      of_one("K06", cohesive, [](const results::FillResult& bed) {
-                       return near_ground(layer_profile(bed.powder), bulk_of(bed)).bulk_reached_at;
+                       return near_ground(layers_of(bed.powder), bulk_of(bed)).bulk_reached_at;
                      })};
   const auto add = [&](const char* id, std::vector<std::string> runs, auto value) {
     plan.quantities.push_back(

@@ -46,7 +46,7 @@ results::ExperimentChart stress_chart(const std::vector<NamedGroove>& all);
 /// View across the wire: particles of a slice.
 results::ExperimentChart section_chart(const NamedGroove& one, std::size_t number);
 results::ExperimentChart distance_chart(const std::vector<NamedGroove>& all);
-/// Share of grains under more than 25 N/mm^2 over their size.
+/// Share of grains under more than 5 N/mm^2 over their size.
 results::ExperimentChart grain_chart(const std::vector<NamedGroove>& all);
 
 }  // namespace diefill::process::laboratory::sawing

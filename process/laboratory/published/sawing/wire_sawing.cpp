@@ -248,6 +248,21 @@ void add_ratio(const std::string& id, double (*figure)(const GrooveFigures&), La
   });
 }
 
+/// Shares of the grains of one size in the source's two upper classes of stress.
+void add_grain_classes(LabPlan& plan, std::size_t k, std::size_t size) {
+  const double diameter = SlurryMixture().sizes[size];
+  const std::string id = "SAW-grains-" + std::to_string(k + 1) + '-' + std::to_string(size + 1);
+  const std::string grains = "grains of " + plain(ReducedUnits::micrometres * diameter) + " um under ";
+  add(
+      plan, id, {groove_name(k)},
+      [=](const SeedResults& seed) { return grains_of(groove_of(seed, k), diameter).high; },
+      grains + "more than 25 N/mm2, " + kCases[k].name);
+  add(
+      plan, id + "-middle", {groove_name(k)},
+      [=](const SeedResults& seed) { return grains_of(groove_of(seed, k), diameter).middle; },
+      grains + "5 to 25 N/mm2, " + kCases[k].name);
+}
+
 void add_sawing(LabPlan& plan) {
   add_ratio("Z08", share_at_centre, plan);
   add_ratio("Z09", stress_at_sides, plan);
@@ -262,14 +277,7 @@ void add_sawing(LabPlan& plan) {
         std::string("change of that distance in the last third of the run, ") + kCases[k].name, "um");
   }
   for (const std::size_t k : {kNonContact, kSemiContact})
-    for (std::size_t size = 0; size < SlurryMixture().sizes.size(); ++size)
-      add(
-          plan, "SAW-grains-" + std::to_string(k + 1) + '-' + std::to_string(size + 1), {groove_name(k)},
-          [=](const SeedResults& seed) {
-            return grains_of(groove_of(seed, k), SlurryMixture().sizes[size]).high;
-          },
-          "grains of " + plain(ReducedUnits::micrometres * SlurryMixture().sizes[size]) +
-              " um under more than 25 N/mm2, " + kCases[k].name);
+    for (std::size_t size = 0; size < SlurryMixture().sizes.size(); ++size) add_grain_classes(plan, k, size);
 }
 
 /// Figures at the rates whose run is finished.
