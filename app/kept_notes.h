@@ -8,9 +8,9 @@
 namespace diefill::app {
 
 /// A line on standard error.
-void say_note(const std::string& line);
+void print_note(const std::string& line);
 
 /// Reports where earlier tables and charts were moved, if they were.
-void say_what_is_kept(const std::optional<std::filesystem::path>& folder);
+void note_moved_results(const std::optional<std::filesystem::path>& folder);
 
 }  // namespace diefill::app

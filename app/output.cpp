@@ -42,7 +42,7 @@ OutputDirectory::OutputDirectory(const std::filesystem::path& directory,
   for (const std::string& folder : folders) results::remove_abandoned_files(directory / folder);
 }
 
-bool standard_output_is_whole() {
+bool flush_standard_output() {
   errno = 0;
   std::cout.flush();
   const bool flushed = std::fflush(stdout) == 0;

@@ -27,9 +27,9 @@ class OutputDirectory {
   std::unique_ptr<results::DirectoryLock> lock_;
 };
 
-/// Whether all that was written to standard output has got there; says on standard error, in one line, why
-/// not.
-bool standard_output_is_whole();
+/// Flushes standard output. Returns whether all that was written has got there; where not, prints the reason
+/// on standard error, in one line.
+bool flush_standard_output();
 
 /// Calls `write`. A results::ResultError of writing, as on a full disk, goes on as a std::runtime_error: not
 /// the scene's fault.

@@ -46,10 +46,10 @@ int run_program(int argc, char** argv) {
     program.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     if (program.exit(error) != 0) return kBadInput;
-    return standard_output_is_whole() ? kDone : kFailed;
+    return flush_standard_output() ? kDone : kFailed;
   }
   const int code = guarded(chosen);
-  if (!standard_output_is_whole() && code == kDone) return kFailed;
+  if (!flush_standard_output() && code == kDone) return kFailed;
   return code;
 }
 

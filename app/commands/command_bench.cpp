@@ -177,7 +177,7 @@ int against_copies(const BenchOptions& options) {
 }
 
 /// What is only said of beds.
-void refuse_words_of_beds(const BenchOptions& options) {
+void reject_bed_options(const BenchOptions& options) {
   if (options.trace || options.width > 0 || options.copies > 1 || options.law != "bierwisch")
     throw process::SceneError("bench: " + options.bed +
                               " is a scene: --law, --width, --copies and --trace are for beds; remove them");
@@ -205,7 +205,7 @@ int bench_scene(const BenchOptions& options) {
 }
 
 int bench(const BenchOptions& options) {
-  if (options.is_scene()) refuse_words_of_beds(options);
+  if (options.is_scene()) reject_bed_options(options);
   if (options.against_copies) return against_copies(options);
   if (options.is_scene()) return bench_scene(options);
   give_back_freed_memory();
@@ -225,8 +225,7 @@ int bench(const BenchOptions& options) {
 }  // namespace
 
 void add_bench(CLI::App& program, Action& chosen) {
-  auto* command =
-      program.add_subcommand("bench", "Time the engine on a settled bed, or in a scene under way");
+  auto* command = program.add_subcommand("bench", "Time the engine on a settled bed, or in a running scene");
   auto options = std::make_shared<BenchOptions>();
   command
       ->add_option("BED", options->bed,
@@ -261,7 +260,8 @@ void add_bench(CLI::App& program, Action& chosen) {
   auto* copies =
       command->add_flag("--against-copies", options->against_copies,
                         "time N threads and N pinned programs of one thread in turns (N: --threads)");
-  command->add_option("--repeats", options->repeats, "measurements of --against-copies; the median is printed")
+  command
+      ->add_option("--repeats", options->repeats, "measurements of --against-copies; the median is printed")
       ->check(CLI::Range(1, 1000))
       ->needs(copies);
   command->add_flag("--json", options->json, "print JSON");

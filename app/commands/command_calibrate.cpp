@@ -64,14 +64,14 @@ calibration::CalibrateOptions options_of(const CalibrateArguments& arguments,
   if (!arguments.export_to.empty()) options.open_runs = calibration::OpenRuns::write;
   if (!arguments.collect_from.empty()) options.open_runs = calibration::OpenRuns::leave_out;
   options.points.directory = directory;
-  options.points.say = say_note;
+  options.points.say = print_note;
   options.points.jobs.program = std::filesystem::read_symlink("/proc/self/exe");
   options.points.jobs.at_once = arguments.jobs;
   options.points.jobs.threads = arguments.threads;
   options.points.jobs.pictures = false;
   options.points.jobs.show_progress = !arguments.quiet;
   if (arguments.budget > 0) options.points.jobs.cpu_seconds = 60 * arguments.budget;
-  if (!arguments.quiet) options.tell = say_note;
+  if (!arguments.quiet) options.tell = print_note;
   return options;
 }
 
@@ -95,7 +95,7 @@ std::vector<std::string> write_all(const CalibrateArguments& arguments,
   return written;
 }
 
-int say_exported(const std::filesystem::path& directory, const results::Calibration& account) {
+int print_exported(const std::filesystem::path& directory, const results::Calibration& account) {
   const std::string where = directory.string();
   if (account.open_runs == 0)
     std::printf("no runs are left to do (%s); diefill calibrate FILE --collect %s writes the powder\n",
@@ -118,12 +118,12 @@ int calibrate(const CalibrateArguments& arguments) {
   refuse_directory(directory, arguments);
   const OutputDirectory output(directory, {"tools"});
   auto options = options_of(arguments, directory);
-  options.points.jobs.stop = &heed_stop_signals();
+  options.points.jobs.stop = &install_stop_handlers();
   options.points.jobs.watch =
       live_jobs(directory, (arguments.screen ? "Screening: " : "Calibration: ") + arguments.file);
   const auto account =
       arguments.screen ? calibration::screen(plan, options) : calibration::calibrate(plan, options);
-  if (!arguments.export_to.empty()) return say_exported(directory, account);
+  if (!arguments.export_to.empty()) return print_exported(directory, account);
   const auto written = write_all(arguments, directory, account);
   std::printf("%sin %s:", calibration_table(account).c_str(), directory.string().c_str());
   for (const auto& file : written) std::printf(" %s", file.c_str());

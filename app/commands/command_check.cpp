@@ -45,7 +45,7 @@ std::vector<render::FindingMark> setup_marks(const process::Scene& scene, const 
                                              const std::vector<process::SetupFinding>& setup) {
   auto marks = marks_of(scene, setup);
   for (const auto& tool : tooling.tools)
-    if (tool.spec.role == process::ToolRole::shoe) marks.push_back(way_mark(scene, tool));
+    if (tool.spec.role == process::ToolRole::shoe) marks.push_back(path_marker(scene, tool));
   return marks;
 }
 
@@ -160,7 +160,7 @@ void print_simulation(const process::Scene& scene, const process::Tooling& tooli
 }
 
 int check(const CheckArguments& arguments) {
-  process::Scene scene = wanted_scene(arguments.scene, arguments.setting, arguments.changes);
+  process::Scene scene = chosen_scene(arguments.scene, arguments.setting, arguments.changes);
   if (arguments.json || !arguments.picture.empty()) refuse_unusable(arguments, scene);
   const double sphere = process::smallest_sphere(process::engine_settings(scene, 1.0));
   const auto tooling = checked_tooling(arguments, scene);

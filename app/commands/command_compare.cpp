@@ -15,7 +15,7 @@
 #include "process/compare/job_folder.h"
 #include "process/compare/kept_aside.h"
 #include "process/compare/run_jobs.h"
-#include "process/measured_data/hold_against.h"
+#include "process/measured_data/compare_with_measured.h"
 
 namespace diefill::app {
 
@@ -55,7 +55,7 @@ std::vector<process::FurtherMeasure> measures_against(const std::vector<process:
       measures.push_back({{"measured_" + file.file.stem().string() + '_' + key,
                            name + " " + file.file.stem().string(), unit, 1, 0},
                           [file, value](const results::FillResult& result) -> double {
-                            return value(process::hold_against(file, result).zones.front());
+                            return value(process::compare_with_measured(file, result).zones.front());
                           }});
     };
     const std::string unit = file.table.value.unit;
@@ -73,7 +73,7 @@ int gather(const std::filesystem::path& directory, const std::vector<process::Me
   const auto comparison = process::collect(directory, measures_against(measured));
   std::vector<std::filesystem::path> written = {"comparison.json", "comparison.csv"};
   write_output([&] {
-    say_what_is_kept(process::keep_earlier_tables(directory, comparison));
+    note_moved_results(process::keep_earlier_tables(directory, comparison));
     results::write_comparison(directory, comparison);
     for (const auto& picture : draw(directory, comparison)) written.push_back(picture.filename());
   });
@@ -87,7 +87,9 @@ std::vector<process::Variant> checked_variants(const CompareArguments& arguments
   if (arguments.scene.empty())
     throw process::SceneError(
         "SCENE: found nothing, expected a scene file, or --collect with a directory of runs");
-  auto variants = wanted_variants(arguments.scene, arguments.setting);
+  auto variants = chosen_variants(arguments.scene, arguments.setting);
+  if (!process::has_variants(process::read_scene(arguments.scene)))
+    print_note("note: no [[variant]]: runs the scene alone");
   process::check_seeds(variants, arguments.seeds);
   return variants;
 }
@@ -99,7 +101,7 @@ results::JobList jobs_in(const std::filesystem::path& directory, const CompareAr
   results::JobList list;
   write_output([&] {
     const std::string title = process::read_scene(arguments.scene).title;
-    list = process::write_jobs(directory, {title, variants, arguments.seeds, {}}, say_note);
+    list = process::write_jobs(directory, {title, variants, arguments.seeds, {}}, print_note);
   });
   return list;
 }
@@ -109,7 +111,7 @@ int export_jobs(const CompareArguments& arguments) {
   const auto variants = checked_variants(arguments);
   const OutputDirectory output(directory, {"tools"});
   const auto list = jobs_in(directory, arguments, variants);
-  write_output([&] { process::write_job_scripts(directory, list, say_note); });
+  write_output([&] { process::write_job_scripts(directory, list, print_note); });
   std::printf(
       "%zu runs in %s; copy it to where they should run and start them there:\n"
       "  sbatch slurm.sh                                 on a Slurm cluster\n"
@@ -134,7 +136,7 @@ int compare(const CompareArguments& arguments) {
   options.cores = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
   options.share_starts = true;
   options.show_progress = !arguments.quiet;
-  options.stop = &heed_stop_signals();
+  options.stop = &install_stop_handlers();
   options.watch = live_jobs(directory, "Comparison: " + list.title);
   process::run_jobs(directory, list, options);
   return gather(directory, measured);
@@ -144,7 +146,8 @@ int compare(const CompareArguments& arguments) {
 
 void add_compare(CLI::App& program, Action& chosen) {
   auto* command = program.add_subcommand(
-      "compare", "Run all [[variant]]s of a scene and report differences larger than the scatter over seeds");
+      "compare",
+      "Run every [[variant]] of a scene and report differences that exceed the scatter between seeds");
   auto arguments = std::make_shared<CompareArguments>();
   command->add_option("SCENE", arguments->scene, "scene file (TOML) with [[variant]] tables");
   command->add_option("--seeds", arguments->seeds, "runs of each variant with consecutive seeds (default: 1)")

@@ -41,7 +41,7 @@ int run_estimate(const EstimateArguments& arguments) {
   process::estimate::EstimateOptions options;
   if (!arguments.particle_diameter.empty()) options.particle_diameter = diameter(arguments.particle_diameter);
   if (!arguments.discharge.empty()) options.law = process::estimate::read_discharge(arguments.discharge);
-  const process::Scene scene = wanted_scene(arguments.scene, arguments.setting, arguments.changes);
+  const process::Scene scene = chosen_scene(arguments.scene, arguments.setting, arguments.changes);
   auto began = std::chrono::steady_clock::now();
   const auto tooling = [&] {
     process::Progress progress(true);

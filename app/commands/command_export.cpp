@@ -14,6 +14,7 @@
 #include "process/measure/fields/stress_field.h"
 #include "process/results/storage/result_file.h"
 #include "process/run/assemble.h"
+#include "process/tooling/progress.h"
 #include "render/scene3d/paraview_files.h"
 
 namespace diefill::app {
@@ -64,7 +65,8 @@ std::vector<PointArray> grid_arrays(const results::FillResult& result, const ren
 /// The powder at the end, and powder and tools at all instants where the results hold any.
 std::vector<std::filesystem::path> write_powder(const results::FillResult& result,
                                                 const std::filesystem::path& out, const FieldWriter& fields) {
-  auto written = write_filling_series(result, out, out / "filling.pvd", fields);
+  process::Progress progress(true);
+  auto written = write_filling_series(result, out, out / "filling.pvd", fields, progress.listener());
   if (!written.empty()) return written;
   render::write_points(out / "powder.vtp", result.powder.position, grain_arrays(result));
   return {out / "powder.vtp"};

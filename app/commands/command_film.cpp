@@ -3,14 +3,12 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
-#include <fstream>
 #include <limits>
-#include <sstream>
 #include <stdexcept>
 #include <thread>
 
 #include "app/commands/film_command.h"
-#include "app/commands/look_options.h"
+#include "app/commands/view_options.h"
 #include "app/exit_code.h"
 #include "app/output.h"
 #include "app/pictures/drawing.h"
@@ -21,6 +19,7 @@
 #include "app/pictures/source_names.h"
 #include "process/compare/child_process.h"
 #include "process/input/scene_error.h"
+#include "process/results/storage/file_contents.h"
 #include "process/results/storage/result_file.h"
 
 namespace diefill::app {
@@ -34,7 +33,7 @@ constexpr int kFilmWidth = 1280;
 struct FilmArguments {
   std::vector<std::string> directories;
   std::string out;
-  LookArguments look;
+  ViewArguments look;
   int jobs = 0, frames_a_second = 20;
   bool turntable = false, keep_frames = false;
 };
@@ -119,11 +118,10 @@ void make_film(const fs::path& directory, const fs::path& to, const std::string&
                                  "--out", to.string(), "--colour-by", colour_by},
                                 log);
   while (!program.ended()) std::this_thread::sleep_for(std::chrono::milliseconds(50));
-  std::stringstream said;
-  said << std::ifstream(log).rdbuf();
-  if (*program.ended() != kDone) throw std::runtime_error("film " + directory.string() + ": " + said.str());
+  const std::string said = results::contents_or_nothing(log).value_or("");
+  if (*program.ended() != kDone) throw std::runtime_error("film " + directory.string() + ": " + said);
   fs::remove(log);
-  std::printf("%s", said.str().c_str());
+  std::printf("%s", said.c_str());
 }
 
 void add_film(CLI::App& program, Action& chosen) {
@@ -142,7 +140,7 @@ void add_film(CLI::App& program, Action& chosen) {
   command->add_option("--jobs", arguments->jobs, "frames drawn at a time (default: one a core)")
       ->check(CLI::Range(1, 1024));
   command->add_flag("--keep-frames", arguments->keep_frames, "keep the frames as PNG files beside the film");
-  add_look_options(*command, arguments->look);
+  add_view_options(*command, arguments->look);
   command->footer(
       "The filling over time needs measure.snapshot_interval in the scene. Without ffmpeg the frames are "
       "kept as "

@@ -110,10 +110,10 @@ void add_fit_discharge(CLI::App& program, Action& chosen) {
       "--law", arguments->law,
       "5.17 (or 4.1), 5.18, transient, beverloo-round or beverloo-slit (default: by the columns)");
   command->add_option("--density", arguments->density, "apparent density, such as '3.0 g/cm^3'");
-  command->add_option("--width", arguments->width, "slit along the shoe's way, such as '6 mm'");
-  command->add_option("--length", arguments->length, "slit across, such as '33 mm'");
+  command->add_option("--width", arguments->width, "slit width along the shoe's travel, such as '6 mm'");
+  command->add_option("--length", arguments->length, "slit length across the shoe's travel, such as '33 mm'");
   command->add_option("--shoe-length", arguments->shoe_length,
-                      "shoe's inside along its way, such as '32 mm'");
+                      "inside length of the shoe along its travel, such as '32 mm'");
   command->add_option("--grain-diameter", arguments->grain_diameter,
                       "coarse grains: openings count as D - 1.4 d");
   command->add_option("--opened", arguments->opened,

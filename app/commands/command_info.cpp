@@ -4,6 +4,7 @@
 #include "app/commands/commands.h"
 #include "app/exit_code.h"
 #include "process/results/cavity_rows.h"
+#include "process/results/figure_table.h"
 #include "process/results/no_value.h"
 #include "process/results/storage/result_file.h"
 
@@ -41,7 +42,8 @@ int info(const std::string& directory) {
   for (const auto& [name, value] : result.figures) {
     const std::string reason = results::reason_for(result, name);
     if (std::isfinite(value) || reason.empty())
-      std::printf("%s: %s\n", name.c_str(), std::isfinite(value) ? exact(value).c_str() : "no value");
+      std::printf("%s: %s  (%s)\n", name.c_str(), std::isfinite(value) ? exact(value).c_str() : "no value",
+                  results::figure_meaning(name).second);
     else
       std::printf("%s: no value: %s\n", name.c_str(), reason.c_str());
   }

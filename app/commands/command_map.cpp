@@ -6,7 +6,7 @@
 #include <stdexcept>
 
 #include "app/commands/commands.h"
-#include "app/commands/look_options.h"
+#include "app/commands/view_options.h"
 #include "app/exit_code.h"
 #include "app/output.h"
 #include "app/pictures/drawing.h"
@@ -16,7 +16,7 @@
 #include "process/measure/choose_cavity.h"
 #include "process/measure/fields/measured_fields.h"
 #include "process/measure/fields/time_average.h"
-#include "process/measured_data/hold_against.h"
+#include "process/measured_data/compare_with_measured.h"
 #include "process/results/storage/atomic_file.h"
 #include "process/results/storage/result_file.h"
 #include "render/report/measured_section.h"
@@ -28,7 +28,7 @@ namespace {
 struct MapArguments {
   std::vector<std::string> directories, pictures, origin, measured, y;
   std::string x, out, averaging_width, normal, from, to;
-  LookArguments look;
+  ViewArguments look;
   int cavity = 1;
   bool pdf = false, time_average = false;
 };
@@ -175,7 +175,7 @@ int standard_pictures(PictureRequest& request) {
 int against_measured(const PictureRequest& request, const std::vector<process::MeasuredFile>& measured) {
   set_up_drawing();
   for (const auto& file : measured) {
-    const auto comparison = process::hold_against(file, request.sources.front().result);
+    const auto comparison = process::compare_with_measured(file, request.sources.front().result);
     std::printf("%s", render::report::measured_text(comparison).c_str());
     write_output([&] {
       for (const auto& name : results::write_measured_comparison(request.out, comparison))
@@ -199,6 +199,23 @@ void choose_probe_chart(MapArguments& arguments) {
                               "; they choose columns of --picture probe");
 }
 
+/// Draws all that apply to the results. Throws SceneError, which names those that do not, when the others are
+/// written.
+void draw_each(const PictureRequest& request, const std::vector<std::string>& pictures) {
+  std::string failed;
+  for (const auto& name : pictures) {
+    try {
+      write_output([&] {
+        for (const auto& picture : picture_kind(name).make(request))
+          std::printf("%s\n", picture.string().c_str());
+      });
+    } catch (const std::invalid_argument& error) {
+      failed += (failed.empty() ? "--picture " : "; --picture ") + name + ": " + error.what();
+    }
+  }
+  if (!failed.empty()) throw process::SceneError(failed);
+}
+
 int map(MapArguments arguments) {
   choose_probe_chart(arguments);
   for (const auto& name : arguments.pictures)
@@ -206,7 +223,7 @@ int map(MapArguments arguments) {
   require_averages(arguments);
   const auto measured = process::read_measured_files(arguments.measured);
   if (!measured.empty() && (arguments.directories.size() > 1 || !arguments.pictures.empty()))
-    throw process::SceneError("--measured: holds one results directory against data, without --picture");
+    throw process::SceneError("--measured: compares one results directory with data, without --picture");
   if (arguments.pictures.empty() && arguments.directories.size() > 1)
     throw process::SceneError("several results directories: add --picture to choose what to draw");
   PictureRequest request = request_of(arguments);
@@ -214,16 +231,7 @@ int map(MapArguments arguments) {
   if (!arguments.measured.empty()) return against_measured(request, measured);
   if (arguments.pictures.empty()) return standard_pictures(request);
   set_up_drawing();
-  for (const auto& name : arguments.pictures) {
-    try {
-      write_output([&] {
-        for (const auto& picture : picture_kind(name).make(request))
-          std::printf("%s\n", picture.string().c_str());
-      });
-    } catch (const std::invalid_argument& error) {
-      throw process::SceneError("--picture " + name + ": " + error.what());
-    }
-  }
+  draw_each(request, arguments.pictures);
   return kDone;
 }
 
@@ -279,7 +287,7 @@ void add_map(CLI::App& program, Action& chosen) {
                    "column of a probe to draw, such as 'piston/F_z' or 'zone rim/solid fraction'; several of "
                    "one unit in one chart")
       ->allow_extra_args(false);
-  add_look_options(*command, arguments->look);
+  add_view_options(*command, arguments->look);
   command->add_flag("--pdf", arguments->pdf, "also write charts as PDF");
   command->footer(
       kinds_text() +

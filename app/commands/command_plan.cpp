@@ -22,6 +22,8 @@ namespace diefill::app {
 
 namespace {
 
+constexpr const char* kPilotStarts = "pilot run: about ten seconds, more where the scene itself takes hours";
+
 struct PlanArguments {
   std::string scene, setting;
   std::vector<std::string> changes;
@@ -30,8 +32,8 @@ struct PlanArguments {
   bool json = false, no_benchmark = false, variants = false, new_pilot = false;
 };
 
-void say_within_time(const process::plan::Plan& plan, double minutes,
-                     const std::optional<process::plan::Choice>& choice) {
+void print_within_time(const process::plan::Plan& plan, double minutes,
+                       const std::optional<process::plan::Choice>& choice) {
   if (!plan.pilot) {
     std::printf("within %.4g minutes: unknown without the pilot run\n", minutes);
   } else if (!choice) {
@@ -44,7 +46,8 @@ void say_within_time(const process::plan::Plan& plan, double minutes,
   }
 }
 
-void say_within_error(const process::plan::Plan& plan, double error, const std::optional<std::size_t>& best) {
+void print_within_error(const process::plan::Plan& plan, double error,
+                        const std::optional<std::size_t>& best) {
   if (!best) {
     std::printf("error up to %.4g: unknown; no choice has a measured error this small\n", error);
     return;
@@ -59,7 +62,7 @@ void print_json(const nlohmann::ordered_json& json) {
 }
 
 /// The title and what costs nothing to know, before the pilot runs.
-void say_first(const process::Scene& scene, const process::estimate::Estimate& estimate) {
+void print_estimate_first(const process::Scene& scene, const process::estimate::Estimate& estimate) {
   std::printf("%s\n", scene.title.c_str());
   print_estimate_in_short(estimate);
   std::fflush(stdout);
@@ -70,8 +73,9 @@ int plan_variants(const PlanArguments& arguments, process::plan::PlanOptions opt
   const auto comparison = [&] {
     process::Progress progress(true);
     options.tell = progress.listener();
+    options.pilot_starts = [&progress] { progress.say(kPilotStarts); };
     give_back_freed_memory();
-    return process::plan::forecast_comparison(wanted_variants(arguments.scene, arguments.setting), options);
+    return process::plan::forecast_comparison(chosen_variants(arguments.scene, arguments.setting), options);
   }();
   if (arguments.json)
     print_json(comparison_plan_as_json(title, comparison));
@@ -97,10 +101,11 @@ int plan(const PlanArguments& arguments) {
       estimate = process::estimate::estimate(scene, tooling);
       options.tell = process::tell_nobody;
       progress.reset();  // its bar goes before something else is said
-      if (!arguments.json) say_first(scene, *estimate);
+      if (!arguments.json) print_estimate_first(scene, *estimate);
     };
+    options.pilot_starts = [] { process::Progress(true).say(kPilotStarts); };
     options.narrowest_opening = process::estimate::narrowest_hole;
-    give_back_freed_memory();  // as the runs will whose memory is foretold
+    give_back_freed_memory();  // as the runs will whose memory is predicted
     return process::plan::make_plan(changed_scene(arguments.scene, arguments.changes), options);
   }();
   std::optional<process::plan::Choice> in_time;
@@ -109,8 +114,8 @@ int plan(const PlanArguments& arguments) {
   if (arguments.error) in_error = process::plan::cheapest_within(plan, *arguments.error);
   if (!arguments.json) {
     print_plan(plan);
-    if (arguments.minutes) say_within_time(plan, *arguments.minutes, in_time);
-    if (arguments.error) say_within_error(plan, *arguments.error, in_error);
+    if (arguments.minutes) print_within_time(plan, *arguments.minutes, in_time);
+    if (arguments.error) print_within_error(plan, *arguments.error, in_error);
     if (arguments.ranks > 0) print_rank_forecast(plan, options.threads, arguments.ranks);
     if (process::has_variants(plan.scene))
       std::printf("this is the scene without its [[variant]]s; use diefill plan --variants to plan them\n");
@@ -160,7 +165,8 @@ void add_plan(CLI::App& program, Action& chosen) {
                                   "predict diefill compare: each [[variant]] of the scene and all together")
                        ->excludes(minutes)
                        ->excludes(error);
-  add_setting(*command, arguments->setting)->needs(variants);
+  auto* setting = add_setting(*command, arguments->setting)->needs(variants);
+  setting->description("with --variants: " + setting->get_description());
   add_changes(*command, arguments->changes);
   variants->excludes("--set");
   command->add_flag("--json", arguments->json, "print JSON, SI units");

@@ -1,5 +1,6 @@
 #include <cstdio>
 #include <fstream>
+#include <memory>
 #include <nlohmann/json.hpp>
 
 #include "app/commands/commands.h"
@@ -10,9 +11,11 @@
 #include "app/pictures/film_file.h"
 #include "app/pictures/view_extras.h"
 #include "process/input/scene_error.h"
-#include "process/measured_data/hold_against.h"
+#include "process/measured_data/compare_with_measured.h"
 #include "process/results/storage/atomic_file.h"
+#include "process/results/storage/file_contents.h"
 #include "process/results/storage/result_file.h"
+#include "process/tooling/progress.h"
 #include "render/report/html.h"
 #include "render/report/pdf.h"
 #include "render/report/report.h"
@@ -69,9 +72,7 @@ std::vector<render::report::Film> films_in(const fs::path& directory) {
        {std::pair{kFilmFile, "Filling over time."}, {kTurntableFile, "The end from all sides."}}) {
     const fs::path path = directory / file;
     if (!fs::exists(path) || fs::file_size(path) > kLargest) continue;
-    std::ifstream stream(path, std::ios::binary);
-    const std::string bytes((std::istreambuf_iterator<char>(stream)), {});
-    films.push_back({QByteArray::fromStdString(bytes), caption});
+    films.push_back({QByteArray::fromStdString(results::contents_or_nothing(path).value_or("")), caption});
   }
   return films;
 }
@@ -81,6 +82,23 @@ double averaging_width_of(const results::FillResult& result) {
   return result.maps.empty() ? 0 : result.maps.front().averaging_width;
 }
 
+/// Measures what the views of the runs show, one run after the other, with progress over all of them.
+class ExtrasWithProgress {
+ public:
+  explicit ExtrasWithProgress(std::size_t runs) : runs_(static_cast<double>(runs)) {}
+
+  render::report::ViewExtras operator()(const results::FillResult& result) {
+    const double before = done_++;
+    const auto tell = progress_->listener();
+    return view_extras(
+        result, [&](double share, const std::string& doing) { tell((before + share) / runs_, doing); });
+  }
+
+ private:
+  std::shared_ptr<process::Progress> progress_ = std::make_shared<process::Progress>(true);
+  double runs_, done_ = 0;
+};
+
 int report(const ReportArguments& arguments) {
   const auto measured = process::read_measured_files(arguments.measured);
   std::vector<render::report::Run> runs;
@@ -88,7 +106,8 @@ int report(const ReportArguments& arguments) {
   for (auto& run : runs) run.other_cavities = of_other_cavities(run.result, averaging_width_of(run.result));
   for (auto& run : runs) run.films = films_in(run.name);
   for (auto& run : runs)
-    for (const auto& file : measured) run.measured.push_back(process::hold_against(file, run.result));
+    for (const auto& file : measured)
+      run.measured.push_back(process::compare_with_measured(file, run.result));
   const fs::path html = arguments.out.empty() ? fs::path(arguments.directories.front()) / "report.html"
                                               : fs::path(arguments.out);
   if (html.extension() == ".pdf")
@@ -98,7 +117,7 @@ int report(const ReportArguments& arguments) {
   make_output_directory(html.parent_path().empty() ? fs::path(".") : html.parent_path());
   write_output([&] {
     set_up_drawing();
-    const auto document = render::report::report_of(runs, view_extras);
+    const auto document = render::report::report_of(runs, ExtrasWithProgress(runs.size()));
     results::write_text_atomically(html, render::report::html_page(document));
     std::printf("%s\n", html.string().c_str());
     if (!arguments.pdf) return;
@@ -121,7 +140,7 @@ void add_report(CLI::App& program, Action& chosen) {
       ->required();
   command
       ->add_option("--measured", arguments->measured,
-                   "CSV of a measured profile or map to hold the results against")
+                   "CSV of a measured profile or map to compare the results with")
       ->allow_extra_args(false);
   add_renderer(*command);
   command->add_flag("--pdf", arguments->pdf, "also write a PDF next to the HTML page");

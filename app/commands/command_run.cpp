@@ -90,8 +90,8 @@ void note_expected_errors(const process::Scene& scene, const process::Tooling& t
   const auto errors = process::plan::expected_errors(scene.powder, scene.powder.grain_diameter,
                                                      process::plan::lengths_of(scene, tooling, opening));
   if (!errors.empty())
-    result.warnings.push_back("expected error: " + process::plan::words_of(errors) + "; " +
-                              errors.front().source);
+    result.warnings.push_back("errors to be expected of this grain size: " + process::plan::words_of(errors) +
+                              "; measured in " + errors.front().source);
 }
 
 /// Says that numerics.max_time was over before the scene.
@@ -163,7 +163,7 @@ int deliver(const RunArguments& arguments, const process::Scene& scene, const pr
 }
 
 int run(const RunArguments& arguments) {
-  process::Scene scene = wanted_scene(arguments.scene, arguments.setting, arguments.changes);
+  process::Scene scene = chosen_scene(arguments.scene, arguments.setting, arguments.changes);
   if (arguments.ranks.ranks > 0) return run_on_ranks(arguments.ranks, scene);
   if (step_engine() != nullptr) {
     process::cluster::refuse_what_ranks_cannot(scene);
@@ -182,7 +182,7 @@ int run(const RunArguments& arguments) {
   LiveRun live(scene, tooling, options.directory, !arguments.no_pictures);
   options.watch = [&live](const process::FillRun& under_way) { live.look(under_way); };
   give_back_freed_memory();
-  options.stop = &heed_stop_signals();
+  options.stop = &install_stop_handlers();
   process::FillRun fill(scene, tooling, options);  // refuses what cannot be begun, in one line
   print_alerts(words_of(process::setup_findings(scene, tooling)));
   if (!output) output.emplace(options.directory);

@@ -14,6 +14,7 @@
 #include "app/tables/finite_number.h"
 #include "app/tables/tradeoff_table.h"
 #include "process/compare/kept_aside.h"
+#include "process/input/shell_word.h"
 #include "process/results/studies/tradeoff.h"
 #include "process/scene/folder_names.h"
 #include "process/setup/predicted_work.h"
@@ -51,20 +52,13 @@ std::pair<std::string, double> read_target(const std::string& text) {
                             "\", expected NAME=NUMBER in the unit of the CSV, such as filled_mass=12.5");
 }
 
-/// A word as a shell takes it.
-std::string quoted(const std::string& word) {
-  std::string text = "'";
-  for (const char letter : word) text += letter == '\'' ? std::string("'\\''") : std::string(1, letter);
-  return text + '\'';
-}
-
 /// The command as one would type it again.
 std::string command_text(const TradeoffArguments& arguments) {
   std::string words = "diefill tradeoff " + arguments.scene;
-  for (const auto& vary : arguments.vary) words += " --vary " + quoted(vary);
+  for (const auto& vary : arguments.vary) words += " --vary " + process::shell_word(vary);
   if (arguments.variants) words += " --variants";
-  for (const auto& target : arguments.targets) words += " --target " + quoted(target);
-  if (!arguments.reference.empty()) words += " --reference " + quoted(arguments.reference);
+  for (const auto& target : arguments.targets) words += " --target " + process::shell_word(target);
+  if (!arguments.reference.empty()) words += " --reference " + process::shell_word(arguments.reference);
   char text[100];
   std::snprintf(text, sizeof text, " --seeds %d --tolerance %g", arguments.seeds, arguments.tolerance);
   words += text;
@@ -85,7 +79,7 @@ process::TradeoffOptions options_of(const TradeoffArguments& arguments) {
   options.reference = arguments.reference;
   options.variants = arguments.variants;
   options.command = command_text(arguments);
-  options.say = say_note;
+  options.say = print_note;
   options.jobs.program = std::filesystem::read_symlink("/proc/self/exe");
   options.jobs.at_once = arguments.jobs;
   options.jobs.threads = arguments.threads;
@@ -113,7 +107,7 @@ std::vector<std::string> write_all(const std::filesystem::path& directory,
                                    const results::Tradeoff& tradeoff) {
   std::vector<std::string> written = {"tradeoff.csv", "tradeoff.json"};
   write_output([&] {
-    say_what_is_kept(process::keep_earlier_tables(directory, tradeoff));
+    note_moved_results(process::keep_earlier_tables(directory, tradeoff));
     results::write_tradeoff(directory, tradeoff);
     if (!any_result(tradeoff)) return;
     set_up_drawing();
@@ -136,7 +130,7 @@ int trade_off(const TradeoffArguments& arguments) {
   for (const auto& text : arguments.vary) knobs.push_back(process::read_vary(text));
   auto plan = process::plan_tradeoff(scene, knobs, options);
   const OutputDirectory output(options.directory, {"tools"});
-  options.jobs.stop = &heed_stop_signals();
+  options.jobs.stop = &install_stop_handlers();
   options.jobs.watch = live_jobs(options.directory, "Trade-off: " + scene.title);
   const auto tradeoff = process::trade_off(scene, std::move(plan), options);
   const auto written = write_all(options.directory, tradeoff);

@@ -11,14 +11,14 @@
 namespace diefill::app {
 namespace {
 
-constexpr const char* kAnew =
+constexpr const char* kRestartHint =
     "; run without --resume, which moves them to previous-1, or choose another directory";
 
 results::FillResult earlier_results(const std::filesystem::path& directory) {
   try {
     return results::read_results(directory);
   } catch (const results::ResultError& error) {
-    throw results::ResultError(error.what() + std::string(kAnew));
+    throw results::ResultError(error.what() + std::string(kRestartHint));
   }
 }
 
@@ -31,7 +31,7 @@ bool are_of(const results::FillResult& result, const process::Scene& scene, cons
          process::scene_identity(result.scene_text, scene.file, then);
 }
 
-bool is_whole(const results::FillResult& result) {
+bool is_complete(const results::FillResult& result) {
   const auto finished = result.figures.find("finished");
   return finished == result.figures.end() || finished->second != 0;
 }
@@ -47,8 +47,8 @@ bool is_finished(const std::filesystem::path& directory, const process::Scene& s
   if (!are_of(result, scene, tooling))
     throw process::SceneError(directory.string() +
                               ": the results belong to a different scene or different CAD files than " +
-                              scene.file.string() + kAnew);
-  if (!is_whole(result)) return false;
+                              scene.file.string() + kRestartHint);
+  if (!is_complete(result)) return false;
   std::printf(
       "%s: this run is already finished (state %s), nothing was computed; without --resume it starts again "
       "and moves these results to previous-1\n",

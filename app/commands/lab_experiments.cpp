@@ -68,7 +68,7 @@ laboratory::LabJobs jobs_of(const LabArguments& arguments, const fs::path& direc
   laboratory::LabJobs jobs;
   jobs.directory = directory;
   jobs.seeds = arguments.seeds;
-  jobs.say = say_note;
+  jobs.say = print_note;
   jobs.run = !arguments.collect;
   jobs.options.program = fs::read_symlink("/proc/self/exe");
   jobs.options.at_once = arguments.jobs;
@@ -77,7 +77,7 @@ laboratory::LabJobs jobs_of(const LabArguments& arguments, const fs::path& direc
   jobs.options.share_starts = true;
   if (arguments.budget > 0) jobs.options.cpu_seconds = 60 * arguments.budget;
   jobs.options.show_progress = !arguments.quiet;
-  jobs.options.stop = &heed_stop_signals();
+  jobs.options.stop = &install_stop_handlers();
   jobs.options.watch = live_jobs(directory, "Laboratory: " + directory.parent_path().filename().string());
   return jobs;
 }
@@ -203,8 +203,7 @@ void add_options(CLI::App& command, LabArguments& arguments) {
       ->check(CLI::IsMember({"coarse", "medium", "published"}));
   command.add_option("--seeds", arguments.seeds, "packings with consecutive seeds (default: 1)")
       ->check(CLI::Range(1, 1000));
-  command
-      .add_option("--budget", arguments.budget, "core minutes for an experiment; what is left out is said")
+  command.add_option("--budget", arguments.budget, "core minutes per experiment; skipped runs are listed")
       ->check(CLI::PositiveNumber);
   command.add_option("--jobs", arguments.jobs, "runs at a time, one core each (default: 1)")
       ->check(CLI::Range(1, 1024));

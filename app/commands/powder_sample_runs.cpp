@@ -48,7 +48,7 @@ int run_powder_samples(const process::Scene& scene, const std::filesystem::path&
   const OutputDirectory output(directory, {"tools"});
   make_output_directory(directory);
   results::JobList list;
-  write_output([&] { list = process::write_jobs(directory, {scene.title, variants, 1, {}}, say_note); });
+  write_output([&] { list = process::write_jobs(directory, {scene.title, variants, 1, {}}, print_note); });
   process::JobOptions options;
   options.program = std::filesystem::read_symlink("/proc/self/exe");
   options.at_once = arguments.jobs;
@@ -56,7 +56,7 @@ int run_powder_samples(const process::Scene& scene, const std::filesystem::path&
   options.threads = arguments.threads;
   options.pictures = false;
   options.show_progress = !arguments.quiet;
-  options.stop = &heed_stop_signals();
+  options.stop = &install_stop_handlers();
   process::run_jobs(directory, list, options);
   auto spread = calibration::powder_spread(directory, region, powders, arguments.seeds);
   spread.program_version = process::program_version();

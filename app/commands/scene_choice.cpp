@@ -95,7 +95,7 @@ process::Scene changed_scene(const std::string& file, const std::vector<std::str
   return process::changed_scene(process::load_scene_text(file), file, wanted);
 }
 
-process::Scene wanted_scene(const std::string& file, const std::string& setting,
+process::Scene chosen_scene(const std::string& file, const std::string& setting,
                             const std::vector<std::string>& changes) {
   std::optional<process::Setting> wanted;
   if (!setting.empty()) wanted = process::setting_named(setting);
@@ -105,7 +105,7 @@ process::Scene wanted_scene(const std::string& file, const std::string& setting,
   return scene;
 }
 
-std::vector<process::Variant> wanted_variants(const std::string& file, const std::string& setting) {
+std::vector<process::Variant> chosen_variants(const std::string& file, const std::string& setting) {
   auto variants = process::read_variants(file);
   if (setting.empty()) {
     for (const auto& variant : variants)

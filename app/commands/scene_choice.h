@@ -26,12 +26,12 @@ void say_what_was_chosen(const process::Scene& scene);
 
 /// Reads the scene with `changes` (of --set). A setting of this name (empty: the scene's own, if it has one)
 /// is turned into numbers, and what it chose is said. Throws process::SceneError.
-process::Scene wanted_scene(const std::string& file, const std::string& setting,
+process::Scene chosen_scene(const std::string& file, const std::string& setting,
                             const std::vector<std::string>& changes);
 
 /// Reads the scene's variants. A setting of this name (empty: none) gives all of them the same numbers, and
 /// what it chose is said, once where it is the same. Throws process::SceneError.
-std::vector<process::Variant> wanted_variants(const std::string& file, const std::string& setting);
+std::vector<process::Variant> chosen_variants(const std::string& file, const std::string& setting);
 
 /// The scene's tools, ready to be filled, with progress where requested. Throws process::SceneError or
 /// geometry::MeshError.

@@ -23,7 +23,7 @@ install(DIRECTORY ${CMAKE_SOURCE_DIR}/sample_tools DESTINATION ${DIEFILL_SHARE} 
 diefill_install_tree(program ${DIEFILL_SHARE} README.md CHANGELOG.md CITATION.cff LICENSE)
 foreach(folder engine geometry process render app tests)
   file(GLOB_RECURSE pages RELATIVE ${CMAKE_SOURCE_DIR} CONFIGURE_DEPENDS
-    ${CMAKE_SOURCE_DIR}/${folder}/*.md ${CMAKE_SOURCE_DIR}/${folder}/*.png)
+    ${CMAKE_SOURCE_DIR}/${folder}/*.md ${CMAKE_SOURCE_DIR}/${folder}/*.png ${CMAKE_SOURCE_DIR}/${folder}/*.csv)
   diefill_install_tree(program ${DIEFILL_SHARE} ${pages})
 endforeach()
 

@@ -42,6 +42,20 @@ std::string x_label(DischargeLaw law) {
   return law == DischargeLaw::beverloo_slit ? "Width of the slit [mm]" : "Shoe speed [m/s]";
 }
 
+std::string title_of(DischargeLaw law) {
+  if (law == DischargeLaw::transient) return "Mass over time";
+  if (law == DischargeLaw::beverloo_round) return "Discharge rate over the diameter of the hole";
+  return law == DischargeLaw::beverloo_slit ? "Discharge rate over the width of the slit"
+                                            : "Mass over shoe speed";
+}
+
+/// Whether a number is known to less than half of itself, as remarks() say too.
+bool vague(const continuum::DischargeFit& fit) {
+  for (Eigen::Index k = 0; k < fit.fit.numbers.size(); ++k)
+    if (std::sqrt(std::max(0.0, fit.fit.covariance(k, k))) > 0.5 * std::abs(fit.fit.numbers[k])) return true;
+  return false;
+}
+
 /// One standard deviation of the law at `point`, from the covariance of its numbers as they were fitted.
 double band_at(const continuum::DischargeFit& fit, const continuum::DischargeData& data,
                const DischargePoint& point) {
@@ -110,17 +124,18 @@ std::string numbers_text(const continuum::DischargeFit& fit) {
 void draw_discharge(const std::filesystem::path& png, const continuum::DischargeFit& fit,
                     const continuum::DischargeData& data) {
   render::Chart chart;
-  chart.title = "Discharge, law " + continuum::name_of(fit.law);
-  chart.subtitle = numbers_text(fit);
+  chart.title = title_of(fit.law);
+  chart.subtitle = "Law " + continuum::name_of(fit.law) + ": " + numbers_text(fit);
   chart.x.label = x_label(fit.law);
   chart.y.label = is_rate(fit.law) ? "Rate [g/s]" : "Mass [g]";
   chart.note = continuum::formula_of(fit.law) + ". Band: one standard deviation.";
+  if (vague(fit)) chart.note += " The curve is better determined than its parameters.";
   std::map<double, std::vector<DischargePoint>> slits;
   for (const auto& point : fit.used) slits[is_rate(fit.law) ? 0 : point.width].push_back(point);
   for (const auto& [width, points] : slits) {
     const std::string slit =
         slits.size() < 2 ? "" : ", slit of " + results::in_significant_digits(1e3 * width, 3) + " mm";
-    chart.curves.push_back(line_of(fit, data, points, "fit" + slit));
+    chart.curves.push_back(line_of(fit, data, points, "fit, band: one standard deviation" + slit));
     chart.curves.push_back(measured(fit, points, "measured" + slit));
   }
   render::draw_chart(png, chart);

@@ -5,18 +5,9 @@
 #include <stdexcept>
 #include <string>
 
+#include "process/input/shell_word.h"
+
 namespace diefill::app {
-namespace {
-
-/// A picture's path as one argument of a shell command.
-std::string quoted(const std::filesystem::path& path) {
-  std::string text = "'";
-  for (const char letter : path.string())
-    text += letter == '\'' ? std::string("'\\''") : std::string(1, letter);
-  return text + "'";
-}
-
-}  // namespace
 
 bool ffmpeg_is_there() {
   return std::system("command -v ffmpeg > /dev/null 2>&1") == 0;
@@ -32,9 +23,9 @@ bool write_film(const std::filesystem::path& frames, const std::filesystem::path
   const auto unfinished = std::filesystem::path(film).replace_extension(".tmp.mp4");
   const std::string command =
       "ffmpeg -loglevel error -y -framerate " + std::to_string(frames_a_second) + " -i " +
-      quoted(frames / "%05d.png") +
+      process::shell_word((frames / "%05d.png").string()) +
       " -vf 'pad=ceil(iw/2)*2:ceil(ih/2)*2:color=white' -c:v libx264 -pix_fmt yuv420p -movflags +faststart " +
-      quoted(unfinished);
+      process::shell_word(unfinished.string());
   if (std::system(command.c_str()) != 0) {
     std::filesystem::remove(unfinished);
     throw std::runtime_error("ffmpeg could not make " + film.string() + "; the frames are in " +

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "process/results/fill_result.h"
+#include "process/tooling/progress.h"
 #include "render/scene3d/paraview_files.h"
 
 namespace diefill::app {
@@ -21,9 +22,9 @@ using FieldWriter = std::function<void(const results::FillResult& then, const st
 /// with their times: opened in ParaView, it shows powder and tools moving. With `fields` also fields_<n>.vti,
 /// for which the solid fraction of every instant is measured. Returns what was written, `series`
 /// last; nothing where the results hold no earlier instants. Throws as render::write_points() does.
-std::vector<std::filesystem::path> write_filling_series(const results::FillResult& result,
-                                                        const std::filesystem::path& folder,
-                                                        const std::filesystem::path& series,
-                                                        const FieldWriter& fields = {});
+std::vector<std::filesystem::path> write_filling_series(
+    const results::FillResult& result, const std::filesystem::path& folder,
+    const std::filesystem::path& series, const FieldWriter& fields = {},
+    const process::TellProgress& tell = process::tell_nobody);
 
 }  // namespace diefill::app

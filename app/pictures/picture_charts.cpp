@@ -1,4 +1,5 @@
 // Pictures that are charts: profiles, histograms, fill levels; all sources in one.
+#include <algorithm>
 #include <stdexcept>
 
 #include "app/pictures/picture_files.h"
@@ -11,12 +12,10 @@
 namespace diefill::app {
 namespace {
 
-std::string chart_title(const PictureRequest& request, const std::string& what) {
-  return request.sources.size() > 1 ? what : title_of(request, request.sources.front());
-}
-
 std::string chart_subtitle(const PictureRequest& request) {
-  return request.sources.size() > 1 ? std::string() : subtitle_of(request.sources.front());
+  return request.sources.size() > 1
+             ? std::string()
+             : title_of(request, request.sources.front()) + ", " + subtitle_of(request.sources.front());
 }
 
 /// Over azimuth and height of a ring; over the travel and height of any other cavity.
@@ -29,13 +28,15 @@ results::Field2D side_field(const PictureRequest& request, const results::FillRe
 
 Pictures spread_pictures(const PictureRequest& request, const std::string& kind, const std::string& what,
                          results::SpreadProfile (*profile_of)(const results::Field2D&)) {
+  const bool rings =
+      std::ranges::all_of(request.sources, [](const auto& source) { return source.result.cavity.is_ring; });
+  const std::string across = rings ? "azimuth" : "the cross-section";
   std::vector<render::Named<results::SpreadProfile>> profiles;
   for (const auto& source : request.sources) {
     const auto& result = source.result;
     profiles.push_back({legend_of(request, source), profile_of(side_field(request, result))});
   }
-  return write_chart(request, kind,
-                     render::spread_chart(profiles, chart_title(request, what), chart_subtitle(request)));
+  return write_chart(request, kind, render::spread_chart(profiles, what, chart_subtitle(request), across));
 }
 
 }  // namespace
@@ -46,10 +47,7 @@ Pictures make_height_profile(const PictureRequest& request) {
 }
 
 Pictures make_azimuth_profile(const PictureRequest& request) {
-  for (const auto& source : request.sources)
-    if (!source.result.cavity.is_ring)
-      throw std::invalid_argument(
-          "an azimuth needs a ring; use height-profile or plan-map for other cavities");
+  require_ring(request, "azimuth-profile", "height-profile or plan-map");
   return spread_pictures(request, "azimuth_profile", "Solid fraction over azimuth",
                          process::profile_over_azimuth);
 }
@@ -62,8 +60,7 @@ Pictures make_histogram(const PictureRequest& request) {
         {legend_of(request, source),
          process::histogram("solid fraction", "1", process::counted_fractions(source.result.solid_fraction),
                             kBin)});
-  auto chart = render::histogram_chart(histograms, chart_title(request, "Solid fraction of grains"),
-                                       chart_subtitle(request));
+  auto chart = render::histogram_chart(histograms, "Solid fraction of grains", chart_subtitle(request));
   chart.note = "Closed Voronoi cells in the cavity";
   return write_chart(request, "histogram", chart);
 }
@@ -76,7 +73,7 @@ Pictures make_fill_level(const PictureRequest& request) {
                         source.result.cavity.is_ring
                             ? process::fill_level(source.result.powder, source.result.cavity, kBins)
                             : process::fill_level_along_travel(source.result)});
-  auto chart = render::profile_chart(profiles, chart_title(request, "Fill level"), chart_subtitle(request));
+  auto chart = render::profile_chart(profiles, "Fill level", chart_subtitle(request));
   const auto& cavity = request.sources.front().result.cavity;
   const double depth = 1e3 * (cavity.upper_corner.z() - cavity.lower_corner.z());
   const auto& places = profiles.front().data.x;
@@ -98,8 +95,7 @@ Pictures make_coordination(const PictureRequest& request) {
     for (double& middle : histogram.middle) middle -= 0.5;  // whole numbers stand in the middle of their bars
     histograms.push_back({legend_of(request, source), std::move(histogram)});
   }
-  auto chart = render::histogram_chart(histograms, chart_title(request, "Coordination number"),
-                                       chart_subtitle(request));
+  auto chart = render::histogram_chart(histograms, "Coordination number", chart_subtitle(request));
   chart.note = "Other grains that a grain in the cavity touches; walls not counted";
   return write_chart(request, "coordination", chart);
 }

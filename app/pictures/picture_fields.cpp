@@ -132,6 +132,7 @@ std::string span_of(const TwoInstants& two) {
 }  // namespace
 
 Pictures make_map(const PictureRequest& request) {
+  require_ring(request, "map", "plan-map or section");
   std::vector<results::Field2D> fields;
   for (const auto& source : request.sources) fields.push_back(map_of(request, source.result));
   return write_fields(request, "map", fields, {}, style_of(request));
@@ -142,7 +143,7 @@ Pictures make_plan_map(const PictureRequest& request) {
   for (const auto& source : request.sources)
     fields.push_back(process::box_map(source.result, process::BoxView::kPlan, request.averaging_width));
   render::FieldStyle style = style_of(request);
-  style.note = "mean over height";
+  style.note = "mean over the height of the powder";
   return write_fields(request, "plan_map", fields, {}, style, ", seen from above");
 }
 
@@ -156,6 +157,7 @@ Pictures make_fill_level_map(const PictureRequest& request) {
 }
 
 Pictures make_partial_volume_map(const PictureRequest& request) {
+  require_ring(request, "partial-volumes", "plan-map or section");
   std::vector<results::Field2D> fields;
   for (const auto& source : request.sources)
     fields.push_back(over_whole_depth(partial_volume_map_of(request, source.result), source.result.cavity));
@@ -190,6 +192,7 @@ Pictures make_section(const PictureRequest& request) {
 }
 
 Pictures make_difference(const PictureRequest& request) {
+  require_ring(request, "difference", "plan-map of each result");
   Pictures written;
   const auto& first = request.sources.front();
   if (request.from || request.to || request.sources.size() == 1) {
@@ -212,6 +215,7 @@ Pictures make_difference(const PictureRequest& request) {
 }
 
 Pictures make_displacement(const PictureRequest& request) {
+  require_ring(request, "displacement", "velocity-section");
   Pictures written;
   for (const auto& source : request.sources) {
     const TwoInstants two = two_instants(request, source);
@@ -230,6 +234,7 @@ Pictures make_displacement(const PictureRequest& request) {
 }
 
 Pictures make_velocity_map(const PictureRequest& request) {
+  require_ring(request, "velocity", "velocity-section");
   Pictures written;
   for (const auto& source : request.sources) {
     const auto arrows = in_readable_unit(

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <stdexcept>
 
 #include "render/fields/field_places.h"
 #include "render/style/picture_file.h"
@@ -80,6 +81,12 @@ std::vector<std::filesystem::path> write_chart(const PictureRequest& request, co
   if (!request.pdf) return {png};
   render::draw_chart_pdf(pdf, chart);
   return {png, pdf};
+}
+
+void require_ring(const PictureRequest& request, const std::string& picture, const std::string& others) {
+  for (const auto& source : request.sources)
+    if (!source.result.cavity.is_ring)
+      throw std::invalid_argument(picture + " needs a ring; use " + others + " for other cavities");
 }
 
 std::string legend_of(const PictureRequest& request, const PictureSource& source) {

@@ -40,6 +40,10 @@ std::vector<std::filesystem::path> write_fields(const PictureRequest& request, c
 std::vector<std::filesystem::path> write_chart(const PictureRequest& request, const std::string& kind,
                                                render::Chart chart);
 
+/// Throws std::invalid_argument where a source's cavity is no ring; `others` are the kinds of picture to use
+/// then.
+void require_ring(const PictureRequest& request, const std::string& picture, const std::string& others);
+
 /// Legend name of a source: none where it is alone.
 std::string legend_of(const PictureRequest& request, const PictureSource& source);
 

@@ -22,6 +22,7 @@ Pictures draw_sizes(const PictureRequest& request, const std::string& name,
 }  // namespace
 
 Pictures make_size_map(const PictureRequest& request) {
+  require_ring(request, "size-map", "size-section");
   std::vector<results::Field2D> fields;
   for (const auto& source : request.sources) {
     const process::SizeField size(source.result.powder, request.averaging_width);

@@ -1,4 +1,6 @@
 // Pictures of the stress in the powder.
+#include <algorithm>
+#include <cmath>
 #include <stdexcept>
 
 #include "app/pictures/picture_files.h"
@@ -11,13 +13,30 @@ namespace {
 
 constexpr double kKilopascal = 1e3;
 
-/// One field of pressure for each source, in kPa, and the pictures of all on one scale.
+/// Largest magnitude of all values.
+double largest(const std::vector<results::Field2D>& fields) {
+  double found = 0;
+  for (const auto& field : fields)
+    for (const double value : field.value)
+      if (std::isfinite(value)) found = std::max(found, std::abs(value));
+  return found;
+}
+
+/// One field of pressure for each source, given in kPa and shown in Pa where all are below 1 kPa, and the
+/// pictures of all on one scale.
 Pictures draw_pressures(const PictureRequest& request, const std::string& kind,
                         std::vector<results::Field2D> fields,
                         const std::vector<results::SectionPlane>& planes) {
   for (auto& field : fields) field.quantity = std::string("pressure");
   render::FieldStyle style;
   style.unit = "kPa";
+  const bool limits_given = !std::isnan(request.lower) || !std::isnan(request.upper);  // they are in kPa
+  if (!limits_given && largest(fields) < 1) {
+    style.unit = "Pa";
+    for (auto& field : fields)
+      for (double& value : field.value)
+        if (std::isfinite(value)) value *= kKilopascal;
+  }
   style.note = "one third of the trace of the stress from contacts and motion; compression positive";
   return write_fields(request, kind, fields, planes, style);
 }
@@ -25,6 +44,7 @@ Pictures draw_pressures(const PictureRequest& request, const std::string& kind,
 }  // namespace
 
 Pictures make_pressure_map(const PictureRequest& request) {
+  require_ring(request, "pressure", "pressure-section");
   std::vector<results::Field2D> fields;
   for (const auto& source : request.sources) {
     const process::StressField stress(source.result, request.averaging_width);

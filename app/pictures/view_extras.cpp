@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <string>
 
 #include "process/measure/earlier_instant.h"
 #include "process/measure/fields/gaussian_field.h"
@@ -60,13 +61,17 @@ std::vector<double> closed_fractions(const results::GrainSolidFraction& measured
 
 }  // namespace
 
-render::report::ViewExtras view_extras(const results::FillResult& result) {
+render::report::ViewExtras view_extras(const results::FillResult& result, const process::TellProgress& tell) {
   render::report::ViewExtras extras;
   const auto box = cavity_box(result);
   if (!box.isEmpty() && !result.powder.position.empty() && !result.solid_fraction.open.empty())
     extras.density = density_over(result, box);
   const std::size_t most = render::report::PackingLimits{}.instants;
-  for (const std::size_t n : render::report::spread_instants(result.instants.size(), most)) {
+  const auto shown = render::report::spread_instants(result.instants.size(), most);
+  for (const std::size_t n : shown) {
+    tell(static_cast<double>(extras.fractions.size()) / static_cast<double>(shown.size()),
+         "measuring instant " + std::to_string(extras.fractions.size() + 1) + " of " +
+             std::to_string(shown.size()));
     const auto then = process::result_at(result, result.instants[n].time);
     extras.fractions.push_back({n, closed_fractions(then.solid_fraction)});
   }

@@ -69,7 +69,8 @@ void add_run(py::module_& module) {
       .def_readonly("cavity", &FillResult::cavity)
       .def_readonly("figures", &FillResult::figures,
                     "numbers of report.json by name; figure_meaning() explains them")
-      .def_readonly("phase_seconds", &FillResult::phase_seconds, "s of wall-clock time by phase of the step")
+      .def_readonly("phase_seconds", &FillResult::phase_seconds,
+                    "s of wall-clock time by phase of the step, since the last restart")
       .def_property_readonly("maps", by_name(&FillResult::maps, [](const auto& map) { return map.quantity; }),
                              "fields by quantity")
       .def_property_readonly(

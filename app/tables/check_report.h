@@ -27,7 +27,7 @@ std::vector<render::FindingMark> marks_of(const process::Tooling& tooling,
 std::vector<render::FindingMark> marks_of(const process::Scene& scene,
                                           const std::vector<process::SetupFinding>& setup);
 /// The path of a moving tool through the steps, which must have been prepared.
-render::FindingMark way_mark(const process::Scene& scene, const process::Tool& tool);
+render::FindingMark path_marker(const process::Scene& scene, const process::Tool& tool);
 nlohmann::ordered_json setup_as_json(const std::vector<process::SetupFinding>& setup);
 /// A block of the lines under the word WARNING; nothing for none.
 void print_alerts(const std::vector<std::string>& lines);

@@ -6,6 +6,7 @@
 
 #include "app/tables/pilot_report.h"
 #include "app/tables/text_column.h"
+#include "process/results/json_numbers.h"
 #include "process/tooling/progress.h"
 
 namespace diefill::app {
@@ -17,10 +18,6 @@ namespace plan = process::plan;
 
 std::string time_text(const std::optional<double>& seconds) {
   return seconds ? process::duration_text(*seconds) : "unknown";
-}
-
-Json number_or_null(const std::optional<double>& number) {
-  return number ? Json(*number) : Json(nullptr);
 }
 
 void print_table(const std::vector<plan::VariantForecast>& variants) {
@@ -48,8 +45,8 @@ Json variant_as_json(const plan::VariantForecast& variant) {
           {"simulated_s", forecast.seconds()},
           {"shared_s", variant.shared_seconds},
           {"memory_bytes", forecast.memory},
-          {"wall_seconds_alone", number_or_null(forecast.wall_seconds)},
-          {"wall_seconds", number_or_null(variant.wall_seconds)}};
+          {"wall_seconds_alone", results::json_number(forecast.wall_seconds)},
+          {"wall_seconds", results::json_number(variant.wall_seconds)}};
 }
 
 }  // namespace
@@ -71,7 +68,7 @@ void print_comparison_plan(const std::string& title, const plan::ComparisonForec
 
 Json comparison_plan_as_json(const std::string& title, const plan::ComparisonForecast& comparison) {
   Json json = {{"title", title},
-               {"wall_seconds", number_or_null(comparison.wall_seconds)},
+               {"wall_seconds", results::json_number(comparison.wall_seconds)},
                {"variants", Json::array()},
                {"pilots", Json::array()}};
   for (const auto& variant : comparison.variants) json["variants"].push_back(variant_as_json(variant));

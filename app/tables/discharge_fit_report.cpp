@@ -44,18 +44,19 @@ std::vector<std::string> remarks(const continuum::DischargeFit& fit) {
   if (fit.fit.shape_at_bound)
     said.push_back(
         fit.names.back() +
-        " is at the end of what is searched: the points do not show how the flow comes to its steady "
+        " is at the limit of the search range: the points do not show how the flow comes to its steady "
         "rate; the fit holds where it was measured and not beyond");
   if (fit.used.front().error > 0 && fit.fit.chi_square_per_freedom > kMisfit)
     said.emplace_back(
         "the points are off by far more than their errors: this law does not describe them; try another");
   for (std::size_t k = 0; k < fit.names.size(); ++k)
-    if (deviation(fit, k) > kVague * std::abs(fit.fit.numbers[static_cast<Eigen::Index>(k)]))
+    if (const double share = deviation(fit, k) / std::abs(fit.fit.numbers[static_cast<Eigen::Index>(k)]);
+        share > kVague)
       said.push_back(
-          fit.names[k] + " is known to within " +
-          results::in_significant_digits(
-              100 * deviation(fit, k) / std::abs(fit.fit.numbers[static_cast<Eigen::Index>(k)]), 2) +
-          " % only; the curve is known better than its numbers, see the band of the chart");
+          fit.names[k] +
+          (share > 1 ? " is not determined by these data"
+                     : " is known to within " + results::in_significant_digits(100 * share, 2) + " % only") +
+          "; the curve is better determined than its parameters, see the band of the chart");
   if (fit.law == continuum::DischargeLaw::transient)
     said.emplace_back(
         "points of one outflow are not independent: the deviations are lower bounds; repeat it");

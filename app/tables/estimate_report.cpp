@@ -39,7 +39,7 @@ Json opening_as_json(const estimate::OpeningEstimate& opening) {
           {"depth_m", cavity ? Json(opening.depth) : Json(nullptr)},
           {"mouth_area_m2", opening.area},
           {"mean_width_m", opening.width},
-          {"mean_width_as_felt_m", opening.felt_width},
+          {"mean_width_as_felt_m", opening.effective_width},
           {"full_mass_kg", cavity ? Json(opening.full_mass) : Json(nullptr)},
           {"offered_kg", results::json_numbers(opening.offered)},
           {"mass_kg", results::json_numbers(opening.mass)},

@@ -18,7 +18,7 @@ void print_pilot(const plan::Pilot& pilot) {
     std::printf("pilot run: kept since %s; --new-pilot runs it again\n", pilot.kept_since.c_str());
   std::printf("processors: the machine gave the pilot %.0f %% of the processor time it asked for%s\n",
               100 * pilot.processor_share,
-              is_busy(pilot) ? "; times on free processors leave the waiting out, times as busy have it"
+              is_busy(pilot) ? "; times on free processors exclude waiting, times as busy include it"
                              : ", about as much as on a free machine");
   std::printf("wall time: from a pilot run of %zu spheres, d = %.4g mm, %.4g mm of powder, %.1f s:",
               pilot.spheres, 1e3 * pilot.grain_diameter, 1e3 * pilot.fill_height, pilot.wall_seconds);

@@ -146,7 +146,7 @@ Json needs_as_json(const plan::Needs& needs) {
   json["narrowest_width_m"] = needs.cavity.found ? Json(needs.cavity.narrowest_width) : Json(nullptr);
   json["narrowest_place_m"] = needs.cavity.found ? Json{place[0], place[1], place[2]} : Json(nullptr);
   json["coarsest_grain_m"] = needs.coarsest_grain > 0 ? Json(needs.coarsest_grain) : Json(nullptr);
-  json["width_as_felt_m"] = needs.coarsest_grain > 0 ? Json(needs.width_as_felt) : Json(nullptr);
+  json["width_as_felt_m"] = needs.coarsest_grain > 0 ? Json(needs.effective_width) : Json(nullptr);
   json["time_step_s"] = needs.time_step;
   json["critical_time_step_s"] = needs.critical_step;
   json["impact_speed_m_per_s"] = needs.impact_speed;

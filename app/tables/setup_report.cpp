@@ -40,7 +40,7 @@ std::vector<render::FindingMark> marks_of(const process::Scene& scene,
   return marks;
 }
 
-render::FindingMark way_mark(const process::Scene& scene, const process::Tool& tool) {
+render::FindingMark path_marker(const process::Scene& scene, const process::Tool& tool) {
   const process::Stages stages(scene);
   const auto states = process::predicted(stages, process::kSettlingGuess);
   const geometry::Box box = tool.mesh.bounding_box();

@@ -48,7 +48,7 @@ class GrainLoop final : public PairLoop {
 
   void add_forces(Block& block, const ContactScene& scene, ContactWorkspace& workspace,
                   BlockTally& tally) const override {
-    // Contacts begin and end: what pairs remember is written anew in every step, closely packed.
+    // Contacts begin and end: what pairs remember is written again in every step, closely packed.
     std::vector<double>& remembered = workspace.remembered;
     std::vector<TouchingPair>& touching = workspace.touching;
     GrainPairTable& table = block.grain_pairs;

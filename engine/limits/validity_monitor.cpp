@@ -96,7 +96,7 @@ void ValidityMonitor::warn_of_overlap(double grains, double walls, double time) 
   if (grains > limits_.comfortable_overlap)
     warn_once(warned_of_overlap_,
               line("overlap among grains reached %.2f of the sphere radius by t = %.6g s; up to %.2f is "
-                   "comfortable",
+                   "acceptable",
                    grains, time, limits_.comfortable_overlap));
   if (walls > limits_.forbidden_overlap)
     warn_once(warned_of_pinch_,
@@ -133,7 +133,7 @@ void ValidityMonitor::check_speed(const Simulation& simulation) {
   if (settings.time_step > limits_.comfortable_step * critical)
     warn_once(warned_of_speed_,
               line("%s moved at %.3g m/s at t = %.6g s, where a collision allows steps of %.3g s; the run's "
-                   "are %.3g s and up to %.2f of that is comfortable (STABILITY.md, time step)",
+                   "are %.3g s and up to %.2f of that is acceptable (STABILITY.md, time step)",
                    who.c_str(), fastest.speed, simulation.time(), critical, settings.time_step,
                    limits_.comfortable_step));
 }
@@ -150,25 +150,24 @@ void ValidityMonitor::check_contacts(const Simulation& simulation) {
         contacts, simulation.time(), deepest_text(simulation).c_str(), limits_.forbidden_contacts,
         simulation.settings().time_step));
   if (contacts > limits_.comfortable_contacts)
-    warn_once(
-        warned_of_contacts_,
-        line("%.1f contacts a sphere at t = %.6g s; up to %.0f are comfortable, equal spheres have room "
-             "for 6",
-             contacts, simulation.time(), limits_.comfortable_contacts));
+    warn_once(warned_of_contacts_,
+              line("%.1f contacts a sphere at t = %.6g s; up to %.0f are acceptable, equal spheres have room "
+                   "for 6",
+                   contacts, simulation.time(), limits_.comfortable_contacts));
 }
 
 void ValidityMonitor::check_energy(const Simulation& simulation) {
   const double error = energy_balance_error(simulation);
   if (error > limits_.energy_error)
     throw OutOfRange(
-        line("energy grew by %.1f %% of what was turned over with no work to explain it at t = %.6g s "
+        line("energy grew by %.1f %% of the energy exchanged with no work to explain it at t = %.6g s "
              "(limit %.1f %%: STABILITY.md, time step): the time step of %.3g s is too long%s",
              100 * error, simulation.time(), 100 * limits_.energy_error, simulation.settings().time_step,
              fastest_text(simulation).c_str()));
   if (error > limits_.comfortable_energy_error)
     warn_once(warned_of_energy_,
-              line("energy grew by %.1f %% of what was turned over with no work to explain it by t = %.6g s; "
-                   "up to %.1f %% is comfortable (STABILITY.md, time step)",
+              line("energy grew by %.1f %% of the energy exchanged with no work to explain it by t = %.6g s; "
+                   "up to %.1f %% is acceptable (STABILITY.md, time step)",
                    100 * error, simulation.time(), 100 * limits_.comfortable_energy_error));
 }
 

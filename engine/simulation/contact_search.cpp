@@ -29,9 +29,10 @@ void check_places(const SimulationState& state) {
   const Grains& grains = state.grains;
   for (std::size_t k = 0; k < grains.size(); ++k) {
     if (grains.position[k].norm() < kFarthestPlace && grains.orientation_of(k).allFinite()) continue;
-    throw OutOfRange("grain " + std::to_string(grains.id[k]) +
-                     " has no finite position any more at t = " + std::to_string(state.time) +
-                     " s: the run is unstable; take a shorter time step, and add no grain where another is");
+    throw OutOfRange(
+        "grain " + std::to_string(grains.id[k]) +
+        " has no finite position any more at t = " + std::to_string(state.time) +
+        " s: the run is unstable; take a shorter time step, and do not add grains inside others");
   }
 }
 

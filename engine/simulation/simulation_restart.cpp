@@ -1,4 +1,4 @@
-// How a simulation stops and goes on.
+// Checkpoint and restart of a simulation.
 #include "engine/simulation/contact_search.h"
 #include "engine/simulation/simulation.h"
 #include "engine/simulation/step_phases.h"

@@ -188,7 +188,7 @@ void send(const CadParts& contents, Sender& sender) {
     send(read(), sender);
     ::_exit(0);
   } catch (const std::bad_alloc&) {
-    reason = "it asks for more memory than a file of its size needs, so its counts must be wrong";
+    reason = "it declares more data than a file of its size can hold, so its counts must be wrong";
   } catch (const std::exception& error) {
     reason = error.what();
   } catch (...) {

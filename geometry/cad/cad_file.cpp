@@ -218,8 +218,8 @@ std::string read_cad_file(const std::filesystem::path& file) {
   return bytes;
 }
 
-void check_is_what_it_says(const std::filesystem::path& file, const std::string& ending,
-                           const std::string& bytes) {
+void check_content_matches_format(const std::filesystem::path& file, const std::string& ending,
+                                  const std::string& bytes) {
   const std::string name = named(file);
   check_encoding(name, bytes);
   check_first_bytes(name, ending, bytes);

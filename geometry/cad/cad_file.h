@@ -14,7 +14,7 @@ std::string read_cad_file(const std::filesystem::path& file);
 /// text in UTF-16, hold no triangles (binary STL) or fewer than a header promises (binary STL, PLY, OFF), or
 /// end before `endsolid` (text STL): importers accept some such files silently and ask for unlimited memory
 /// on others.
-void check_is_what_it_says(const std::filesystem::path& file, const std::string& ending,
-                           const std::string& bytes);
+void check_content_matches_format(const std::filesystem::path& file, const std::string& ending,
+                                  const std::string& bytes);
 
 }  // namespace diefill::geometry

@@ -173,7 +173,7 @@ ImportedPart import_part(const std::filesystem::path& file, const ImportOptions&
     throw MeshError(named(file) + " has an unsupported format '" +
                     shown(file.extension().string().substr(file.has_extension() ? 1 : 0), 40) +
                     "': export it as " + cad_formats_text());
-  check_is_what_it_says(file, format->ending, bytes);
+  check_content_matches_format(file, format->ending, bytes);
   CadParts contents = read(file, *format, options.chord_tolerance, bytes);
 
   ImportedPart result;

@@ -11,7 +11,7 @@
 namespace diefill::geometry {
 
 /// Whether `bytes` hold the triangles that their header promises, at least one. More bytes may follow; a
-/// header with 0 or the largest number counts as never filled in. Text must be recognised beforehand.
+/// header with 0 or the largest number counts as never filled in. Text must be recognised in advance.
 bool is_binary_stl(const std::string& bytes);
 
 /// All triangles of a binary STL file as one part, in the order of the file, equal corners once. Files one

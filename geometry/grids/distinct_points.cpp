@@ -13,7 +13,7 @@ namespace diefill::geometry {
 namespace {
 
 constexpr std::size_t kSlabs = 256;
-constexpr std::size_t kMostAsHigh = 1000;  // points; more would take too long to hold against each other
+constexpr std::size_t kMostAsHigh = 1000;  // points; more would take too long to compare with each other
 constexpr double kRounding = 1e-12;        // of a height, in parts of the farthest coordinate
 
 struct Height {

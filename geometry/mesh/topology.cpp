@@ -62,21 +62,6 @@ void leave_out_useless(const Mesh& mesh, Topology& topology) {
 
 }  // namespace
 
-int fan_size(const Mesh& mesh, const Topology& topology, std::size_t triangle, int k) {
-  const std::int64_t centre = topology.corner(mesh, triangle, k);
-  std::size_t current = triangle;
-  int count = 0;
-  do {
-    int at = 0;
-    while (topology.corner(mesh, current, at) != centre) ++at;
-    const std::int64_t next = topology.neighbour[current][static_cast<std::size_t>(at)];
-    if (next == Topology::kNone) return 0;
-    current = static_cast<std::size_t>(next);
-    ++count;
-  } while (current != triangle);
-  return count;
-}
-
 Corners corners_of(const Mesh& mesh, std::size_t triangle) {
   const Eigen::Vector3i& t = mesh.triangles[triangle];
   return {mesh.vertices[static_cast<std::size_t>(t[0])], mesh.vertices[static_cast<std::size_t>(t[1])],

@@ -31,11 +31,6 @@ struct Topology {
 /// there.
 Topology find_topology(const Mesh& mesh);
 
-/// Triangles met when walking round corner `k` of `triangle` from neighbour to neighbour until back at the
-/// start; 0 when the walk ends at an edge without a neighbour. Equal to all triangles at the corner where the
-/// surface is a clean fan.
-int fan_size(const Mesh& mesh, const Topology& topology, std::size_t triangle, int k);
-
 /// Corners of one triangle of a mesh, m.
 Corners corners_of(const Mesh& mesh, std::size_t triangle);
 

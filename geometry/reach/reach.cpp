@@ -230,21 +230,4 @@ bool Reach::reachable(std::size_t solid, const Eigen::Vector3d& point_in_body,
   return false;
 }
 
-double Reach::volume_below(double z, const Box& box) const {
-  const auto& grid = laboratory_;
-  double volume = 0;
-  for (int k = 0; k < grid.counts.z(); ++k) {
-    const double bottom = grid.origin.z() + k * grid.edge;
-    const double height = std::clamp(z - bottom, 0.0, grid.edge);
-    for (int j = 0; j < grid.counts.y() && height > 0; ++j) {
-      for (int i = 0; i < grid.counts.x(); ++i) {
-        Eigen::Vector3d centre = grid.centre({i, j, k});
-        centre.z() = box.lower.z();
-        if (first_[grid.index(i, j, k)] && box.contains(centre)) volume += height * grid.edge * grid.edge;
-      }
-    }
-  }
-  return volume;
-}
-
 }  // namespace diefill::geometry

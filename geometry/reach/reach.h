@@ -45,9 +45,6 @@ class Reach {
   /// solid `solid` in one of the sampled poses. To the size of a voxel, in doubt true.
   bool reachable(std::size_t solid, const Eigen::Vector3d& point_in_body,
                  const Eigen::Vector3d& outward_normal, double margin) const;
-  /// Volume (m^3) of reachable space below height `z` (m) inside the horizontal extent of `box`, first
-  /// sample.
-  double volume_below(double z, const Box& box) const;
 
  private:
   // Powder near one solid in any sample, in the solid's own frame, one byte a voxel.

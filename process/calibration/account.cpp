@@ -114,8 +114,8 @@ void add_worth(results::Calibration& account, const CalibrationPlan& plan, const
       possible.push_back({measurement.name + ", used to fit", std::move(values),
                           vector_of(measurement.data.deviation.values)});
   }
-  for (const Worth& worth : worth_of(samples, possible))
-    account.worth.push_back({worth.name, worth.volume, {worth.deviations.begin(), worth.deviations.end()}});
+  for (const Informativeness& gain : informativeness_of(samples, possible))
+    account.worth.push_back({gain.name, gain.volume, {gain.deviations.begin(), gain.deviations.end()}});
 }
 
 void add_words(results::Calibration& account, const CalibrationPlan& plan, const Fit& fit) {
@@ -210,8 +210,7 @@ results::Calibration account_of(const CalibrationPlan& plan, const SimulatedPoin
 
 std::string powder_comment(const results::Calibration& account) {
   return "# Powder calibrated by diefill " + account.program_version + ": " + account.title +
-         ".\n# A scene uses it with powder.file = \"powder.toml\". What its numbers are worth is said at the "
-         "end.\n";
+         ".\n# A scene uses it with powder.file = \"powder.toml\". Uncertainties are listed at the end.\n";
 }
 
 std::string powder_account(const results::Calibration& account) {

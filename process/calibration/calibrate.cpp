@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <fstream>
-#include <iterator>
 
 #include "process/calibration/account.h"
 #include "process/calibration/methods/next_points.h"
@@ -11,6 +9,7 @@
 #include "process/calibration/starting_powder.h"
 #include "process/compare/kept_aside.h"
 #include "process/results/storage/atomic_file.h"
+#include "process/results/storage/file_contents.h"
 #include "process/run/assemble.h"
 
 namespace diefill::process::calibration {
@@ -161,8 +160,7 @@ void write_powder(const CalibrationPlan& plan, const Fit& fit, const results::Ca
       powder_file_text(scene, powder_comment(account), powder_account(account), program_version());
   const std::filesystem::path file = options.directory / "powder.toml";
   if (std::filesystem::exists(file)) {
-    std::ifstream stream(file, std::ios::binary);
-    if (std::string{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()} == text) return;
+    if (results::contents_or_nothing(file) == text) return;
     const auto aside = set_one_aside(file);
     if (options.say) options.say("note: the earlier powder.toml was renamed to " + aside.filename().string());
   }

@@ -83,7 +83,7 @@ void check_enough_data(const CalibrationPlan& plan) {
         plan.file.string() + ": found " + std::to_string(data) +
         (data == 1 ? " measured value to fit " : " measured values to fit ") +
         std::to_string(plan.parameters.size()) +
-        " parameters; allowed: at least as many values as parameters; measure more or leave parameters out");
+        " parameters; allowed: at least as many values as parameters; measure more or remove parameters");
 }
 
 std::string finer_grains_of(const CalibrationPlan& plan) {

@@ -49,7 +49,6 @@ class PointRuns {
   PointOutcome outcome(const Point& point, std::size_t number);
   /// Whether the budget of processor time is spent.
   bool over_budget() const { return spent_ >= options_.jobs.cpu_seconds; }
-  double spent() const { return spent_; }
   /// Jobs of the latest run() that are neither finished nor failed.
   const results::JobList& open_jobs() const { return open_; }
   /// Whether scenes of this point have been written before.

@@ -39,7 +39,7 @@ std::string with_starting_powder(const std::string& text, const std::filesystem:
     if (toml::table* table = start[key].as_table()) document.insert(key, *table);
   }
   toml::table& of_document = *document["powder"].as_table();
-  of_document.erase("fitted_with");  // it is fitted anew
+  of_document.erase("fitted_with");  // it is fitted again
   if (toml::node* diameter = own.get("grain_diameter"))
     diameter->visit([&](auto& value) { of_document.insert_or_assign("grain_diameter", std::move(value)); });
   return scene_text_of(document);

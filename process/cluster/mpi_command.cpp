@@ -11,18 +11,11 @@
 #include <string_view>
 
 #include "process/cluster/mpirun_talk.h"
+#include "process/input/shell_word.h"
 
 namespace diefill::process::cluster {
 
 namespace {
-
-std::string quoted(const std::string& word) {
-  constexpr const char* kPlain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-+=./:,@%";
-  if (!word.empty() && word.find_first_not_of(kPlain) == std::string::npos) return word;
-  std::string text = "'";
-  for (const char letter : word) text += letter == '\'' ? std::string("'\\''") : std::string(1, letter);
-  return text + "'";
-}
 
 bool is_known(const std::string& host) {
   addrinfo* found = nullptr;
@@ -94,8 +87,8 @@ std::string slurm_script(const RankCommand& command) {
       "#SBATCH --time=24:00:00\n"
       "#SBATCH --signal=INT@120\n"
       "exec srun --mpi=pmix " +
-      quoted(command.program.string());
-  for (const std::string& word : command.words) script += ' ' + quoted(word);
+      shell_word(command.program.string());
+  for (const std::string& word : command.words) script += ' ' + shell_word(word);
   const bool resumes =
       std::find(command.words.begin(), command.words.end(), "--resume") != command.words.end();
   return script + (resumes ? "\n" : " --resume\n");

@@ -1,7 +1,7 @@
 #include "process/compare/compared_measures.h"
 
+#include "process/results/figure_item.h"
 #include "process/results/figure_table.h"
-#include "process/results/figure_thing.h"
 
 namespace diefill::process {
 
@@ -20,10 +20,10 @@ const std::vector<MeasureOfComparison>& compared_measures() {
 std::vector<MeasureOfComparison> measures_of_named(const std::set<std::string>& keys) {
   std::vector<MeasureOfComparison> measures;
   for (const results::Figure& figure : results::figure_table()) {
-    if (!results::is_of_things(figure)) continue;
+    if (!results::is_per_item(figure)) continue;
     for (const std::string& key : keys)
       if (results::find_figure(key) == &figure)
-        measures.push_back({key, results::label_of(figure, results::thing_of(figure, key)), figure.shown.unit,
+        measures.push_back({key, results::label_of(figure, results::item_of(figure, key)), figure.shown.unit,
                             figure.shown.factor, figure.shown.period});
   }
   return measures;

@@ -1,12 +1,12 @@
 #include "process/compare/copied_files.h"
 
-#include <fstream>
-#include <iterator>
+#include <utility>
 
 #include "geometry/cad/mesh_import.h"
 #include "geometry/cad/referred_files.h"
 #include "process/compare/kept_aside.h"
 #include "process/results/storage/atomic_file.h"
+#include "process/results/storage/file_contents.h"
 #include "process/results/storage/result_file.h"
 #include "process/scene/folder_names.h"
 
@@ -17,16 +17,16 @@ namespace fs = std::filesystem;
 
 constexpr const char* kFolder = "tools";
 
-std::string contents(const fs::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  if (!stream) throw results::ResultError("cannot copy " + file.string() + ": cannot read it");
-  return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
+std::string bytes_in(const fs::path& file) {
+  auto bytes = results::contents_or_nothing(file);
+  if (!bytes) throw results::ResultError("cannot copy " + file.string() + ": cannot read it");
+  return std::move(*bytes);
 }
 
 /// Copies `file` as `copy` unless that is there already, byte for byte.
 void copy_whole(const fs::path& file, const fs::path& copy) {
-  const std::string bytes = contents(file);
-  if (fs::exists(copy) && contents(copy) == bytes) return;
+  const std::string bytes = bytes_in(file);
+  if (fs::exists(copy) && bytes_in(copy) == bytes) return;
   make_folder(copy.parent_path());
   results::write_text_atomically(copy, bytes);
 }

@@ -2,14 +2,15 @@
 
 #include <algorithm>
 #include <fstream>
-#include <iterator>
 #include <optional>
 #include <sstream>
 
 #include "process/compare/copied_files.h"
 #include "process/compare/kept_aside.h"
 #include "process/results/storage/atomic_file.h"
+#include "process/results/storage/file_contents.h"
 #include "process/results/storage/result_file.h"
+#include "process/results/word_list.h"
 #include "process/run/checkpoint.h"
 #include "process/scene/identity.h"
 
@@ -18,9 +19,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string contents_or_nothing(const fs::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
+constexpr std::size_t kMostListed = 6;  // folders in a note
+
+/// Empty where there is no such file.
+std::string text_in(const fs::path& file) {
+  return results::contents_or_nothing(file).value_or("");
 }
 
 /// The scene's text with copied files named by the hash in their names alone, not by how they were called.
@@ -50,7 +53,7 @@ bool ask_for_the_same(const std::string& a, const std::string& b, const fs::path
 /// given.
 std::optional<fs::path> write_scene(const fs::path& folder, const std::string& text) {
   const fs::path scene = folder / kJobScene;
-  const std::string before = contents_or_nothing(scene);
+  const std::string before = text_in(scene);
   if (before == text) return std::nullopt;
   std::optional<fs::path> aside;
   if (fs::exists(folder) && !ask_for_the_same(before, text, scene)) {
@@ -58,7 +61,7 @@ std::optional<fs::path> write_scene(const fs::path& folder, const std::string& t
   } else if (fs::exists(folder)) {
     // A limit of its computing may be another: what failed before is tried again.
     const fs::path code = folder / kJobExitCode;
-    if (contents_or_nothing(code) != "0\n") fs::remove(code);
+    if (text_in(code) != "0\n") fs::remove(code);
   }
   make_folder(folder);
   results::write_text_atomically(scene, text);
@@ -82,15 +85,6 @@ bool holds_work(const fs::path& folder) {
   for (const char* name : {"report.json", "results.h5", "checkpoint.bin"})
     if (fs::exists(folder / name)) return true;
   return false;
-}
-
-/// The first few, and how many more.
-std::string listed(const std::vector<std::string>& words) {
-  constexpr std::size_t kShown = 6;
-  std::string text;
-  for (std::size_t k = 0; k < std::min(kShown, words.size()); ++k) text += (k == 0 ? "" : ", ") + words[k];
-  if (words.size() > kShown) text += " and " + std::to_string(words.size() - kShown) + " more";
-  return text;
 }
 
 /// Folders with results that the earlier list names and the new one does not.
@@ -126,7 +120,7 @@ results::JobList jobs_of(const WantedJobs& wanted, const DoWithJob& act) {
 /// What the run said last, without the program's name.
 std::string last_complaint(const fs::path& log) {
   const std::string start = "diefill: ";
-  std::istringstream lines(contents_or_nothing(log));
+  std::istringstream lines(text_in(log));
   std::string complaint;
   for (std::string line; std::getline(lines, line);)
     if (line.starts_with(start)) complaint = line.substr(start.size());
@@ -166,10 +160,12 @@ results::JobList write_jobs(const fs::path& directory, const WantedJobs& wanted,
   });
   const auto missing = left_out(directory, earlier, list, wanted.later);
   if (say && !aside.empty())
-    say("note: in " + directory.string() + ", runs of a different scene were renamed: " + listed(aside));
+    say("note: in " + directory.string() +
+        ", runs of a different scene were renamed: " + results::comma_list(aside, kMostListed));
   if (say && !missing.empty())
     say("note: in " + directory.string() +
-        ", earlier runs are no longer in the list and were left in place: " + listed(missing));
+        ", earlier runs are no longer in the list and were left in place: " +
+        results::comma_list(missing, kMostListed));
   results::write_job_list(directory, list);
   return list;
 }
@@ -181,7 +177,7 @@ FoundJobs find_jobs(const fs::path& directory, const WantedJobs& wanted) {
   found.list = jobs_of(wanted, [&](const std::string& folder, const Scene& scene, std::uint64_t seed) {
     const fs::path file = directory / folder / kJobScene;
     if (!fs::exists(file)) return;
-    const std::string there = contents_or_nothing(file), text = scene_text_with(scene, seed, elsewhere);
+    const std::string there = text_in(file), text = scene_text_with(scene, seed, elsewhere);
     if (there != text && !ask_for_the_same(there, text, file)) found.other_scenes.insert(folder);
   });
   return found;

@@ -1,10 +1,9 @@
-#include <fstream>
-#include <iterator>
 #include <optional>
 
 #include "process/compare/job_folder.h"
 #include "process/compare/kept_aside.h"
 #include "process/results/storage/atomic_file.h"
+#include "process/results/storage/file_contents.h"
 #include "process/results/storage/result_file.h"
 
 namespace diefill::process {
@@ -44,9 +43,7 @@ cd "${SLURM_SUBMIT_DIR:-.}" && sed -n "${SLURM_ARRAY_TASK_ID}p" jobs.txt | sh
 /// Writes the file. One of other contents, which somebody may have made their own, is set aside; gives its
 /// name.
 std::optional<std::string> write_file(const fs::path& file, const std::string& text, bool runs) {
-  std::ifstream stream(file, std::ios::binary);
-  const std::string before{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
-  if (before == text) return std::nullopt;
+  if (results::contents_or_nothing(file).value_or("") == text) return std::nullopt;
   std::optional<std::string> aside;
   if (fs::exists(file)) aside = file.filename().string() + " as " + set_one_aside(file).filename().string();
   results::write_text_atomically(file, text);

@@ -208,7 +208,7 @@ DischargeLaw law_for_table(const std::filesystem::path& file) {
   if (has(columns, "rate") && has(columns, "diameter")) return DischargeLaw::beverloo_round;
   if (has(columns, "rate") && has(columns, "width")) return DischargeLaw::beverloo_slit;
   throw SceneError(heading.place +
-                   ": no law is for these columns; give mass and speed, mass and time, or rate "
+                   ": no law fits these columns; give mass and speed, mass and time, or rate "
                    "and diameter or width");
 }
 

@@ -127,11 +127,12 @@ void find_cover(const Ground& ground, std::size_t k, OpeningEstimate& opening) {
     const MouthPlace& place = ground.mouth.places[n];
     if (place.opening != k || ground.way.exposures[n].empty()) continue;
     const double seconds = ground.way.exposures[n].front().seconds;
-    const double felt = felt_width(place.width, ground.powder);
+    const double effective = effective_width(place.width, ground.powder);
     area += place.area;
     opening.filling_time += place.area * seconds;
-    const double fresh = std::max(1.0, ground.way.exposures[n].front().travel / std::max(1e-9, felt));
-    if (!(felt > 0) || seconds / fresh < continuum::kBurst * std::sqrt(felt / ground.powder.gravity))
+    const double fresh = std::max(1.0, ground.way.exposures[n].front().travel / std::max(1e-9, effective));
+    if (!(effective > 0) ||
+        seconds / fresh < continuum::kBurst * std::sqrt(effective / ground.powder.gravity))
       fast += place.area;
   }
   if (!(area > 0)) return;
@@ -166,14 +167,14 @@ OpeningEstimate opening_of(const Ground& ground, std::size_t k, const PowderEsti
   opening.area = mouth.area;
   opening.depth = mouth.area > 0 ? mouth.volume / mouth.area : 0;
   opening.width = mouth.width;
-  opening.felt_width = felt_width(mouth.width, ground.powder);
+  opening.effective_width = effective_width(mouth.width, ground.powder);
   opening.full_mass = powder.density * mouth.volume;
   opening.offered = inflow(ground.mouth, ground.way, ground.powder)[k];
   fill(error, opening);
   find_speeds(ground, k, opening);
   find_cover(ground, k, opening);
-  if (opening.felt_width > 0)
-    opening.froude = ground.way.speed / std::sqrt(ground.powder.gravity * opening.felt_width);
+  if (opening.effective_width > 0)
+    opening.froude = ground.way.speed / std::sqrt(ground.powder.gravity * opening.effective_width);
   if (opening.is_cavity && powder.carrying_flux)
     opening.air_escapes = continuum::escape_time(opening.depth, *powder.carrying_flux);
   return opening;
@@ -190,7 +191,7 @@ SuctionEstimate suction_of(const FallingPunch& punch, const Ground& ground, cons
   SuctionEstimate suction;
   suction.punch = punch;
   suction.volume_mass = powder.density * punch.area * punch.stroke;
-  const double width = felt_width(ground.mouth.openings[punch.opening].width, ground.powder);
+  const double width = effective_width(ground.mouth.openings[punch.opening].width, ground.powder);
   const double own = running_speed(ground.powder, width);
   suction.by_weight = suction.volume_mass * std::min(1.0, own / punch.speed());
   if (!powder.carrying_flux) return suction;
@@ -206,7 +207,7 @@ Answer answer_of(const Estimate& estimate) {
   for (const OpeningEstimate& opening : estimate.openings) {
     if (!opening.is_cavity || opening.offered.empty()) continue;
     any = true;
-    if (!(opening.felt_width > 0)) return Answer::open;
+    if (!(opening.effective_width > 0)) return Answer::open;
     if (opening.most_share < kFull) return Answer::too_fast;
     all_full = all_full && opening.least_share >= kFull;
   }

@@ -24,24 +24,24 @@ inline constexpr double kFull = 0.99;
 
 /// One opening below the shoe.
 struct OpeningEstimate {
-  std::string name;                   ///< "cavity", "cavity 2", "slit"
-  bool is_cavity = false;             ///< else powder runs right through
-  double volume = 0, depth = 0;       ///< m^3, m (volume over mouth); 0 for a slit
-  double area = 0;                    ///< m^2 of the mouth
-  double width = 0, felt_width = 0;   ///< m, of the mouth; the same for grains of the scene's size
-  double full_mass = 0;               ///< kg at apparent density; 0 for a slit
-  std::vector<double> offered;        ///< kg that would run in, floor or not, by crossing
-  std::vector<double> mass;           ///< kg in it after each crossing
-  double least_mass = 0;              ///< kg after all crossings with the error taken off
-  double most_mass = 0;               ///< kg, with the error added
-  double share = 0;                   ///< of full_mass after all crossings
-  double least_share = 0;             ///< the same if the inflow is less by the error
-  double most_share = 0;              ///< the same if it is more
+  std::string name;                       ///< "cavity", "cavity 2", "slit"
+  bool is_cavity = false;                 ///< else powder runs right through
+  double volume = 0, depth = 0;           ///< m^3, m (volume over mouth); 0 for a slit
+  double area = 0;                        ///< m^2 of the mouth
+  double width = 0, effective_width = 0;  ///< m, of the mouth; the same for grains of the scene's size
+  double full_mass = 0;                   ///< kg at apparent density; 0 for a slit
+  std::vector<double> offered;            ///< kg that would run in, floor or not, by crossing
+  std::vector<double> mass;               ///< kg in it after each crossing
+  double least_mass = 0;                  ///< kg after all crossings with the error taken off
+  double most_mass = 0;                   ///< kg, with the error added
+  double share = 0;                       ///< of full_mass after all crossings
+  double least_share = 0;                 ///< the same if the inflow is less by the error
+  double most_share = 0;                  ///< the same if it is more
   double too_fast = 0;                ///< share of the first crossing's mouth where flow has no time to begin
   std::optional<double> speed_once;   ///< m/s, fastest that fills it in one crossing
   std::optional<double> speed_all;    ///< m/s, the same in as many crossings as the scene has
   std::optional<int> crossings;       ///< needed at the scene's speed; nothing: more than kMostCrossings
-  double froude = 0;                  ///< v_s / sqrt(g D), D the width felt
+  double froude = 0;                  ///< v_s / sqrt(g D), D the effective width
   std::optional<double> air_escapes;  ///< s; nothing: particle size not known, or no cavity
   double filling_time = 0;            ///< s that powder covers it in the first crossing, mean
 };

@@ -10,9 +10,9 @@ namespace {
 /// kg/m^2 of the place that run down through it in one exposure.
 double inflow_per_area(const MouthPlace& place, const Exposure& exposure, const InflowPowder& powder,
                        double faster) {
-  const double width = felt_width(place.width, powder);
+  const double width = effective_width(place.width, powder);
   if (!(width > 0)) return 0;
-  const double along = std::max(width, felt_width(place.chord, powder));
+  const double along = std::max(width, effective_width(place.chord, powder));
   const double fresh = std::max(1.0, exposure.travel / along);
   const double time = exposure.seconds / faster / fresh;
   const double x = time * std::sqrt(powder.gravity / width) - continuum::kBurst;
@@ -21,7 +21,7 @@ double inflow_per_area(const MouthPlace& place, const Exposure& exposure, const 
 
 }  // namespace
 
-double felt_width(double width, const InflowPowder& powder) {
+double effective_width(double width, const InflowPowder& powder) {
   return continuum::effective_width(width, std::max(0.0, powder.grain_diameter - powder.law.grain_diameter));
 }
 

@@ -16,7 +16,7 @@ struct InflowPowder {
 
 /// m, what is left of an opening of `width` for these grains: width - 1.4 (d - d of the law), none below zero
 /// (Bierwisch 2009, section 3.2.2).
-double felt_width(double width, const InflowPowder& powder);
+double effective_width(double width, const InflowPowder& powder);
 
 /// kg that run into each opening in each crossing, by opening and crossing, as if it had no floor. The shoe
 /// goes `faster` times as fast as the scene has it.

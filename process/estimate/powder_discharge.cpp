@@ -43,7 +43,7 @@ PowderDischarge discharge_of(const PowderSpec& powder) {
     law.grain_diameter = 6 * reference_sphere_radius(GrainModel::D);
     law.source = "hopper of model D grains, friction 0.5, no cohesion (Bierwisch 2009, Table 5.2)";
     law.applies = "grains of the same shape; more friction and cohesion let less run in";
-    if (powder.name == "Distaloy AE") law.applies = "held against this powder (process/estimate/README.md)";
+    if (powder.name == "Distaloy AE") law.applies = "compared with this powder (process/estimate/README.md)";
     return law;
   }
   law.numbers = continuum::kMeasuredDischarge;

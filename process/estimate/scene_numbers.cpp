@@ -39,7 +39,7 @@ std::vector<SceneNumber> scene_numbers(const Scene& scene, const Estimate& estim
   for (const OpeningEstimate& opening : estimate.openings)
     if (opening.froude > 0)
       numbers.push_back({"Froude, " + opening.name,
-                         "shoe speed over sqrt(g D), D the opening as the grains feel it; beyond 5 nothing "
+                         "shoe speed over sqrt(g D), D the effective opening; beyond 5 nothing "
                          "runs in (Eq. 5.17)",
                          "Bierwisch 2009, section 5.2.2", opening.froude});
   if (!scene.contact) add_contact_numbers(scene, numbers);

@@ -13,6 +13,9 @@ namespace {
 constexpr const char* kFormula =
     "Bierwisch 2009, Eq. 5.17, on the local width of the opening (ours for shapes other than slits)";
 
+/// Time that air needs to escape over the filling time, above which it slows the filling.
+constexpr double kAirSlows = 0.3;
+
 template <class... Numbers>
 std::string line(const char* format, Numbers... numbers) {
   char text[600];
@@ -42,7 +45,7 @@ std::string error_text(const Estimate& estimate) {
   if (!error.measured)
     return line("not measured for this powder; a factor of %.3g either way on the inflow is assumed",
                 error.factor);
-  return line("in nine cases of ten a factor of at most %.3g on the inflow, and %.0f %% on the mass (",
+  return line("in 90 %% of cases a factor of at most %.3g on the inflow, and %.0f %% on the mass (",
               error.factor, 100 * error.packing) +
          error.source + ")";
 }
@@ -95,7 +98,7 @@ std::string no_answer(const Estimate& estimate, const OpeningEstimate* worst) {
   if (worst == nullptr)
     return runs_through ? "no cavity to be filled: the estimate gives the mass that runs through"
                         : "no shoe passes over an opening: there is nothing to estimate here; simulate";
-  if (!(worst->felt_width > 0))
+  if (!(worst->effective_width > 0))
     return line(
         "grains of %.3g mm are too coarse for the %s, %.3g mm wide: 1.4 d of an opening stay empty, so "
         "that nothing runs in; take finer grains",
@@ -115,15 +118,15 @@ std::string answer_text(const Estimate& estimate) {
   if (estimate.answer == Answer::too_fast)
     return (estimate.way.speed > 0 ? "the shoe is too fast: " : "it does not fill: ") + way.does("leave") +
            line(
-               " the %s about %.0f %% full, at most %.0f %% with the uncertainty. No grain need be simulated "
-               "to know that: ",
+               " the %s about %.0f %% full, at most %.0f %% with the uncertainty. No simulation is "
+               "needed for this: ",
                name, percent(worst->share), most) +
            remedy(estimate, *worst);
   if (estimate.answer == Answer::fills)
     return way.does("fill") + line(
                                   " every cavity: %.2g times what the %s holds would run in, and it is at "
-                                  "least %.0f %% full with the uncertainty. No grain need be simulated to "
-                                  "know that; simulate for the density map",
+                                  "least %.0f %% full with the uncertainty. No simulation is needed "
+                                  "for this; simulate for the density map",
                                   offered_share(*worst), name, least);
   return "too close to call: " + way.does("leave") +
          line(
@@ -138,9 +141,9 @@ std::string opening_text(const Estimate& estimate, const OpeningEstimate& openin
   std::string text = opening.name + ": ";
   if (opening.is_cavity) text += line("%.3g cm3, %.3g mm deep, ", 1e6 * opening.volume, 1e3 * opening.depth);
   text += line("mouth of %.3g mm2, %.3g mm wide on average", 1e6 * opening.area, 1e3 * opening.width);
-  if (opening.felt_width < 0.99 * opening.width)
-    text += line(", which grains of %.3g mm feel as %.3g mm", 1e3 * estimate.grain_diameter,
-                 1e3 * opening.felt_width);
+  if (opening.effective_width < 0.99 * opening.width)
+    text += line(", effective width %.3g mm for grains of %.3g mm", 1e3 * opening.effective_width,
+                 1e3 * estimate.grain_diameter);
   if (opening.offered.empty()) return text + ". Powder never comes over it";
   const double in = opening.mass.back();
   if (!opening.is_cavity)
@@ -155,7 +158,7 @@ std::string opening_text(const Estimate& estimate, const OpeningEstimate& openin
   return text;
 }
 
-void say_openings(const Estimate& estimate, std::vector<Statement>& said) {
+void add_opening_statements(const Estimate& estimate, std::vector<Statement>& said) {
   for (const OpeningEstimate& opening : estimate.openings)
     said.push_back({"filling", opening_text(estimate, opening),
                     std::string(kFormula) +
@@ -169,7 +172,7 @@ void say_openings(const Estimate& estimate, std::vector<Statement>& said) {
                     "pour box times apparent density", "", "exact for the scene's apparent density"});
 }
 
-void say_speed(const Estimate& estimate, std::vector<Statement>& said) {
+void add_speed_statements(const Estimate& estimate, std::vector<Statement>& said) {
   for (const OpeningEstimate& opening : estimate.openings) {
     if (!opening.is_cavity || opening.offered.empty()) continue;
     std::string text = opening.name + ": ";
@@ -194,13 +197,13 @@ std::string powders_text(const Estimate& estimate) {
          " of [[other_powder]] is not taken into account";
 }
 
-void say_powders(const Estimate& estimate, std::vector<Statement>& said) {
+void add_powders_statement(const Estimate& estimate, std::vector<Statement>& said) {
   const std::string text = powders_text(estimate);
   if (!text.empty()) said.push_back({"powders", text, "", "", "not measured"});
 }
 
 /// One slow crossing against several quick ones.
-void say_cycle(const Estimate& estimate, std::vector<Statement>& said) {
+void add_cycle_statement(const Estimate& estimate, std::vector<Statement>& said) {
   if (!estimate.cycle_time) return;
   std::string text = line("the scene's steps take %.3g s", *estimate.cycle_time);
   const OpeningEstimate* worst = emptiest(estimate);
@@ -221,7 +224,7 @@ void say_cycle(const Estimate& estimate, std::vector<Statement>& said) {
   said.push_back({"cycle time", text, "the scene's motions", "powder rests at once", "not measured"});
 }
 
-void say_suction(const Estimate& estimate, std::vector<Statement>& said) {
+void add_suction_statements(const Estimate& estimate, std::vector<Statement>& said) {
   for (const SuctionEstimate& suction : estimate.suctions) {
     std::string text = suction.punch.tool +
                        line(" falls %.3g mm at %.2g m/s and makes room for ", 1e3 * suction.punch.stroke,
@@ -244,7 +247,7 @@ void say_suction(const Estimate& estimate, std::vector<Statement>& said) {
   }
 }
 
-void say_air(const Estimate& estimate, std::vector<Statement>& said) {
+void add_air_statements(const Estimate& estimate, std::vector<Statement>& said) {
   const PowderEstimate& powder = estimate.powder;
   if (!powder.air_number || !powder.carrying_flux) {
     said.push_back({"air", "unknown: give the size of the real particles with --particle-diameter '80 um'",
@@ -256,28 +259,29 @@ void say_air(const Estimate& estimate, std::vector<Statement>& said) {
   said.push_back({"air",
                   line("Archimedes number times density ratio %.2g (", *powder.air_number) + particles +
                       "): it grows with the third power of the size and the second of the density; "
-                      "powders with a small one are slowed by air",
+                      "air slows powders with a small value",
                   "Guo, Kafui, Wu, Thornton, Seville 2009, AIChE J. 55, 49",
                   "orders powders; whether air slows this filling follows from the escape time",
                   "not measured"});
   for (const OpeningEstimate& opening : estimate.openings) {
     if (!opening.air_escapes || !(opening.filling_time > 0)) continue;
     const double ratio = *opening.air_escapes / opening.filling_time;
-    const char* verdict = ratio < 0.3 ? "air does not matter"
-                          : ratio < 1
-                              ? "air slows the filling: expect less than the formulas say"
-                              : "air decides: powder that covers the whole mouth cannot fall faster "
-                                "than the air leaves; go slower, or let the punch fall under the shoe";
-    said.push_back({"air",
-                    opening.name +
-                        line(": its air needs %.2g s to leave through powder (%.2g m/s), which "
-                             "covers it for %.2g s: ",
-                             *opening.air_escapes, *powder.carrying_flux, opening.filling_time) +
-                        verdict,
-                    "Darcy 1856, permeability of Carman 1937",
-                    "while powder covers the whole mouth; grains of "
-                    "one size",
-                    "not measured; the DEM has no air but in [suction]"});
+    const char* verdict =
+        ratio < kAirSlows ? "air does not matter"
+        : ratio < 1       ? "air slows the filling: expect less than the formulas say"
+                    : "air limits filling: powder covering the whole opening cannot fall faster than the air "
+                      "leaves; go slower, or let the punch fall under the shoe";
+    said.push_back(
+        {"air",
+         opening.name +
+             line(": its air needs %.2g s to escape through powder (%.2g m/s), %.2g of the %.2g s "
+                  "for which powder covers the opening (air slows the filling above %.1g): ",
+                  *opening.air_escapes, *powder.carrying_flux, ratio, opening.filling_time, kAirSlows) +
+             verdict,
+         "Darcy 1856, permeability of Carman 1937",
+         "while powder covers the whole mouth; grains of "
+         "one size",
+         "not measured; the DEM has no air but in [suction]"});
   }
 }
 
@@ -286,12 +290,12 @@ void say_air(const Estimate& estimate, std::vector<Statement>& said) {
 std::vector<Statement> statements(const Estimate& estimate) {
   std::vector<Statement> said;
   said.push_back({"answer", answer_text(estimate), kFormula, valid_text(estimate), error_text(estimate)});
-  say_powders(estimate, said);
-  say_openings(estimate, said);
-  say_speed(estimate, said);
-  say_cycle(estimate, said);
-  say_suction(estimate, said);
-  say_air(estimate, said);
+  add_powders_statement(estimate, said);
+  add_opening_statements(estimate, said);
+  add_speed_statements(estimate, said);
+  add_cycle_statement(estimate, said);
+  add_suction_statements(estimate, said);
+  add_air_statements(estimate, said);
   return said;
 }
 
@@ -299,9 +303,9 @@ std::vector<std::string> in_short(const Estimate& estimate) {
   std::vector<std::string> lines = {"estimate without simulation: " + answer_text(estimate)};
   const bool settled = estimate.answer == Answer::too_fast || estimate.answer == Answer::fills;
   if (settled)
-    lines.push_back(
-        std::string("whether the cavity fills is answered by the estimate alone, if its error (") +
-        error_text(estimate) + ") holds; diefill estimate says more");
+    lines.push_back(std::string("the estimate alone shows that the cavity ") +
+                    (estimate.answer == Answer::fills ? "fills" : "does not fill") +
+                    ". Its error: " + error_text(estimate) + ". diefill estimate says more");
   if (!estimate.powder.left_out.empty()) lines.push_back(powders_text(estimate));
   return lines;
 }

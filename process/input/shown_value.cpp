@@ -21,7 +21,7 @@ std::string shortest(double value) {
 }
 
 /// Control characters, line separators, and what reverses, joins or hides text.
-bool shows_as_it_stands(std::uint32_t code) {
+bool is_displayable(std::uint32_t code) {
   const auto between = [code](std::uint32_t first, std::uint32_t last) {
     return code >= first && code <= last;
   };
@@ -63,14 +63,10 @@ std::string shown_list(const toml::array& list) {
 bool is_printable(std::string_view text) {
   while (!text.empty()) {
     const auto character = utf8_character(text);
-    if (!character || !shows_as_it_stands(character->code)) return false;
+    if (!character || !is_displayable(character->code)) return false;
     text.remove_prefix(character->length);
   }
   return true;
-}
-
-std::string printable(std::string_view text) {
-  return one_line(text, std::string_view::npos);
 }
 
 std::string one_line(std::string_view text, std::size_t longest) {
@@ -78,7 +74,7 @@ std::string one_line(std::string_view text, std::size_t longest) {
   while (!text.empty()) {
     const auto character = utf8_character(text);
     const std::size_t length = character ? character->length : 1;
-    const bool plain = character && shows_as_it_stands(character->code);
+    const bool plain = character && is_displayable(character->code);
     const std::string shown = plain       ? std::string(text.substr(0, length))
                               : character ? escaped(character->code)
                                           : escaped_byte(static_cast<unsigned char>(text.front()));

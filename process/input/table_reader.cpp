@@ -8,6 +8,7 @@
 #include "process/input/nearest_key.h"
 #include "process/input/scene_error.h"
 #include "process/input/shown_value.h"
+#include "process/results/word_list.h"
 
 namespace diefill::process {
 namespace {
@@ -45,12 +46,9 @@ void refuse_long(const toml::array& list, const std::string& where) {
                    std::to_string(kMostEntries));
 }
 
-std::string listed(const std::vector<std::string>& words, const std::string& last) {
-  std::string list;
-  for (std::size_t i = 0; i < words.size() && i < kMostListed; ++i)
-    list += (i == 0 ? "\"" : i + 1 == words.size() ? last + '"' : ", \"") + one_line(words[i]) + '"';
-  if (words.size() > kMostListed) list += " and " + std::to_string(words.size() - kMostListed) + " more";
-  return list;
+std::string listed(std::vector<std::string> words) {
+  for (std::string& word : words) word = '"' + one_line(word) + '"';
+  return results::comma_list(words, kMostListed, " or ");
 }
 
 constexpr std::string_view kAxes = "xyz";
@@ -294,8 +292,7 @@ std::optional<std::size_t> TableReader::chosen(const std::string& key,
   const auto match = std::find(words.begin(), words.end(), *value);
   if (match != words.end()) return static_cast<std::size_t>(match - words.begin());
   const auto meant = nearest_key(*value, words);
-  reject(key,
-         "allowed: " + listed(words, " or ") + (meant ? "; did you mean \"" + one_line(*meant) + "\"?" : ""));
+  reject(key, "allowed: " + listed(words) + (meant ? "; did you mean \"" + one_line(*meant) + "\"?" : ""));
 }
 
 std::optional<TableReader> TableReader::table(const std::string& key) {

@@ -5,15 +5,10 @@
 
 #include "process/input/shown_value.h"
 #include "process/input/unit_text.h"
+#include "process/results/trimmed.h"
 
 namespace diefill::process {
 namespace {
-
-std::string_view trimmed(std::string_view text) {
-  const std::size_t first = text.find_first_not_of(" \t");
-  if (first == std::string_view::npos) return {};
-  return text.substr(first, text.find_last_not_of(" \t") - first + 1);
-}
 
 bool is_plain(std::string_view unit) {
   return unit.empty() || unit == "1" || unit == "-" || unit == "%";
@@ -35,8 +30,8 @@ struct FreeConverter {
 }  // namespace
 
 double unit_factor(std::string_view from, std::string_view to) {
-  from = trimmed(from);
-  to = trimmed(to);
+  from = results::trimmed(from);
+  to = results::trimmed(to);
   const ParsedUnit given = parsed(from), wanted = parsed(to);
   // udunits2 would also turn Hz into s and take an angle for a number.
   const Unit quotient(ut_divide(given.unit.get(), wanted.unit.get()));
@@ -52,13 +47,13 @@ double unit_factor(std::string_view from, std::string_view to) {
 
 NumberWithUnit number_with_unit(std::string_view text) {
   const std::string typed = as_typed(text);
-  std::string_view rest = trimmed(typed);
+  std::string_view rest = results::trimmed(typed);
   if (!rest.empty() && rest.front() == '+') rest.remove_prefix(1);
   NumberWithUnit read;
   const auto [end, error] = std::from_chars(rest.data(), rest.data() + rest.size(), read.number);
   if (error != std::errc() || !std::isfinite(read.number))
     throw UnitError("it does not begin with a number; expected a number with its unit, such as \"12.1 g\"");
-  const std::string_view unit = trimmed(rest.substr(static_cast<std::size_t>(end - rest.data())));
+  const std::string_view unit = results::trimmed(rest.substr(static_cast<std::size_t>(end - rest.data())));
   read.unit = unit.empty() ? "1" : std::string(unit);
   parsed(read.unit);
   return read;

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "process/input/shown_value.h"
+#include "process/results/trimmed.h"
 
 namespace diefill::process {
 namespace {
@@ -41,12 +42,6 @@ const std::pair<std::string_view, char>* superscript_at(std::string_view text) {
   return nullptr;
 }
 
-std::string_view trimmed(std::string_view text) {
-  const std::size_t first = text.find_first_not_of(" \t");
-  if (first == std::string_view::npos) return {};
-  return text.substr(first, text.find_last_not_of(" \t") - first + 1);
-}
-
 /// One unit text, read from left to right.
 class UnitReader {
  public:
@@ -74,7 +69,7 @@ class UnitReader {
   }
 
   [[noreturn]] void refuse_rest() const {
-    const std::string shown = '"' + one_line(trimmed(rest()), 30) + '"';
+    const std::string shown = '"' + one_line(results::trimmed(rest()), 30) + '"';
     if (is_digit(next()) || (next() == '.' && rest().size() > 1 && is_digit(rest()[1])))
       throw UnitTextError("found a second number, " + shown + ": write one number followed by its unit");
     throw UnitTextError(rest().empty() ? "the unit is incomplete" : shown + " is not a unit");
@@ -191,7 +186,7 @@ class UnitReader {
 
 ParsedUnit parse_unit(std::string_view text) {
   if (text.size() > kLongest) throw UnitTextError('"' + one_line(text, 40) + "\" is not a unit");
-  return UnitReader(trimmed(text)).whole();
+  return UnitReader(results::trimmed(text)).whole();
 }
 
 std::string as_typed(std::string_view text) {

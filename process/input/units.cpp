@@ -8,6 +8,7 @@
 
 #include "process/input/shown_value.h"
 #include "process/input/unit_text.h"
+#include "process/results/trimmed.h"
 
 namespace diefill::process {
 namespace {
@@ -49,12 +50,6 @@ struct FreeConverter {
   void operator()(cv_converter* converter) const { cv_free(converter); }
 };
 
-std::string_view trimmed(std::string_view text) {
-  const std::size_t first = text.find_first_not_of(" \t");
-  if (first == std::string_view::npos) return {};
-  return text.substr(first, text.find_last_not_of(" \t") - first + 1);
-}
-
 /// "2820" of "2 820 um": digits in groups of three, as many write thousands. Empty for anything else.
 std::string joined_thousands(std::string_view text) {
   std::string digits;
@@ -81,7 +76,7 @@ struct Split {
 
 /// Parts number and unit without regard to the locale.
 Split split(std::string_view text, const std::string& needed) {
-  text = trimmed(text);
+  text = results::trimmed(text);
   if (!text.empty() && text.front() == '+') text.remove_prefix(1);
   Split result;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), result.number);
@@ -91,7 +86,7 @@ Split split(std::string_view text, const std::string& needed) {
   if (error != std::errc()) throw UnitError("it does not begin with a number; " + needed);
   std::string_view rest(end, static_cast<std::size_t>(text.data() + text.size() - end));
   if (!rest.empty() && rest.front() == ',') throw UnitError("write a decimal point, not a comma; " + needed);
-  result.unit = trimmed(rest);
+  result.unit = results::trimmed(rest);
   if (!result.unit.empty() && result.unit.front() >= '0' && result.unit.front() <= '9') {
     const std::string joined = joined_thousands(text);
     if (joined.size() > 3) throw UnitError("write the number without spaces, as " + joined + "; " + needed);

@@ -11,8 +11,7 @@
 namespace diefill::process::laboratory {
 
 struct ExperimentOptions {
-  bool quick = false;           ///< small beds and few points
-  bool published_only = false;  ///< only points that there are published figures for
+  bool quick = false;  ///< small beds and few points
   int threads = 2;
   TellProgress tell = tell_nobody;
 };

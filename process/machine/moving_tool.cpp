@@ -41,11 +41,4 @@ std::vector<std::string> read_moving_tools(TableReader& table, const std::vector
   return wanted;
 }
 
-std::string names_text(const std::vector<std::string>& names) {
-  std::string words;
-  for (std::size_t k = 0; k < names.size(); ++k)
-    words += (k == 0 ? "" : k + 1 == names.size() ? " and " : ", ") + names[k];
-  return words;
-}
-
 }  // namespace diefill::process

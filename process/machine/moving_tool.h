@@ -18,7 +18,4 @@ std::string read_moving_tool(TableReader& table, const std::vector<ToolSpec>& to
 /// SceneError.
 std::vector<std::string> read_moving_tools(TableReader& table, const std::vector<ToolSpec>& tools);
 
-/// Such as "die, core rod and lower punch".
-std::string names_text(const std::vector<std::string>& names);
-
 }  // namespace diefill::process

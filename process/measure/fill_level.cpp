@@ -29,27 +29,4 @@ results::Profile fill_level(const results::PowderState& powder, const results::C
   return level;
 }
 
-results::Profile level_along_travel(const results::PowderState& powder, const results::CavityState& cavity) {
-  constexpr double kSliceWidth = 2;  // d: wide enough to meet a grain of the topmost layer
-  const double length = travel_length(cavity);
-  const int slices = std::max(1, static_cast<int>(length / (kSliceWidth * powder.grain_diameter)));
-  results::Profile level{"fill level", "mm", "way along the shoe's travel", "mm", {}, {}};
-  for (int slice = 0; slice < slices; ++slice) level.x.push_back(1e3 * (slice + 0.5) * length / slices);
-  level.y.assign(level.x.size(), std::numeric_limits<double>::quiet_NaN());
-  const auto centres = powder.sphere_centres();
-  const auto radii = powder.radii_of_spheres();
-  for (std::size_t n = 0; n < centres.size(); ++n) {
-    const auto& centre = centres[n];
-    const double height = centre.z() - cavity.lower_corner.z();
-    const bool within = (centre.head<2>().array() >= cavity.lower_corner.head<2>().array()).all() &&
-                        (centre.head<2>().array() <= cavity.upper_corner.head<2>().array()).all();
-    if (!within || height < 0) continue;
-    const int slice = std::clamp(static_cast<int>(along_travel(cavity, centre) * slices), 0, slices - 1);
-    const double top = (height + radii[n]) * 1e3;
-    double& highest = level.y[static_cast<std::size_t>(slice)];
-    if (!(highest >= top)) highest = top;  // also where there was none (NaN)
-  }
-  return level;
-}
-
 }  // namespace diefill::process

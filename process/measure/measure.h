@@ -47,28 +47,12 @@ results::SectionField plane_section(const results::PowderState& powder,
 /// Throws std::invalid_argument for no ring.
 results::Profile fill_level(const results::PowderState& powder, const results::CavityState& cavity, int bins);
 
-/// The same of any cavity along the shoe's travel: against the way (mm) from the end of the cavity's box
-/// where the shoe first arrives, in slices about 2 d wide.
-results::Profile level_along_travel(const results::PowderState& powder, const results::CavityState& cavity);
-
 /// Mass (kg) of the grains whose centre lies in the cavity.
 double filled_mass(const results::PowderState& powder, const results::GrainSolidFraction& fraction);
-
-/// Solid fraction over height (mm above `floor`, which is z in m) of a bed that fills its box, mean over x
-/// and y: Eq. 2.27 along z alone over closed cells; sigma = d / 4 or less shows layers. Ends d / 2 above the
-/// highest closed cell's grain centre; NaN where no such centre is within the larger of d and 1.5 sigma in
-/// height.
-results::Profile solid_fraction_profile(const results::PowderState& powder,
-                                        const results::GrainSolidFraction& fraction, double floor,
-                                        double averaging_width);
 
 /// Sum of solid volumes over sum of cell volumes of all closed cells at least 2 d below the powder surface,
 /// in the cavity or not; NaN if there are none.
 double bulk_solid_fraction(const results::PowderState& powder, const results::GrainSolidFraction& fraction);
-
-/// The same for the powder outside the cavity, as it stands in the shoe: the model's own apparent density
-/// (Bierwisch 2009, f_m of section 4.1.5).
-double bed_solid_fraction(const results::PowderState& powder, const results::GrainSolidFraction& fraction);
 
 /// Share of a ring that solid fills, over azimuth (deg, middle of the sector) in `sectors` equal sectors:
 /// solid volume of the grains whose centre lies in the sector over the sector's part of the cavity's volume.

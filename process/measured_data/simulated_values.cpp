@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
-double factor_or_complain(const std::string& from, const std::string& to, const std::string& where) {
+double factor_or_throw(const std::string& from, const std::string& to, const std::string& where) {
   try {
     return unit_factor(from, to);
   } catch (const UnitError& error) {
@@ -110,7 +110,7 @@ std::vector<double> profile_values(const results::FillResult& result, const std:
                      chosen->quantity + " of the result runs over \"" + chosen->x_name + " [" +
                      chosen->x_unit + "]\"");
   const double along = unit_factor(place.unit, chosen->x_unit),
-               factor = factor_or_complain(chosen->unit, data.value.unit, where);
+               factor = factor_or_throw(chosen->unit, data.value.unit, where);
   std::vector<double> values;
   for (const double x : place.values) values.push_back(factor * value_at(*chosen, along * x));
   return values;
@@ -122,8 +122,8 @@ std::vector<double> map_values(const results::FillResult& result, const std::str
   for (const auto& [name, field] : fields_of(result)) {
     known.push_back(name);
     if (name != quantity) continue;
-    const double first = factor_or_complain(data.places[0].unit, field->first_unit, where),
-                 second = factor_or_complain(data.places[1].unit, field->second_unit, where);
+    const double first = factor_or_throw(data.places[0].unit, field->first_unit, where),
+                 second = factor_or_throw(data.places[1].unit, field->second_unit, where);
     std::vector<double> values;
     for (std::size_t k = 0; k < data.size(); ++k)
       values.push_back(value_at(*field, first * data.places[0].values[k], second * data.places[1].values[k]));
@@ -131,12 +131,6 @@ std::vector<double> map_values(const results::FillResult& result, const std::str
   }
   throw SceneError(where + ": the result has no map or section \"" + quantity + "\"; it has " +
                    listed(known, quantity));
-}
-
-const results::Field2D* map_called(const results::FillResult& result, const std::string& quantity) {
-  for (const auto& [name, field] : fields_of(result))
-    if (name == quantity) return field;
-  return nullptr;
 }
 
 }  // namespace diefill::process

@@ -19,7 +19,4 @@ std::vector<double> profile_values(const results::FillResult& result, const std:
 std::vector<double> map_values(const results::FillResult& result, const std::string& quantity,
                                const MeasuredTable& data, const std::string& where);
 
-/// The map or section of that name; null where there is none.
-const results::Field2D* map_called(const results::FillResult& result, const std::string& quantity);
-
 }  // namespace diefill::process

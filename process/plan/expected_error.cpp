@@ -8,6 +8,7 @@
 
 #include "process/plan/grain_size_trends.h"
 #include "process/plan/setting.h"
+#include "process/results/word_list.h"
 
 namespace diefill::process::plan {
 
@@ -56,10 +57,7 @@ std::string names(const std::vector<const GrainSizeTrend*>& trends, NameOf name_
   for (const auto* trend : trends)
     if (std::find(found.begin(), found.end(), name_of(*trend)) == found.end())
       found.push_back(name_of(*trend));
-  std::string text;
-  for (std::size_t k = 0; k < found.size(); ++k)
-    text += (k == 0 ? "" : k + 1 == found.size() ? " and " : ", ") + found[k];
-  return text;
+  return results::in_words(found);
 }
 
 /// What grains of `share` of the length that matters do to one figure; nothing where that was not measured.

@@ -12,7 +12,7 @@ namespace diefill::process::plan {
 /// A measured error that applies to a scene.
 struct ExpectedError {
   std::string quantity;  ///< such as "mass in the cavity"
-  double error = 0;      ///< over the value that it is held against
+  double error = 0;      ///< over the value that it is compared with
   double scatter = 0;    ///< standard deviation of one run over seeds, over the same; 0: not measured
   std::string source;    ///< what it was measured on, and the table
 };

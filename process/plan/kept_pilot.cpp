@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdio>
 #include <cstdlib>
 #include <ctime>
 #include <fstream>
@@ -15,6 +14,7 @@
 
 #include "process/plan/plan.h"
 #include "process/results/storage/atomic_file.h"
+#include "process/results/storage/hash_text.h"
 #include "process/results/storage/result_file.h"
 #include "process/scene/identity.h"
 
@@ -138,9 +138,7 @@ std::string pilot_name(const Scene& scene, const Tooling& tooling, int threads, 
   std::ostringstream text;
   text << scene_identity(scene.text, scene.file, tools) << '|' << threads << '|' << wall_limit << '|'
        << machine.data() << '|' << processor_name() << '|' << build_name();
-  std::array<char, 24> name{};
-  std::snprintf(name.data(), name.size(), "%016llx", static_cast<unsigned long long>(hash_of(text.str())));
-  return name.data();
+  return results::hash_text(hash_of(text.str()));
 }
 
 std::optional<Pilot> kept_pilot(const files::path& folder, const std::string& name) {
@@ -168,11 +166,15 @@ void keep_pilot(const files::path& folder, const std::string& name, const Pilot&
 }
 
 Pilot pilot_for(const Scene& scene, const Tooling& tooling, const PlanOptions& options) {
-  if (options.pilots.empty()) return run_pilot(scene, tooling, options.threads, options.pilot_limit);
+  const auto run = [&] {
+    if (options.pilot_starts) options.pilot_starts();
+    return run_pilot(scene, tooling, options.threads, options.pilot_limit);
+  };
+  if (options.pilots.empty()) return run();
   const std::string name = pilot_name(scene, tooling, options.threads, options.pilot_limit);
   if (!options.new_pilot)
     if (auto kept = kept_pilot(options.pilots, name)) return *kept;
-  Pilot pilot = run_pilot(scene, tooling, options.threads, options.pilot_limit);
+  Pilot pilot = run();
   keep_pilot(options.pilots, name, pilot);
   return pilot;
 }

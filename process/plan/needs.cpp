@@ -58,7 +58,7 @@ Needs needs_of(const Scene& scene, const Tooling& tooling) {
   needs.calibrated_diameter = calibrated_diameter(scene.powder);
   if (needs.cavity.found && needs.cavity.narrowest_width > 0) {
     needs.coarsest_grain = kCoarsestToDecide * needs.cavity.narrowest_width;
-    needs.width_as_felt =
+    needs.effective_width =
         needs.cavity.narrowest_width - kNarrowing * (needs.grain_diameter - needs.calibrated_diameter);
   }
   needs.impact_speed = predicted_impact_speed(scene, tooling);

@@ -20,7 +20,7 @@ struct Needs {
   geometry::Cavity cavity;                             ///< Tooling::all_cavities()
   double grain_diameter = 0, calibrated_diameter = 0;  ///< m
   double coarsest_grain = 0;                           ///< m, a third of the narrowest width; 0: no cavity
-  double width_as_felt = 0;                 ///< m, narrowest width less 1.4 (d - calibrated d); 0: no cavity
+  double effective_width = 0;               ///< m, narrowest width less 1.4 (d - calibrated d); 0: no cavity
   double time_step = 0, critical_step = 0;  ///< s
   double wedged_step = 0;                   ///< s, wedged_time_step()
   double impact_speed = 0;                  ///< m/s

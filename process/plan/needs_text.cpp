@@ -10,7 +10,7 @@ namespace diefill::process::plan {
 
 namespace {
 
-constexpr double kBinds = 0.99;  // share of a limit from which on it is what a step keeps to
+constexpr double kAtLimit = 0.99;  // share of a limit from which on it is what a step keeps to
 
 template <class... Numbers>
 std::string line(const char* format, Numbers... numbers) {
@@ -19,7 +19,7 @@ std::string line(const char* format, Numbers... numbers) {
   return text;
 }
 
-void say_width(const Needs& needs, std::vector<std::string>& said) {
+void add_width_statement(const Needs& needs, std::vector<std::string>& said) {
   const auto& cavity = needs.cavity;
   const double d = 1e3 * needs.grain_diameter;
   if (!(needs.coarsest_grain > 0)) {
@@ -40,10 +40,10 @@ void say_width(const Needs& needs, std::vector<std::string>& said) {
         line("effective width: for grains of %.4g mm instead of %.4g mm an opening acts narrower by 1.4 "
              "times the difference: %.3f mm acts like %.3f mm (Bierwisch 2009, section 3.2.2); a ring drawn "
              "b0 + 1.4 d wide compensates for it",
-             d, 1e3 * needs.calibrated_diameter, 1e3 * cavity.narrowest_width, 1e3 * needs.width_as_felt));
+             d, 1e3 * needs.calibrated_diameter, 1e3 * cavity.narrowest_width, 1e3 * needs.effective_width));
 }
 
-void say_step(const Needs& needs, const Scene& scene, std::vector<std::string>& said) {
+void add_step_statement(const Needs& needs, const Scene& scene, std::vector<std::string>& said) {
   const double share = needs.time_step / needs.critical_step;
   said.push_back(
       line("time step: %.3g s, %.2f of the critical %.3g s at collisions of %.2g m/s; undamped grains "
@@ -55,7 +55,7 @@ void say_step(const Needs& needs, const Scene& scene, std::vector<std::string>& 
              "grains are sheared off sooner, and if there are many the run stops; remove the time step from "
              "the scene or reduce it",
              needs.wedged_step));
-  else if (needs.time_step > kBinds * needs.wedged_step)
+  else if (needs.time_step > kAtLimit * needs.wedged_step)
     said.push_back(
         std::string("time step: limited by grains wedged by moving tools") +
         (scene.walls.kind == WallKind::mesh
@@ -64,7 +64,7 @@ void say_step(const Needs& needs, const Scene& scene, std::vector<std::string>& 
                "CAD mesh itself (walls.kind = \"mesh\") allow longer steps"));
 }
 
-void say_stiffness(const Needs& needs, const Scene& scene, std::vector<std::string>& said) {
+void add_stiffness_statement(const Needs& needs, const Scene& scene, std::vector<std::string>& said) {
   const std::string piston =
       needs.piston_pressure > 0 ? line(" and %.3g kPa under the piston", 1e-3 * needs.piston_pressure) : "";
   if (scene.contact) {
@@ -88,7 +88,7 @@ void say_stiffness(const Needs& needs, const Scene& scene, std::vector<std::stri
              needs.damping_over_radius));
 }
 
-void say_walls(const Scene& scene, const Tooling& tooling, std::vector<std::string>& said) {
+void add_walls_statement(const Scene& scene, const Tooling& tooling, std::vector<std::string>& said) {
   std::string each;
   for (const Tool& tool : tooling.tools)
     each += (each.empty() ? "" : ", ") + tool.spec.name + " " + std::to_string(tool.spheres.centres.size());
@@ -101,7 +101,7 @@ void say_walls(const Scene& scene, const Tooling& tooling, std::vector<std::stri
            : "surfaces that powder cannot reach have none"));
 }
 
-void say_powder(const Needs& needs, const Scene& scene, std::vector<std::string>& said) {
+void add_powder_statement(const Needs& needs, const Scene& scene, std::vector<std::string>& said) {
   const Eigen::Vector3d size = scene.pour.upper - scene.pour.lower;
   const double takes = needs.cavity.found ? needs.cavity.volume / (size[0] * size[1]) : 0;
   const double left = needs.fill_height - takes;
@@ -113,7 +113,7 @@ void say_powder(const Needs& needs, const Scene& scene, std::vector<std::string>
                  verdict + " (Bierwisch 2009, section 4.1.6, slit of 6 mm, model D2)");
 }
 
-void say_symmetry(const Needs& needs, std::vector<std::string>& said) {
+void add_symmetry_statement(const Needs& needs, std::vector<std::string>& said) {
   if (needs.planes.empty())
     said.push_back("symmetry: the tools have no common vertical mirror plane across x or y");
   for (const auto& plane : needs.planes) {
@@ -132,12 +132,12 @@ void say_symmetry(const Needs& needs, std::vector<std::string>& said) {
 
 std::vector<std::string> description(const Needs& needs, const Scene& scene, const Tooling& tooling) {
   std::vector<std::string> said;
-  say_width(needs, said);
-  say_step(needs, scene, said);
-  say_stiffness(needs, scene, said);
-  say_walls(scene, tooling, said);
-  say_powder(needs, scene, said);
-  say_symmetry(needs, said);
+  add_width_statement(needs, said);
+  add_step_statement(needs, scene, said);
+  add_stiffness_statement(needs, scene, said);
+  add_walls_statement(scene, tooling, said);
+  add_powder_statement(needs, scene, said);
+  add_symmetry_statement(needs, said);
   said.push_back("laws in use: " + joined(needs.laws.used));
   said.push_back("omitted laws (zero coefficient): " + joined(needs.laws.left_out));
   return said;

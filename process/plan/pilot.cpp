@@ -82,8 +82,8 @@ std::ptrdiff_t occurs(PhaseKind kind, const std::vector<Phase>& phases) {
 
 /// s that a pilot of `scene` may take that has gone on for `usual` (s) already.
 double longer_limit(double usual, const Scene& scene, const Tooling& tooling, const Pilot& so_far) {
-  const double foretold = forecast(scene, tooling, so_far).wall_seconds.value_or(0);
-  return std::clamp(kShareOfRun * foretold, usual, kLongestPilot * usual);
+  const double predicted = forecast(scene, tooling, so_far).wall_seconds.value_or(0);
+  return std::clamp(kShareOfRun * predicted, usual, kLongestPilot * usual);
 }
 
 /// Measured on powder that may have left the method's range: wedged grains do no harm, grains that have flown
@@ -116,7 +116,7 @@ struct PilotLimits {
   double sphere_steps;  ///< predicted
   double wall;          ///< s of computing, if it has seen enough by then
   double patience;      ///< s, in any case
-  bool only_a_look;     ///< no longer for long scenes, and the cost of size is not measured
+  bool quick;           ///< no longer for long scenes, and the cost of size is not measured
 };
 
 /// A run of less and coarser powder, looked at every few ms of simulated time.
@@ -148,7 +148,7 @@ class PilotRun {
     };
     FillRun run(scene_, tooling_, options);
     run_until_stopped(run);
-    if (!limits_.only_a_look) pilot_.size = size_cost_if_sound(run.simulation());
+    if (!limits_.quick) pilot_.size = size_cost_if_sound(run.simulation());
     return pilot_;
   }
 
@@ -177,7 +177,7 @@ class PilotRun {
     const PhaseCost& motion = pilot_.of(PhaseKind::motion);
     const bool motion_seen = !moves || motion.whole || motion.wall_seconds > kMotionAtLeast;
     const bool runs_out = kind_ == PhaseKind::rest && !tooling_.cavity.found;
-    if (limits_.only_a_look || run.wall_seconds() <= limits_.wall || !motion_seen || runs_out) return false;
+    if (limits_.quick || run.wall_seconds() <= limits_.wall || !motion_seen || runs_out) return false;
     const double may_take = longer_limit(limits_.wall, planned_, tooling_, pilot_);
     alarm.put_off(may_take - run.wall_seconds() + limits_.wall);
     return run.wall_seconds() > may_take;

@@ -44,6 +44,7 @@ struct PlanOptions {
   /// Hears of the tools, with the scene on prepared steps, as soon as they are read and before the pilot
   /// runs.
   std::function<void(const Scene&, const Tooling&)> tools_ready;
+  std::function<void()> pilot_starts;  ///< called before a pilot is run, not where one is kept
   /// Gives Plan::opening; empty: not looked for.
   std::function<double(const Scene&, const Tooling&)> narrowest_opening;
   TellProgress tell = tell_nobody;  ///< receives the progress of reading tools

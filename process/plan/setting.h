@@ -14,7 +14,7 @@ namespace diefill::process::plan {
 /// Coarsest grains over the narrowest cavity width that a density map can be decided from, and that have been
 /// run at all (the quick start's 1.88 mm in 4.462 mm).
 inline constexpr double kCoarsestToDecide = 1.0 / 3, kCoarsestRun = 0.42;
-/// Coarse graining has been held against published figures up to this factor (Bierwisch 2009, Table 4.4).
+/// Coarse graining has been compared with published figures up to this factor (Bierwisch 2009, Table 4.4).
 inline constexpr double kProvenFactor = 4;
 /// m: deeper powder in the shoe changes nothing (Bierwisch 2009, section 4.1.6: 19 and 41 mm agree, 10 mm
 /// does not, model D2).

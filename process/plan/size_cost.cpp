@@ -17,7 +17,7 @@ constexpr int kWarmUp = 3, kSteps = 40;
 /// Of the bed's own time step. Without tools a bed comes apart within some tens of steps, and what a contact
 /// costs would be missing from the longer ones: in steps so short everything stays where it is.
 constexpr double kStandstill = 1e-6;
-/// Beds are stepped anew until this much has been timed, s.
+/// Beds are stepped again until this much has been timed, s.
 constexpr double kLongEnough = 0.25;
 
 std::size_t spheres_in(const engine::Simulation& bed) {

@@ -1,4 +1,4 @@
-// Time steps of a scene: what its powder and tools allow, and the one that it takes.
+// Time steps of a scene: what its powder and tools allow, and the one used.
 #pragma once
 
 #include "engine/simulation/simulation.h"

@@ -6,6 +6,7 @@
 
 #include "process/input/scene_error.h"
 #include "process/input/text_file.h"
+#include "process/results/trimmed.h"
 
 namespace diefill::process {
 namespace {
@@ -13,12 +14,6 @@ namespace {
 constexpr std::size_t kLargest = std::size_t{2} << 30;  // bytes
 constexpr std::size_t kShown = 60;                      // letters of a line in messages
 constexpr const char* kBlanks = " \t\r\n\f\v";
-
-std::string_view trimmed(std::string_view text) {
-  const std::size_t first = text.find_first_not_of(kBlanks);
-  if (first == std::string_view::npos) return {};
-  return text.substr(first, text.find_last_not_of(kBlanks) - first + 1);
-}
 
 }  // namespace
 
@@ -37,7 +32,7 @@ bool MeshLines::next() {
   }
   while (place_ < text_.size()) {
     const std::size_t end = std::min(text_.find('\n', place_), text_.size());
-    line_ = trimmed(std::string_view(text_).substr(place_, end - place_));
+    line_ = results::trimmed(std::string_view(text_).substr(place_, end - place_), kBlanks);
     place_ = end + 1;
     ++number_;
     if (!line_.empty()) return true;
@@ -71,7 +66,7 @@ std::vector<std::string_view> cells_of_line(std::string_view line, bool comma) {
       line.remove_prefix(first);
     }
     const std::size_t end = std::min(line.find_first_of(comma ? "," : kBlanks), line.size());
-    cells.push_back(trimmed(line.substr(0, end)));
+    cells.push_back(results::trimmed(line.substr(0, end), kBlanks));
     line.remove_prefix(std::min(end + 1, line.size()));
   }
   return cells;

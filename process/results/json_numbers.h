@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <vector>
 
 namespace diefill::results {
@@ -10,6 +11,11 @@ namespace diefill::results {
 /// JSON knows no NaN and no infinity: such numbers are null.
 inline nlohmann::ordered_json json_number(double value) {
   return std::isfinite(value) ? nlohmann::ordered_json(value) : nlohmann::ordered_json(nullptr);
+}
+
+/// Null where there is no number.
+inline nlohmann::ordered_json json_number(const std::optional<double>& value) {
+  return value ? json_number(*value) : nlohmann::ordered_json(nullptr);
 }
 
 inline nlohmann::ordered_json json_numbers(const std::vector<double>& values) {

@@ -13,6 +13,7 @@
 #include "process/measure/figures/heap_slope.h"
 #include "process/measure/figures/zone_history.h"
 #include "process/measure/measure.h"
+#include "process/results/storage/hash_text.h"
 #include "process/run/figures/margin_warnings.h"
 #include "process/run/figures/measure_cavities.h"
 #include "process/run/outcome.h"
@@ -200,12 +201,6 @@ std::string unfinished_mark(const FillRun& run) {
   return text;
 }
 
-std::string hexadecimal(std::uint64_t value) {
-  char text[17];
-  std::snprintf(text, sizeof text, "%016llx", static_cast<unsigned long long>(value));
-  return text;
-}
-
 }  // namespace
 
 void add_margin_figures(results::FillResult& result, const FillRun& run) {
@@ -254,7 +249,7 @@ results::FillResult powder_and_tools(const Scene& scene, const Tooling& tooling,
 
 results::FillResult assemble(const Scene& scene, const Tooling& tooling, const FillRun& run) {
   results::FillResult result = powder_and_tools(scene, tooling, run);
-  result.state_hash = hexadecimal(run.simulation().hash());
+  result.state_hash = results::hash_text(run.simulation().hash());
   const DieFrame die(run.simulation().body_motion(tooling.die));
   result.contact_stress = contact_stress(run.simulation(), die);
   add_images(tooling, result.contact_stress);

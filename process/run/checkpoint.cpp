@@ -3,10 +3,10 @@
 #include <array>
 #include <cstring>
 #include <fstream>
-#include <sstream>
 
 #include "engine/numerics/fnv1a.h"
 #include "process/results/storage/atomic_file.h"
+#include "process/results/storage/file_contents.h"
 #include "process/results/storage/result_file.h"
 #include "process/run/state_bytes.h"
 
@@ -68,11 +68,9 @@ void write_checkpoint(const std::filesystem::path& path, const Checkpoint& check
 }
 
 std::optional<Checkpoint> read_checkpoint(const std::filesystem::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  if (!file) return std::nullopt;
-  std::ostringstream text;
-  text << file.rdbuf();
-  const std::string all = text.str();
+  const auto bytes = results::contents_or_nothing(path);
+  if (!bytes) return std::nullopt;
+  const std::string& all = *bytes;
   const auto refuse = [&](const std::string& why) {
     return results::ResultError(path.string() + ": cannot resume from this checkpoint: " + why +
                                 "; delete it or run without --resume");

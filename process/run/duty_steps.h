@@ -9,7 +9,7 @@ namespace diefill::process {
 inline constexpr std::uint64_t kScheduleEvery = 20, kSpillEvery = 100, kFeedEvery = 100,
                                kValidityCheckEvery = 200, kPinchEvery = 10, kLostEvery = 200,
                                kForcedEvery = 100;
-/// When another engine shows contacts (step_engine.h), for checks that ask for them: finding near pairs anew
+/// When another engine shows contacts (step_engine.h), for checks that ask for them: finding near pairs again
 /// takes the time of some ten steps, and one rank does it alone.
 inline constexpr std::uint64_t kContactsEvery = 2000;
 

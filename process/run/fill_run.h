@@ -144,7 +144,4 @@ class FillRun {
   std::chrono::steady_clock::time_point started_, last_checkpoint_;
 };
 
-/// m/s: fastest collision to be expected in a scene, from the depth of the pour and the tools' motion.
-double expected_impact_speed(const Scene& scene, double fall_height);
-
 }  // namespace diefill::process

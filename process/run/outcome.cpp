@@ -25,7 +25,8 @@ bool clears(const Scene& scene) {
                      [](const auto& step) { return step->removal() != nullptr; });
 }
 
-void tell_lost(const Scene& scene, const results::FillResult& result, std::vector<std::string>& lines) {
+void warn_about_lost_grains(const Scene& scene, const results::FillResult& result,
+                            std::vector<std::string>& lines) {
   const double left = figure(result, "grains_left"), share = figure(result, "grains_left_share");
   if (!(left > 0)) return;
   char text[300];
@@ -46,7 +47,8 @@ double filled_share(const Scene& scene, const results::FillResult& result) {
   return figure(result, "filled_mass_kg") / (result.cavity.volume * fraction * density);
 }
 
-void tell_unfilled(const Scene& scene, const results::FillResult& result, std::vector<std::string>& lines) {
+void warn_about_unfilled_cavity(const Scene& scene, const results::FillResult& result,
+                                std::vector<std::string>& lines) {
   if (!(result.cavity.volume > 0) || scene.steps.empty()) return;
   char text[200];
   const double share = filled_share(scene, result);
@@ -81,7 +83,8 @@ bool shakes_bed(const Scene& scene) {
   });
 }
 
-void tell_shaken_bed(const Scene& scene, const results::FillResult& result, std::vector<std::string>& lines) {
+void warn_about_shaken_bed(const Scene& scene, const results::FillResult& result,
+                           std::vector<std::string>& lines) {
   if (!std::isfinite(figure(result, "fill_ratio")) || !shakes_bed(scene)) return;
   lines.emplace_back(
       "shaking also packed the powder outside the cavity, which the fill ratio refers to; compare ways of "
@@ -92,9 +95,9 @@ void tell_shaken_bed(const Scene& scene, const results::FillResult& result, std:
 
 std::vector<std::string> outcome_text(const Scene& scene, const results::FillResult& result) {
   std::vector<std::string> lines;
-  tell_lost(scene, result, lines);
-  tell_unfilled(scene, result, lines);
-  tell_shaken_bed(scene, result, lines);
+  warn_about_lost_grains(scene, result, lines);
+  warn_about_unfilled_cavity(scene, result, lines);
+  warn_about_shaken_bed(scene, result, lines);
   return lines;
 }
 

@@ -6,6 +6,7 @@
 #include "process/machine/free_motion.h"
 #include "process/machine/moving_tool.h"
 #include "process/powder/material.h"
+#include "process/results/word_list.h"
 #include "process/tooling/die_frame.h"
 #include "process/tooling/half_model.h"
 
@@ -165,7 +166,8 @@ bool Schedule::control(engine::Simulation& simulation) {
     if (prescribed_motion_is_on() || !(target > 0) || target != law->wanted(state.control))
       state.ringing = {};
     else
-      watch_for_ringing(state.ringing, *law, target, resistance, now, names_text(stages_.steps[k]->tools()));
+      watch_for_ringing(state.ringing, *law, target, resistance, now,
+                        results::in_words(stages_.steps[k]->tools()));
     any = true;
   }
   return any;

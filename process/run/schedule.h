@@ -59,7 +59,7 @@ class Schedule {
 
   /// The active steps as text; "done" after the last.
   std::string description() const;
-  /// s that remain at least, with `settling_time` s for whatever is not known beforehand.
+  /// s that remain at least, with `settling_time` s for whatever is not known in advance.
   double time_left(double now, double settling_time) const;
   /// Box (m) round everything the tools reach in all steps.
   geometry::Box swept() const;

@@ -2,12 +2,11 @@
 
 #include <toml++/toml.h>
 
-#include <cstdio>
-
 #include "engine/numerics/fnv1a.h"
 #include "geometry/cad/mesh_import.h"
 #include "process/machine/actions/powder_inflow.h"
 #include "process/machine/step.h"
+#include "process/results/storage/hash_text.h"
 #include "process/results/storage/result_file.h"
 #include "process/scene/identity.h"
 #include "process/scene/scene_text.h"
@@ -94,9 +93,8 @@ std::uint64_t start_hash(const Scene& scene, const Tooling& tooling, const RunFr
 }
 
 void save_shared_start(const fs::path& directory, const Checkpoint& checkpoint) {
-  char name[32];
-  std::snprintf(name, sizeof name, "%016llx.bin", static_cast<unsigned long long>(checkpoint.start_hash));
-  if (!fs::exists(directory / name)) write_checkpoint(directory / name, checkpoint);
+  const fs::path file = directory / (results::hash_text(checkpoint.start_hash) + ".bin");
+  if (!fs::exists(file)) write_checkpoint(file, checkpoint);
 }
 
 std::optional<ScheduleState> with_steps(ScheduleState schedule, std::size_t count) {

@@ -2,10 +2,8 @@
 
 #include <toml++/toml.h>
 
-#include <fstream>
-#include <iterator>
-
 #include "engine/numerics/fnv1a.h"
+#include "process/results/storage/file_contents.h"
 #include "process/scene/scene_text.h"
 
 namespace diefill::process {
@@ -15,8 +13,7 @@ namespace {
 std::string bytes_of(const std::filesystem::path& file) {
   std::error_code error;
   if (!std::filesystem::is_regular_file(file, error)) return {};
-  std::ifstream stream(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
+  return results::contents_or_nothing(file).value_or("");
 }
 
 /// Of the files of clumps' spheres, of placed grains, of the state that powder begins with, and of the tables
@@ -53,10 +50,6 @@ toml::table acting_document(const std::string& text, const std::filesystem::path
     if (numerics->empty()) document.erase("numerics");
   }
   return document;
-}
-
-std::string acting_text(const std::string& text, const std::filesystem::path& file) {
-  return scene_text_of(acting_document(text, file));
 }
 
 std::uint64_t scene_identity(const std::string& text, const std::filesystem::path& file,

@@ -16,9 +16,6 @@ namespace diefill::process {
 /// messages. Throws SceneError for text that is not TOML.
 toml::table acting_document(const std::string& text, const std::filesystem::path& file);
 
-/// The same as text: equal for scenes that ask for the same computation in different notation.
-std::string acting_text(const std::string& text, const std::filesystem::path& file);
-
 /// Number that two scenes share if they ask for the same computation with the same files: hash of the acting
 /// text, of `tool_hashes` (the tools' CAD files, tool by tool) and of the tables that steps read (`file`
 /// resolves their paths). Throws SceneError for text that is not TOML.

@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 
 #include "engine/numerics/fnv1a.h"
 #include "process/input/text_file.h"
+#include "process/results/storage/hash_text.h"
 #include "process/scene/contact_spec.h"
 #include "process/scene/reading/sections.h"
 #include "process/scene/reading/wall_rules.h"
@@ -28,9 +28,7 @@ std::string contact_number(const toml::table& document) {
   if (contact == nullptr) return {};
   engine::Fnv1a hash;
   hash.add(scene_text_of(*contact));
-  char digits[20];
-  std::snprintf(digits, sizeof digits, "%016llx", static_cast<unsigned long long>(hash.value()));
-  return digits;
+  return results::hash_text(hash.value());
 }
 
 /// Reads the file as a scene would read these tables, so that faults are named in it and not in the scene.

@@ -171,7 +171,7 @@ void take_out(toml::table& document, std::vector<std::string> words) {
   if (parent != nullptr && parent->is_table()) parent->as_table()->erase(last);
 }
 
-/// The scene of variant `number`. Parses the text anew, since laying the changes over it uses them up.
+/// The scene of variant `number`. Parses the text again, since laying the changes over it uses them up.
 Scene variant_scene(const std::string& text, const std::filesystem::path& file, std::size_t number,
                     const std::string& name) {
   toml::table document = parse_scene_text(text, file);

@@ -87,7 +87,7 @@ void refuse_snapshots(const Scene& scene, double seconds) {
     if (!snapshot.every || at_most(scene, seconds) / *snapshot.every <= kMostSnapshots) continue;
     throw SceneError(
         place(scene) + "snapshot \"" + snapshot.name + "\": " +
-        line("every %.3g s of %.3g s makes %.3g folders of results, allowed: at most %.3g; raise every",
+        line("every %.3g s of %.3g s makes %.3g folders of results, allowed: at most %.3g; increase every",
              *snapshot.every, at_most(scene, seconds), at_most(scene, seconds) / *snapshot.every,
              kMostSnapshots));
   }

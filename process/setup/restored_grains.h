@@ -1,4 +1,4 @@
-// Grains as another run left them: places, orientations and velocities. Springs of contacts begin anew, so
+// Grains as another run left them: places, orientations and velocities. Springs of contacts start again, so
 // that the powder moves by some overlaps until it carries itself again.
 #pragma once
 

@@ -58,7 +58,7 @@ void add_words(results::FillResult& result, const OfCavity& measured, int number
                                topic.text[n]);
 }
 
-/// Profiles only: maps are drawn anew of whichever cavity is asked for.
+/// Profiles only: maps are drawn again of whichever cavity is asked for.
 void add_profiles(results::FillResult& result, OfCavity& measured, int number) {
   for (auto& profile : measured.profiles) {
     profile.quantity = results::quantity_in_cavity(profile.quantity, number);

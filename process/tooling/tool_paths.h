@@ -33,7 +33,7 @@ struct ToolsCollide : SceneError {
 /// start, and at most a quarter of the thinner one's mean thickness.
 double allowed_depth(const Scene& scene, const Tool& one, const Tool& other);
 
-/// Paths of tools under force control, and of free ones, are not known beforehand.
+/// Paths of tools under force control, and of free ones, are not known in advance.
 enum class ForcedTools { stand, go_all_the_way };
 
 /// Follows all tools through all steps, which must have been prepared, and checks every pair in relative

@@ -31,9 +31,10 @@ std::string unit_advice(const Tool& tool, double factor) {
   const std::string unit = unit_named(factor * tool.metres_per_unit);
   char text[300];
   std::snprintf(text, sizeof text,
-                "tool \"%s\" (line %d) measures %.4g x %.4g x %.4g mm, %.4g times too %s for the other tools",
+                "tool \"%s\" (line %d) measures %.4g x %.4g x %.4g mm, too %s for the other tools by a "
+                "factor of %.4g",
                 tool.spec.name.c_str(), tool.spec.line, size[0], size[1], size[2],
-                factor > 1 ? factor : 1 / factor, factor > 1 ? "small" : "large");
+                factor > 1 ? "small" : "large", factor > 1 ? factor : 1 / factor);
   return text + (unit.empty()
                      ? std::string("; check the unit of its file")
                      : ": its file seems to be in " + unit + "; write length_unit = \"" + unit + "\"");

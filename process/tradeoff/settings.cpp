@@ -3,17 +3,13 @@
 #include <algorithm>
 #include <regex>
 
+#include "process/results/trimmed.h"
 #include "process/scene/folder_names.h"
 #include "process/tradeoff/knob_registry.h"
 #include "process/tradeoff/work_estimate.h"
 
 namespace diefill::process {
 namespace {
-
-std::string trimmed(const std::string& text) {
-  const std::size_t first = text.find_first_not_of(" \t"), last = text.find_last_not_of(" \t");
-  return first == std::string::npos ? "" : text.substr(first, last - first + 1);
-}
 
 /// Parts of `text` between commas that stand in no quotes, brackets or braces.
 std::vector<std::string> split_at_commas(const std::string& text) {
@@ -29,7 +25,7 @@ std::vector<std::string> split_at_commas(const std::string& text) {
     else
       parts.back() += letter;
   }
-  for (std::string& part : parts) part = trimmed(part);
+  for (std::string& part : parts) part = std::string(results::trimmed(part));
   return parts;
 }
 
@@ -63,10 +59,11 @@ SceneChanges changes_of(const Scene& scene, const std::vector<std::pair<Knob, st
 
 KnobValues read_vary(const std::string& text) {
   const std::size_t equals = text.find('=');
-  if (equals == std::string::npos || trimmed(text.substr(0, equals)).empty())
+  if (equals == std::string::npos || results::trimmed(text.substr(0, equals)).empty())
     throw SceneError("--vary: found \"" + text +
                      "\", expected KNOB=VALUE,VALUE,..., such as --vary \"grain_diameter=0.94 mm,1.88 mm\"");
-  KnobValues varied{knob_called(trimmed(text.substr(0, equals))), split_at_commas(text.substr(equals + 1))};
+  KnobValues varied{knob_called(std::string(results::trimmed(text.substr(0, equals)))),
+                    split_at_commas(text.substr(equals + 1))};
   for (const std::string& value : varied.values)
     if (value.empty())
       throw SceneError("--vary: found \"" + text + "\", a value is empty; separate values with commas");

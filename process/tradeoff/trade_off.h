@@ -16,7 +16,7 @@ struct TradeoffOptions {
   int seeds = 1;                          ///< runs of each setting, seeds counted up from the scene's
   double tolerance = 0;                   ///< error that is accepted, a fraction
   std::map<std::string, double> targets;  ///< published values by key of the quantity, in its unit
-  std::string reference;  ///< name of the setting to hold others against; empty: reference_setting
+  std::string reference;  ///< name of the setting to compare others with; empty: reference_setting
   JobOptions jobs;        ///< with the budget as `cpu_seconds`; `starts` is set here
   bool variants = false;  ///< the scene's variants are settings too
   std::string command;    ///< for the record

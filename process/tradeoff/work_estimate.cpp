@@ -1,7 +1,7 @@
 #include "process/tradeoff/work_estimate.h"
 
 #include "process/powder/material.h"
-#include "process/run/fill_run.h"
+#include "process/setup/impact_speed.h"
 #include "process/setup/pour.h"
 
 namespace diefill::process {

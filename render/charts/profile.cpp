@@ -12,6 +12,8 @@ void draw_profile(const std::filesystem::path& png, const results::Profile& prof
   chart.title = title;
   chart.subtitle = subtitle;
   chart.x.label = axis_label(profile.x_name, profile.x_unit).toStdString();
+  if (profile.x_name == "height")
+    chart.x.label = axis_label("height above cavity floor", profile.x_unit).toStdString();
   chart.y.label = axis_label(profile.quantity, profile.unit).toStdString();
   chart.curves.push_back({"", profile.x, profile.y, CurveStyle::kLine, {}});
   if (profile.x_name == "azimuth") {

@@ -21,7 +21,7 @@ void prepare(Chart& chart, const results::Profile& profile) {
 }  // namespace
 
 Chart spread_chart(const std::vector<Named<results::SpreadProfile>>& profiles, const std::string& title,
-                   const std::string& subtitle) {
+                   const std::string& subtitle, const std::string& across) {
   Chart chart;
   chart.title = title;
   chart.subtitle = subtitle;
@@ -29,7 +29,7 @@ Chart spread_chart(const std::vector<Named<results::SpreadProfile>>& profiles, c
   prepare(chart, profiles.front().data.mean);
   for (const auto& [name, profile] : profiles)
     chart.curves.push_back({name, profile.mean.x, profile.mean.y, CurveStyle::kLine, {}, profile.spread});
-  const std::string over = profiles.front().data.mean.x_name == "azimuth" ? "height" : "azimuth";
+  const std::string over = profiles.front().data.mean.x_name == "azimuth" ? "height" : across;
   chart.note = "Mean over " + over + "; band: +- one standard deviation over " + over;
   return chart;
 }

@@ -14,9 +14,10 @@ struct Named {
   Data data;
 };
 
-/// Profiles as lines in bands of one standard deviation to both sides. Over height, height runs along x.
+/// Profiles as lines in bands of one standard deviation to both sides. Over height, height runs along x;
+/// `across` is what the mean is over there: the azimuth of a ring, the cross-section of any other cavity.
 Chart spread_chart(const std::vector<Named<results::SpreadProfile>>& profiles, const std::string& title,
-                   const std::string& subtitle);
+                   const std::string& subtitle, const std::string& across = "azimuth");
 
 /// Shares of grains in percent: bars for one run, lines for several; means in the legend.
 Chart histogram_chart(const std::vector<Named<results::Histogram>>& histograms, const std::string& title,

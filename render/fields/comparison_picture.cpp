@@ -114,7 +114,7 @@ void draw_foot(QPainter& painter, double height, const results::Field2D& field, 
                      .arg(field.averaging_width * 1e3, 0, 'g', 3);
   if (has_azimuth(field)) note += QStringLiteral("; the shoe first arrives at 0° and leaves at 180°");
   if (!has_azimuth(field) && field.second_name == "y")
-    note += QStringLiteral("; seen from above, mean over height");
+    note += QStringLiteral("; seen from above, mean over the height of the powder");
   painter.drawText(QRectF(kMargin, top, kWidth - 2 * kMargin, 32), Qt::AlignLeft | Qt::AlignVCenter, note);
   if (!places.any()) return;
   const bool own_line = places.several();

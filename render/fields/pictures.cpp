@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "process/results/cavity_rows.h"
+#include "process/results/figure_table.h"
 #include "render/fields/density_map.h"
 #include "render/fields/field_places.h"
 #include "render/fields/field_sampler.h"
@@ -58,6 +59,12 @@ std::vector<ProfileChart> profile_charts(const results::FillResult& result) {
   return charts;
 }
 
+/// "Solid fraction over height, cavity 2".
+std::string profile_title(const results::Profile& profile) {
+  const auto [quantity, cavity] = results::quantity_and_cavity(profile.quantity);
+  return results::capitalised(results::quantity_in_cavity(quantity + " over " + profile.x_name, cavity));
+}
+
 bool same_plane(const results::SectionPlane& one, const results::SectionPlane& other) {
   constexpr double kSame = 1e-9;
   return (one.normal - other.normal).norm() < kSame &&
@@ -79,7 +86,7 @@ void draw_map(const std::filesystem::path& png, const results::FillResult& resul
     style.unit = "mm";
     style.note = "height of the powder surface above the cavity floor";
   } else if (plan) {
-    style.note = "mean over height";
+    style.note = "mean over the height of the powder";
   }
   const std::string view(plan ? ", seen from above" : "");
   write_png(png, compose_field(map, title_of(result), subtitle_of(result) + view,
@@ -122,6 +129,12 @@ std::vector<const results::SectionField*> drawn_sections(const results::FillResu
   return drawn;
 }
 
+std::vector<const results::Profile*> drawn_profiles(const results::FillResult& result) {
+  std::vector<const results::Profile*> drawn;
+  for (const auto& chart : profile_charts(result)) drawn.push_back(chart.profile);
+  return drawn;
+}
+
 std::vector<std::filesystem::path> draw_maps(const std::filesystem::path& directory,
                                              const results::FillResult& result, const ColourRange& range,
                                              const std::string& suffix) {
@@ -151,7 +164,8 @@ std::vector<std::filesystem::path> draw_all(const std::filesystem::path& directo
   draw_snapshot(written.back(), result, range);
   for (const auto& [profile, file] : profile_charts(result)) {
     written.push_back(directory / file);
-    draw_profile(written.back(), *profile, title_of(result), subtitle_of(result));
+    draw_profile(written.back(), *profile, profile_title(*profile),
+                 title_of(result) + ", " + subtitle_of(result));
   }
   return written;
 }

@@ -38,9 +38,13 @@ ColourRange solid_fraction_range(const std::vector<const results::FillResult*>& 
 /// The sections that have a picture: those that go through powder, each plane once.
 std::vector<const results::SectionField*> drawn_sections(const results::FillResult& result);
 
+/// The profiles that draw_all() draws: the fill level of each cavity, and of those that are no rings the
+/// solid fraction over height; the first profile where there is none of these.
+std::vector<const results::Profile*> drawn_profiles(const results::FillResult& result);
+
 /// Writes into `directory` the maps of the result's cavity: density_map.png over azimuth and height of a
-/// ring; plan_map.png (x and y, mean over height) and fill_level_map.png of any other. `suffix` follows the
-/// names before ".png". Returns what was written.
+/// ring; plan_map.png (x and y, mean over the height of the powder) and fill_level_map.png of any other.
+/// `suffix` follows the names before ".png". Returns what was written.
 std::vector<std::filesystem::path> draw_maps(const std::filesystem::path& directory,
                                              const results::FillResult& result, const ColourRange& range,
                                              const std::string& suffix = "");

@@ -15,7 +15,7 @@ std::string axis_text(const std::string& name, const std::string& unit) {
 }
 
 Table parameter_table(const results::Calibration& calibration) {
-  Table table{"Parameters: best value and the interval that holds 90 % of what agrees with the data",
+  Table table{"Parameters: best value and 90 % interval",
               {"Parameter", "Best", "90 % interval", "Searched"},
               {},
               true};

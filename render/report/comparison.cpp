@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <cmath>
 #include <limits>
 
@@ -159,9 +158,7 @@ Curve curve_of(const Strategy& strategy, const results::Profile& wanted) {
 }
 
 std::string axis_name(const std::string& name, const std::string& unit) {
-  std::string text = name;
-  if (!text.empty()) text.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(text.front())));
-  return text + " [" + (unit.empty() ? "–" : unit == "deg" ? "°" : unit) + "]";
+  return results::capitalised(name) + " [" + (unit.empty() ? "–" : unit == "deg" ? "°" : unit) + "]";
 }
 
 Section curves(const std::vector<Strategy>& strategies) {

@@ -4,8 +4,8 @@
 #include <limits>
 
 #include "process/results/cavity_rows.h"
+#include "process/results/figure_item.h"
 #include "process/results/figure_table.h"
-#include "process/results/figure_thing.h"
 #include "process/results/no_value.h"
 #include "process/results/rounding.h"
 #include "render/report/figure_text.h"
@@ -91,11 +91,11 @@ Table model_table(const FillResult& result) {
 Table thing_table(const FillResult& result) {
   Table table{"Zones and heaps of the scene", {}, {}};
   for (const results::Figure& figure : results::figure_table()) {
-    if (!results::is_of_things(figure)) continue;
+    if (!results::is_per_item(figure)) continue;
     for (const auto& [name, value] : result.figures)
       if (results::find_figure(name) == &figure && std::isfinite(value))
         table.rows.push_back(
-            {results::capitalised(results::label_of(figure, results::thing_of(figure, name))),
+            {results::capitalised(results::label_of(figure, results::item_of(figure, name))),
              with_unit(figure.shown.factor * value, figure.shown.unit, figure.shown.digits)});
   }
   return table;

@@ -1,4 +1,4 @@
-// Pages about work under way: they show themselves anew every few seconds, need no server and no script.
+// Pages about running work: they reload themselves every few seconds, need no server and no script.
 #pragma once
 
 #include <QByteArray>

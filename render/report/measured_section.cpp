@@ -1,12 +1,12 @@
 #include "render/report/measured_section.h"
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <cstdio>
 #include <limits>
 #include <set>
 
+#include "process/results/figure_table.h"
 #include "process/results/rounding.h"
 #include "render/report/numbers.h"
 #include "render/report/pictures_of.h"
@@ -17,15 +17,6 @@ namespace {
 using results::MeasuredComparison;
 
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
-
-std::string with_unit_of(const std::string& name, const std::string& unit) {
-  return unit == "1" || unit.empty() ? name : name + " [" + unit + "]";
-}
-
-std::string capital(std::string text) {
-  if (!text.empty()) text.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(text.front())));
-  return text;
-}
 
 std::vector<double> differences(const MeasuredComparison& comparison) {
   std::vector<double> values;
@@ -45,9 +36,9 @@ std::string words_of(const MeasuredComparison& comparison) {
 Chart chart_over_first(const MeasuredComparison& comparison) {
   Chart chart;
   chart.subtitle = words_of(comparison);
-  chart.x.label = with_unit_of(capital(comparison.first_name), comparison.first_unit);
+  chart.x.label = with_unit_of(results::capitalised(comparison.first_name), comparison.first_unit);
   chart.x.degrees = comparison.first_unit == "deg";
-  chart.y.label = with_unit_of(capital(comparison.quantity), comparison.unit);
+  chart.y.label = with_unit_of(results::capitalised(comparison.quantity), comparison.unit);
   return chart;
 }
 

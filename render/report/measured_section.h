@@ -1,4 +1,4 @@
-// A result held against measured profiles and maps: statistics zone by zone, and pictures.
+// A result compared with measured profiles and maps: statistics zone by zone, and pictures.
 #pragma once
 
 #include <string>

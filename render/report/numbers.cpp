@@ -17,20 +17,21 @@ constexpr const char* kNone = "–";
 
 std::string in_digits(double value, int digits) {
   if (!std::isfinite(value)) return kNone;
-  char text[64];
-  const double size = std::abs(value);
   // Whole numbers keep all their digits, or 87,041 spheres would become 87040.
-  const bool long_enough = size >= std::pow(10, digits) && size < 1e9;
-  if (long_enough || (value == std::round(value) && size < 1e12))
-    std::snprintf(text, sizeof text, "%.0f", value);
-  else
-    std::snprintf(text, sizeof text, "%.*g", digits, value);
+  if (value != std::round(value) || std::abs(value) >= 1e12)
+    return results::in_significant_digits(value, digits);
+  char text[64];
+  std::snprintf(text, sizeof text, "%.0f", value);
   return text;
 }
 
 std::string with_unit(double value, const std::string& unit, int digits) {
   const std::string number = in_digits(value, digits);
   return number == kNone || unit.empty() ? number : number + " " + unit;
+}
+
+std::string with_unit_of(const std::string& name, const std::string& unit) {
+  return unit == "1" || unit.empty() ? name : name + " [" + unit + "]";
 }
 
 std::string as_duration(double seconds) {

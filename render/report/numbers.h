@@ -14,6 +14,9 @@ std::string in_digits(double value, int digits = 4);
 /// The same with a unit behind it; "–" alone for NaN.
 std::string with_unit(double value, const std::string& unit, int digits = 4);
 
+/// "name [unit]", as columns and axes have it; the name alone for plain numbers.
+std::string with_unit_of(const std::string& name, const std::string& unit);
+
 /// "1 h 02 min", "3 min 20 s", "12.3 s"; "–" for NaN.
 std::string as_duration(double seconds);
 

@@ -3,13 +3,13 @@
 #include <QFile>
 #include <QTemporaryDir>
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <filesystem>
 #include <functional>
 #include <limits>
 #include <stdexcept>
 
+#include "process/results/figure_table.h"
 #include "render/fields/density_map.h"
 #include "render/fields/difference_map.h"
 #include "render/fields/field_places.h"
@@ -38,11 +38,6 @@ std::vector<Figure> drawn(const std::function<std::vector<std::filesystem::path>
   return figures;
 }
 
-std::string capitalised(std::string words) {
-  words.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(words.front())));
-  return words;
-}
-
 /// "_2" -> 2; none: 1.
 std::size_t number_in(const std::string& picture) {
   const auto at = picture.find_last_of('_');
@@ -57,7 +52,7 @@ std::string of_cavity(const std::string& picture) {
 
 std::string caption_of(const std::string& picture, const results::FillResult& result) {
   if (picture == "density_map") return "Solid fraction over azimuth and height, mean over the ring's width.";
-  if (picture == "plan_map") return "Solid fraction seen from above, mean over height.";
+  if (picture == "plan_map") return "Solid fraction seen from above, mean over the height of the powder.";
   if (picture == "fill_level_map")
     return "Height of the powder surface above the cavity floor, seen from above.";
   if (picture.starts_with("section")) {
@@ -71,7 +66,7 @@ std::string caption_of(const std::string& picture, const results::FillResult& re
   if (picture.starts_with("height_profile")) return "Solid fraction over height" + of_cavity(picture) + ".";
   std::string words = picture;
   std::replace(words.begin(), words.end(), '_', ' ');
-  return capitalised(words) + ".";
+  return results::capitalised(words) + ".";
 }
 
 /// The maps of a further cavity, which its title names.
@@ -98,14 +93,16 @@ std::vector<Figure> pictures_of(const results::FillResult& result, const SharedP
   if (shared.other_cavities != nullptr)
     for (std::size_t n = 0; n < shared.other_cavities->size(); ++n)
       add_cavity_maps(figures, (*shared.other_cavities)[n], n + 2, range);
+  const auto there = drawn_profiles(result);
   for (const auto& profile : result.profiles) {
-    if (profile.quantity == "fill level" || &profile == &result.profiles.front()) continue;
+    if (std::ranges::find(there, &profile) != there.end()) continue;
     const auto draw = [&](const std::string& folder) {
       const std::filesystem::path png = std::filesystem::path(folder) / "profile.png";
-      draw_profile(png, profile, result.strategy, subtitle_of(result));
+      draw_profile(png, profile, results::capitalised(profile.quantity + " over " + profile.x_name),
+                   result.strategy + ", " + subtitle_of(result));
       return std::vector{png};
     };
-    const std::string words = capitalised(profile.quantity + " over " + profile.x_name + ".");
+    const std::string words = results::capitalised(profile.quantity + " over " + profile.x_name + ".");
     for (auto& figure : drawn(draw, [&](const std::string&) { return words; })) figures.push_back(figure);
   }
   return figures;

@@ -9,10 +9,6 @@
 namespace diefill::render::report {
 namespace {
 
-std::string with_unit_of(const std::string& name, const std::string& unit) {
-  return unit == "1" || unit.empty() ? name : name + " [" + unit + "]";
-}
-
 /// Every run as a dot: the best powder over its seeds, beside the powders that agree.
 Figure dots(const results::SpreadFigure& figure) {
   Chart chart;

@@ -19,7 +19,7 @@ struct Run {
   std::string strategy;  ///< that it is a run of, where a comparison says so; empty: told from the scene
   /// The same result as of each further cavity of the die, for maps of their own; empty where there is one.
   std::vector<results::FillResult> other_cavities = {};
-  std::vector<results::MeasuredComparison> measured = {};  ///< what the result is held against
+  std::vector<results::MeasuredComparison> measured = {};  ///< what the result is compared with
   std::vector<Film> films = {};                            ///< of the run
 };
 

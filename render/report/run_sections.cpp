@@ -171,7 +171,7 @@ Section speed_section(const FillResult& result) {
   add_figure(table, result, "threads");
   add_figure(table, result, "sphere_steps_per_second", short_title("sphere_steps_per_second"));
   section.blocks.emplace_back(table);
-  Table phases{"Computing time by phase of the step", {"Phase", "Time"}, {}, true};
+  Table phases{"Computing time by phase of the step, since the last restart", {"Phase", "Time"}, {}, true};
   for (const auto& [phase, seconds] : result.phase_seconds)
     phases.rows.push_back({phase, as_duration(seconds)});
   if (!phases.rows.empty()) section.blocks.emplace_back(phases);

@@ -4,6 +4,8 @@
 #include <set>
 #include <sstream>
 
+#include "process/results/trimmed.h"
+
 namespace diefill::render::report {
 namespace {
 
@@ -17,14 +19,10 @@ std::string without_comment(const std::string& line) {
   return line;
 }
 
-std::string trimmed(const std::string& line) {
-  const std::size_t first = line.find_first_not_of(" \t\r");
-  if (first == std::string::npos) return {};
-  return line.substr(first, line.find_last_not_of(" \t\r") - first + 1);
-}
+constexpr const char* kBlanks = " \t\r";
 
 bool sets(const std::string& line, const std::string& key) {
-  return line.starts_with(key) && trimmed(line.substr(key.size())).starts_with('=');
+  return line.starts_with(key) && results::trimmed(line.substr(key.size()), kBlanks).starts_with('=');
 }
 
 /// Equal for runs of one strategy.
@@ -77,7 +75,7 @@ std::vector<std::string> telling_lines(const std::string& scene_text) {
   std::vector<std::string> lines;
   std::istringstream text(scene_text);
   for (std::string line; std::getline(text, line);) {
-    line = trimmed(without_comment(line));
+    line = results::trimmed(without_comment(line), kBlanks);
     if (!line.empty() && !sets(line, "seed") && !sets(line, "title")) lines.push_back(line);
   }
   return lines;

@@ -192,7 +192,7 @@ TEST(Calibrate, ProfilesMapsChecksAndFinerGrainsGoThrough) {
   const Calibrated calibrated;
   const auto& die = calibrated.die();
   die.write("level.csv",
-            "way along the shoe's travel [mm], level [mm], deviation [mm]\n1, 3.2, 0.3\n3, 3.7, 0.3\n");
+            "distance along the shoe's travel [mm], level [mm], deviation [mm]\n1, 3.2, 0.3\n3, 3.7, 0.3\n");
   die.write("map.csv", "x [mm], y [mm], level [mm], deviation [mm]\n-4, 0, 3.3, 0.5\n-2, 0, 3.5, 0.5\n");
   const auto more = [](const std::string& name, const std::string& kind, const std::string& quantity) {
     return "\n[[measurement]]\nname = \"" + name + "\"\nkind = \"" + kind + "\"\n" + quantity +

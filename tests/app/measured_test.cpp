@@ -77,7 +77,7 @@ TEST(MeasuredData, AreHeldAgainstAResultByMapReportAndCompare) {
 TEST(MeasuredData, AVariantWithoutValuesLeavesTheOthersCompared) {
   const SmallDie die;
   add_variants(die);
-  die.write("ruler.csv", "way along the shoe's travel [mm], fill level [mm]\n1, 3.2\n2, 3.5\n3, 3.7\n");
+  die.write("ruler.csv", "distance along the shoe's travel [mm], fill level [mm]\n1, 3.2\n2, 3.5\n3, 3.7\n");
   const std::string measured = (die.folder() / "ruler.csv").string();
   const Outcome outcome = run_program(compare_arguments(die, {"--quiet", "--measured", measured}));
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
@@ -96,7 +96,7 @@ TEST(MeasuredData, AVariantWithoutValuesLeavesTheOthersCompared) {
   EXPECT_NE(outcome.out.find("\"stays\", seed 1: no value: "), std::string::npos) << outcome.out;
 
   // Where no variant has a value the data are wrong.
-  die.write("ruler.csv", "way along the shoe's travel [mm], fill level [mm]\n100, 3.2\n200, 3.5\n");
+  die.write("ruler.csv", "distance along the shoe's travel [mm], fill level [mm]\n100, 3.2\n200, 3.5\n");
   const Outcome wrong = run_program({"compare", "--collect", die.out().string(), "--measured", measured});
   EXPECT_EQ(wrong.exit_code, 2);
   EXPECT_EQ(wrong.complaints(), 1U) << wrong.err;
@@ -108,7 +108,7 @@ TEST(MeasuredData, FaultsEndInOneLine) {
   const Outcome wrong = run_program({"map", zoned.die().out().string(), "--measured", zoned.measured()});
   EXPECT_EQ(wrong.exit_code, 2);
   EXPECT_EQ(wrong.complaints(), 1U) << wrong.err;
-  EXPECT_NE(wrong.err.find("way along the shoe's travel"), std::string::npos) << wrong.err;
+  EXPECT_NE(wrong.err.find("distance along the shoe's travel"), std::string::npos) << wrong.err;
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
 #!/bin/sh
-# Holds diefill against LAMMPS from the same start: an agitated lattice of 5,096 spheres collapses and settles, same
+# Compares diefill with LAMMPS from the same start: an agitated lattice of 5,096 spheres collapses and settles, same
 # contact law, same step, double precision. Prints solid fraction and coordination number of the settled beds and the
 # kinetic energy over the first 20 ms, and ends with exit code 1 where they differ by more than 0.5 %, 2 % and 5 %.
 #

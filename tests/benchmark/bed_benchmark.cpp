@@ -90,7 +90,7 @@ void model_d_bed(benchmark::State& state) {
   steps(state, model_d(7.84e-5, 7.63e-8), 12, 12);
 }
 
-/// What wall spheres cost that no powder reaches: to be held against the same bed with none.
+/// What wall spheres cost that no powder reaches: to be compared with the same bed with none.
 void bed_with_far_wall_spheres(benchmark::State& state) {
   Simulation simulation = fallen_bed(model_d(7.84e-5, 7.63e-8), 48, 2, 1, static_cast<int>(state.range(0)));
   for (auto _ : state) simulation.step();

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Holds what `diefill estimate` says against runs of the same scenes at several shoe speeds, a line for each opening.
+"""Compares what `diefill estimate` says with runs of the same scenes at several shoe speeds, a line for each opening.
 
     python3 tests/benchmark/estimate_against_runs.py [--csv FILE] --speeds 0.1,0.2,0.4 SCENE [SCENE ...]
     python3 tests/benchmark/estimate_against_runs.py --csv FILE --again

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Holds what `diefill plan` foretells against runs: spheres, steps, memory and wall time, a line for each scene.
+"""Compares what `diefill plan` predicts with runs: spheres, steps, memory and wall time, a line for each scene.
 
     python3 tests/benchmark/plan_against_runs.py [--threads N] [--minutes M] [--csv FILE] SCENE [SCENE ...]
 

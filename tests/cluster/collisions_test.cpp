@@ -92,7 +92,7 @@ TEST(Bed, GoesOnFromWhatWasShownAsIfItHadNotStopped) {
   Twins twins = bed(Model::d);
   const double size = 2 * engine::half_size(twins.built_in.settings().shape());
   run_on_ranks(twins.on_ranks, 300);
-  engine_on_ranks().forget();  // loads anew, springs and all
+  engine_on_ranks().forget();  // reloads, springs and all
   run_on_ranks(twins.on_ranks, 100);
   engine::run_steps(twins.on_ranks, 100);  // either engine goes on from the other
   engine::run_steps(twins.built_in, 500);

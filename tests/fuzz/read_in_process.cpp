@@ -66,7 +66,7 @@ CadParts read_in_child(const std::function<CadParts()>& read, const ChildLimits&
   try {
     return read();
   } catch (const std::bad_alloc&) {
-    throw std::runtime_error("it asks for more memory than a file of its size needs");
+    throw std::runtime_error("it declares more data than a file of its size can hold");
   } catch (const std::exception& error) {
     throw std::runtime_error(error.what());
   } catch (...) {

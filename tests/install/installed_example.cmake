@@ -25,7 +25,8 @@ if(NOT said MATCHES "silo")
 endif()
 do(${prefix}/bin/diefill new ${work}/my_die --kind ring)
 foreach(file share/man/man1/diefill.1 share/bash-completion/completions/diefill share/zsh/vendor-completions/_diefill
-    share/diefill/README.md share/diefill/process/scene/README.md)
+    share/diefill/README.md share/diefill/process/scene/README.md share/diefill/process/estimate/against_runs.csv
+    share/diefill/process/plan/grain_size_errors.csv)
   if(NOT EXISTS ${prefix}/${file})
     message(FATAL_ERROR "not installed: ${file}")
   endif()

@@ -120,7 +120,7 @@ TEST(Leaks, NoFastGrainPassesAShippedTool) {
   }
 }
 
-TEST(Leaks, AreForetoldByTheGapOfACoarseWall) {
+TEST(Leaks, ArePredictedByTheGapOfACoarseWall) {
   const geometry::Mesh mesh =
       geometry::import_mesh(DIEFILL_SOURCE_DIR "/sample_tools/gear/core_rods.stl", 1e-3);
   geometry::WallSphereOptions options;

@@ -1,10 +1,10 @@
 #include "app/commands/bench/loop_figures.h"
 
-#include <cstdio>
 #include <nlohmann/json.hpp>
 #include <numeric>
 
 #include "engine/observe/memory_traffic.h"
+#include "process/results/storage/hash_text.h"
 
 namespace diefill::app {
 
@@ -22,9 +22,7 @@ void add_loop_figures(const engine::Simulation& simulation, double seconds, int 
 }
 
 std::string hash_text(const engine::Simulation& simulation) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%016llx", static_cast<unsigned long long>(simulation.hash()));
-  return text;
+  return results::hash_text(simulation.hash());
 }
 
 }  // namespace diefill::app

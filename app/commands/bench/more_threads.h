@@ -16,7 +16,7 @@ struct StepCounts {
   double bytes = 0;          ///< that move through memory
 };
 
-struct Foretold {
+struct Prediction {
   double speedup = 1;           ///< over one thread, where memory does not limit
   double bytes_per_second = 0;  ///< that memory then has to give
 };
@@ -24,7 +24,7 @@ struct Foretold {
 /// Amdahl's law with the unevenness of whole blocks: the serial part stays, the work of loops is divided
 /// among threads, of which the busiest has ceil(blocks / threads) of the blocks. It leaves out memory that
 /// threads share and the start of loops, so it is an upper bound.
-inline Foretold foretell(const StepCounts& counts, int threads) {
+inline Prediction predict(const StepCounts& counts, int threads) {
   const double serial = counts.serial_share * counts.seconds;
   const double work = counts.threads * (counts.seconds - serial - counts.waiting_share * counts.seconds);
   const double busiest = std::ceil(counts.blocks / threads) / std::max(1.0, counts.blocks);

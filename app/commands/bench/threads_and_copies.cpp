@@ -7,16 +7,16 @@
 #include <chrono>
 #include <cstdio>
 #include <filesystem>
-#include <fstream>
 #include <memory>
 #include <nlohmann/json.hpp>
-#include <sstream>
 #include <thread>
 
 #include "app/commands/bench/more_threads.h"
 #include "app/exit_code.h"
 #include "process/compare/child_process.h"
 #include "process/input/scene_error.h"
+#include "process/results/storage/file_contents.h"
+#include "process/results/studies/median.h"
 
 namespace diefill::app {
 
@@ -89,11 +89,9 @@ std::vector<ordered_json> measured(const CopiesRace& race, const std::vector<Mea
   std::vector<ordered_json> figures;
   for (std::size_t k = 0; k < running.size(); ++k) {
     while (!running[k]->ended()) std::this_thread::sleep_for(std::chrono::milliseconds(20));
-    std::ifstream log(folder.log(k));
-    std::stringstream text;
-    text << log.rdbuf();
-    if (*running[k]->ended() != 0) throw std::runtime_error("bench: a measurement failed: " + text.str());
-    figures.push_back(ordered_json::parse(text.str()));
+    const std::string text = results::contents_or_nothing(folder.log(k)).value_or("");
+    if (*running[k]->ended() != 0) throw std::runtime_error("bench: a measurement failed: " + text);
+    figures.push_back(ordered_json::parse(text));
   }
   return figures;
 }
@@ -102,16 +100,10 @@ double rate(const ordered_json& figures) {
   return figures.at("sphere_steps_per_second").get<double>();
 }
 
-double median(std::vector<double> values) {
-  std::sort(values.begin(), values.end());
-  const std::size_t half = values.size() / 2;
-  return values.size() % 2 == 1 ? values[half] : 0.5 * (values[half - 1] + values[half]);
-}
-
 double median_of(const ordered_json& repeats, const char* name) {
   std::vector<double> values;
   for (const auto& repeat : repeats) values.push_back(repeat.at(name).get<double>());
-  return median(values);
+  return results::median(values);
 }
 
 /// One measurement: the threads, then the copies.
@@ -139,8 +131,8 @@ void print(const ordered_json& outcome, int threads) {
   std::printf("serial: %.1f %% of the step; waiting in loops: %.1f %% of the time of all threads\n",
               100 * outcome.at("serial_share").get<double>(),
               100 * outcome.at("waiting_share").get<double>());
-  for (const auto& more : outcome.at("foretold"))
-    std::printf("%d threads, foretold from these counts: at most %.1f times one, if memory gives %.0f GB/s\n",
+  for (const auto& more : outcome.at("predicted"))
+    std::printf("%d threads, predicted from these counts: speed-up at most %.1f, if memory gives %.0f GB/s\n",
                 more.at("threads").get<int>(), more.at("speedup").get<double>(),
                 1e-9 * more.at("bytes_per_second").get<double>());
 }
@@ -165,9 +157,10 @@ int race_against_copies(const CopiesRace& race) {
                              outcome["repeats"][0]["blocks"].get<double>(),
                              outcome["repeats"][0]["bytes_per_step"].get<double>()};
   for (const int more : {16, 64}) {
-    const Foretold foretold = foretell(counts, more);
-    outcome["foretold"].push_back(
-        {{"threads", more}, {"speedup", foretold.speedup}, {"bytes_per_second", foretold.bytes_per_second}});
+    const Prediction predicted = predict(counts, more);
+    outcome["predicted"].push_back({{"threads", more},
+                                    {"speedup", predicted.speedup},
+                                    {"bytes_per_second", predicted.bytes_per_second}});
   }
   if (race.json)
     std::printf("%s\n", outcome.dump(2).c_str());

@@ -15,8 +15,8 @@ struct CopiesRace {
   bool json = false;
 };
 
-/// Runs threads and copies in turns, each pinned to the same processors, and prints every measurement, the medians,
-/// and what the counts foretell for more processors. Throws SceneError where this machine has fewer
+/// Runs threads and copies in turns, each pinned to the same processors, and prints every measurement, the
+/// medians, and what the counts predict for more processors. Throws SceneError where this machine has fewer
 /// processors than threads, std::runtime_error where a measurement fails.
 int race_against_copies(const CopiesRace& race);
 

@@ -111,7 +111,7 @@ class Checkpoint {
 
 nlohmann::ordered_json timed(const TimedScene& wanted) {
   const Checkpoint checkpoint(wanted.run);
-  process::Scene scene = wanted_scene(wanted.scene, "", {});
+  process::Scene scene = chosen_scene(wanted.scene, "", {});
   const auto tooling = prepared_tooling(scene, false);
   scene = process::with_prepared_steps(std::move(scene), tooling);
   TimedSteps steps(wanted);

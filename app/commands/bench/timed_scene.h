@@ -1,4 +1,4 @@
-// Timing a scene under way, as in the middle of a passage: tools move, powder flows, and the run monitors
+// Timing a running scene, as in the middle of a passage: tools move, powder flows, and the run monitors
 // both and records what it is asked for.
 #pragma once
 

@@ -132,7 +132,7 @@ std::string ending_of(int status) {
 }  // namespace
 
 int run_mpirun(std::vector<std::string> words) {
-  const std::atomic<bool>& stop = heed_stop_signals();
+  const std::atomic<bool>& stop = install_stop_handlers();
   std::fflush(nullptr);
   Mpirun mpirun(std::move(words));
   const int status = mpirun.watch(stop);

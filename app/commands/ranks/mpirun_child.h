@@ -8,8 +8,8 @@
 namespace diefill::app {
 
 /// Runs `words`, mpirun first, to the end, and passes on what the ranks say. Returns the program's exit code;
-/// kFailed, after one line, where mpirun or a rank ended without a word. Signals that stop the program make
-/// the ranks leave a checkpoint; when this process is killed, mpirun ends its ranks. Throws
+/// kFailed, after one line, where mpirun or a rank ended without a message. Signals that stop the program
+/// make the ranks leave a checkpoint; when this process is killed, mpirun ends its ranks. Throws
 /// std::runtime_error where mpirun cannot be started.
 int run_mpirun(std::vector<std::string> words);
 

@@ -33,7 +33,7 @@ def find_program() -> str:
     return found
 
 
-class _Told:
+class _Output:
     """Standard error of the program, line by line: progress goes to the callback, the rest is kept."""
 
     def __init__(self, callback: Optional[Callback]):
@@ -48,10 +48,10 @@ class _Told:
         elif self.callback is not None:
             self.callback(int(progress[1]) / 100, progress[2])
 
-    def complaint(self) -> str:
+    def error_message(self) -> str:
         """The line that says why the program failed."""
         said = [line[len("diefill: "):] for line in self.lines if line.startswith("diefill: ")]
-        return said[-1] if said else " ".join(self.lines[-3:]) or "the program ended without a word"
+        return said[-1] if said else " ".join(self.lines[-3:]) or "the program ended without a message"
 
 
 def _stop(process: "subprocess.Popen[str]") -> None:
@@ -67,16 +67,16 @@ def call(arguments: Sequence[object], callback: Optional[Callback] = None) -> st
     """Runs the program; returns its standard output. Raises BadInput, OutOfRange or Failed with its line. On Ctrl-C,
     and when `callback` raises, the program stops with a checkpoint first."""
     command = [find_program()] + [os.fspath(a) if isinstance(a, os.PathLike) else str(a) for a in arguments]
-    surroundings = dict(os.environ, DIEFILL_PROGRESS_SECONDS=_SECONDS_BETWEEN_CALLS)
-    told = _Told(callback)
+    environment = dict(os.environ, DIEFILL_PROGRESS_SECONDS=_SECONDS_BETWEEN_CALLS)
+    output_lines = _Output(callback)
     with tempfile.TemporaryFile("w+", encoding="utf-8", errors="replace") as output:
         # A session of its own: the terminal's Ctrl-C reaches Python alone, which passes it on.
-        process = subprocess.Popen(command, stdout=output, stderr=subprocess.PIPE, env=surroundings, text=True,
+        process = subprocess.Popen(command, stdout=output, stderr=subprocess.PIPE, env=environment, text=True,
                                    encoding="utf-8", errors="replace", start_new_session=True)
         try:
             assert process.stderr is not None
             for line in process.stderr:
-                told.take(line.rstrip("\n"))
+                output_lines.take(line.rstrip("\n"))
             code = process.wait()
         except BaseException:
             _stop(process)
@@ -84,9 +84,9 @@ def call(arguments: Sequence[object], callback: Optional[Callback] = None) -> st
         finally:
             process.stderr.close()
         if code == UNFINISHED:
-            warnings.warn(told.complaint(), UnfinishedWarning, stacklevel=3)
+            warnings.warn(output_lines.error_message(), UnfinishedWarning, stacklevel=3)
         elif code != 0:
-            raise error_of(code, told.complaint())
+            raise error_of(code, output_lines.error_message())
         output.seek(0)
         return output.read()
 

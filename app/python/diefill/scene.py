@@ -94,7 +94,7 @@ class Scene:
 
     def compare(self, variants: Mapping[str, Changes], out: PathLike, *, seeds: int = 1, jobs: int = 1,
                 callback: Optional[Callback] = None) -> Comparison:
-        """Runs the scene once for each of `variants` (name: changed keys) and seed, and holds them against the first:
+        """Runs the scene once for each of `variants` (name: changed keys) and seed, and compares them with the first:
         what differs by more than the scatter over seeds. Goes on where it was stopped. The scene with its variants is
         `out`.toml."""
         tables = [f"\n[[variant]]\nname = {_toml(name)}\n" + "\n".join(_lines(changes)) + "\n"

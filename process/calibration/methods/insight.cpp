@@ -7,6 +7,8 @@
 #include <cstdio>
 #include <stdexcept>
 
+#include "process/results/word_list.h"
+
 namespace diefill::process::calibration {
 namespace {
 
@@ -27,13 +29,6 @@ std::string two_digits(double value) {
   return text;
 }
 
-std::string listed(const std::vector<std::string>& words) {
-  std::string text;
-  for (std::size_t k = 0; k < words.size(); ++k)
-    text += (k == 0 ? "" : k + 1 == words.size() ? " and " : ", ") + words[k];
-  return text;
-}
-
 Eigen::MatrixXd covariance_of(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b) {
   const Eigen::MatrixXd of_a = a.rowwise() - a.colwise().mean(), of_b = b.rowwise() - b.colwise().mean();
   return of_a.transpose() * of_b / static_cast<double>(a.rows() - 1);
@@ -44,7 +39,7 @@ Eigen::MatrixXd covariance_of(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b
 std::vector<std::string> insights(const Region& region, const std::vector<std::string>& parameters,
                                   const std::vector<std::string>& measured_by) {
   std::vector<std::string> sentences;
-  const std::string data = measured_by.empty() ? "the measurements" : listed(measured_by);
+  const std::string data = measured_by.empty() ? "the measurements" : results::in_words(measured_by);
   const std::string alone = measured_by.size() == 1 ? " alone" : " together";
   for (std::size_t d = 0; d < parameters.size(); ++d) {
     const auto at = static_cast<Eigen::Index>(d);
@@ -71,9 +66,9 @@ std::vector<std::string> insights(const Region& region, const std::vector<std::s
   return sentences;
 }
 
-std::vector<Worth> worth_of(const Eigen::MatrixXd& samples,
-                            const std::vector<PossibleMeasurement>& possible) {
-  std::vector<Worth> all;
+std::vector<Informativeness> informativeness_of(const Eigen::MatrixXd& samples,
+                                                const std::vector<PossibleMeasurement>& possible) {
+  std::vector<Informativeness> all;
   const Eigen::MatrixXd now = covariance_of(samples, samples);
   for (const PossibleMeasurement& measurement : possible) {
     if (measurement.values.rows() != samples.rows())
@@ -82,14 +77,14 @@ std::vector<Worth> worth_of(const Eigen::MatrixXd& samples,
     Eigen::MatrixXd total = covariance_of(measurement.values, measurement.values);
     total.diagonal().array() += measurement.deviations.array().square();
     const Eigen::MatrixXd after = now - with * total.ldlt().solve(with.transpose());
-    Worth worth;
-    worth.name = measurement.name;
-    worth.volume = std::sqrt(std::max(0.0, after.determinant() / now.determinant()));
-    worth.deviations = (after.diagonal().cwiseMax(0).array() / now.diagonal().array()).sqrt();
-    all.push_back(std::move(worth));
+    Informativeness gain;
+    gain.name = measurement.name;
+    gain.volume = std::sqrt(std::max(0.0, after.determinant() / now.determinant()));
+    gain.deviations = (after.diagonal().cwiseMax(0).array() / now.diagonal().array()).sqrt();
+    all.push_back(std::move(gain));
   }
   std::stable_sort(all.begin(), all.end(),
-                   [](const Worth& a, const Worth& b) { return a.volume < b.volume; });
+                   [](const Informativeness& a, const Informativeness& b) { return a.volume < b.volume; });
   return all;
 }
 

@@ -24,7 +24,7 @@ struct PossibleMeasurement {
 };
 
 /// What it would do to the region, as a linear and normal estimate.
-struct Worth {
+struct Informativeness {
   std::string name;
   double volume = 1;           ///< of the region afterwards over now, 0 to 1
   Eigen::VectorXd deviations;  ///< standard deviation of each parameter afterwards over now
@@ -32,6 +32,7 @@ struct Worth {
 
 /// Those that shrink the region most first. Throws std::invalid_argument where a measurement has not a row
 /// for each sample.
-std::vector<Worth> worth_of(const Eigen::MatrixXd& samples, const std::vector<PossibleMeasurement>& possible);
+std::vector<Informativeness> informativeness_of(const Eigen::MatrixXd& samples,
+                                                const std::vector<PossibleMeasurement>& possible);
 
 }  // namespace diefill::process::calibration

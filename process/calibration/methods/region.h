@@ -1,5 +1,5 @@
 // The parameters that agree with the measurements: not a point but a region, sampled from the likelihood with
-// all places of the parameter box equally probable beforehand.
+// all places of the parameter box equally probable in advance.
 #pragma once
 
 #include <Eigen/Core>

@@ -1,10 +1,10 @@
 #include "process/calibration/methods/screening_effects.h"
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
 
+#include "process/results/studies/median.h"
 #include "process/results/studies/quantiles.h"
 
 namespace diefill::process::calibration {
@@ -16,12 +16,6 @@ double mean_of(const std::vector<double>& values) {
   double sum = 0;
   for (const double value : values) sum += value;
   return sum / static_cast<double>(values.size());
-}
-
-double median(std::vector<double> values) {
-  std::sort(values.begin(), values.end());
-  const std::size_t half = values.size() / 2;
-  return values.size() % 2 == 1 ? values[half] : 0.5 * (values[half - 1] + values[half]);
 }
 
 /// From repeats: variance within settings, pooled, carried over to a difference of two means.
@@ -47,12 +41,12 @@ void error_after_lenth(ScreeningEffects& screening, const FractionalDesign& desi
     sizes.push_back(std::abs(contrast(design, means, column)));
   screening.error = screening.margin = kNone;
   if (sizes.size() < kFewest) return;
-  const double first = 1.5 * median(sizes);
+  const double first = 1.5 * results::median(sizes);
   std::vector<double> small;
   for (const double size : sizes)
     if (size < 2.5 * first) small.push_back(size);
   screening.source = ErrorSource::lenth;
-  screening.error = small.empty() ? 0 : 1.5 * median(small);
+  screening.error = small.empty() ? 0 : 1.5 * results::median(small);
   screening.margin = results::student_95(static_cast<double>(sizes.size()) / 3) * screening.error;
 }
 

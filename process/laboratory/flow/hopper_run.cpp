@@ -9,6 +9,7 @@
 #include "process/powder/material.h"
 #include "process/run/fill_run.h"
 #include "process/run/powder_state.h"
+#include "process/setup/impact_speed.h"
 #include "process/setup/pour.h"
 #include "process/tooling/rest.h"
 

@@ -1,25 +1,15 @@
 #include "process/laboratory/published/comparisons.h"
 
 #include <algorithm>
-#include <cstdlib>
-#include <fstream>
 
 #include "process/input/scene_error.h"
-#include "process/laboratory/published/csv_fields.h"
+#include "process/laboratory/published/csv_rows.h"
 #include "process/laboratory/published/perform.h"
 
 namespace diefill::process::laboratory {
 namespace {
 
 constexpr std::size_t kColumns = 4;
-
-double number_in(const std::string& field, const std::string& where) {
-  char* end = nullptr;
-  const double value = std::strtod(field.c_str(), &end);
-  if (end == field.c_str() || *end != '\0')
-    throw SceneError(where + ": found \"" + field + "\", expected a number");
-  return value;
-}
 
 results::LabRow row_of(const std::vector<std::string>& fields, const std::string& where,
                        const std::vector<PublishedFigure>& figures) {
@@ -47,17 +37,9 @@ results::LabTable compared_figures(const std::filesystem::path& file,
   results::LabTable table;
   table.experiment = "comparisons";
   table.size = "compared";
-  std::ifstream stream(file);
-  std::string text;
-  std::getline(stream, text);
-  for (int number = 2; std::getline(stream, text); ++number) {
-    const std::string where = file.string() + ':' + std::to_string(number);
-    const auto fields = csv_fields(text);
-    if (fields.size() != kColumns)
-      throw SceneError(where + ": found " + std::to_string(fields.size()) + " fields, expected " +
-                       std::to_string(kColumns));
+  for_each_row(file, kColumns, MissingFile::no_rows, [&](const auto& fields, const auto& where) {
     table.rows.push_back(row_of(fields, where, figures));
-  }
+  });
   return table;
 }
 

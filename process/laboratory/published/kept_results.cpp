@@ -3,12 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdlib>
-#include <fstream>
 #include <sstream>
 
 #include "process/input/scene_error.h"
-#include "process/laboratory/published/csv_fields.h"
+#include "process/laboratory/published/csv_rows.h"
 #include "process/laboratory/published/perform.h"
 #include "process/results/csv_field.h"
 
@@ -20,14 +18,6 @@ const std::array<std::string, 3> kSizes = {"coarse", "medium", "published"};
 
 std::size_t fineness(const std::string& size) {
   return static_cast<std::size_t>(std::find(kSizes.begin(), kSizes.end(), size) - kSizes.begin());
-}
-
-double number_in(const std::string& field, const std::string& where) {
-  char* end = nullptr;
-  const double value = std::strtod(field.c_str(), &end);
-  if (end == field.c_str() || *end != '\0')
-    throw SceneError(where + ": found \"" + field + "\", expected a number");
-  return value;
 }
 
 KeptResult result_of(const std::vector<std::string>& fields, const PublishedFigure& figure,
@@ -65,19 +55,11 @@ bool replaces(const results::LabRow& row, const std::string& size, const KeptRes
 std::vector<KeptResult> read_kept_results(const std::filesystem::path& file,
                                           const std::vector<PublishedFigure>& figures) {
   std::vector<KeptResult> kept;
-  std::ifstream stream(file);
-  std::string text;
-  std::getline(stream, text);
-  for (int number = 2; std::getline(stream, text); ++number) {
-    const std::string where = file.string() + ':' + std::to_string(number);
-    const auto fields = csv_fields(text);
-    if (fields.size() != kColumns)
-      throw SceneError(where + ": found " + std::to_string(fields.size()) + " fields, expected " +
-                       std::to_string(kColumns));
+  for_each_row(file, kColumns, MissingFile::no_rows, [&](const auto& fields, const auto& where) {
     const auto figure = std::find_if(figures.begin(), figures.end(),
                                      [&](const PublishedFigure& one) { return one.id == fields[0]; });
     if (figure != figures.end()) kept.push_back(result_of(fields, *figure, where));
-  }
+  });
   return kept;
 }
 

@@ -1,4 +1,4 @@
-// Published figures that experiments are held against: numbers with the range that agrees with them, read
+// Published figures that experiments are compared with: numbers with the range that agrees with them, read
 // from sample_tools/laboratory/published_figures.csv.
 #pragma once
 

@@ -1,5 +1,5 @@
 // An experiment of the sources as scenes and their evaluation: which scenes are run, what is measured in
-// their results, and which published figure that is held against. To add one: a file with a function like
+// their results, and which published figure that is compared with. To add one: a file with a function like
 // `plan`, its line in registry.cpp, and its rows in EXPERIMENTS of
 // sample_tools/laboratory/make_published_figures.py.
 #pragma once

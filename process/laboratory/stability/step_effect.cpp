@@ -33,7 +33,7 @@ void find_effect_of_step(const ExperimentOptions& options, results::ExperimentRe
   chart.title = "Solid fraction of a settled bed over the time step";
   chart.subtitle = "Model D, d = 1.88 mm; 1: the published step of 2 us at d = 0.47 mm in proportion to d";
   chart.note =
-      "Four times the published step and more: refused beforehand or stopped by the watch on the method's "
+      "Four times the published step and more: refused in advance or stopped by the watch on the method's "
       "range.";
   chart.x = {.label = "Time step over the published one", .logarithmic = true};
   chart.y = {.label = "Solid fraction", .lower = 0.37, .upper = 0.41};
@@ -48,7 +48,7 @@ void find_effect_of_step(const ExperimentOptions& options, results::ExperimentRe
       } catch (const engine::OutOfRange&) {
         // Stopped by the watch on the method's range: that is a finding.
       } catch (const SceneError&) {
-        // Refused beforehand: above the critical step.
+        // Refused in advance: above the critical step.
       }
       curve.x.push_back(factor);
       curve.y.push_back(fraction);

@@ -144,7 +144,7 @@ FlowFigures figures_of(const FlowCase& flow) {
   } catch (const engine::OutOfRange&) {
     // Stopped: that is a finding.
   } catch (const SceneError&) {
-    // Refused beforehand: above the critical step.
+    // Refused in advance: above the critical step.
   }
   return {};
 }

@@ -1,4 +1,4 @@
-// The experiments that hold walls of spheres against the exact surface. To add one: a file here with a
+// The experiments that compare walls of spheres with the exact surface. To add one: a file here with a
 // function like these, and its line in registry.cpp.
 #pragma once
 

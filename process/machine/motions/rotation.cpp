@@ -3,6 +3,7 @@
 #include <numbers>
 
 #include "process/machine/moving_tool.h"
+#include "process/results/word_list.h"
 
 namespace diefill::process {
 namespace {
@@ -17,7 +18,8 @@ ToolMotion Rotation::at(double time, const Envelope& envelope) const {
 }
 
 std::string Rotation::description() const {
-  return "rotation of " + names_text(tools()) + " at " + number_text(speed_ * 30 / std::numbers::pi) + " rpm";
+  return "rotation of " + results::in_words(tools()) + " at " + number_text(speed_ * 30 / std::numbers::pi) +
+         " rpm";
 }
 
 std::shared_ptr<Step> read_rotation(TableReader& table, const std::vector<ToolSpec>& tools) {

@@ -3,6 +3,7 @@
 #include <numbers>
 
 #include "process/machine/moving_tool.h"
+#include "process/results/word_list.h"
 
 namespace diefill::process {
 namespace {
@@ -16,8 +17,9 @@ ToolMotion RotationalOscillation::at(double time, const Envelope& envelope) cons
 }
 
 std::string RotationalOscillation::description() const {
-  return "rotational oscillation of " + names_text(tools()) + " at " + number_text(oscillation_.frequency) +
-         " Hz, " + number_text(oscillation_.amplitude * 180 / std::numbers::pi) + " deg";
+  return "rotational oscillation of " + results::in_words(tools()) + " at " +
+         number_text(oscillation_.frequency) + " Hz, " +
+         number_text(oscillation_.amplitude * 180 / std::numbers::pi) + " deg";
 }
 
 std::shared_ptr<Step> read_rotational_oscillation(TableReader& table, const std::vector<ToolSpec>& tools) {

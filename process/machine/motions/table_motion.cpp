@@ -9,6 +9,7 @@
 #include "process/input/shown_value.h"
 #include "process/input/text_file.h"
 #include "process/machine/moving_tool.h"
+#include "process/results/word_list.h"
 
 namespace diefill::process {
 namespace {
@@ -137,7 +138,8 @@ ToolMotion TableMotion::motion(double time) const {
 }
 
 std::string TableMotion::description() const {
-  return names_text(tools_) + " following a table of " + std::to_string(table_.time.size()) + " points";
+  return results::in_words(tools_) + " following a table of " + std::to_string(table_.time.size()) +
+         " points";
 }
 
 std::shared_ptr<Step> read_table_motion(TableReader& table, const std::vector<ToolSpec>& tools) {

@@ -1,6 +1,7 @@
 #include "process/machine/motions/vibration.h"
 
 #include "process/machine/moving_tool.h"
+#include "process/results/word_list.h"
 
 namespace diefill::process {
 namespace {
@@ -17,8 +18,8 @@ ToolMotion Vibration::at(double time, const Envelope& envelope) const {
 }
 
 std::string Vibration::description() const {
-  return "vibration of " + names_text(tools()) + " at " + number_text(oscillation_.frequency) + " Hz, " +
-         number_text(1e3 * oscillation_.amplitude) + " mm";
+  return "vibration of " + results::in_words(tools()) + " at " + number_text(oscillation_.frequency) +
+         " Hz, " + number_text(1e3 * oscillation_.amplitude) + " mm";
 }
 
 std::shared_ptr<Step> read_vibration(TableReader& table, const std::vector<ToolSpec>& tools) {

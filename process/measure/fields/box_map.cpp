@@ -200,25 +200,26 @@ results::Field2D fill_level_map(const results::FillResult& result) {
 
 results::Profile fill_level_along_travel(const results::FillResult& result) {
   const results::Field2D map = fill_level_map(result);
-  const bool over_first = axes_of(BoxView::kSide, result.cavity).first == 0;
-  const std::size_t columns = map.first.size();
-  results::Profile profile{"fill level",
-                           "mm",
-                           over_first ? map.first_name : map.second_name,
-                           "mm",
-                           over_first ? map.first : map.second,
-                           {}};
-  for (std::size_t n = 0; n < profile.x.size(); ++n) {
-    double sum = 0;
-    std::size_t count = 0;
-    for (std::size_t across = 0; across < (over_first ? map.second : map.first).size(); ++across) {
-      const double level = map.value[over_first ? across * columns + n : n * columns + across];
-      if (std::isnan(level)) continue;
-      sum += level;
+  const auto& cavity = result.cavity;
+  const bool over_first = axes_of(BoxView::kSide, cavity).first == 0;
+  const std::vector<double>&along = over_first ? map.first : map.second,
+        &across = over_first ? map.second : map.first;
+  results::Profile profile{"fill level", "mm", "distance along the shoe's travel", "mm", {}, {}};
+  for (std::size_t n = 0; n < along.size(); ++n) {
+    double sum = 0, count = 0;
+    bool powder = false;
+    for (std::size_t m = 0; m < across.size(); ++m) {
+      const double level = map.value[over_first ? m * along.size() + n : n * across.size() + m];
+      if (results::is_inside_tool(level)) continue;
+      powder = powder || !std::isnan(level);
+      sum += std::isnan(level) ? 0 : level;  // no powder here: the floor
       ++count;
     }
-    profile.y.push_back(count > 0 ? sum / static_cast<double>(count) : kNone);
+    profile.x.push_back(along[n] - along.front());
+    profile.y.push_back(powder ? sum / count : kNone);
   }
+  // The shoe arrives at the end towards which azimuth zero points.
+  if (cavity.azimuth_zero[over_first ? 0 : 1] > 0) std::reverse(profile.y.begin(), profile.y.end());
   return profile;
 }
 

@@ -23,8 +23,10 @@ results::Field2D box_map(const results::FillResult& result, BoxView view, double
 /// is none, results::inside_tool() where a tool is at half the cavity's depth. Throws as box_map does.
 results::Field2D fill_level_map(const results::FillResult& result);
 
-/// Mean of fill_level_map across the shoe's travel, over the axis of the travel (x or y, mm): of cavities
-/// that are no rings, what measure.h's fill_level is of rings. NaN where no node has powder.
+/// Mean of fill_level_map across the shoe's travel, over the distance (mm) along it from the end of the
+/// cavity's box where the shoe first arrives: of cavities that are no rings, what measure.h's fill_level is
+/// of rings. Places without powder count as the floor; NaN where there is none across. Travel between x and y
+/// counts as along the nearer.
 results::Profile fill_level_along_travel(const results::FillResult& result);
 
 }  // namespace diefill::process

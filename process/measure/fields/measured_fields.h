@@ -20,7 +20,7 @@ struct FieldRequest {
 /// m: sigma of Eq. 2.27 where none is given, the larger of 0.5 mm (Bierwisch 2009, Figs. 3.6, 4.12) and d/2.
 double default_averaging_width(double grain_diameter);
 
-/// Measures maps, sections and profiles of `result` anew from its powder and solid fractions.
+/// Measures maps, sections and profiles of `result` again from its powder and solid fractions.
 void measure_fields(results::FillResult& result, const FieldRequest& request, int azimuth_bins);
 
 /// A plane with horizontal and vertical (or two horizontal) in-plane axes for a normal of any direction.

@@ -11,7 +11,7 @@
 namespace diefill::process {
 namespace {
 
-constexpr const char* kDeep = "two diameters deep in the cavity";
+constexpr const char* kDeep = "two diameters below the surface in the cavity";
 constexpr std::size_t kSectors = 12, kThirds = 3;
 constexpr std::size_t kHarmonicTerms = 5, kTravelTerms = 3;  // coefficients that are fitted
 
@@ -66,10 +66,10 @@ void withhold_undetermined(results::FillResult& result) {
 }  // namespace
 
 std::string too_few_text(std::size_t grains, const std::string& where, std::size_t needed) {
-  const std::string found = grains == 0   ? "found no grain "
-                            : grains == 1 ? "found 1 grain "
-                                          : "found " + std::to_string(grains) + " grains ";
-  return found + where + ", need at least " + std::to_string(needed);
+  const std::string found = grains == 0   ? "no grain lies "
+                            : grains == 1 ? "only 1 grain lies "
+                                          : "only " + std::to_string(grains) + " grains lie ";
+  return found + where + "; " + std::to_string(needed) + " are needed";
 }
 
 results::SolidFractionSummary worth_giving(results::SolidFractionSummary summary) {

@@ -13,7 +13,7 @@ namespace diefill::process {
 /// of itself: at 20 grains 22 % of the spread and 16 %. With fewer, figures tell of single grains.
 inline constexpr std::size_t kFewestGrains = 20;
 
-/// "8 grains lie two diameters deep in the cavity, 20 are needed".
+/// "only 8 grains lie two diameters below the surface in the cavity; 20 are needed".
 std::string too_few_text(std::size_t grains, const std::string& where, std::size_t needed);
 
 /// Takes away the figures of the result's cavity, its summary included, that stand on too few grains, and

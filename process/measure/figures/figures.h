@@ -46,8 +46,8 @@ void travel_harmonics(const results::FillResult& result, Figures& figures);
 void field_evenness(const results::FillResult& result, Figures& figures);
 
 /// `fill_height_mm`: mean height of the powder surface above the cavity floor. Rings: mean over azimuth of
-/// the profile "fill level". Other cavities: mean over slices about 2 d wide along the shoe's travel of the
-/// top of the highest sphere in each. Where there is no powder the height is zero.
+/// the profile "fill level". Other cavities: mean of the map "fill level". Where there is no powder the
+/// height is zero.
 void fill_height(const results::FillResult& result, Figures& figures);
 
 /// Where grains are of several sizes (segregation.h), of those in the cavity, means weighted by mass:

@@ -1,7 +1,7 @@
 #include <cmath>
 
+#include "process/measure/fields/box_map.h"
 #include "process/measure/figures/figures.h"
-#include "process/measure/measure.h"
 
 namespace diefill::process {
 namespace {
@@ -20,8 +20,7 @@ void fill_height(const results::FillResult& result, Figures& figures) {
       figures["fill_height_mm"] = mean_or_empty(profile.y);
       return;
     }
-  if (!result.cavity.is_ring)
-    figures["fill_height_mm"] = mean_or_empty(level_along_travel(result.powder, result.cavity).y);
+  if (!result.cavity.is_ring) figures["fill_height_mm"] = mean_or_empty(fill_level_along_travel(result).y);
 }
 
 }  // namespace diefill::process

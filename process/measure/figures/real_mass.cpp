@@ -15,7 +15,7 @@ namespace {
 
 std::string no_bed(const PowderBed& bed) {
   return "no powder outside the cavity to compare with: " +
-         too_few_text(bed.grains, "two diameters deep there", kFewestGrains);
+         too_few_text(bed.grains, "two diameters below the surface there", kFewestGrains);
 }
 
 double solid_in_cavity(const results::FillResult& result) {

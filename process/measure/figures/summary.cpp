@@ -52,11 +52,4 @@ double bulk_solid_fraction(const results::PowderState& powder, const results::Gr
                         : solid_over_cells(powder, fraction, grains);
 }
 
-double bed_solid_fraction(const results::PowderState& powder, const results::GrainSolidFraction& fraction) {
-  std::vector<std::size_t> grains = counted_grains(powder, fraction, false);
-  std::erase_if(grains, [&](std::size_t k) { return fraction.in_cavity[k] != 0; });
-  return grains.empty() ? std::numeric_limits<double>::quiet_NaN()
-                        : solid_over_cells(powder, fraction, grains);
-}
-
 }  // namespace diefill::process

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <cstdio>
 #include <fstream>
 
+#include "process/results/storage/hash_text.h"
 #include "process/results/storage/result_file.h"
 
 namespace diefill::results {
@@ -16,9 +16,7 @@ constexpr std::size_t kHashDigits = 16, kSealLength = kBeforeHash.size() + kHash
 std::string seal_of(std::string_view contents) {
   std::uint64_t hash = 0xcbf29ce484222325ULL;
   for (const char letter : contents) hash = (hash ^ static_cast<unsigned char>(letter)) * 0x100000001b3ULL;
-  char digits[kHashDigits + 1];
-  std::snprintf(digits, sizeof digits, "%016llx", static_cast<unsigned long long>(hash));
-  return std::string(kBeforeHash) + digits + '\n';
+  return std::string(kBeforeHash) + hash_text(hash) + '\n';
 }
 
 std::ifstream opened(const std::filesystem::path& file) {

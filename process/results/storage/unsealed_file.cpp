@@ -54,7 +54,7 @@ void send(int pipe, std::string_view bytes) {
   try {
     answer = kWhole + read();
   } catch (const std::bad_alloc&) {
-    answer = kReason + file.string() + ": asks for more memory than a file of its size needs; it is damaged";
+    answer = kReason + file.string() + ": declares more data than a file of its size can hold; it is damaged";
   } catch (const std::exception& error) {
     answer = kReason + std::string(error.what());
   }

@@ -1,20 +1,15 @@
 #include "process/results/studies/comparison.h"
 
-#include <cmath>
-#include <cstdio>
 #include <nlohmann/json.hpp>
 
 #include "process/results/csv_field.h"
+#include "process/results/json_numbers.h"
 #include "process/results/storage/atomic_file.h"
 
 namespace diefill::results {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-Json number(double value) {
-  return std::isfinite(value) ? Json(value) : Json(nullptr);
-}
 
 Json run_entry(const ComparedRun& run) {
   Json json = {{"variant", run.variant}, {"seed", run.seed}, {"folder", run.folder}, {"state", run.state}};
@@ -23,7 +18,7 @@ Json run_entry(const ComparedRun& run) {
     json["reason"] = run.reason;
   }
   if (!run.state_hash.empty()) json["state_hash"] = run.state_hash;
-  for (const auto& [key, value] : run.values) json["values"][key] = number(value);
+  for (const auto& [key, value] : run.values) json["values"][key] = json_number(value);
   return json;
 }
 
@@ -32,11 +27,11 @@ Json measure_entry(const ComparedMeasure& measure, const std::vector<std::string
   for (std::size_t k = 0; k < variants.size(); ++k) {
     const ComparedValue& value = measure.values[k];
     json["variants"].push_back({{"variant", variants[k]},
-                                {"mean", number(value.mean)},
-                                {"scatter", number(value.scatter)},
+                                {"mean", json_number(value.mean)},
+                                {"scatter", json_number(value.scatter)},
                                 {"seeds", value.seeds},
-                                {"difference", number(value.difference)},
-                                {"interval_95", number(value.interval)},
+                                {"difference", json_number(value.difference)},
+                                {"interval_95", json_number(value.interval)},
                                 {"verdict", description(value.verdict)}});
   }
   return json;

@@ -1,7 +1,6 @@
-#include <cmath>
-#include <cstdio>
 #include <nlohmann/json.hpp>
 
+#include "process/results/csv_field.h"
 #include "process/results/json_numbers.h"
 #include "process/results/storage/atomic_file.h"
 #include "process/results/storage/result_file.h"
@@ -50,7 +49,7 @@ Json json_of(const ExperimentResult& result) {
   return json;
 }
 
-/// A field of a CSV file (RFC 4180).
+/// A field of a CSV file (RFC 4180), in quotation marks only where it needs them.
 std::string quoted(const std::string& text) {
   if (text.find_first_of(",\"\n") == std::string::npos) return text;
   std::string field = "\"";
@@ -58,20 +57,12 @@ std::string quoted(const std::string& text) {
   return field + "\"";
 }
 
-/// Empty for values that are no numbers.
-std::string field(double value) {
-  if (!std::isfinite(value)) return {};
-  char text[32];
-  std::snprintf(text, sizeof text, "%.9g", value);
-  return text;
-}
-
 std::string csv_of(const ExperimentChart& chart) {
   std::string text = quoted(chart.x.label) + ",series,role," + quoted(chart.y.label) + "\n";
   for (const auto& series : chart.series)
     for (std::size_t k = 0; k < series.x.size(); ++k)
-      text += field(series.x[k]) + "," + quoted(series.name) + "," + role_of(series) + "," +
-              field(series.y[k]) + "\n";
+      text += csv_number(series.x[k]) + "," + quoted(series.name) + "," + role_of(series) + "," +
+              csv_number(series.y[k]) + "\n";
   return text;
 }
 
@@ -92,8 +83,8 @@ void write_limits(const std::filesystem::path& directory, const std::string& nam
   Json json = Json::array();
   for (const auto& result : results)
     for (const auto& limit : result.limits) {
-      csv += quoted(result.name) + "," + quoted(limit.name) + "," + field(limit.measured) + "," +
-             field(limit.predicted) + "," + quoted(limit.unit) + "," + quoted(limit.source) + "\n";
+      csv += quoted(result.name) + "," + quoted(limit.name) + "," + csv_number(limit.measured) + "," +
+             csv_number(limit.predicted) + "," + quoted(limit.unit) + "," + quoted(limit.source) + "\n";
       Json row = json_of(limit);
       row["experiment"] = result.name;
       json.push_back(row);

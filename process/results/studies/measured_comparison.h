@@ -1,5 +1,5 @@
-// A simulated profile or map held against a measured one: difference and correlation, in all and zone by
-// zone.
+// A simulated profile or map compared with a measured one: difference and correlation, in all and zone
+// by zone.
 #pragma once
 
 #include <filesystem>

@@ -36,7 +36,7 @@ void measure_cavities(results::FillResult& result, const Scene& scene, const Too
   const std::size_t deep = counted_grains(result.powder, result.solid_fraction, false).size();
   if (deep < kFewestGrains)
     results::give_no_value(result, "bulk_solid_fraction",
-                           too_few_text(deep, "two diameters deep", kFewestGrains));
+                           too_few_text(deep, "two diameters below the surface", kFewestGrains));
   measure_cavity(result, scene, bed, sections);
   add_other_cavities(result, tooling.other_cavities,
                      [&](results::FillResult& other) { measure_cavity(other, scene, bed, {}); });

@@ -15,7 +15,7 @@ void refuse_free_tools_beside(const Scene& scene) {
                                                    : "";
     if (key.empty()) continue;
     throw SceneError(step->plan.where + ": a free tool and " + key +
-                     " do not go together: the program does not know beforehand where the tool goes; remove "
+                     " do not go together: the program does not know in advance where the tool goes; remove "
                      "one of the two");
   }
 }

@@ -110,8 +110,8 @@ void check_inflow(const Scene& scene, bool mixed) {
                        "\", allowed: " + names_of(scene));
     if (inflow->powder.empty() && !mixed)
       throw SceneError(inflow->where +
-                       ": this step does not say which powder comes in, and the powders are "
-                       "no mixture; add powder, allowed: " +
+                       ": this step does not say which powder comes in, and the powders do "
+                       "not form a mixture; add powder, allowed: " +
                        names_of(scene));
   }
 }

@@ -30,8 +30,8 @@ void refuse_keys_beside(TableReader& table, const std::string& key, bool has_set
     if (!own && table.has(other)) table.reject(other, "pour." + key + " gives all grains; remove the key");
   }
   if (has_setting)
-    table.reject(key,
-                 "a setting chooses the grain size, but these grains have theirs; remove one of the two");
+    table.reject(
+        key, "a setting chooses the grain size, but these grains already have a size; remove one of the two");
 }
 
 /// Box and solid fraction of grains already placed, so that estimates have their numbers.

@@ -62,8 +62,9 @@ TEST(Bench, RacesThreadsAgainstCopies) {
   const auto race = nlohmann::json::parse(outcome.out);
   ASSERT_EQ(race["repeats"].size(), 2U);
   for (const auto& repeat : race["repeats"])
-    EXPECT_DOUBLE_EQ(repeat["ratio"].get<double>(), repeat["threads"].get<double>() / repeat["copies"].get<double>());
-  EXPECT_EQ(race["foretold"][1]["threads"], 64);
+    EXPECT_DOUBLE_EQ(repeat["ratio"].get<double>(),
+                     repeat["threads"].get<double>() / repeat["copies"].get<double>());
+  EXPECT_EQ(race["predicted"][1]["threads"], 64);
 
   auto too_many = words;
   too_many.insert(too_many.end(), {"--threads", "1024"});
@@ -109,11 +110,11 @@ TEST(Bench, ScenesNeedACheckpointAndNoWordsOfBeds) {
 }
 
 // A tenth of the step on two threads is serial, nothing waits: 0.1 + 1.8 / N of its time.
-TEST(Bench, ForetellsMoreThreadsByAmdahlsLawAndWholeBlocks) {
+TEST(Bench, PredictsMoreThreadsByAmdahlsLawAndWholeBlocks) {
   const StepCounts counts = {2, 1e-3, 0.1, 0, 160, 1e6};
-  EXPECT_NEAR(foretell(counts, 16).speedup, 1.9 / (0.1 + 1.8 / 16), 1e-12);
-  EXPECT_NEAR(foretell(counts, 64).speedup, 1.9 / (0.1 + 1.8 * 3 / 160), 1e-12);
-  EXPECT_NEAR(foretell(counts, 16).bytes_per_second, 1e9 / (0.1 + 1.8 / 16), 1e-3);
+  EXPECT_NEAR(predict(counts, 16).speedup, 1.9 / (0.1 + 1.8 / 16), 1e-12);
+  EXPECT_NEAR(predict(counts, 64).speedup, 1.9 / (0.1 + 1.8 * 3 / 160), 1e-12);
+  EXPECT_NEAR(predict(counts, 16).bytes_per_second, 1e9 / (0.1 + 1.8 / 16), 1e-3);
 }
 
 // A grain in free flight, in the middle of a box that the user names.

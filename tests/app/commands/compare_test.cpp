@@ -201,8 +201,8 @@ name = "poured"
   const Outcome planned =
       run_program({"plan", die.scene().string(), "--variants", "--no-benchmark", "--json"});
   ASSERT_EQ(planned.exit_code, 0) << planned.err;
-  const auto foretold = nlohmann::json::parse(planned.out).at("variants");
-  const auto shared = [&](std::size_t k) { return foretold.at(k).at("shared_s").get<double>(); };
+  const auto predicted = nlohmann::json::parse(planned.out).at("variants");
+  const auto shared = [&](std::size_t k) { return predicted.at(k).at("shared_s").get<double>(); };
   EXPECT_EQ(shared(0), 0);
   EXPECT_GT(shared(2), 0);
   // How long the poured powder takes to settle is not known without a pilot.

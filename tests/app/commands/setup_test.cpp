@@ -173,7 +173,7 @@ TEST(NoCavity, WithAPunchInInches) {
   die.exchange("file = \"punch.stl\"", "file = \"punch.stl\"\nsphere_radius = \"0.03 mm\"");
   expect_refused(
       die,
-      "25.4 times too small for the other tools: its file seems to be in inch; write length_unit = "
+      "too small for the other tools by a factor of 25.4: its file seems to be in inch; write length_unit = "
       "\"inch\"");
 }
 

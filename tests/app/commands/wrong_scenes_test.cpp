@@ -14,7 +14,7 @@ namespace {
 TEST(WrongScenes, EndInOneLineAndWriteNothing) {
   const process::SceneFolder folder;
   const auto all = process::wrong_scenes();
-  constexpr std::size_t kEvery = 8;  // the reader's own tests have them all; the program starts anew for each
+  constexpr std::size_t kEvery = 8;  // the reader's own tests have them all; here each starts the program
   for (std::size_t k = 0; k < all.size(); k += kEvery) {
     const process::WrongScene& wrong = all[k];
     SCOPED_TRACE(wrong.name);

@@ -145,6 +145,14 @@ TEST_F(EveryPicture, OfTwoRunsSharesTheirScale) {
     EXPECT_TRUE(fs::exists(out() / name)) << name;
 }
 
+TEST_F(EveryPicture, ThatDoesNotApplyIsNamedAndTheOthersAreDrawn) {
+  const Outcome outcome = map({"--picture", "size-map", "--picture", "histogram"});
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_EQ(outcome.complaints(), 1U) << outcome.err;
+  EXPECT_NE(outcome.err.find("--picture size-map: "), std::string::npos) << outcome.err;
+  EXPECT_TRUE(fs::exists(out() / "histogram.png"));
+}
+
 TEST_F(EveryPicture, OfProbesDrawsAnyColumnAgainstAnyOther) {
   const Outcome both = map({"--x", "shoe/shift x", "--y", "shoe/force x"}, true);
   EXPECT_EQ(both.exit_code, 0) << both.err;

@@ -37,7 +37,7 @@ std::filesystem::file_time_type changed(const std::filesystem::path& file) {
   return std::filesystem::last_write_time(file, none);
 }
 
-/// Runs on `ranks` until a checkpoint has been written anew, then does `end` to it.
+/// Runs on `ranks` until a checkpoint has been written again, then does `end` to it.
 Outcome broken_off(const SmallDie& die, int ranks, const std::function<void(Program&)>& end) {
   const auto before = changed(checkpoint(die));
   Program program(die.run_arguments({"--resume", "--quiet", "--ranks", std::to_string(ranks)}));

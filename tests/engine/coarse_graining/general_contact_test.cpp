@@ -1,4 +1,4 @@
-// Any law of the sources in the engine: held against the slow reference of all pairs, against the engine's
+// Any law of the sources in the engine: compared with the slow reference of all pairs, with the engine's
 // own tuned law, on one and two threads, and with a restart in between.
 #include <gtest/gtest.h>
 

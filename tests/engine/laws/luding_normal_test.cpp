@@ -1,4 +1,4 @@
-// Luding's hysteretic spring over load cycles, held against an independent bookkeeping of its lines.
+// Luding's hysteretic spring over load cycles, compared with an independent bookkeeping of its lines.
 #include "law_test_support.h"
 
 namespace diefill::engine::laws {

@@ -1,5 +1,5 @@
 // The critical step of laws put together while the program runs, against closed forms and against the law
-// that the engine knows beforehand.
+// that the engine knows in advance.
 
 #include <gtest/gtest.h>
 

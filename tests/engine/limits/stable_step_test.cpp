@@ -1,4 +1,4 @@
-// The longest stable step between springs and dampers, held against the engine's own steps.
+// The longest stable step between springs and dampers, compared with the engine's own steps.
 #include "engine/limits/stable_step.h"
 
 #include <gtest/gtest.h>

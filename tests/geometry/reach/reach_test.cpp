@@ -47,16 +47,6 @@ TEST(Reach, PowderStandsAsHighAsPouredPlusClimb) {
   EXPECT_FALSE(at(Reach(frame.request), 1, {-5, 0, 14}, Vector3d::UnitX()));
 }
 
-TEST(Reach, VolumeIsThatOfThePowderBox) {
-  const Frame frame;
-  const Reach reach(frame.request);
-  // Voxels of 0.5 mm beginning at -22.2 mm put 20 centres between the walls either way, 10 of them beyond x =
-  // 0.
-  EXPECT_NEAR(reach.volume_below(8e-3, frame.request.domain), 800e-9, 1e-15);
-  EXPECT_NEAR(reach.volume_below(4e-3, frame.request.domain), 400e-9, 1e-15);
-  EXPECT_NEAR(reach.volume_below(4e-3, space_mm({0, -22, 0}, {22, 22, 1})), 200e-9, 1e-15);
-}
-
 TEST(Reach, PowderPouredFromAboveTheRimStaysInside) {
   Frame frame;
   frame.request.powder = {space_mm({-5, -5, 0}, {5, 5, 35})};

@@ -233,14 +233,15 @@ TEST(Insight, TheMeasurementAcrossTheValleyIsWorthMost) {
   const Eigen::MatrixXd along = region.samples.col(0) - region.samples.col(1),
                         across = region.samples.col(0) + region.samples.col(1);
   const Eigen::VectorXd deviation = Eigen::VectorXd::Constant(1, 0.02);
-  const auto worth = worth_of(region.samples, {{"repeat", across, deviation}, {"heap", along, deviation}});
+  const auto worth =
+      informativeness_of(region.samples, {{"repeat", across, deviation}, {"heap", along, deviation}});
   ASSERT_EQ(worth.size(), 2U);
   EXPECT_EQ(worth[0].name, "heap");  // it tells apart what the valley leaves open
   // Variance along the valley 2 (0.01 + 0.0095) = 0.039 falls to 0.039 * 0.0004 / 0.0394.
   EXPECT_NEAR(worth[0].volume, std::sqrt(0.0004 / 0.0394), 0.02);
   EXPECT_NEAR(worth[1].volume, std::sqrt(0.0004 / 0.0014), 0.06);
   EXPECT_LT(worth[0].deviations[0], worth[1].deviations[0]);
-  EXPECT_THROW(worth_of(region.samples, {{"none", Eigen::MatrixXd::Ones(3, 1), deviation}}),
+  EXPECT_THROW(informativeness_of(region.samples, {{"none", Eigen::MatrixXd::Ones(3, 1), deviation}}),
                std::invalid_argument);
 }
 

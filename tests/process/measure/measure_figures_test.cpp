@@ -207,38 +207,5 @@ TEST(FillLevel, HasNoValueWhereThereIsNoPowderAndOverlooksPowderBesideTheRing) {
   EXPECT_THROW(fill_level(powder, {}, 36), std::invalid_argument);
 }
 
-TEST(SolidFractionProfile, IsFlatInALatticeAndEndsAtTheSurface) {
-  const Bed bed = lattice_bed(5, 8, kDiameter);
-  const auto fraction = measure_solid_fraction(bed.powder, bed.tools, {});
-  const auto profile = solid_fraction_profile(bed.powder, fraction, 0, kDiameter / 4);
-  EXPECT_EQ(profile.x.front(), 0);
-  EXPECT_NEAR(profile.x[1], 0.0625, 1e-12);
-  const double last_closed = 6.5 * kDiameter * 1e3;  // mm, the eighth layer is open
-  for (std::size_t n = 0; n < profile.x.size(); ++n) EXPECT_NEAR(profile.y[n], std::numbers::pi / 6, 1e-12);
-  EXPECT_GT(profile.x.back(), last_closed);
-  EXPECT_LT(profile.x.back(), last_closed + 0.26);
-}
-
-TEST(SolidFractionProfile, SeesASteepChange) {
-  std::vector<Eigen::Vector3d> places;
-  for (int k = 0; k < 40; ++k) places.emplace_back(0, 0, k * kDiameter / 4);
-  const results::PowderState powder = powder_of(places);
-  const double step = 4.9 * kDiameter;
-  const auto fraction = fraction_of(powder, [&](const auto& place) { return place.z() < step ? 0.2 : 0.4; });
-  const auto profile = solid_fraction_profile(powder, fraction, -1e-3, kDiameter / 4);
-  for (std::size_t n = 0; n < profile.x.size(); ++n) {
-    const double z = profile.x[n] * 1e-3 - 1e-3;
-    if (z < -1.01 * kDiameter) {
-      EXPECT_TRUE(std::isnan(profile.y[n]));
-    }
-    if (z > 0 && z < step - 1.1 * kDiameter) {
-      EXPECT_NEAR(profile.y[n], 0.2, 1e-3);
-    }
-    if (z > step + 1.1 * kDiameter) {
-      EXPECT_NEAR(profile.y[n], 0.4, 1e-3);
-    }
-  }
-}
-
 }  // namespace
 }  // namespace diefill::process

@@ -128,7 +128,7 @@ TEST(FillLevelMap, IsTheHeightOfTheSurface) {
   EXPECT_EQ(map.quantity, "fill level");
   for (const double level : map.value) EXPECT_NEAR(level, 4, 1e-9);  // top of the highest spheres
   const auto along = fill_level_along_travel(result);
-  EXPECT_EQ(along.x_name, "x");
+  EXPECT_EQ(along.x_name, "distance along the shoe's travel");
   for (const double level : along.y) EXPECT_NEAR(level, 4, 1e-9);
 }
 

@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "process/measure/fields/box_map.h"
 #include "process/measure/figures/enough_grains.h"
 #include "process/measure/figures/figures.h"
 #include "process/measure/figures/real_mass.h"
@@ -40,7 +41,7 @@ results::FillResult box(const Fraction& value, int layers = 12, int columns = kC
 
 /// The box as a run measures it, of powder whose bed has a solid fraction of 0.5.
 void measure(results::FillResult& result, double apparent_density = 3000, const PowderBed& bed = {0.5, 500}) {
-  result.profiles = {level_along_travel(result.powder, result.cavity)};
+  result.profiles = {fill_level_along_travel(result)};
   add_real_mass(result, {apparent_density, 7870}, bed);
   measure_figures(result);
   withhold_poor_figures(result);
@@ -78,7 +79,7 @@ TEST(RealMass, HasNoFillRatioWithoutABedAndSaysWhy) {
   measure(result, 0, {std::nan(""), 9});
   EXPECT_TRUE(std::isnan(result.figures.at("fill_ratio")));
   EXPECT_TRUE(has(results::reason_for(result, "fill_ratio"),
-                  "found 9 grains two diameters deep there, need at least 20"));
+                  "only 9 grains lie two diameters below the surface there; 20 are needed"));
   EXPECT_EQ(results::reason_for(result, "apparent_density_kg_m3"), "unknown: set powder.apparent_density");
   EXPECT_NEAR(result.figures.at("estimated_mass_kg"), 240e-9 * std::numbers::pi / 6 * 7870, 1e-12);
   EXPECT_TRUE(has(verdict(result), "holds about 0.99 g; fill ratio unknown")) << verdict(result);
@@ -148,10 +149,10 @@ TEST(EnoughGrains, NoFigureStandsOnFewerThanTwenty) {
   EXPECT_GT(result.summary.grains, 0U);
   for (const char* name : {"solid_fraction_top_minus_bottom", "solid_fraction_along_travel_1"}) {
     EXPECT_TRUE(std::isnan(result.figures.at(name))) << name;
-    EXPECT_TRUE(has(results::reason_for(result, name), "need at least 60")) << name;
+    EXPECT_TRUE(has(results::reason_for(result, name), "60 are needed")) << name;
   }
   EXPECT_TRUE(has(results::reason_for(result, "solid_fraction"),
-                  "two diameters deep in the cavity, need at least 20"));
+                  "two diameters below the surface in the cavity; 20 are needed"));
   EXPECT_TRUE(has(verdict(result), "too few grains to locate loose regions")) << verdict(result);
   EXPECT_TRUE(std::isfinite(result.figures.at("expected_mass_kg")));
 }
@@ -178,12 +179,27 @@ TEST(EnoughGrains, AmplitudesBeyondTheMeanAreNoFigures) {
   EXPECT_FALSE(results::reason_for(result, "solid_fraction_along_travel_2").empty());
 }
 
-TEST(LevelAlongTravel, StandsAtTheTopOfTheHighestGrain) {
+TEST(FillLevelAlongTravel, BeginsWhereTheShoeArrives) {
+  // Nine of twelve layers, and only six in the far half of the travel, which is the lower end of x.
   auto result = box([](const auto&) { return 0.4; }, 9);
-  const auto level = level_along_travel(result.powder, result.cavity);
-  ASSERT_EQ(level.x.size(), 10U);
-  EXPECT_NEAR(level.x.front(), 0.5, 1e-12);
-  for (const double y : level.y) EXPECT_NEAR(y, 4.5, 1e-9);
+  std::vector<Eigen::Vector3d> places;
+  for (const auto& at : result.powder.position)
+    if (at.x() > 0 || at.z() < -3e-3) places.push_back(at);
+  result.powder = powder_of(places);
+  const auto level = fill_level_along_travel(result);
+  EXPECT_NEAR(level.x.front(), 0, 1e-12);
+  EXPECT_NEAR(level.x.back(), 10, 1e-12);
+  EXPECT_NEAR(level.y.front(), 4.5, 1e-9);
+  EXPECT_NEAR(level.y.back(), 3, 1e-9);
+}
+
+TEST(FillLevelAlongTravel, HasNoValueWhereThereIsNoPowderAcross) {
+  auto result = box([](const auto&) { return 0.4; });
+  std::vector<Eigen::Vector3d> places;
+  for (const auto& at : result.powder.position)
+    if (at.x() > 0) places.push_back(at);
+  result.powder = powder_of(places);
+  EXPECT_TRUE(std::isnan(fill_level_along_travel(result).y.back()));
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// Counts, phases, costs and errors of a plan, held against numbers by hand.
+// Counts, phases, costs and errors of a plan, compared with numbers by hand.
 #include <gtest/gtest.h>
 
 #include <cmath>

@@ -27,7 +27,7 @@ TEST(PlanNeeds, WidthPressureAndLaws) {
   const Needs needs = needs_of(planned.scene, planned.tooling);
   EXPECT_NEAR(needs.coarsest_grain, 1.5e-3, 1e-12);
   // 4.5 mm less 1.4 times three more calibrated diameters.
-  EXPECT_NEAR(needs.width_as_felt, 4.5e-3 - 1.4 * 3 * 6 * 7.84e-5, 1e-9);
+  EXPECT_NEAR(needs.effective_width, 4.5e-3 - 1.4 * 3 * 6 * 7.84e-5, 1e-9);
   const double density = 7.63e-8 / (7 * 4.0 / 3 * std::numbers::pi * std::pow(7.84e-5, 3));
   EXPECT_NEAR(needs.weight_pressure, density * 0.32 * 9.81 * (0.024 + 0.02), 1e-3);
   EXPECT_NEAR(needs.least_modulus, 3000 * needs.weight_pressure, 1e-6);

@@ -1,4 +1,4 @@
-// What variants take together, held against numbers by hand.
+// What variants take together, compared with numbers by hand.
 #include <gtest/gtest.h>
 
 #include "process/plan/comparison_forecast.h"

@@ -50,7 +50,7 @@ TEST(ForeseenWork, GrainsThatNoMemoryHoldsAreCounted) {
 TEST(ForeseenWork, SnapshotsWithoutEndAreCounted) {
   expect_parts(complaint("[measure]", "[[snapshot]]\nname = \"s\"\nevery = \"1e-9 s\"\n[measure]"),
                {"snapshot \"s\": every 1e-09 s of 0.25 s makes 2.5e+08 folders",
-                "allowed: at most 1e+04; raise every"});
+                "allowed: at most 1e+04; increase every"});
 }
 
 /// What is said of a face of 0.24 m^2 that powder reaches all of, covered with spheres of `radius` (mm).

@@ -52,6 +52,7 @@ TEST_F(DrawAll, DieThatIsNoRingIsSeenFromAboveAndNoPictureComesTwice) {
             (std::vector<std::string>{"plan_map.png", "fill_level_map.png", "section.png", "snapshot.png",
                                       "height_profile.png", "height_profile_cavity_2.png",
                                       "fill_level_cavity_2.png"}));
+  EXPECT_EQ(drawn_profiles(result).size(), result.profiles.size());
   std::set<std::string> pictures;
   for (const auto& picture : written) EXPECT_TRUE(pictures.insert(contents(picture)).second) << picture;
 }

@@ -25,8 +25,8 @@ class Drawing : public ::testing::Test {
   /// Keeps a copy of a picture made in memory, where the user asked for that.
   static void keep(const QImage& image, const std::string& name);
 
-  /// Holds a picture against the stored one of that name in references/, which small differences of fonts and
-  /// edges may tell apart. DIEFILL_NEW_REFERENCES=1 stores it anew: look at every one before it is kept.
+  /// Compares a picture with the stored one of that name in references/, which small differences of fonts and
+  /// edges may tell apart. DIEFILL_NEW_REFERENCES=1 stores it again: look at every one before it is kept.
   static void expect_like_reference(const QImage& image, const std::string& name);
 
  private:

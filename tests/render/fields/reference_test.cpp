@@ -1,4 +1,4 @@
-// Pictures of fields, charts and views held against stored ones.
+// Pictures of fields, charts and views compared with stored ones.
 #include "render/charts/chart_layout.h"
 #include "render/charts/variation_charts.h"
 #include "render/fields/arrow_map.h"
@@ -87,6 +87,14 @@ TEST_F(Reference, ProfilesWithBands) {
           spread_chart({{"one", height_profile(0)}, {"two", height_profile(0.01)}}, "Over height", ""))
           .image,
       "height_profile.png");
+}
+
+TEST(SpreadChart, SaysWhatTheMeanIsOver) {
+  const auto note = [](const std::string& across) {
+    return spread_chart({{"", height_profile(0)}}, "Over height", "", across).note;
+  };
+  EXPECT_NE(note("azimuth").find("Mean over azimuth"), std::string::npos);
+  EXPECT_NE(note("the cross-section").find("Mean over the cross-section"), std::string::npos);
 }
 
 TEST_F(Reference, HistogramOfOneRun) {

@@ -1,12 +1,9 @@
 #include "process/laboratory/published/dosta/bulk_curves.h"
 
 #include <algorithm>
-#include <cstdlib>
-#include <fstream>
 #include <limits>
 
-#include "process/input/scene_error.h"
-#include "process/laboratory/published/csv_fields.h"
+#include "process/laboratory/published/csv_rows.h"
 #include "process/measure/figures/line_fit.h"
 #include "process/results/storage/result_file.h"
 
@@ -15,34 +12,18 @@ namespace {
 
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
-double number_in(const std::string& field, const std::string& where) {
-  char* end = nullptr;
-  const double value = std::strtod(field.c_str(), &end);
-  if (end == field.c_str() || *end != '\0')
-    throw SceneError(where + ": found \"" + field + "\", expected a number");
-  return value;
-}
-
 }  // namespace
 
 std::vector<CodeCurve> code_curves(const std::filesystem::path& scenes, const std::string& name) {
   const std::filesystem::path file = scenes / "dosta/curves.csv";
-  std::ifstream stream(file);
-  if (!stream)
-    throw SceneError(file.string() +
-                     ": cannot be read; give the folder of the laboratory's scenes with --scenes");
   std::vector<CodeCurve> curves;
-  std::string line;
-  std::getline(stream, line);
-  for (int number = 2; std::getline(stream, line); ++number) {
-    const std::string where = file.string() + ':' + std::to_string(number);
-    const auto fields = csv_fields(line);
-    if (fields.size() != 4) throw SceneError(where + ": expected case, code, time and value");
-    if (fields[0] != name) continue;
+  // case, code, time, value
+  for_each_row(file, 4, MissingFile::error, [&](const auto& fields, const auto& where) {
+    if (fields[0] != name) return;
     if (curves.empty() || curves.back().code != fields[1]) curves.push_back({fields[1], {}});
     curves.back().curve.time.push_back(number_in(fields[2], where));
     curves.back().curve.value.push_back(number_in(fields[3], where));
-  }
+  });
   return curves;
 }
 

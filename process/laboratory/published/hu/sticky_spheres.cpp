@@ -55,10 +55,6 @@ double largest_diameter(const StickySpheres& spheres) {
   return spheres.enlargement * spheres.sizes.back().diameter;
 }
 
-double mean_mass_diameter(const StickySpheres& spheres) {
-  return spheres.enlargement * original_mean(spheres);
-}
-
 std::string sticky_lines(const StickySpheres& spheres) {
   const double mean = original_mean(spheres);
   const double modulus = engine::laws::contact_modulus(kYoung, kPoisson, kYoung, kPoisson);

@@ -31,7 +31,6 @@ struct StickySpheres {
 
 /// m, enlarged: the largest sphere, and the sphere of mean mass.
 double largest_diameter(const StickySpheres& spheres);
-double mean_mass_diameter(const StickySpheres& spheres);
 
 /// Puts spheres, laws and scaling into sticky_bed.toml or heap.toml.
 std::string sticky_lines(const StickySpheres& spheres);

@@ -3,23 +3,16 @@
 #include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
-#include <fstream>
 
 #include "process/input/scene_error.h"
-#include "process/laboratory/published/csv_fields.h"
+#include "process/laboratory/published/csv_rows.h"
 
 namespace diefill::process::laboratory {
 namespace {
 
 std::vector<double> numbers_in(const std::vector<std::string>& fields, const std::string& where) {
   std::vector<double> numbers;
-  for (std::size_t k = 2; k < fields.size(); ++k) {
-    char* end = nullptr;
-    numbers.push_back(std::strtod(fields[k].c_str(), &end));
-    if (end == fields[k].c_str() || *end != '\0')
-      throw SceneError(where + ": found \"" + fields[k] + "\", expected a number");
-  }
+  for (std::size_t k = 2; k < fields.size(); ++k) numbers.push_back(number_in(fields[k], where));
   return numbers;
 }
 
@@ -87,18 +80,10 @@ bool is_corner(const DesignRun& run) {
 }  // namespace
 
 std::vector<DesignRun> design_runs(const std::filesystem::path& file, const std::string& table) {
-  std::ifstream stream(file);
-  std::string text;
-  std::getline(stream, text);
   std::vector<std::vector<double>> rows;
-  for (int number = 2; std::getline(stream, text); ++number) {
-    const std::string where = file.string() + ':' + std::to_string(number);
-    const auto fields = csv_fields(text);
-    if (fields.size() != kFactors + 2)
-      throw SceneError(where + ": found " + std::to_string(fields.size()) + " fields, expected " +
-                       std::to_string(kFactors + 2));
+  for_each_row(file, kFactors + 2, MissingFile::no_rows, [&](const auto& fields, const auto& where) {
     if (fields[0] == table) rows.push_back(numbers_in(fields, where));
-  }
+  });
   if (rows.empty()) throw SceneError(file.string() + ": cannot be read, or has no runs of table " + table);
   std::vector<DesignRun> runs;
   for (const auto& row : rows) runs.push_back({powder_of(row), {}});

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "process/laboratory/layer_profile.h"
 #include "process/laboratory/published/perform.h"
 
 namespace diefill::process::laboratory {
@@ -37,8 +38,7 @@ TEST(ContactStatistics, ContactsAcrossAPeriodCount) {
 
 TEST(LayerProfile, OfOneSphereIsItsCrossSections) {
   auto bed = spheres({{0, 0, 1e-3}, {0, 0, 9e-3}});
-  bed.period = {4e-3, 4e-3, 0};
-  const auto profile = layer_profile(bed);
+  const auto profile = layer_profile(bed, 16e-6);
   ASSERT_GT(profile.height.size(), 20U);
   EXPECT_NEAR(profile.height[10], 0.5, 1e-12);
   EXPECT_NEAR(profile.share[10], 3.14159265 * 1e-6 / 16e-6, 1e-8);  // its equator

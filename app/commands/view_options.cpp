@@ -1,4 +1,4 @@
-#include "app/commands/look_options.h"
+#include "app/commands/view_options.h"
 
 #include <algorithm>
 #include <cmath>
@@ -43,7 +43,7 @@ render::Camera camera_of(const std::string& text) {
                             "degrees, such as 30,20");
 }
 
-render::SceneLook look_of(const LookArguments& arguments) {
+render::SceneLook look_of(const ViewArguments& arguments) {
   render::SceneLook look;
   look.ambient_occlusion = arguments.ambient_occlusion;
   if (arguments.tools == "translucent") look.tools = render::ToolLook::kTranslucent;
@@ -52,7 +52,7 @@ render::SceneLook look_of(const LookArguments& arguments) {
   return look;
 }
 
-void add_look_options(CLI::App& command, LookArguments& arguments) {
+void add_view_options(CLI::App& command, ViewArguments& arguments) {
   command
       .add_option(
           "--range", arguments.range,

@@ -1,4 +1,4 @@
-// Figures that belong to things which a scene names, such as zones and heaps.
+// Figures that belong to items which a scene names, such as zones and heaps.
 #pragma once
 
 #include <algorithm>
@@ -8,19 +8,19 @@
 
 namespace diefill::results {
 
-/// Whether the entry stands for the figures of all things of a kind.
-inline bool is_of_things(const Figure& figure) {
+/// Whether the entry stands for the figures of all items of a kind.
+inline bool is_per_item(const Figure& figure) {
   return std::string(figure.name).find('*') != std::string::npos;
 }
 
 /// "flange" of the figure "solid_fraction_in_flange"; spaces for underscores.
-inline std::string thing_of(const Figure& figure, const std::string& name) {
+inline std::string item_of(const Figure& figure, const std::string& name) {
   const std::string pattern = figure.name;
   const std::size_t star = pattern.find('*');
   if (star == std::string::npos || name.size() + 1 < pattern.size()) return {};
-  std::string thing = name.substr(star, name.size() + 1 - pattern.size());
-  std::replace(thing.begin(), thing.end(), '_', ' ');
-  return thing;
+  std::string item = name.substr(star, name.size() + 1 - pattern.size());
+  std::replace(item.begin(), item.end(), '_', ' ');
+  return item;
 }
 
 }  // namespace diefill::results

@@ -1,5 +1,5 @@
-// Results held against measured profiles and maps whose differences are known.
-#include "process/measured_data/hold_against.h"
+// Results compared with measured profiles and maps whose differences are known.
+#include "process/measured_data/compare_with_measured.h"
 
 #include <gtest/gtest.h>
 
@@ -33,12 +33,13 @@ results::FillResult ring() {
   return result;
 }
 
-class HoldAgainst : public testing::Test {
+class CompareWithMeasured : public testing::Test {
  protected:
   results::MeasuredComparison against(const std::string& csv,
                                       const results::FillResult& result = ring()) const {
     folder_.write("level.csv", csv);
-    return hold_against(read_measured_files({(folder_.path() / "level.csv").string()}).front(), result);
+    return compare_with_measured(read_measured_files({(folder_.path() / "level.csv").string()}).front(),
+                                 result);
   }
   std::string complaint(const std::string& csv) const {
     try {
@@ -57,7 +58,7 @@ const results::MeasuredZone& zone(const results::MeasuredComparison& comparison,
   throw std::out_of_range("no zone " + name);
 }
 
-TEST_F(HoldAgainst, AProfileGivesDifferenceAndCorrelationInAllAndByQuarters) {
+TEST_F(CompareWithMeasured, AProfileGivesDifferenceAndCorrelationInAllAndByQuarters) {
   // 1 mm below the simulated level in the first half, 2 mm below it in the second; in cm.
   const auto comparison =
       against("azimuth [deg], fill level [cm]\n45, 0.945\n135, 1.035\n225, 1.025\n315, 1.115\n");
@@ -74,7 +75,7 @@ TEST_F(HoldAgainst, AProfileGivesDifferenceAndCorrelationInAllAndByQuarters) {
   EXPECT_NEAR(zone(comparison, "azimuth 270 to 360 deg").rms, 0.2, 1e-9);
 }
 
-TEST_F(HoldAgainst, AMapHasTheZonesOfTheSceneThatItsCoordinatesTellApart) {
+TEST_F(CompareWithMeasured, AMapHasTheZonesOfTheSceneThatItsCoordinatesTellApart) {
   std::string csv = "azimuth [deg], height [mm], solid fraction [1], deviation [1]\n";
   for (const double height : {2.0, 10.0, 18.0})
     for (const double azimuth : {90.0, 270.0})
@@ -90,7 +91,7 @@ TEST_F(HoldAgainst, AMapHasTheZonesOfTheSceneThatItsCoordinatesTellApart) {
   EXPECT_THROW(zone(comparison, "hub"), std::out_of_range);  // a radius, which the map does not have
 }
 
-TEST_F(HoldAgainst, PlacesWithoutASimulatedValueDoNotCount) {
+TEST_F(CompareWithMeasured, PlacesWithoutASimulatedValueDoNotCount) {
   const auto comparison =
       against("azimuth [deg], height [mm], solid fraction [1]\n90, 10, 0.319\n90, 25, 0.5\n180, 10, 0.328\n");
   EXPECT_TRUE(std::isnan(comparison.simulated[1]));
@@ -98,7 +99,7 @@ TEST_F(HoldAgainst, PlacesWithoutASimulatedValueDoNotCount) {
   EXPECT_TRUE(std::isnan(zone(comparison, "all").correlation));
 }
 
-TEST_F(HoldAgainst, FaultsAreNamedInOneLine) {
+TEST_F(CompareWithMeasured, FaultsAreNamedInOneLine) {
   EXPECT_NE(complaint("azimuth [deg], level [mm]\n45, 9\n").find("it has \"fill level over azimuth\""),
             std::string::npos);
   EXPECT_NE(complaint("azimuth [deg], fill level [g]\n45, 9\n").find("level.csv"), std::string::npos);
@@ -115,7 +116,7 @@ TEST_F(HoldAgainst, FaultsAreNamedInOneLine) {
       std::string::npos);
 }
 
-TEST_F(HoldAgainst, TwoFilesOfOneNameAreRefused) {
+TEST_F(CompareWithMeasured, TwoFilesOfOneNameAreRefused) {
   folder_.write("a.csv", "azimuth [deg], fill level [mm]\n45, 9\n");
   const std::string file = (folder_.path() / "a.csv").string();
   EXPECT_THROW(read_measured_files({file, file}), SceneError);

@@ -11,7 +11,7 @@
 namespace diefill::app {
 
 /// As the user gives them.
-struct LookArguments {
+struct ViewArguments {
   std::string colour_by = "solid-fraction", tools = "cut", camera = "front";
   std::vector<double> range;
   int width = 1600;
@@ -19,7 +19,7 @@ struct LookArguments {
 };
 
 /// Adds --range, --colour-by, --tools, --camera, --renderer, --ambient-occlusion and --width.
-void add_look_options(CLI::App& command, LookArguments& arguments);
+void add_view_options(CLI::App& command, ViewArguments& arguments);
 
 /// Numbers with commas between; empty where the text is anything else.
 std::vector<double> numbers_in(const std::string& text);
@@ -27,6 +27,6 @@ std::vector<double> numbers_in(const std::string& text);
 /// A preset, or azimuth and elevation in degrees. Throws process::SceneError for anything else.
 render::Camera camera_of(const std::string& text);
 
-render::SceneLook look_of(const LookArguments& arguments);
+render::SceneLook look_of(const ViewArguments& arguments);
 
 }  // namespace diefill::app

@@ -1,4 +1,4 @@
-// Holds a result against a measured profile or map.
+// Compares a result with a measured profile or map.
 #pragma once
 
 #include <filesystem>
@@ -24,6 +24,7 @@ std::vector<MeasuredFile> read_measured_files(const std::vector<std::string>& fi
 /// zones are those of the scene whose limits concern the coordinates of the profile or map alone, and
 /// quarters (azimuths) or thirds of the measured range of each coordinate. Throws SceneError where the result
 /// has no such profile or map, where units differ, and where no measured place lies within it.
-results::MeasuredComparison hold_against(const MeasuredFile& measured, const results::FillResult& result);
+results::MeasuredComparison compare_with_measured(const MeasuredFile& measured,
+                                                  const results::FillResult& result);
 
 }  // namespace diefill::process

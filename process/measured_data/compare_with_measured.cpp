@@ -1,4 +1,4 @@
-#include "process/measured_data/hold_against.h"
+#include "process/measured_data/compare_with_measured.h"
 
 #include <algorithm>
 #include <cmath>
@@ -167,7 +167,8 @@ std::vector<MeasuredFile> read_measured_files(const std::vector<std::string>& fi
   return all;
 }
 
-results::MeasuredComparison hold_against(const MeasuredFile& measured, const results::FillResult& result) {
+results::MeasuredComparison compare_with_measured(const MeasuredFile& measured,
+                                                  const results::FillResult& result) {
   auto comparison = without_statistics(measured, result);
   add(comparison, "all", [](std::size_t) { return true; });
   if (comparison.zones.empty())
