@@ -98,7 +98,7 @@ ToolMotion ControlledTool::motion(double time) const {
 
 std::string ControlledTool::description() const {
   const std::string unit = control_.turns ? " N m" : " N";
-  const std::string tools = results::in_words(tools_) + (control_.turns ? " turned " : " pressed ");
+  const std::string tools = results::and_list(tools_) + (control_.turns ? " turned " : " pressed ");
   if (control_.targets.empty())
     return tools + "at " + number_text(control_.speed_limit * 30 / std::numbers::pi) + " rpm";
   std::string targets = number_text(control_.targets.front());

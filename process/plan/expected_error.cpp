@@ -57,7 +57,7 @@ std::string names(const std::vector<const GrainSizeTrend*>& trends, NameOf name_
   for (const auto* trend : trends)
     if (std::find(found.begin(), found.end(), name_of(*trend)) == found.end())
       found.push_back(name_of(*trend));
-  return results::in_words(found);
+  return results::and_list(found);
 }
 
 /// What grains of `share` of the length that matters do to one figure; nothing where that was not measured.

@@ -19,7 +19,7 @@ inline std::string comma_list(const std::vector<std::string>& names, std::size_t
 }
 
 /// All of them, such as "die, core rod and lower punch".
-inline std::string in_words(const std::vector<std::string>& names) {
+inline std::string and_list(const std::vector<std::string>& names) {
   return comma_list(names, names.size(), " and ");
 }
 

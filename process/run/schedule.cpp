@@ -167,7 +167,7 @@ bool Schedule::control(engine::Simulation& simulation) {
       state.ringing = {};
     else
       watch_for_ringing(state.ringing, *law, target, resistance, now,
-                        results::in_words(stages_.steps[k]->tools()));
+                        results::and_list(stages_.steps[k]->tools()));
     any = true;
   }
   return any;

@@ -39,7 +39,7 @@ Eigen::MatrixXd covariance_of(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b
 std::vector<std::string> insights(const Region& region, const std::vector<std::string>& parameters,
                                   const std::vector<std::string>& measured_by) {
   std::vector<std::string> sentences;
-  const std::string data = measured_by.empty() ? "the measurements" : results::in_words(measured_by);
+  const std::string data = measured_by.empty() ? "the measurements" : results::and_list(measured_by);
   const std::string alone = measured_by.size() == 1 ? " alone" : " together";
   for (std::size_t d = 0; d < parameters.size(); ++d) {
     const auto at = static_cast<Eigen::Index>(d);

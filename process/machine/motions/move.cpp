@@ -68,7 +68,7 @@ double Move::stopping_time(double) const {
 }
 
 std::string Move::description() const {
-  const std::string tools = results::in_words(spec_.tools), speed = number_text(spec_.velocity) + " m/s";
+  const std::string tools = results::and_list(spec_.tools), speed = number_text(spec_.velocity) + " m/s";
   if (legs_.size() > 1) return tools + " over " + std::to_string(legs_.size()) + " stations at " + speed;
   return tools + " by " + number_text(1e3 * spec_.stations.front()) + " mm at " + speed;
 }

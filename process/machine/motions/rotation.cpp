@@ -18,7 +18,7 @@ ToolMotion Rotation::at(double time, const Envelope& envelope) const {
 }
 
 std::string Rotation::description() const {
-  return "rotation of " + results::in_words(tools()) + " at " + number_text(speed_ * 30 / std::numbers::pi) +
+  return "rotation of " + results::and_list(tools()) + " at " + number_text(speed_ * 30 / std::numbers::pi) +
          " rpm";
 }
 

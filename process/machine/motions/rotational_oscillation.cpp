@@ -17,7 +17,7 @@ ToolMotion RotationalOscillation::at(double time, const Envelope& envelope) cons
 }
 
 std::string RotationalOscillation::description() const {
-  return "rotational oscillation of " + results::in_words(tools()) + " at " +
+  return "rotational oscillation of " + results::and_list(tools()) + " at " +
          number_text(oscillation_.frequency) + " Hz, " +
          number_text(oscillation_.amplitude * 180 / std::numbers::pi) + " deg";
 }

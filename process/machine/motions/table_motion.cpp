@@ -138,7 +138,7 @@ ToolMotion TableMotion::motion(double time) const {
 }
 
 std::string TableMotion::description() const {
-  return results::in_words(tools_) + " following a table of " + std::to_string(table_.time.size()) +
+  return results::and_list(tools_) + " following a table of " + std::to_string(table_.time.size()) +
          " points";
 }
 

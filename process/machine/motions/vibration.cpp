@@ -18,7 +18,7 @@ ToolMotion Vibration::at(double time, const Envelope& envelope) const {
 }
 
 std::string Vibration::description() const {
-  return "vibration of " + results::in_words(tools()) + " at " + number_text(oscillation_.frequency) +
+  return "vibration of " + results::and_list(tools()) + " at " + number_text(oscillation_.frequency) +
          " Hz, " + number_text(1e3 * oscillation_.amplitude) + " mm";
 }
 
