@@ -88,9 +88,9 @@ std::vector<process::Variant> checked_variants(const CompareArguments& arguments
     throw process::SceneError(
         "SCENE: found nothing, expected a scene file, or --collect with a directory of runs");
   auto variants = chosen_variants(arguments.scene, arguments.setting);
+  process::check_seeds(variants, arguments.seeds);
   if (!process::has_variants(process::read_scene(arguments.scene)))
     print_note("note: no [[variant]]: runs the scene alone");
-  process::check_seeds(variants, arguments.seeds);
   return variants;
 }
 

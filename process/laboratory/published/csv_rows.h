@@ -15,7 +15,7 @@ enum class MissingFile {
 };
 
 /// Calls `use` with the fields of each row below the heading; `where` is "file:line", for messages. Throws
-/// SceneError for a row that has not `columns` fields.
+/// SceneError for a row with another number of fields.
 void for_each_row(
     const std::filesystem::path& file, std::size_t columns, MissingFile missing,
     const std::function<void(const std::vector<std::string>& fields, const std::string& where)>& use);

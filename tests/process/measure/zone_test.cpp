@@ -75,7 +75,7 @@ TEST(Zones, HaveNoSolidFractionOnFewGrains) {
   EXPECT_TRUE(std::isnan(result.figures.at("solid_fraction_in_far_away")));
   EXPECT_EQ(result.figures.at("filled_mass_in_far_away_kg"), 0);
   EXPECT_NE(results::reason_for(result, "solid_fraction_in_far_away")
-                .find("found no grain below the surface in zone \"far away\""),
+                .find("no grain lies below the surface in zone \"far away\""),
             std::string::npos);
 }
 
