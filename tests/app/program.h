@@ -16,7 +16,7 @@ struct Outcome {
   int signal = 0;      ///< that ended it; 0: it ended by itself
   std::string out, err;
 
-  /// Lines on standard error.
+  /// Lines on standard error other than progress.
   std::size_t complaints() const;
 };
 
