@@ -74,7 +74,7 @@ std::string outcome_of(const std::filesystem::path& file) {
     return repaired.findings.usable() ? "read, repaired" : "read, not usable";
   } catch (const MeshError& error) {
     const std::string words = error.what();
-    for (const char* kind : {"crashed", "does not terminate", "more memory"})
+    for (const char* kind : {"crashed", "does not terminate", "more data than"})
       if (words.find(kind) != std::string::npos) return std::string("refused, importer ") + kind;
     return "refused";
   }
