@@ -114,7 +114,7 @@ PairDiagnosis pair_of(const Surroundings& around, std::size_t one, std::size_t o
   PairDiagnosis pair;
   pair.one = first.spec.name;
   pair.other = second.spec.name;
-  const Overlap overlap = deepest_overlap(first, second);
+  const geometry::Penetration overlap = deepest_overlap(first, second, around.sphere_radius);
   pair.overlap = overlap.depth;
   pair.overlap_place = overlap.place;
   pair.gap = gap_between(around, one, other);

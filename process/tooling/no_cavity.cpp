@@ -79,7 +79,8 @@ bool fits_rescaled(const Standing& standing, std::size_t which, double factor) {
     if (k == which) continue;
     Tool other;
     other.mesh = meshes[k];
-    if (deepest_overlap(grown, other).depth > standing.scene.walls.sphere_radius) return false;
+    const double allowed = standing.scene.walls.sphere_radius;
+    if (deepest_overlap(grown, other, allowed).depth > allowed) return false;
   }
   return true;
 }

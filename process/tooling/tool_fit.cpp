@@ -1,5 +1,6 @@
 #include "process/tooling/tool_fit.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <limits>
@@ -13,13 +14,15 @@ constexpr double kLargestTool = 2;                            // m
 constexpr double kFarthestTool = 20;                          // m, middle from the origin of the scene
 constexpr double kSmallestUsual = 0.01, kLargestUsual = 0.8;  // m, extents of tools that presses have
 
-void deepen(Overlap& deepest, const geometry::Mesh& part, const Tool& other) {
+/// Share of a part's size to which its depth in another is found where no corner shows it.
+constexpr double kResolutionOverSize = 1.0 / 200;
+
+void deepen(geometry::Penetration& deepest, const Tool& part, const Tool& other, double resolution) {
   const geometry::Box box = other.mesh.bounding_box();
-  for (const auto& corner : part.vertices) {
-    if (!box.contains(corner)) continue;
-    const double depth = -other.solid().signed_distance(corner);
-    if (depth > deepest.depth) deepest = {depth, corner};
-  }
+  const double least = kResolutionOverSize * part.mesh.bounding_box().size().norm();
+  const auto found =
+      geometry::deepest_penetration(part.mesh, other.solid(), box, std::max(resolution, least));
+  if (found.depth > deepest.depth) deepest = found;
 }
 
 /// Units in which the part would be as large as tools are, where `extent` is in the file's unit.
@@ -71,15 +74,15 @@ void check_size(const geometry::Mesh& mesh, double sphere_radius, double metres_
   throw SceneError(where + text + likely_unit(size.maxCoeff() / metres_per_unit));
 }
 
-Overlap deepest_overlap(const Tool& one, const Tool& other) {
-  Overlap deepest;
-  deepen(deepest, one.mesh, other);
-  deepen(deepest, other.mesh, one);
+geometry::Penetration deepest_overlap(const Tool& one, const Tool& other, double resolution) {
+  geometry::Penetration deepest;
+  deepen(deepest, one, other, resolution);
+  deepen(deepest, other, one, resolution);
   return deepest;
 }
 
 void check_fit(const Tool& tool, const Tool& other, double sphere_radius, const std::string& where) {
-  const Overlap deepest = deepest_overlap(tool, other);
+  const geometry::Penetration deepest = deepest_overlap(tool, other, sphere_radius);
   if (deepest.depth <= sphere_radius) return;
   char text[120];
   std::snprintf(text, sizeof text,

@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "geometry/solid/penetration.h"
 #include "process/tooling/tooling.h"
 
 namespace diefill::process {
@@ -16,16 +17,13 @@ std::string tool_text(const Scene& scene, const ToolSpec& spec);
 void check_size(const geometry::Mesh& mesh, double sphere_radius, double metres_per_unit,
                 const std::string& where);
 
-/// How deep one part reaches into another, judged by the corners of both.
-struct Overlap {
-  double depth = 0;  ///< m
-  Eigen::Vector3d place = Eigen::Vector3d::Zero();
-};
-Overlap deepest_overlap(const Tool& one, const Tool& other);
+/// How deep one part reaches into the other: of corners exactly, elsewhere to `resolution` (m) or a two
+/// hundredth of the part's size.
+geometry::Penetration deepest_overlap(const Tool& one, const Tool& other, double resolution);
 
-/// Throws SceneError (beginning with `where`, which is of `tool`) when a corner of one of the two parts lies
-/// deeper inside the other than a wall sphere's radius, as they stand at the start. Fits and facets overlap
-/// by less.
+/// Throws SceneError (beginning with `where`, which is of `tool`) when one of the two parts lies deeper
+/// inside the other than a wall sphere's radius, as they stand at the start. Fits and facets overlap by less,
+/// and so may parts none of whose corners lies in the other, by up to twice as much.
 void check_fit(const Tool& tool, const Tool& other, double sphere_radius, const std::string& where);
 
 }  // namespace diefill::process

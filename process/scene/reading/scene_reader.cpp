@@ -1,5 +1,6 @@
 #include <toml++/toml.h>
 
+#include "process/machine/actions/powder_change.h"
 #include "process/scene/contact_spec.h"
 #include "process/scene/powder_file.h"
 #include "process/scene/reading/free_tools.h"
@@ -13,6 +14,7 @@ namespace diefill::process {
 namespace {
 
 constexpr QuantityRule kGravity = {Dimension::acceleration, "9.81 m/s^2", "0 m/s^2", "1000 m/s^2"};
+constexpr double kWeakestGravity = 0.01;  // m/s^2
 constexpr QuantityRule kGravityAlongAxis = {Dimension::acceleration, "-9.81 m/s^2", "-1000 m/s^2",
                                             "1000 m/s^2"};
 
@@ -45,6 +47,20 @@ Eigen::Vector3d read_gravity(TableReader& document) {
   return {0, 0, -document.quantity("gravity", kGravity).value_or(9.81)};
 }
 
+/// Steps wait until the powder rests, and powder without weight may never do so.
+void refuse_endless_flight(const TableReader& document, const Scene& scene) {
+  if (scene.numerics.max_time > 0) return;
+  double weakest = scene.gravity.norm();
+  for (const auto& step : scene.steps)
+    if (const PowderChange* change = step->change(); change != nullptr && change->gravity)
+      weakest = std::min(weakest, change->gravity->norm());
+  if (weakest >= kWeakestGravity) return;
+  document.reject("gravity",
+                  "powder under " + number_text(weakest) +
+                      " m/s^2 may never come to rest, and the run would not end; allowed: at least " +
+                      number_text(kWeakestGravity) + " m/s^2, or any with numerics.max_time = \"5 s\" or so");
+}
+
 }  // namespace
 
 Scene scene_of(toml::table& parsed, const std::string& text, const std::filesystem::path& file) {
@@ -75,6 +91,7 @@ Scene scene_of(toml::table& parsed, const std::string& text, const std::filesyst
   scene.pour = setting ? read_pour_without_height(pour, scene) : read_pour(pour, scene);
   scene.steps = read_steps(document, scene.tools);
   read_step_contacts(document, scene);
+  refuse_endless_flight(document, scene);
   check_mixture(document, scene);
   scene.probes = read_probes(document, scene.tools);
   scene.snapshots = read_snapshots(document, scene);

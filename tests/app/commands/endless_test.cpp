@@ -30,6 +30,15 @@ TEST(Endless, StepsThatNeverEndAreRefusedByEveryCommand) {
   }
 }
 
+TEST(Endless, PowderWithoutWeightNeedsATimeLimit) {
+  const SmallDie die;
+  die.exchange("[powder]", "gravity = \"0.001 m/s^2\"\n\n[powder]");
+  expect_refused(die.check(),
+                 {"scene.toml:", "gravity: found ", "may never come to rest", "numerics.max_time"});
+  die.exchange("[numerics]", "[numerics]\nmax_time = \"0.5 s\"");
+  EXPECT_EQ(die.check().exit_code, 0);
+}
+
 TEST(Endless, WallSpheresBeyondCountAreRefusedWithARadiusThatWorks) {
   const SmallDie die;
   die.exchange("sphere_radius = \"0.25 mm\"", "sphere_radius = \"0.001 mm\"");

@@ -60,6 +60,14 @@ const std::string kDieFile = "file = \"die.stl\"", kNumerics = "[numerics]";
 const std::string kPour =
     "from = [\"0.5 mm\", \"-2.5 mm\", \"0 mm\"]\nto = [\"5.5 mm\", \"2.5 mm\", \"9 mm\"]";
 
+const std::string kHere = "[\"0 mm\", \"0 mm\", \"0 mm\"]";
+
+/// No corner of one lies in the other.
+void add_rod_through_a_punch(const SmallDie& die) {
+  die.add_tool("punch", "punch", cad::prism(cad::rectangle(-4.9, -1.1, -1.9, 1.9), -12, -6), kHere);
+  die.add_tool("rod", "core", cad::prism(cad::rectangle(-3.5, -2.5, -0.5, 0.5), -14, -5), kHere);
+}
+
 std::vector<WrongTool> wrong_files() {
   const std::string stl = cad::binary_stl(small_die());
   return {
@@ -130,6 +138,14 @@ std::vector<WrongTool> wrong_arrangements() {
       {"shoe_stands_in_the_die",
        with_scene("\"0 mm\", \"0 mm\"]\n\n[pour]", "\"0 mm\", \"-2 mm\"]\n\n[pour]"),
        {"tool \"shoe\"", "tool \"die\""}},
+      {"rod_through_a_solid_punch",
+       add_rod_through_a_punch,
+       {"tool \"rod\"", "tool \"punch\"", "overlap by"}},
+      {"punch_wider_than_its_bore",
+       [](const SmallDie& die) {
+         die.add_tool("punch", "punch", cad::prism(cad::rectangle(-5.8, -0.2, -2.8, 2.8), -9, -1), kHere);
+       },
+       {"tool \"punch\"", "tool \"die\"", "overlap by 0.8 mm"}},
       {"wall_spheres_too_far_apart",
        with_scene("position =", "sphere_radius = \"0.28 mm\"\nspacing = 4\nposition ="),
        {"tool.spacing", "found 4", "through"}},
