@@ -3,6 +3,7 @@
 #include <cstdio>
 #include <exception>
 #include <new>
+#include <nlohmann/json.hpp>
 
 #include "engine/limits/validity_monitor.h"
 #include "geometry/mesh/mesh.h"
@@ -37,6 +38,11 @@ int guarded(const std::function<int()>& action) {
     return complain(error.what(), kOutOfRange);
   } catch (const process::Interrupted& stop) {
     return complain(stop.what(), kInterrupted);
+  } catch (const nlohmann::json::exception& error) {
+    const std::string wrong = std::string("a JSON text is not as it should be: ") + error.what() +
+                              "; check the JSON files that the command reads, and names of files for bytes "
+                              "that are no UTF-8";
+    return complain(wrong.c_str(), kBadInput);
   } catch (const std::bad_alloc&) {
     return complain("out of memory: use larger grains or larger wall spheres", kFailed);
   } catch (const std::exception& error) {

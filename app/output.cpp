@@ -9,30 +9,54 @@
 #include <stdexcept>
 #include <system_error>
 
+#include "process/input/scene_error.h"
 #include "process/results/storage/atomic_file.h"
 #include "process/results/storage/result_file.h"
 
 namespace diefill::app {
 
-void make_output_directory(const std::filesystem::path& directory) {
+namespace {
+
+std::string cannot_write(const std::filesystem::path& directory, const std::string& why,
+                         const std::string& option) {
+  return "cannot write to " + directory.string() + ": " + why + "; choose another directory with " + option;
+}
+
+}  // namespace
+
+void require_directory(const std::filesystem::path& directory, const std::string& option) {
+  for (std::filesystem::path place = directory; place.has_relative_path(); place = place.parent_path()) {
+    std::error_code error;
+    const auto status = std::filesystem::status(place, error);
+    if (error == std::errc::filename_too_long)
+      throw process::SceneError(cannot_write(directory, "its name is too long", option));
+    if (std::filesystem::is_directory(status)) return;
+    if (std::filesystem::exists(status))
+      throw process::SceneError(
+          cannot_write(directory, place.string() + " is a file, not a directory", option));
+    if (std::filesystem::is_symlink(std::filesystem::symlink_status(place, error)))
+      throw process::SceneError(cannot_write(directory, place.string() + " is a link to nothing", option));
+  }
+}
+
+void make_output_directory(const std::filesystem::path& directory, const std::string& option) {
+  require_directory(directory, option);
   std::error_code error;
   std::filesystem::create_directories(directory, error);
   if (!error && ::access(directory.c_str(), W_OK) != 0)
     error = std::error_code(errno, std::generic_category());
-  if (error)
-    throw std::runtime_error("cannot write to " + directory.string() + ": " + error.message() +
-                             "; choose another directory with --out");
+  if (error) throw std::runtime_error(cannot_write(directory, error.message(), option));
 }
 
 OutputDirectory::OutputDirectory(const std::filesystem::path& directory,
-                                 const std::vector<std::string>& folders) {
-  make_output_directory(directory);
+                                 const std::vector<std::string>& folders, const std::string& option) {
+  make_output_directory(directory, option);
   try {
     lock_ = std::make_unique<results::DirectoryLock>(directory);
   } catch (const results::DirectoryInUse&) {
     throw;
   } catch (const results::ResultError& error) {
-    throw std::runtime_error(std::string(error.what()) + "; choose another directory with --out");
+    throw std::runtime_error(std::string(error.what()) + "; choose another directory with " + option);
   }
   if (!lock_->held())
     std::fprintf(stderr,

@@ -11,9 +11,13 @@
 
 namespace diefill::app {
 
-/// Makes the directory, with those above it, before hours are spent on what is to go there. Throws
-/// std::runtime_error, in one line, when it cannot be made or written to.
-void make_output_directory(const std::filesystem::path& directory);
+/// Throws process::SceneError, in one line that names `option`, where a file stands at this place or above
+/// it. Makes nothing.
+void require_directory(const std::filesystem::path& directory, const std::string& option = "--out");
+
+/// Makes the directory, with those above it, before hours are spent on what is to go there. Throws as
+/// require_directory(), and std::runtime_error, in one line, when it cannot be made or written to.
+void make_output_directory(const std::filesystem::path& directory, const std::string& option = "--out");
 
 /// A directory made as above and this command's own for the life of this object; temporary files of killed
 /// runs are removed from it and its `folders`. Throws results::DirectoryInUse where another program writes
@@ -21,7 +25,7 @@ void make_output_directory(const std::filesystem::path& directory);
 class OutputDirectory {
  public:
   explicit OutputDirectory(const std::filesystem::path& directory,
-                           const std::vector<std::string>& folders = {});
+                           const std::vector<std::string>& folders = {}, const std::string& option = "--out");
 
  private:
   std::unique_ptr<results::DirectoryLock> lock_;

@@ -1,9 +1,13 @@
 #include "app/program.h"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cstdio>
 
 #include "app/commands/commands.h"
 #include "app/exit_code.h"
+#include "app/options/empty_words.h"
+#include "app/options/unknown_words.h"
 #include "app/output.h"
 #include "app/shell/program_options.h"
 #include "process/input/shown_value.h"
@@ -12,18 +16,30 @@ namespace diefill::app {
 
 namespace {
 
-/// What is wrong with the words of the command line, on one line.
+/// What is wrong with the words of the command line, on one line. A word that is unknown comes first: what
+/// else is wrong may follow from it.
 std::string in_one_line(const CLI::App* program, const CLI::Error& error) {
-  constexpr std::size_t kLongest = 600;
+  constexpr std::size_t kLongest = 1200;
   std::string command = "diefill";
-  for (const CLI::App* chosen : program->get_subcommands()) command += ' ' + chosen->get_name();
-  return "diefill: " + process::one_line(error.what(), kLongest) + "; " + command +
-         " --help lists the options\n";
+  for (const CLI::App* chosen = program; !chosen->get_subcommands().empty();) {
+    chosen = chosen->get_subcommands().front();
+    command += ' ' + chosen->get_name();
+  }
+  const std::string wrong = unknown_word(*program).value_or(std::string("diefill: ") + error.what());
+  return process::one_line(wrong, kLongest) + "; " + command + " --help lists the options\n";
+}
+
+/// Whether a word is empty; says so on standard error.
+bool refuse_empty_word(int argc, char** argv) {
+  const auto wrong = empty_word({argv + std::min(argc, 1), argv + argc});
+  if (wrong) std::fprintf(stderr, "diefill: %s\n", process::one_line(*wrong, 600).c_str());
+  return wrong.has_value();
 }
 
 }  // namespace
 
 int run_program(int argc, char** argv) {
+  if (refuse_empty_word(argc, argv)) return kBadInput;
   CLI::App program(
       "diefill predicts how powder fills a die: density maps from CAD tools and a short scene file.");
   program.require_subcommand(1);

@@ -14,7 +14,11 @@
 #include "app/commands/commands.h"
 #include "app/exit_code.h"
 #include "app/freed_memory.h"
-#include "app/tables/finite_number.h"
+#include "app/options/choices.h"
+#include "app/options/numbers.h"
+#include "app/options/output_file.h"
+#include "app/output.h"
+#include "app/tables/json_text.h"
 #include "engine/observe/memory_traffic.h"
 #include "process/input/scene_error.h"
 #include "process/input/units.h"
@@ -186,9 +190,17 @@ void reject_bed_options(const BenchOptions& options) {
                               " is a scene: --state must name the directory of a stopped run of it");
 }
 
+/// Throws process::SceneError where the trace cannot be written, or would overwrite the bed that it starts
+/// from.
+void refuse_trace(const BenchOptions& options) {
+  require_directory(*options.trace, "--trace");
+  if (options.state)
+    require_other_files("--trace", *options.trace, {"energy.csv", "grains.csv"}, {*options.state});
+}
+
 void show(const BenchOptions& options, const nlohmann::ordered_json& figures) {
   if (options.json)
-    std::printf("%s\n", figures.dump(2).c_str());
+    std::printf("%s\n", json_text(figures).c_str());
   else
     print(figures);
 }
@@ -206,6 +218,7 @@ int bench_scene(const BenchOptions& options) {
 
 int bench(const BenchOptions& options) {
   if (options.is_scene()) reject_bed_options(options);
+  if (options.trace) refuse_trace(options);
   if (options.against_copies) return against_copies(options);
   if (options.is_scene()) return bench_scene(options);
   give_back_freed_memory();
@@ -231,9 +244,9 @@ void add_bench(CLI::App& program, Action& chosen) {
       ->add_option("BED", options->bed,
                    "spheres, clumps (model D), or a scene file (TOML) with the --state of a run of it")
       ->required()
-      ->check(CLI::IsMember({"spheres", "clumps"}) | CLI::ExistingFile);
+      ->check(one_of({"spheres", "clumps"}) | CLI::ExistingFile);
   command->add_option("--law", options->law, "contact law: the tuned one, or one composed of parts")
-      ->check(CLI::IsMember(process::laboratory::race_laws()))
+      ->check(one_of(process::laboratory::race_laws()))
       ->capture_default_str();
   command
       ->add_option("--state", options->state,
@@ -241,28 +254,27 @@ void add_bench(CLI::App& program, Action& chosen) {
                    "directory of a stopped run")
       ->check(CLI::ExistingPath);
   command->add_option("--width", options->width, "side in mm of the periodic box of --state")
-      ->check(CLI::Range(1.0, 1000.0))
-      ->check(finite_number())
+      ->check(number_within(1.0, 1000.0))
       ->needs("--state");
   command
       ->add_option("--copies", options->copies,
                    "N: start from N x N copies of --state side by side, to measure the effect of size")
-      ->check(CLI::Range(1, 100))
+      ->check(whole_number(1, 100))
       ->needs("--state");
   command->add_option("--trace", options->trace,
                       "instead of timing, write kinetic energies and the final grains to this folder");
   command->add_option("--every", options->every, "steps between energy outputs of --trace")
-      ->check(CLI::Range(1, 100000000));
+      ->check(whole_number(1, 100000000));
   command->add_option("--spheres", options->spheres, "size of a generated bed")
-      ->check(CLI::Range(1000, 20000000));
-  command->add_option("--threads", options->threads, "threads")->check(CLI::Range(1, 1024));
-  command->add_option("--steps", options->steps, "steps to time")->check(CLI::Range(1, 100000000));
+      ->check(whole_number(1000, 20000000));
+  command->add_option("--threads", options->threads, "threads")->check(whole_number(1, 1024));
+  command->add_option("--steps", options->steps, "steps to time")->check(whole_number(1, 100000000));
   auto* copies =
       command->add_flag("--against-copies", options->against_copies,
                         "time N threads and N pinned programs of one thread in turns (N: --threads)");
   command
       ->add_option("--repeats", options->repeats, "measurements of --against-copies; the median is printed")
-      ->check(CLI::Range(1, 1000))
+      ->check(whole_number(1, 1000))
       ->needs(copies);
   command->add_flag("--json", options->json, "print JSON");
   command->footer(

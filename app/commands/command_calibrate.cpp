@@ -4,11 +4,12 @@
 #include "app/commands/live_jobs.h"
 #include "app/exit_code.h"
 #include "app/kept_notes.h"
+#include "app/options/numbers.h"
+#include "app/options/output_file.h"
 #include "app/output.h"
 #include "app/pictures/drawing.h"
 #include "app/stop_signals.h"
 #include "app/tables/calibration_table.h"
-#include "app/tables/finite_number.h"
 #include "process/calibration/calibrate.h"
 #include "process/calibration/screen.h"
 #include "process/results/storage/atomic_file.h"
@@ -116,7 +117,8 @@ int calibrate(const CalibrateArguments& arguments) {
   if (!arguments.screen) calibration::check_enough_data(plan);
   const std::filesystem::path directory = directory_of(arguments);
   refuse_directory(directory, arguments);
-  const OutputDirectory output(directory, {"tools"});
+  require_other_files("--out", directory, {"powder.toml"}, {arguments.file});
+  const OutputDirectory output(directory, {"tools"}, arguments.export_to.empty() ? "--out" : "--export-jobs");
   auto options = options_of(arguments, directory);
   options.points.jobs.stop = &install_stop_handlers();
   options.points.jobs.watch =
@@ -136,15 +138,14 @@ void add_options(CLI::App& command, CalibrateArguments& arguments) {
       ->required();
   command.add_flag("--screen", arguments.screen,
                    "do not fit: run a two-level design over the ends of the ranges and chart the effects");
-  command.add_option("--jobs", arguments.jobs, "runs at a time (default: 1)")->check(CLI::Range(1, 1024));
+  command.add_option("--jobs", arguments.jobs, "runs at a time (default: 1)")->check(whole_number(1, 1024));
   command.add_option("--threads", arguments.threads, "threads of each run (default: 1)")
-      ->check(CLI::Range(1, 1024));
+      ->check(whole_number(1, 1024));
   command
       .add_option(
           "--budget", arguments.budget,
           "total processor time of all runs in core minutes, including earlier calls (default: no limit)")
-      ->check(CLI::PositiveNumber)
-      ->check(finite_number());
+      ->check(number_above_zero());
   command.add_flag("--resume", arguments.resume,
                    "continue in a directory that holds runs; finished ones are kept");
   command.add_option("--out", arguments.out, "directory for results (default: out/<folder>_<file>)");

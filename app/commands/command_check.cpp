@@ -6,10 +6,12 @@
 #include "app/commands/commands.h"
 #include "app/commands/scene_choice.h"
 #include "app/exit_code.h"
+#include "app/options/output_file.h"
 #include "app/output.h"
 #include "app/pictures/drawing.h"
 #include "app/tables/check_report.h"
 #include "app/tables/estimate_report.h"
+#include "app/tables/json_text.h"
 #include "engine/observe/powder_figures.h"
 #include "process/powder/law_terms.h"
 #include "process/powder/material.h"
@@ -31,12 +33,25 @@ struct CheckArguments {
   bool json = false;
 };
 
+OutputFile picture_file(const std::string& file) {
+  return {"--picture", file, {".png"}};
+}
+
+/// Throws process::SceneError where the picture would overwrite what the scene is made of, or is none.
+void require_picture(const CheckArguments& arguments, const process::Scene* scene) {
+  if (arguments.picture.empty()) return;
+  std::vector<std::filesystem::path> inputs = {arguments.scene};
+  if (scene != nullptr) inputs = input_files_of(*scene);
+  require_output_file(picture_file(arguments.picture), inputs);
+}
+
 void draw_picture(const std::string& file, const process::Scene& scene, const process::Tooling& tooling,
                   const process::Diagnosis& diagnosis, const std::vector<render::FindingMark>& more = {}) {
   if (file.empty()) return;
   set_up_drawing();
   auto marks = more;
   for (auto& mark : marks_of(tooling, diagnosis)) marks.push_back(std::move(mark));
+  make_directory_of(picture_file(file));
   write_output([&] { render::draw_findings(file, parts_of(tooling), marks, scene.title); });
 }
 
@@ -70,7 +85,7 @@ process::Tooling checked_tooling(const CheckArguments& arguments, const process:
 }
 
 void print_json(const nlohmann::ordered_json& json) {
-  std::printf("%s\n", json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace).c_str());
+  std::printf("%s\n", json_text(json).c_str());
 }
 
 /// Meshes that enclose no solid: the picture and the JSON show where, before the one line of refusal.
@@ -160,7 +175,9 @@ void print_simulation(const process::Scene& scene, const process::Tooling& tooli
 }
 
 int check(const CheckArguments& arguments) {
+  require_picture(arguments, nullptr);
   process::Scene scene = chosen_scene(arguments.scene, arguments.setting, arguments.changes);
+  require_picture(arguments, &scene);
   if (arguments.json || !arguments.picture.empty()) refuse_unusable(arguments, scene);
   const double sphere = process::smallest_sphere(process::engine_settings(scene, 1.0));
   const auto tooling = checked_tooling(arguments, scene);

@@ -7,6 +7,7 @@
 #include "app/commands/scene_choice.h"
 #include "app/exit_code.h"
 #include "app/kept_notes.h"
+#include "app/options/numbers.h"
 #include "app/output.h"
 #include "app/pictures/drawing.h"
 #include "app/stop_signals.h"
@@ -97,7 +98,6 @@ std::vector<process::Variant> checked_variants(const CompareArguments& arguments
 /// Writes the jobs into `directory`.
 results::JobList jobs_in(const std::filesystem::path& directory, const CompareArguments& arguments,
                          const std::vector<process::Variant>& variants) {
-  make_output_directory(directory);
   results::JobList list;
   write_output([&] {
     const std::string title = process::read_scene(arguments.scene).title;
@@ -108,8 +108,9 @@ results::JobList jobs_in(const std::filesystem::path& directory, const CompareAr
 
 int export_jobs(const CompareArguments& arguments) {
   const std::filesystem::path directory = arguments.export_to;
+  require_directory(directory, "--export-jobs");
   const auto variants = checked_variants(arguments);
-  const OutputDirectory output(directory, {"tools"});
+  const OutputDirectory output(directory, {"tools"}, "--export-jobs");
   const auto list = jobs_in(directory, arguments, variants);
   write_output([&] { process::write_job_scripts(directory, list, print_note); });
   std::printf(
@@ -125,9 +126,10 @@ int compare(const CompareArguments& arguments) {
   const auto measured = process::read_measured_files(arguments.measured);
   if (!arguments.collect_from.empty()) return gather(arguments.collect_from, measured);
   if (!arguments.export_to.empty()) return export_jobs(arguments);
-  const auto variants = checked_variants(arguments);
   const std::filesystem::path directory =
       arguments.out.empty() ? default_directory(arguments.scene) : std::filesystem::path(arguments.out);
+  if (!arguments.scene.empty()) require_directory(directory);
+  const auto variants = checked_variants(arguments);
   const OutputDirectory output(directory, {"tools", "beginnings"});
   const auto list = jobs_in(directory, arguments, variants);
   process::JobOptions options;
@@ -151,9 +153,9 @@ void add_compare(CLI::App& program, Action& chosen) {
   auto arguments = std::make_shared<CompareArguments>();
   command->add_option("SCENE", arguments->scene, "scene file (TOML) with [[variant]] tables");
   command->add_option("--seeds", arguments->seeds, "runs of each variant with consecutive seeds (default: 1)")
-      ->check(CLI::Range(1, 1000));
+      ->check(whole_number(1, 1000));
   command->add_option("--jobs", arguments->jobs, "runs at a time, sharing the cores (default: 1)")
-      ->check(CLI::Range(1, 1024));
+      ->check(whole_number(1, 1024));
   add_renderer(*command);
   add_setting(*command, arguments->setting);
   auto* measured =

@@ -6,6 +6,7 @@
 #include "app/commands/scene_choice.h"
 #include "app/exit_code.h"
 #include "app/tables/estimate_report.h"
+#include "app/tables/json_text.h"
 #include "process/input/units.h"
 #include "process/setup/read_tooling.h"
 
@@ -56,7 +57,7 @@ int run_estimate(const EstimateArguments& arguments) {
     json.update(estimate_as_json(found));
     json["reading_seconds"] = reading;
     json["estimating_seconds"] = estimating;
-    std::printf("%s\n", json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace).c_str());
+    std::printf("%s\n", json_text(json).c_str());
     return kDone;
   }
   std::printf("%s\n", scene.title.c_str());

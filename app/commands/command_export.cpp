@@ -6,11 +6,11 @@
 
 #include "app/commands/commands.h"
 #include "app/commands/export_density.h"
+#include "app/commands/measured_region.h"
 #include "app/exit_code.h"
+#include "app/output.h"
 #include "app/pictures/paraview_series.h"
-#include "process/input/units.h"
 #include "process/measure/fields/gaussian_field.h"
-#include "process/measure/fields/measured_fields.h"
 #include "process/measure/fields/stress_field.h"
 #include "process/results/storage/result_file.h"
 #include "process/run/assemble.h"
@@ -72,42 +72,34 @@ std::vector<std::filesystem::path> write_powder(const results::FillResult& resul
   return {out / "powder.vtp"};
 }
 
-double averaging_width_of(const std::string& given, const results::FillResult& result) {
-  if (given.empty()) return process::default_averaging_width(result.powder.grain_diameter);
-  try {
-    const double width = process::parse_quantity(given, process::Dimension::length);
-    if (width > 0) return width;
-  } catch (const process::UnitError& error) {
-    throw process::SceneError("--averaging-width: found \"" + given + "\": " + error.what());
-  }
-  throw process::SceneError("--averaging-width: found \"" + given + "\", allowed: more than 0");
-}
-
 int export_results(const std::string& directory, const std::string& wanted_out, const std::string& width,
                    const DensityOptions& density) {
+  const std::filesystem::path out =
+      wanted_out.empty() ? std::filesystem::path(directory) / "paraview" : std::filesystem::path(wanted_out);
+  if (!wanted_out.empty()) require_directory(out);
   const auto result = results::read_results(directory);
   if (result.powder.position.empty())
     throw process::SceneError(directory +
                               ": the results contain no powder to export; run the scene again with powder");
-  const double averaging_width = averaging_width_of(width, result);
-  const std::filesystem::path out =
-      wanted_out.empty() ? std::filesystem::path(directory) / "paraview" : std::filesystem::path(wanted_out);
-  std::filesystem::create_directories(out);
+  const double averaging_width = averaging_width_of(width, {&result});
   if (density.wanted()) {
     export_density(result, density, averaging_width, out);
     return kDone;
   }
+  make_output_directory(out);
   const auto grid = grid_over(result, 0.5 * averaging_width);
   const FieldWriter write_fields = [&](const results::FillResult& then, const std::filesystem::path& file) {
     render::write_grid(file, grid, grid_arrays(then, grid, averaging_width));
   };
-  auto written = write_powder(result, out, write_fields);
-  render::write_tools(out / "tools.vtp", result.tools);
-  written.push_back(out / "tools.vtp");
-  if (result.instants.empty()) {
+  std::vector<std::filesystem::path> written;
+  write_output([&] {
+    written = write_powder(result, out, write_fields);
+    render::write_tools(out / "tools.vtp", result.tools);
+    written.push_back(out / "tools.vtp");
+    if (!result.instants.empty()) return;
     write_fields(result, out / "fields.vti");
     written.push_back(out / "fields.vti");
-  }
+  });
   for (const auto& file : written) std::printf("%s\n", file.c_str());
   return kDone;
 }
@@ -139,7 +131,8 @@ void add_export(CLI::App& program, Action& chosen) {
       "Examples:\n  diefill export out/narrow_ring\n"
       "  diefill export out/stepped_part --density-for stepped_part.msh --mesh-unit mm\n"
       "  diefill export out/stepped_part --density-grid '0.5 mm'");
-  command->callback([arguments, &chosen] {
+  command->callback([arguments, command, &chosen] {
+    require_density_wanted(*command);
     chosen = [arguments] {
       return export_results(arguments->directory, arguments->out, arguments->averaging_width,
                             arguments->density);

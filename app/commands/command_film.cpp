@@ -1,22 +1,27 @@
 #include <algorithm>
+#include <atomic>
 #include <chrono>
-#include <cmath>
 #include <cstdio>
 #include <cstdlib>
-#include <limits>
 #include <stdexcept>
 #include <thread>
+#include <tuple>
 
 #include "app/commands/film_command.h"
 #include "app/commands/view_options.h"
 #include "app/exit_code.h"
+#include "app/kept_notes.h"
+#include "app/options/numbers.h"
+#include "app/options/output_file.h"
 #include "app/output.h"
 #include "app/pictures/drawing.h"
 #include "app/pictures/film_file.h"
 #include "app/pictures/film_frames.h"
+#include "app/pictures/frame_folder.h"
 #include "app/pictures/in_processes.h"
 #include "app/pictures/picture_files.h"
 #include "app/pictures/source_names.h"
+#include "app/stop_signals.h"
 #include "process/compare/child_process.h"
 #include "process/input/scene_error.h"
 #include "process/results/storage/file_contents.h"
@@ -47,11 +52,7 @@ PictureRequest request_of(const FilmArguments& arguments) {
   const auto names = source_names({arguments.directories.begin(), arguments.directories.end()});
   for (std::size_t k = 0; k < names.size(); ++k)
     request.sources.push_back({names[k], results::read_results(arguments.directories[k]), ""});
-  const bool given = !arguments.look.range.empty();
-  request.lower = given ? arguments.look.range[0] : std::nan("");
-  request.upper = given ? arguments.look.range[1] : std::nan("");
-  if (request.lower >= request.upper)
-    throw process::SceneError("--range: the first number must be less than the second");
+  std::tie(request.lower, request.upper) = range_of(arguments.look);
   request.colour_by = arguments.look.colour_by;
   request.look = look_of(arguments.look);
   request.camera = camera_of(arguments.look.camera);
@@ -62,8 +63,6 @@ PictureRequest request_of(const FilmArguments& arguments) {
 /// DIR/film.mp4 or DIR/turntable.mp4, which reports of DIR show; of several runs DIR/film_compared.mp4.
 fs::path film_path(const FilmArguments& arguments) {
   if (!arguments.out.empty()) {
-    if (fs::path(arguments.out).extension() != ".mp4")
-      throw process::SceneError("--out: found \"" + arguments.out + "\", allowed: a file that ends in .mp4");
     return arguments.out;
   }
   const fs::path folder = arguments.directories.front();
@@ -71,10 +70,34 @@ fs::path film_path(const FilmArguments& arguments) {
   return folder / (arguments.turntable ? "turntable_compared.mp4" : "film_compared.mp4");
 }
 
-void draw_frames(FilmFrames& frames, const PictureRequest& request, const fs::path& folder,
-                 std::size_t jobs) {
-  fs::create_directories(folder);
-  in_processes(frames.size(), jobs, [&](std::size_t n) {
+fs::path frames_beside(const fs::path& film) {
+  return fs::path(film).replace_extension("").concat("_frames");
+}
+
+/// The film's file. Throws process::SceneError where it is none, or where frames that stay would take the
+/// place of other files.
+OutputFile output_of(const FilmArguments& arguments) {
+  const OutputFile output = {"--out", film_path(arguments), {".mp4"}};
+  std::vector<fs::path> inputs;
+  for (const auto& directory : arguments.directories) inputs.push_back(fs::path(directory) / "results.h5");
+  require_output_file(output, inputs);
+  if (arguments.keep_frames || !ffmpeg_is_there()) require_frames_alone(frames_beside(output.file));
+  return output;
+}
+
+/// Whether there is a film of them now. Frames of which ffmpeg makes none are kept.
+bool join_frames(FrameFolder& folder, const fs::path& film, const FilmArguments& arguments) {
+  try {
+    return write_film(folder.path(), film, arguments.frames_a_second);
+  } catch (const std::runtime_error& error) {
+    folder.keep(print_note);
+    throw std::runtime_error(error.what() + std::string("; the frames are in ") + folder.path().string());
+  }
+}
+
+void draw_frames(FilmFrames& frames, const PictureRequest& request, const fs::path& folder, std::size_t jobs,
+                 const std::atomic<bool>& stop) {
+  in_processes(frames.size(), jobs, stop, [&](std::size_t n) {
     // The drawing library's own threads would only wait for each other.
     if (jobs > 1) ::setenv("LP_NUM_THREADS", "1", 1);
     set_up_drawing();
@@ -85,23 +108,23 @@ void draw_frames(FilmFrames& frames, const PictureRequest& request, const fs::pa
 }
 
 int film(const FilmArguments& arguments) {
-  const fs::path file = film_path(arguments);
+  const OutputFile output = output_of(arguments);
   const PictureRequest request = request_of(arguments);
-  make_output_directory(file.parent_path().empty() ? fs::path(".") : file.parent_path());
-  const fs::path folder = fs::path(file).replace_extension("").concat("_frames");
+  const std::atomic<bool>& stop = install_stop_handlers();
+  make_directory_of(output);
   const auto cores = std::max(1U, std::thread::hardware_concurrency());
   const std::size_t jobs = arguments.jobs > 0 ? static_cast<std::size_t>(arguments.jobs) : cores;
   try {
     write_output([&] {
       FilmFrames frames(request, arguments.turntable);
-      fs::remove_all(folder);
-      draw_frames(frames, request, folder, jobs);
-      const bool written = write_film(folder, file, arguments.frames_a_second);
-      if (written) std::printf("%s: %zu frames\n", file.string().c_str(), frames.size());
-      if (written && !arguments.keep_frames)
-        fs::remove_all(folder);
-      else
-        std::printf("%s: %zu PNG files\n", folder.string().c_str(), frames.size());
+      FrameFolder folder(frames_beside(output.file));
+      draw_frames(frames, request, folder.path(), jobs, stop);
+      if (join_frames(folder, output.file, arguments)) {
+        std::printf("%s: %zu frames\n", output.file.string().c_str(), frames.size());
+        if (!arguments.keep_frames) return;
+      }
+      folder.keep(print_note);
+      std::printf("%s: %zu PNG files\n", folder.path().string().c_str(), frames.size());
     });
   } catch (const std::invalid_argument& error) {
     throw process::SceneError(error.what());
@@ -135,10 +158,10 @@ void add_film(CLI::App& program, Action& chosen) {
   command->add_option("--out", arguments->out,
                       "film (default: film.mp4 or turntable.mp4 in DIR, where its report finds it)");
   command->add_option("--frames-per-second", arguments->frames_a_second, "speed of the film")
-      ->check(CLI::Range(1, 120))
+      ->check(whole_number(1, 120))
       ->capture_default_str();
   command->add_option("--jobs", arguments->jobs, "frames drawn at a time (default: one a core)")
-      ->check(CLI::Range(1, 1024));
+      ->check(whole_number(1, 1024));
   command->add_flag("--keep-frames", arguments->keep_frames, "keep the frames as PNG files beside the film");
   add_view_options(*command, arguments->look);
   command->footer(

@@ -4,14 +4,16 @@
 
 #include "app/commands/formula_commands.h"
 #include "app/exit_code.h"
+#include "app/options/choices.h"
+#include "app/options/output_file.h"
+#include "app/options/quantities.h"
 #include "app/output.h"
 #include "app/pictures/discharge_chart.h"
 #include "app/pictures/drawing.h"
 #include "app/tables/discharge_fit_report.h"
+#include "app/tables/json_text.h"
 #include "process/continuum/discharge_table.h"
-#include "process/input/nearest_key.h"
 #include "process/input/scene_error.h"
-#include "process/input/units.h"
 #include "process/results/storage/atomic_file.h"
 
 namespace diefill::app {
@@ -34,27 +36,17 @@ constexpr DischargeLaw kLaws[] = {DischargeLaw::moving_shoe, DischargeLaw::power
 DischargeLaw wanted_law(const FitArguments& arguments) {
   if (arguments.law.empty()) return continuum::law_for_table(arguments.file);
   const std::string name = arguments.law == "4.1" ? "5.17" : arguments.law;  // one formula, two numbers
-  std::vector<std::string> names;
+  std::vector<std::string> names = {"4.1"};
   for (const DischargeLaw law : kLaws) {
     if (name == continuum::name_of(law)) return law;
     names.push_back(continuum::name_of(law));
   }
-  std::string message = "--law: found \"" + arguments.law + "\"";
-  if (const auto nearest = process::nearest_key(name, names)) message += "; did you mean " + *nearest + "?";
-  message += " (allowed: 4.1";
-  for (const auto& known : names) message += ", " + known;
-  throw process::SceneError(message + ")");
+  throw process::SceneError("--law: " + unknown_name(arguments.law, names));
 }
 
 std::optional<double> quantity(const char* option, const std::string& text, process::Dimension dimension) {
   if (text.empty()) return std::nullopt;
-  try {
-    const double value = process::parse_quantity(text, dimension);
-    if (value > 0) return value;
-  } catch (const process::UnitError& error) {
-    throw process::SceneError(std::string(option) + ": found \"" + text + "\": " + error.what());
-  }
-  throw process::SceneError(std::string(option) + ": found \"" + text + "\", allowed: above 0");
+  return positive_quantity(option, text, dimension);
 }
 
 continuum::CommonToAll common_of(const FitArguments& arguments) {
@@ -77,21 +69,22 @@ continuum::DischargeFit fitted(const std::string& file, DischargeLaw law,
 }
 
 int run_fit(const FitArguments& arguments) {
+  const std::filesystem::path out = arguments.out;
+  require_directory(out);
+  require_other_files("--out", out, {"fit.json", "fit.csv", "fit.png"}, {arguments.file});
   const DischargeLaw law = wanted_law(arguments);
   const auto data = continuum::read_discharge_table(arguments.file, law, common_of(arguments));
   const auto fit = fitted(arguments.file, law, data);
   const auto json = fit_as_json(fit, data, arguments.file);
-  const std::filesystem::path out = arguments.out;
-  make_output_directory(out);
   const OutputDirectory own(out);
   set_up_drawing();
   write_output([&] {
-    results::write_text_atomically(out / "fit.json", json.dump(2) + "\n");
+    results::write_text_atomically(out / "fit.json", json_text(json) + "\n");
     results::write_text_atomically(out / "fit.csv", fit_as_csv(fit, data));
     draw_discharge(out / "fit.png", fit, data);
   });
   if (arguments.json) {
-    std::printf("%s\n", json.dump(2).c_str());
+    std::printf("%s\n", json_text(json).c_str());
     return kDone;
   }
   print_fit(fit, data);

@@ -3,9 +3,10 @@
 #include "app/commands/commands.h"
 #include "app/commands/lab_experiments.h"
 #include "app/exit_code.h"
+#include "app/options/choices.h"
+#include "app/options/numbers.h"
 #include "app/output.h"
 #include "app/pictures/drawing.h"
-#include "process/input/nearest_key.h"
 #include "process/input/scene_error.h"
 #include "process/laboratory/flow/registry.h"
 #include "process/laboratory/stability/registry.h"
@@ -44,11 +45,9 @@ std::vector<Experiment> wanted(const Family& family, const std::string& name) {
     if (name == experiment.name) return {experiment};
     names.push_back(experiment.name);
   }
-  std::string message = std::string("lab ") + family.name + ": unknown experiment \"" + name + "\"";
-  if (const auto nearest = process::nearest_key(name, names)) message += "; did you mean " + *nearest + "?";
-  message += " (allowed: all";
-  for (const auto& known : names) message += ", " + known;
-  throw process::SceneError(message + ")");
+  names.emplace_back("all");
+  throw process::SceneError(std::string("lab ") + family.name +
+                            ": unknown experiment: " + unknown_name(name, names));
 }
 
 void print(const results::ExperimentResult& result) {
@@ -99,7 +98,7 @@ void add_family(CLI::App& lab, const Family& family, Action& chosen) {
   command->add_option("--out", arguments->out,
                       std::string("directory for tables and charts (default: out/") + family.name + ")");
   command->add_option("--threads", arguments->options.threads, "number of threads; does not affect results")
-      ->check(CLI::Range(1, 1024));
+      ->check(whole_number(1, 1024));
   std::string names = "Experiments:\n";
   for (const auto& known : family.experiments()) names += "  " + known.name + ": " + known.question + "\n";
   command->footer(names);

@@ -1,18 +1,20 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <limits>
 #include <numbers>
 #include <stdexcept>
+#include <tuple>
 
 #include "app/commands/commands.h"
+#include "app/commands/measured_region.h"
 #include "app/commands/view_options.h"
 #include "app/exit_code.h"
+#include "app/options/numbers.h"
+#include "app/options/quantities.h"
 #include "app/output.h"
 #include "app/pictures/drawing.h"
 #include "app/pictures/picture_kinds.h"
 #include "app/pictures/source_names.h"
-#include "process/input/units.h"
 #include "process/measure/choose_cavity.h"
 #include "process/measure/fields/measured_fields.h"
 #include "process/measure/fields/time_average.h"
@@ -25,6 +27,8 @@ namespace diefill::app {
 
 namespace {
 
+constexpr long long kMostCavities = 1000000;
+
 struct MapArguments {
   std::vector<std::string> directories, pictures, origin, measured, y;
   std::string x, out, averaging_width, normal, from, to;
@@ -33,16 +37,10 @@ struct MapArguments {
   bool pdf = false, time_average = false;
 };
 
-double quantity(const char* option, const std::string& text, process::Dimension dimension) {
-  try {
-    return process::parse_quantity(text, dimension);
-  } catch (const process::UnitError& error) {
-    throw process::SceneError(std::string(option) + ": found \"" + text + "\": " + error.what());
-  }
-}
-
-double length(const char* option, const std::string& text) {
-  return quantity(option, text, process::Dimension::length);
+/// s, --from and --to.
+double time_of(const char* option, const std::string& text) {
+  constexpr double kLongest = 1e6;  // s
+  return bounded_quantity(option, text, process::Dimension::time, {0, kLongest, false, ""});
 }
 
 /// x, y, z or three numbers such as 1,0,1.
@@ -59,18 +57,11 @@ Eigen::Vector3d normal_of(const std::string& text) {
                             "\", allowed: x, y, z, or three numbers not all 0, such as 1,0,1");
 }
 
-double averaging_width_of(const MapArguments& arguments, const std::vector<PictureSource>& sources) {
-  if (arguments.averaging_width.empty()) {
-    double width = 0;
-    for (const auto& source : sources)
-      width = std::max(width, process::default_averaging_width(source.result.powder.grain_diameter));
-    return width;
-  }
-  const double width = length("--averaging-width", arguments.averaging_width);
-  if (!(width > 0))
-    throw process::SceneError("--averaging-width: found \"" + arguments.averaging_width +
-                              "\", allowed: more than 0");
-  return width;
+/// m, the same for all sources.
+double width_for(const std::string& given, const std::vector<PictureSource>& sources) {
+  std::vector<const results::FillResult*> results;
+  for (const auto& source : sources) results.push_back(&source.result);
+  return averaging_width_of(given, results);
 }
 
 std::string with_number(const char* format, double number) {
@@ -133,19 +124,13 @@ PictureRequest request_of(const MapArguments& arguments) {
   }
   const auto& first = request.sources.front().result;
   request.out = arguments.out.empty() ? arguments.directories.front() : arguments.out;
-  request.averaging_width = averaging_width_of(arguments, request.sources);
-  Eigen::Vector3d origin = first.cavity.axis_origin;
-  for (std::size_t axis = 0; axis < arguments.origin.size(); ++axis)
-    origin[static_cast<Eigen::Index>(axis)] = length("--origin", arguments.origin[axis]);
-  request.plane = process::section_plane("section", origin, normal_of(arguments.normal));
+  request.averaging_width = width_for(arguments.averaging_width, request.sources);
+  request.plane =
+      process::section_plane("section", section_origin(arguments.origin, first), normal_of(arguments.normal));
   request.plane_given = !arguments.origin.empty() || !arguments.normal.empty();
-  if (!arguments.from.empty()) request.from = quantity("--from", arguments.from, process::Dimension::time);
-  if (!arguments.to.empty()) request.to = quantity("--to", arguments.to, process::Dimension::time);
-  const double none = std::numeric_limits<double>::quiet_NaN();
-  request.lower = arguments.look.range.empty() ? none : arguments.look.range[0];
-  request.upper = arguments.look.range.empty() ? none : arguments.look.range[1];
-  if (request.lower >= request.upper)
-    throw process::SceneError("--range: the first number must be less than the second");
+  if (!arguments.from.empty()) request.from = time_of("--from", arguments.from);
+  if (!arguments.to.empty()) request.to = time_of("--to", arguments.to);
+  std::tie(request.lower, request.upper) = range_of(arguments.look);
   request.x = arguments.x;
   request.y = arguments.y;
   request.colour_by = arguments.look.colour_by;
@@ -224,6 +209,7 @@ int map(MapArguments arguments) {
   const auto measured = process::read_measured_files(arguments.measured);
   if (!measured.empty() && (arguments.directories.size() > 1 || !arguments.pictures.empty()))
     throw process::SceneError("--measured: compares one results directory with data, without --picture");
+  if (!arguments.out.empty()) require_directory(arguments.out);
   if (arguments.pictures.empty() && arguments.directories.size() > 1)
     throw process::SceneError("several results directories: add --picture to choose what to draw");
   PictureRequest request = request_of(arguments);
@@ -265,6 +251,7 @@ void add_map(CLI::App& program, Action& chosen) {
       ->add_option(
           "--cavity", arguments->cavity,
           "cavity to draw, by its number in the report; use --out to keep the pictures of the largest")
+      ->check(whole_number(1, kMostCavities))
       ->capture_default_str();
   command->add_option("--averaging-width", arguments->averaging_width,
                       "Gaussian width sigma of the averaging, such as '1 mm' (default: the larger of 0.5 mm "

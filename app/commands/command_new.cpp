@@ -5,6 +5,7 @@
 #include "app/commands/scene_choice.h"
 #include "app/commands/start_scene.h"
 #include "app/exit_code.h"
+#include "app/options/choices.h"
 
 namespace diefill::app {
 
@@ -33,7 +34,7 @@ void add_new(CLI::App& program, Action& chosen) {
   command
       ->add_option("--kind", arguments->kind,
                    "die that the scene fills with coarse grains (default: " + arguments->kind + ")")
-      ->check(CLI::IsMember(start_kinds()));
+      ->check(one_of(start_kinds()));
   auto* from = command
                    ->add_option("--from", arguments->from,
                                 "scene to be copied instead, without its comments and variants; it names "

@@ -9,9 +9,10 @@
 #include "app/commands/scene_choice.h"
 #include "app/exit_code.h"
 #include "app/freed_memory.h"
+#include "app/options/numbers.h"
 #include "app/tables/comparison_plan_report.h"
 #include "app/tables/estimate_report.h"
-#include "app/tables/finite_number.h"
+#include "app/tables/json_text.h"
 #include "app/tables/plan_report.h"
 #include "app/tables/rank_report.h"
 #include "process/estimate/mouth.h"
@@ -58,7 +59,7 @@ void print_within_error(const process::plan::Plan& plan, double error,
 }
 
 void print_json(const nlohmann::ordered_json& json) {
-  std::printf("%s\n", json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace).c_str());
+  std::printf("%s\n", json_text(json).c_str());
 }
 
 /// The title and what costs nothing to know, before the pilot runs.
@@ -142,20 +143,18 @@ void add_plan(CLI::App& program, Action& chosen) {
   auto* minutes = command
                       ->add_option("--minutes", arguments->minutes,
                                    "pick the finest grains that fit this wall-clock time")
-                      ->check(CLI::Range(0.01, 1e6))
-                      ->check(finite_number());
+                      ->check(number_within(0.01, 1e6));
   auto* error =
       command
           ->add_option("--error", arguments->error,
                        "pick the cheapest setting whose measured error is at most this share, such as 0.05")
-          ->check(CLI::Range(1e-6, 1.0))
-          ->check(finite_number());
+          ->check(number_within(1e-6, 1.0));
   command->add_option("--threads", arguments->threads, "threads of the planned run (default: all cores)")
-      ->check(CLI::Range(1, 1024));
+      ->check(whole_number(1, 1024));
   command
       ->add_option("--ranks", arguments->ranks,
                    "say what diefill run --ranks would take, and from which size on it pays")
-      ->check(CLI::Range(1, 1000000));
+      ->check(whole_number(1, 1000000));
   command->add_flag("--no-benchmark", arguments->no_benchmark,
                     "skip the pilot run; wall times are then unknown");
   command->add_flag("--new-pilot", arguments->new_pilot,

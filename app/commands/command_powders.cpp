@@ -3,6 +3,7 @@
 
 #include "app/commands/commands.h"
 #include "app/exit_code.h"
+#include "app/tables/json_text.h"
 #include "process/results/rounding.h"
 #include "process/scene/powder_presets.h"
 
@@ -58,7 +59,7 @@ int powders(bool json) {
   if (json) {
     auto list = nlohmann::ordered_json::array();
     for (const auto& preset : process::preset_uses()) list.push_back(as_json(preset));
-    std::printf("%s\n", list.dump(2).c_str());
+    std::printf("%s\n", json_text(list).c_str());
     return kDone;
   }
   std::printf(

@@ -1,11 +1,14 @@
 #include <cstdio>
 #include <fstream>
+#include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
 
 #include "app/commands/commands.h"
 #include "app/commands/renderer_choice.h"
 #include "app/exit_code.h"
+#include "app/options/output_file.h"
+#include "app/options/results_directories.h"
 #include "app/output.h"
 #include "app/pictures/drawing.h"
 #include "app/pictures/film_file.h"
@@ -32,36 +35,89 @@ struct ReportArguments {
   bool pdf = false;
 };
 
-/// The finished runs that `directory`/comparison.json lists, by variant and seed.
-void add_comparison(std::vector<render::report::Run>& runs, const fs::path& directory) {
-  const fs::path file = directory / "comparison.json";
-  std::ifstream stream(file);
-  const auto comparison = nlohmann::json::parse(stream, nullptr, false);
-  if (!comparison.is_object() || !comparison.contains("runs"))
+constexpr const char* kComparison = "comparison.json";
+
+/// Folders and variants of the runs that `directory`/comparison.json lists. Throws process::SceneError for
+/// any other file of that name.
+std::vector<std::pair<std::string, std::string>> runs_listed_in(const fs::path& directory) {
+  const fs::path file = directory / kComparison;
+  std::vector<std::pair<std::string, std::string>> runs;
+  try {
+    std::ifstream stream(file);
+    const auto comparison = nlohmann::json::parse(stream);
+    for (const auto& run : comparison.at("runs"))
+      runs.emplace_back(run.at("folder").get<std::string>(), run.at("variant").get<std::string>());
+  } catch (const nlohmann::json::exception&) {
     throw process::SceneError(file.string() +
-                              ": not a comparison written by diefill; give another directory");
+                              ": not a comparison written by diefill; give another directory, or run the "
+                              "comparison again");
+  }
+  return runs;
+}
+
+/// A run of the report and where its results are.
+struct FoundRun {
+  render::report::Run run;
+  fs::path directory;
+};
+
+/// The finished runs that `directory`/comparison.json lists, by variant and seed.
+void add_comparison(std::vector<FoundRun>& runs, const fs::path& directory) {
   std::size_t missing = 0;
-  const std::size_t before = runs.size();
-  for (const auto& run : comparison["runs"]) {
-    const std::string folder = run.value("folder", ""), variant = run.value("variant", "");
+  const auto listed = runs_listed_in(directory);
+  for (const auto& [folder, variant] : listed) {
     if (fs::exists(directory / folder / "results.h5"))
-      runs.push_back({folder, results::read_results(directory / folder), variant});
+      runs.push_back({{folder, results::read_results(directory / folder), variant}, directory / folder});
     else
       ++missing;
   }
-  if (runs.size() == before)
-    throw process::SceneError(file.string() + ": the comparison has no results; finish it first");
+  if (missing == listed.size())
+    throw process::SceneError((directory / kComparison).string() +
+                              ": the comparison has no results; finish it first");
   if (missing > 0)
     std::fprintf(stderr, "note: %zu runs of %s have no results and are omitted\n", missing,
                  directory.string().c_str());
 }
 
 /// A comparison's directory holds runs in its subdirectories; any other directory is a run itself.
-void add_runs(std::vector<render::report::Run>& runs, const fs::path& directory) {
-  if (!fs::exists(directory / "results.h5") && fs::exists(directory / "comparison.json"))
+void add_runs(std::vector<FoundRun>& runs, const fs::path& directory) {
+  if (!fs::exists(directory / "results.h5") && fs::exists(directory / kComparison))
     add_comparison(runs, directory);
   else
-    runs.push_back({directory.string(), results::read_results(directory), ""});
+    runs.push_back({{directory.string(), results::read_results(directory), ""}, directory});
+}
+
+/// The runs in the directories. Throws process::SceneError for one that would count as two seeds of a
+/// variant.
+std::vector<render::report::Run> runs_in(const std::vector<std::string>& directories) {
+  std::vector<FoundRun> found;
+  for (const auto& directory : directories) add_runs(found, directory);
+  std::map<std::string, std::vector<fs::path>> of_strategy;
+  std::vector<render::report::Run> runs;
+  for (auto& one : found) {
+    of_strategy[one.run.strategy].push_back(std::move(one.directory));
+    runs.push_back(std::move(one.run));
+  }
+  for (const auto& [strategy, places] : of_strategy) require_distinct("DIR", places);
+  return runs;
+}
+
+/// The page, and the PDF beside it where that is wanted. Throws process::SceneError where one of them is no
+/// such file, or one that the report is made of.
+std::vector<OutputFile> files_of(const ReportArguments& arguments) {
+  const fs::path html = arguments.out.empty() ? fs::path(arguments.directories.front()) / "report.html"
+                                              : fs::path(arguments.out);
+  std::vector<OutputFile> files = {{"--out", html, {".html", ".htm"}}};
+  if (ending_of(html) == ".pdf")
+    throw process::SceneError(
+        "--out: found \"" + arguments.out +
+        "\", expected the HTML page, such as \"report.html\"; --pdf writes the PDF next to it");
+  if (arguments.pdf) files.push_back({"--pdf", fs::path(html).replace_extension(".pdf"), {".pdf"}});
+  std::vector<fs::path> inputs(arguments.measured.begin(), arguments.measured.end());
+  for (const auto& directory : arguments.directories)
+    for (const char* name : {"results.h5", kComparison}) inputs.push_back(fs::path(directory) / name);
+  for (const auto& file : files) require_output_file(file, inputs);
+  return files;
 }
 
 /// The films of a run that are small enough for a page.
@@ -101,29 +157,24 @@ class ExtrasWithProgress {
 
 int report(const ReportArguments& arguments) {
   const auto measured = process::read_measured_files(arguments.measured);
-  std::vector<render::report::Run> runs;
-  for (const auto& directory : arguments.directories) add_runs(runs, directory);
+  require_distinct("DIR", {arguments.directories.begin(), arguments.directories.end()});
+  auto runs = runs_in(arguments.directories);
+  const auto files = files_of(arguments);
   for (auto& run : runs) run.other_cavities = of_other_cavities(run.result, averaging_width_of(run.result));
   for (auto& run : runs) run.films = films_in(run.name);
   for (auto& run : runs)
     for (const auto& file : measured)
       run.measured.push_back(process::compare_with_measured(file, run.result));
-  const fs::path html = arguments.out.empty() ? fs::path(arguments.directories.front()) / "report.html"
-                                              : fs::path(arguments.out);
-  if (html.extension() == ".pdf")
-    throw process::SceneError(
-        "--out: found \"" + arguments.out +
-        "\", expected the HTML page, such as \"report.html\"; --pdf writes the PDF next to it");
-  make_output_directory(html.parent_path().empty() ? fs::path(".") : html.parent_path());
+  make_directory_of(files.front());
   write_output([&] {
     set_up_drawing();
     const auto document = render::report::report_of(runs, ExtrasWithProgress(runs.size()));
-    results::write_text_atomically(html, render::report::html_page(document));
-    std::printf("%s\n", html.string().c_str());
-    if (!arguments.pdf) return;
-    const fs::path pdf = fs::path(html).replace_extension(".pdf");
-    results::write_text_atomically(pdf, render::report::pdf_pages(document));
-    std::printf("%s\n", pdf.string().c_str());
+    for (const auto& output : files) {
+      const bool page = output.option == "--out";
+      results::write_text_atomically(
+          output.file, page ? render::report::html_page(document) : render::report::pdf_pages(document));
+      std::printf("%s\n", output.file.string().c_str());
+    }
   });
   return kDone;
 }

@@ -12,6 +12,7 @@
 #include "app/commands/scene_choice.h"
 #include "app/exit_code.h"
 #include "app/freed_memory.h"
+#include "app/options/numbers.h"
 #include "app/output.h"
 #include "app/pictures/drawing.h"
 #include "app/pictures/paraview_series.h"
@@ -171,6 +172,8 @@ int run(const RunArguments& arguments) {
       throw process::SceneError("--powder-samples runs many scenes and is not supported on ranks");
   }
   process::RunOptions options = options_of(arguments, scene);
+  require_directory(options.directory);
+  if (!arguments.shared_starts.empty()) require_directory(arguments.shared_starts, "--beginnings");
   if (arguments.samples.powders > 0) return run_samples(arguments, scene, options.directory);
   std::optional<OutputDirectory> output;
   // Before work that would be lost if a second run were refused.
@@ -186,7 +189,7 @@ int run(const RunArguments& arguments) {
   process::FillRun fill(scene, tooling, options);  // refuses what cannot be begun, in one line
   print_alerts(words_of(process::setup_findings(scene, tooling)));
   if (!output) output.emplace(options.directory);
-  if (!options.shared_starts.empty()) make_output_directory(options.shared_starts);
+  if (!options.shared_starts.empty()) make_output_directory(options.shared_starts, "--beginnings");
   keep_earlier_results(options.directory, arguments.resume);
   run_watched(fill, live);
   return deliver(arguments, scene, tooling, options.directory, fill);
@@ -199,12 +202,12 @@ void add_powder_samples(CLI::App& command, PowderSampleArguments& samples) {
               "--powder-samples", samples.powders,
               "run the scene with so many powders that agree with the data of its powder.file, beside "
               "the best one with several seeds")
-          ->check(CLI::Range(2, 1000));
+          ->check(whole_number(2, 1000));
   command.add_option("--seeds", samples.seeds, "with --powder-samples: runs of the best powder (default: 4)")
-      ->check(CLI::Range(2, 1000))
+      ->check(whole_number(2, 1000))
       ->needs(powders);
   command.add_option("--jobs", samples.jobs, "with --powder-samples: runs at a time (default: 1)")
-      ->check(CLI::Range(1, 1024))
+      ->check(whole_number(1, 1024))
       ->needs(powders);
 }
 
@@ -219,7 +222,7 @@ void add_run(CLI::App& program, Action& chosen) {
   command
       ->add_option("--threads", arguments->threads,
                    "number of threads (default: all cores); does not affect results")
-      ->check(CLI::Range(1, 1024));
+      ->check(whole_number(1, 1024));
   add_renderer(*command);
   add_setting(*command, arguments->setting);
   add_changes(*command, arguments->changes);

@@ -8,10 +8,10 @@
 #include "app/commands/live_jobs.h"
 #include "app/exit_code.h"
 #include "app/kept_notes.h"
+#include "app/options/numbers.h"
 #include "app/output.h"
 #include "app/pictures/drawing.h"
 #include "app/stop_signals.h"
-#include "app/tables/finite_number.h"
 #include "app/tables/tradeoff_table.h"
 #include "process/compare/kept_aside.h"
 #include "process/input/shell_word.h"
@@ -46,7 +46,8 @@ std::pair<std::string, double> read_target(const std::string& text) {
   if (equals != std::string::npos) {
     const char* const end = text.data() + text.size();
     const auto read = std::from_chars(text.data() + equals + 1, end, value);
-    if (read.ec == std::errc() && read.ptr == end) return {text.substr(0, equals), value};
+    if (read.ec == std::errc() && read.ptr == end && std::isfinite(value))
+      return {text.substr(0, equals), value};
   }
   throw process::SceneError("--target: found \"" + text +
                             "\", expected NAME=NUMBER in the unit of the CSV, such as filled_mass=12.5");
@@ -126,6 +127,7 @@ int trade_off(const TradeoffArguments& arguments) {
   const auto scene = process::read_scene(arguments.scene);
   process::refuse_endless(scene);
   auto options = options_of(arguments);
+  require_directory(options.directory);
   std::vector<process::KnobValues> knobs;
   for (const auto& text : arguments.vary) knobs.push_back(process::read_vary(text));
   auto plan = process::plan_tradeoff(scene, knobs, options);
@@ -150,29 +152,27 @@ void add_options(CLI::App& command, TradeoffArguments& arguments) {
   command.add_flag("--variants", arguments.variants,
                    "also use the scene's [[variant]] tables as settings: several knobs changed together");
   command.add_option("--seeds", arguments.seeds, "runs of each setting with consecutive seeds (default: 2)")
-      ->check(CLI::Range(1, 1000));
+      ->check(whole_number(1, 1000));
   command
       .add_option(
           "--budget", arguments.budget,
           "total processor time of all runs in core minutes, including earlier calls (default: no limit)")
-      ->check(CLI::PositiveNumber)
-      ->check(finite_number());
+      ->check(number_above_zero());
   command
       .add_option("--tolerance", arguments.tolerance,
                   "accepted error in percent where the scatter over seeds is smaller (default: 2)")
-      ->check(CLI::Range(0.0, 100.0))
-      ->check(finite_number());
+      ->check(number_within(0.0, 100.0));
   command
       .add_option("--target", arguments.targets,
                   "NAME=VALUE: compare a quantity (its key in tradeoff.json) with a published value")
       ->allow_extra_args(false);
   command.add_option("--reference", arguments.reference,
                      "reference setting (default: the most expensive one that only refines)");
-  command.add_option("--jobs", arguments.jobs, "runs at a time (default: 1)")->check(CLI::Range(1, 1024));
+  command.add_option("--jobs", arguments.jobs, "runs at a time (default: 1)")->check(whole_number(1, 1024));
   command
       .add_option("--threads", arguments.threads,
                   "threads of each run (default: 1, so that waiting does not count as cost)")
-      ->check(CLI::Range(1, 1024));
+      ->check(whole_number(1, 1024));
   command.add_option("--out", arguments.out,
                      "directory for results (default: out/<folder>_<scene>_tradeoff)");
   command.add_flag("--quiet", arguments.quiet, "print no progress");

@@ -3,11 +3,16 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <optional>
 #include <stdexcept>
 
+#include "app/commands/measured_region.h"
+#include "app/options/choices.h"
+#include "app/options/numbers.h"
+#include "app/options/output_file.h"
+#include "app/options/quantities.h"
 #include "app/output.h"
 #include "process/input/scene_error.h"
-#include "process/input/units.h"
 #include "process/measure/choose_cavity.h"
 #include "process/measure/fields/element_density.h"
 #include "process/measure/measure.h"
@@ -21,24 +26,21 @@
 namespace diefill::app {
 namespace {
 
-double quantity(const std::string& option, const std::string& text, process::Dimension dimension) {
+/// m: --mesh-unit.
+double mesh_unit(const std::string& name) {
+  const std::vector<std::string> usual = {"m", "dm", "cm", "mm", "um", "nm", "inch", "ft"};
   try {
-    return process::parse_quantity(text, dimension);
-  } catch (const process::UnitError& error) {
-    throw process::SceneError(option + ": found \"" + text + "\": " + error.what());
+    const bool number = name.find_first_of("0123456789.") != std::string::npos;  // "1 2 mm" is no unit
+    if (!number) return positive_quantity("--mesh-unit", "1 " + name, process::Dimension::length);
+  } catch (const process::SceneError&) {  // said below, with the units that are
   }
-}
-
-double positive(const std::string& option, const std::string& text, process::Dimension dimension) {
-  const double value = quantity(option, text, dimension);
-  if (value > 0) return value;
-  throw process::SceneError(option + ": found \"" + text + "\", allowed: more than 0");
+  throw process::SceneError("--mesh-unit: " + unknown_name(name, usual));
 }
 
 results::SolidMesh read_mesh(const DensityOptions& options) {
   const std::filesystem::path file = options.mesh;
-  const double unit = positive("--mesh-unit", "1 " + options.mesh_unit, process::Dimension::length);
-  const std::string ending = file.extension().string();
+  const double unit = mesh_unit(options.mesh_unit);
+  const std::string ending = ending_of(file);
   results::SolidMesh mesh;
   if (ending == ".msh") {
     mesh = process::read_gmsh(file, unit);
@@ -56,10 +58,17 @@ results::SolidMesh read_mesh(const DensityOptions& options) {
   }
   Eigen::Vector3d shift = Eigen::Vector3d::Zero();
   for (std::size_t axis = 0; axis < options.mesh_position.size(); ++axis)
-    shift[static_cast<Eigen::Index>(axis)] =
-        quantity("--mesh-position", options.mesh_position[axis], process::Dimension::length);
+    shift[static_cast<Eigen::Index>(axis)] = coordinate("--mesh-position", options.mesh_position[axis]);
   for (auto& node : mesh.nodes) node += shift;
   return mesh;
+}
+
+/// kg. The names that --mass takes too are words, so that a number in front tells it from them.
+double mass_given(const std::string& text) {
+  if (text.find_first_of("0123456789") != std::string::npos)
+    return positive_quantity("--mass", text, process::Dimension::mass);
+  throw process::SceneError("--mass: " + unknown_name(text, {"filled", "expected"}) +
+                            ", or a mass, such as '12.3 g'");
 }
 
 /// kg, of the whole cavity.
@@ -70,7 +79,7 @@ double cavity_mass(const results::FillResult& result, const DensityOptions& opti
     throw process::SceneError(
         "--mass filled: the cavity holds no powder; fill it, or give the mass, such as '12.3 g'");
   }
-  if (options.mass != "expected") return positive("--mass", options.mass, process::Dimension::mass);
+  if (options.mass != "expected") return mass_given(options.mass);
   for (const char* figure : {"expected_mass_kg", "estimated_mass_kg"}) {
     const auto found = result.figures.find(figure);
     if (found != result.figures.end() && found->second > 0) return found->second;
@@ -145,6 +154,7 @@ void write_mesh_density(const results::FillResult& result, const DensityOptions&
                         double averaging_width, const std::filesystem::path& out, Files& written) {
   const results::SolidMesh mesh = read_mesh(options);
   const auto density = density_of(result, mesh, options, averaging_width, cavity_mass(result, options));
+  make_output_directory(out);
   print_density(result, mesh, density, options);
   const std::string stem = process::file_stem(options.mesh);
   const process::DensityNote note{std::filesystem::path(options.mesh).filename().string(), result.title};
@@ -164,15 +174,20 @@ void write_mesh_density(const results::FillResult& result, const DensityOptions&
        {"share in powder", 1, density.filled}});
 }
 
-void write_grid_density(const results::FillResult& result, const DensityOptions& options,
-                        double averaging_width, const std::filesystem::path& out, Files& written) {
-  const double spacing = positive("--density-grid", options.grid, process::Dimension::length);
-  process::DensityGrid grid;
+process::DensityGrid grid_of(const results::FillResult& result, const DensityOptions& options,
+                             double averaging_width) {
+  const double edge = largest_edge(result);
+  const double spacing = bounded_quantity("--density-grid", options.grid, process::Dimension::length,
+                                          {0, edge, true, "the largest edge of the cavity"});
   try {
-    grid = process::density_grid(result, spacing, averaging_width, cavity_mass(result, options));
+    return process::density_grid(result, spacing, averaging_width, cavity_mass(result, options));
   } catch (const std::invalid_argument& error) {
-    throw process::SceneError("--density-grid: " + std::string(error.what()));
+    throw process::SceneError("--density-grid: found \"" + options.grid + "\": " + error.what());
   }
+}
+
+void write_grid_density(const results::FillResult& result, const process::DensityGrid& grid,
+                        const std::filesystem::path& out, Files& written) {
   written.push_back(out / "density_grid.csv");
   results::write_text_atomically(written.back(),
                                  process::density_grid_csv(grid, process::solid_density(result)));
@@ -198,7 +213,7 @@ void add_density_options(CLI::App& command, DensityOptions& options) {
       ->expected(3);
   add("--mesh-share", options.mesh_share,
       "share of the cavity that the mesh covers, such as 0.25 of a quarter model")
-      ->check(CLI::Range(1e-6, 1.0))
+      ->check(number_within(1e-6, 1.0))
       ->capture_default_str();
   add("--mass", options.mass,
       "mass of the cavity that the elements share: filled (of the model powder), expected (of the real "
@@ -207,7 +222,22 @@ void add_density_options(CLI::App& command, DensityOptions& options) {
       ->capture_default_str();
   add("--density-grid", options.grid,
       "edge of the cells of a regular grid over the cavity, such as '1 mm': write density_grid.csv and .vti");
-  add("--cavity", options.cavity, "cavity by its number in the report")->capture_default_str();
+  add("--cavity", options.cavity, "cavity by its number in the report")
+      ->check(whole_number(1, 1000000))
+      ->capture_default_str();
+}
+
+void require_density_wanted(const CLI::App& command) {
+  const bool mesh = command.count("--density-for") > 0, grid = command.count("--density-grid") > 0;
+  const auto refuse = [&](const char* option, const char* missing) {
+    if (command.count(option) > 0)
+      throw CLI::ValidationError(std::string(option) + ": says nothing without " + missing +
+                                 "; give that too, or leave the option out");
+  };
+  for (const char* option : {"--mesh-unit", "--mesh-position", "--mesh-share"})
+    if (!mesh) refuse(option, "--density-for");
+  for (const char* option : {"--mass", "--cavity"})
+    if (!mesh && !grid) refuse(option, "--density-for or --density-grid");
 }
 
 void export_density(const results::FillResult& whole, const DensityOptions& options, double averaging_width,
@@ -223,10 +253,14 @@ void export_density(const results::FillResult& whole, const DensityOptions& opti
           result.solid_fraction.open.end())
     throw process::SceneError(
         "--density-for: the result holds no measured solid fraction; run the scene to its end");
+  std::optional<process::DensityGrid> grid;
+  if (!options.grid.empty()) grid = grid_of(result, options, averaging_width);
   Files written;
   write_output([&] {
     if (!options.mesh.empty()) write_mesh_density(result, options, averaging_width, out, written);
-    if (!options.grid.empty()) write_grid_density(result, options, averaging_width, out, written);
+    if (!grid) return;
+    make_output_directory(out);
+    write_grid_density(result, *grid, out, written);
   });
   for (const auto& file : written) std::printf("%s\n", file.c_str());
 }

@@ -21,6 +21,10 @@ struct DensityOptions {
 
 void add_density_options(CLI::App& command, DensityOptions& options);
 
+/// Throws CLI::ValidationError, in one line, where one of these options is given that says nothing without
+/// another that is not.
+void require_density_wanted(const CLI::App& command);
+
 /// Writes the files into `out`, prints what they hold and names elements outside the powder. Throws
 /// process::SceneError, before anything is written, for a mesh that cannot be read or holds no powder.
 void export_density(const results::FillResult& result, const DensityOptions& options, double averaging_width,

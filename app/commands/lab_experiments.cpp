@@ -11,6 +11,9 @@
 #include "app/commands/live_jobs.h"
 #include "app/exit_code.h"
 #include "app/kept_notes.h"
+#include "app/options/choices.h"
+#include "app/options/numbers.h"
+#include "app/options/output_file.h"
 #include "app/output.h"
 #include "app/pictures/drawing.h"
 #include "app/stop_signals.h"
@@ -161,6 +164,11 @@ int fidelity(LabArguments arguments) {
   fs::path page = arguments.page;
   if (page.empty())
     page = fs::exists(room) ? fs::weakly_canonical(room) / "FIDELITY.md" : all / "FIDELITY.md";
+  const OutputFile file = {"--page", page, {".md"}};
+  require_output_file(file,
+                      {scenes / laboratory::kPublishedFigures, scenes / kRemarks, scenes / kComparisons});
+  require_directory(all);
+  make_directory_of(file);
   const fs::path values = page.parent_path() / laboratory::kKeptResults;
   auto kept = laboratory::read_kept_results(values, figures);
   for (const auto& one : laboratory::scene_experiments())
@@ -200,13 +208,13 @@ void add_options(CLI::App& command, LabArguments& arguments) {
   command
       .add_option("--size", arguments.size,
                   "coarse: 4 times the published grain size; medium: twice; published")
-      ->check(CLI::IsMember({"coarse", "medium", "published"}));
+      ->check(one_of({"coarse", "medium", "published"}));
   command.add_option("--seeds", arguments.seeds, "packings with consecutive seeds (default: 1)")
-      ->check(CLI::Range(1, 1000));
+      ->check(whole_number(1, 1000));
   command.add_option("--budget", arguments.budget, "core minutes per experiment; skipped runs are listed")
-      ->check(CLI::PositiveNumber);
+      ->check(number_above_zero());
   command.add_option("--jobs", arguments.jobs, "runs at a time, one core each (default: 1)")
-      ->check(CLI::Range(1, 1024));
+      ->check(whole_number(1, 1024));
   command.add_option("--out", arguments.out, "folder of all experiments (default: out/lab)");
   command.add_option(
       "--scenes", arguments.scenes,

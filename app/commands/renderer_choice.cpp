@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "app/options/choices.h"
 #include "render/scene3d/grain_view.h"
 
 namespace diefill::app {
@@ -14,7 +15,7 @@ void add_renderer(CLI::App& command) {
             render::set_renderer(name == "embree" ? render::Renderer::kEmbree : render::Renderer::kOpenGl);
           },
           "what draws shaded views: embree (ray tracer, soft shadow) or opengl (software OpenGL)")
-      ->check(CLI::IsMember({"embree", "opengl"}))
+      ->check(one_of({"embree", "opengl"}))
       ->default_str("opengl");
 }
 

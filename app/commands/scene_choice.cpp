@@ -95,6 +95,15 @@ process::Scene changed_scene(const std::string& file, const std::vector<std::str
   return process::changed_scene(process::load_scene_text(file), file, wanted);
 }
 
+std::vector<std::filesystem::path> input_files_of(const process::Scene& scene) {
+  std::vector<std::filesystem::path> files = {scene.file};
+  process::scene_text_with(scene, scene.seed, [&](const std::filesystem::path& file) {
+    files.push_back(file);
+    return file.string();
+  });
+  return files;
+}
+
 process::Scene chosen_scene(const std::string& file, const std::string& setting,
                             const std::vector<std::string>& changes) {
   std::optional<process::Setting> wanted;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -20,6 +21,9 @@ CLI::Option* add_changes(CLI::App& command, std::vector<std::string>& changes);
 
 /// Reads the scene with `changes` (of --set) applied. Throws process::SceneError.
 process::Scene changed_scene(const std::string& file, const std::vector<std::string>& changes);
+
+/// The files that the scene is made of: its own, CAD of its tools, tables and shapes that it names.
+std::vector<std::filesystem::path> input_files_of(const process::Scene& scene);
 
 /// Says on standard error what a setting chose and replaced in the scene, if one did.
 void say_what_was_chosen(const process::Scene& scene);

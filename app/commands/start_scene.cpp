@@ -4,7 +4,9 @@
 
 #include <array>
 #include <functional>
+#include <system_error>
 
+#include "app/output.h"
 #include "process/input/sample_tools.h"
 #include "process/input/scene_error.h"
 #include "process/input/text_file.h"
@@ -52,11 +54,20 @@ void copy_sample(const fs::path& folder, const std::string& stem) {
   }
 }
 
-/// Makes `folder` with what fill(folder) writes, all or nothing; returns its scene.
-fs::path write_folder(const fs::path& folder, const std::function<void(const fs::path&)>& fill) {
+/// `given` without a slash or dot at its end, such as my_die of my_die/.
+fs::path folder_named(const fs::path& given) {
+  const fs::path folder = given.lexically_normal();
+  return folder.has_filename() ? folder : folder.parent_path();
+}
+
+/// Makes the folder with what fill(folder) writes, all or nothing; returns its scene.
+fs::path write_folder(const fs::path& given, const std::function<void(const fs::path&)>& fill) {
+  const fs::path folder = folder_named(given);
   const std::string name = folder.string();
-  if (fs::symlink_status(folder).type() != fs::file_type::not_found)
+  std::error_code missing;
+  if (fs::exists(fs::symlink_status(folder, missing)))
     throw process::SceneError(name + ": there is such a file or folder already; choose another name");
+  require_directory(folder, "NAME");
   const fs::path temporary = name + '.' + std::to_string(getpid()) + ".tmp";
   try {
     fs::create_directories(temporary);

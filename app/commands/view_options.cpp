@@ -2,12 +2,17 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <stdexcept>
 
 #include "app/commands/renderer_choice.h"
+#include "app/options/choices.h"
+#include "app/options/numbers.h"
 #include "app/pictures/grain_colours.h"
+#include "process/input/nearest_key.h"
 #include "process/input/scene_error.h"
+#include "process/input/units.h"
 
 namespace diefill::app {
 
@@ -28,6 +33,16 @@ std::vector<double> numbers_in(const std::string& text) {
   return numbers;
 }
 
+std::pair<double, double> range_of(const ViewArguments& arguments) {
+  constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+  if (arguments.range.empty()) return {kNone, kNone};
+  const double lower = arguments.range[0], upper = arguments.range[1];
+  if (!(lower < upper))
+    throw process::SceneError("--range: the first number must be less than the second, found " +
+                              process::number_text(lower) + " and " + process::number_text(upper));
+  return {lower, upper};
+}
+
 /// A preset, or azimuth and elevation in degrees.
 render::Camera camera_of(const std::string& text) {
   constexpr double kDegree = std::numbers::pi / 180;
@@ -38,9 +53,11 @@ render::Camera camera_of(const std::string& text) {
   if (text == "top") return {0, 90 * kDegree};
   const auto numbers = numbers_in(text);
   if (numbers.size() == 2 && std::abs(numbers[1]) <= 90) return {numbers[0] * kDegree, numbers[1] * kDegree};
-  throw process::SceneError("--camera: found \"" + text +
-                            "\", allowed: front, side, corner, above, top, or azimuth and elevation in "
-                            "degrees, such as 30,20");
+  const auto meant = process::nearest_key(text, {"front", "side", "corner", "above", "top"});
+  throw process::SceneError("--camera: found \"" + text + "\"" +
+                            (meant ? "; did you mean \"" + *meant + "\"?" : "") +
+                            " (allowed: front, side, corner, above, top, or azimuth and elevation in "
+                            "degrees, such as 30,20)");
 }
 
 render::SceneLook look_of(const ViewArguments& arguments) {
@@ -57,12 +74,13 @@ void add_view_options(CLI::App& command, ViewArguments& arguments) {
       .add_option(
           "--range", arguments.range,
           "limits of the colour scale, such as 0.3 0.42; for a difference, the second applies to both sides")
-      ->expected(2);
+      ->expected(2)
+      ->check(finite_number());
   command.add_option("--colour-by", arguments.colour_by, "colour of grains in views and frames")
-      ->check(CLI::IsMember(grain_colours()))
+      ->check(one_of(grain_colours()))
       ->capture_default_str();
   command.add_option("--tools", arguments.tools, "tools in views and frames")
-      ->check(CLI::IsMember({"cut", "translucent", "hidden"}))
+      ->check(one_of({"cut", "translucent", "hidden"}))
       ->capture_default_str();
   command
       .add_option("--camera", arguments.camera,
@@ -72,7 +90,7 @@ void add_view_options(CLI::App& command, ViewArguments& arguments) {
   command.add_flag("--ambient-occlusion", arguments.ambient_occlusion,
                    "shade gaps between grains with --renderer opengl; embree always does");
   command.add_option("--width", arguments.width, "width of PNG files in pixels")
-      ->check(CLI::Range(400, 6400))
+      ->check(whole_number(400, 6400))
       ->capture_default_str();
 }
 

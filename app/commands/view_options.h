@@ -3,6 +3,7 @@
 
 #include <CLI/CLI.hpp>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "render/scene3d/grain_view.h"
@@ -20,6 +21,9 @@ struct ViewArguments {
 
 /// Adds --range, --colour-by, --tools, --camera, --renderer, --ambient-occlusion and --width.
 void add_view_options(CLI::App& command, ViewArguments& arguments);
+
+/// Limits of colour scales; NaN where none are given. Throws process::SceneError where they are not in order.
+std::pair<double, double> range_of(const ViewArguments& arguments);
 
 /// Numbers with commas between; empty where the text is anything else.
 std::vector<double> numbers_in(const std::string& text);

@@ -1,5 +1,7 @@
 #include "app/pictures/film_file.h"
 
+#include <unistd.h>
+
 #include <cstdio>
 #include <cstdlib>
 #include <stdexcept>
@@ -16,11 +18,13 @@ bool ffmpeg_is_there() {
 bool write_film(const std::filesystem::path& frames, const std::filesystem::path& film, int frames_a_second) {
   if (!ffmpeg_is_there()) {
     std::fprintf(stderr,
-                 "diefill: no film: ffmpeg is not installed (apt-get install ffmpeg); the frames are in %s\n",
-                 frames.string().c_str());
+                 "diefill: no film %s: ffmpeg is not installed (apt-get install ffmpeg); the frames stay as "
+                 "PNG files\n",
+                 film.filename().string().c_str());
     return false;
   }
-  const auto unfinished = std::filesystem::path(film).replace_extension(".tmp.mp4");
+  const auto unfinished =
+      std::filesystem::path(film).replace_extension("." + std::to_string(::getpid()) + ".tmp.mp4");
   const std::string command =
       "ffmpeg -loglevel error -y -framerate " + std::to_string(frames_a_second) + " -i " +
       process::shell_word((frames / "%05d.png").string()) +
@@ -28,8 +32,7 @@ bool write_film(const std::filesystem::path& frames, const std::filesystem::path
       process::shell_word(unfinished.string());
   if (std::system(command.c_str()) != 0) {
     std::filesystem::remove(unfinished);
-    throw std::runtime_error("ffmpeg could not make " + film.string() + "; the frames are in " +
-                             frames.string());
+    throw std::runtime_error("ffmpeg could not make " + film.string());
   }
   std::filesystem::rename(unfinished, film);
   return true;

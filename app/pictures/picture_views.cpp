@@ -1,6 +1,7 @@
 // Pictures that are shaded views, and films of them.
 #include <cstdio>
 
+#include "app/output.h"
 #include "app/pictures/film_file.h"
 #include "app/pictures/grain_colours.h"
 #include "app/pictures/picture_files.h"
@@ -49,7 +50,7 @@ Pictures make_frames(const PictureRequest& request) {
     const auto last = render::choose_view(result, aspect, request.camera);
     if (last.width > options.view->width) options.view = last;
     const auto folder = request.out / file_of(request, "frames", source).stem();
-    std::filesystem::create_directories(folder);
+    make_output_directory(folder);
     for (std::size_t n = 0; n < result.instants.size(); ++n) {
       const auto shown = process::result_at(result, result.instants[n].time, measured);
       colour_grains(options, request.colour_by, shown, result);

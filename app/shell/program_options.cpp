@@ -2,6 +2,7 @@
 
 #include <cstdio>
 
+#include "app/options/choices.h"
 #include "app/shell/completion.h"
 #include "app/shell/manual_page.h"
 #include "process/run/assemble.h"
@@ -43,7 +44,7 @@ void add_program_options(CLI::App& program) {
             throw CLI::Success();
           },
           "Print a completion script for this shell")
-      ->check(CLI::IsMember({"bash", "zsh"}));
+      ->check(one_of({"bash", "zsh"}));
   program.add_flag_callback(
       "--man",
       [&program] {

@@ -1,6 +1,7 @@
 // A quantity of an experiment of the laboratory, such as the solid fraction of settled powder: its runs with
 // the starting powder, and its evaluation of them.
 #include <algorithm>
+#include <limits>
 #include <map>
 
 #include "process/calibration/measurement.h"
@@ -10,6 +11,7 @@
 #include "process/laboratory/published/lab_folder.h"
 #include "process/laboratory/published/lab_powder.h"
 #include "process/laboratory/published/published_figure.h"
+#include "process/measured_data/known_fields.h"
 #include "process/scene/scene_text.h"
 
 namespace diefill::process::calibration {
@@ -98,7 +100,9 @@ std::vector<MeasurementRun> runs_of(const LabQuantity& quantity, const LabPlan& 
     const auto run = std::find_if(plan.runs.begin(), plan.runs.end(),
                                   [&](const laboratory::LabRun& one) { return one.name == name; });
     const std::filesystem::path file = setting.scenes / run->scene;
-    const Scene scene = changed_scene(load_scene_text(file), file, run->changes);
+    SceneChanges changes = run->changes;
+    changes.called = "experiment \"" + name + '"';
+    const Scene scene = changed_scene(load_scene_text(file), file, changes);
     runs.push_back({with_starting_powder(scene.text, file, setting.powder), file, set});
   }
   return runs;
@@ -121,6 +125,8 @@ Measurement read_experiment_measurement(TableReader& table, const MeasurementCon
   if (measurement.data.size() != 1) table.reject("file", "a quantity of an experiment has one row");
   measurement.runs = runs_of(quantity, plan, setting, set_of(table));
   const double factor = factor_into(table, named.unit, measurement.data.value.unit);
+  constexpr double kAny = std::numeric_limits<double>::infinity();
+  if (has_same_dimension(named.unit, "kg")) refuse_impossible(measurement.data, {named.unit, 0, kAny});
   measurement.simulated = [factor, quantity](const std::vector<FinishedRun>& runs) {
     std::map<std::string, std::filesystem::path> folders;
     for (std::size_t k = 0; k < runs.size(); ++k) folders[quantity.runs[k]] = runs[k].folder;

@@ -3,10 +3,14 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <regex>
 
 #include "process/calibration/measurement.h"
+#include "process/calibration/possible_figures.h"
 #include "process/input/nearest_key.h"
+#include "process/input/scene_error.h"
 #include "process/input/unit_conversion.h"
+#include "process/results/figure_item.h"
 #include "process/results/figure_table.h"
 #include "process/scene/scene_text.h"
 #include "process/scene/variants.h"
@@ -21,6 +25,30 @@ struct ChosenFigure {
   std::function<double(const results::FillResult&)> value;
 };
 
+/// Figures of zones and heaps that the scene does not have, and of cavities that no die has.
+void refuse_unknown_item(TableReader& table, const std::string& word,
+                         const std::vector<std::string>& of_scene) {
+  static const std::regex of_cavity("cavity_([0-9]+)_(.*)");
+  std::smatch parts;
+  const bool further = std::regex_match(word, parts, of_cavity);
+  if (further && (parts[1].str().front() == '0' || parts[1] == "1"))
+    table.reject("figure",
+                 "further cavities have the numbers 2, 3 and so on; figures of the largest have none");
+  const results::Figure* figure = results::find_figure(word);
+  const std::string name = further ? parts[2].str() : word;
+  if (figure == nullptr || !results::is_per_item(*figure) ||
+      std::find(of_scene.begin(), of_scene.end(), name) != of_scene.end())
+    return;
+  std::vector<std::string> items;
+  for (const std::string& key : of_scene)
+    if (results::find_figure(key) == figure) items.push_back(key);
+  const bool heap = std::string(figure->name).starts_with("slope_of_");
+  if (items.empty())
+    table.reject("figure", std::string("the scene has no [[measure.") + (heap ? "heap" : "zone") +
+                               "]]; name one there, or choose another figure");
+  throw SceneError(table.where("figure") + ": " + not_among(word, items));
+}
+
 /// A quantity of the trade-off, or else a figure of report.json.
 ChosenFigure figure_called(TableReader& table, const std::string& word, const Scene& scene) {
   std::vector<std::string> known;
@@ -28,6 +56,7 @@ ChosenFigure figure_called(TableReader& table, const std::string& word, const Sc
     if (quantity.about.key == word) return {quantity.about.name, quantity.about.unit, quantity.value};
     known.push_back(quantity.about.key);
   }
+  refuse_unknown_item(table, word, known);
   for (const results::Figure& figure : results::figure_table()) known.emplace_back(figure.name);
   if (const results::Figure* figure = results::find_figure(word))
     return {figure->label, figure->unit,
@@ -75,6 +104,7 @@ Measurement read_figure_measurement(TableReader& table, const MeasurementContext
     table.reject("file", "a single figure has one row; give \"over\" for a curve");
   const ChosenFigure figure = figure_called(table, word, parse_scene(run.text, run.file));
   const double factor = factor_into(table, measurement.data.value, figure);
+  refuse_impossible(measurement.data, possible_values_of_figure(word, figure.unit));
   measurement.quantity = figure.name;
   measurement.runs = over ? runs_over(run, *over, measurement.data.places[0]) : std::vector{run};
   if (over) measurement.data.places[0].name = *over;

@@ -43,6 +43,7 @@ std::string assignments(const PowderRegion& region, const std::vector<double>& v
 Variant variant_of(const Scene& scene, const std::string& name, const std::string& folder,
                    const std::string& set, int seeds_later) {
   SceneChanges changes;
+  changes.called = "--powder-samples";
   changes.set = set;
   Variant variant{name, folder, changed_scene(scene.text, scene.file, changes)};
   variant.scene.seed = scene.seed + static_cast<std::uint64_t>(seeds_later);

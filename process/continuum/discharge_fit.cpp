@@ -5,11 +5,14 @@
 #include <set>
 #include <stdexcept>
 
+#include "process/input/units.h"
+
 namespace diefill::process::continuum {
 
 namespace {
 
-constexpr double kEmptyAnnulus = 1.4;  // over d (Bierwisch 2009, section 3.2.2)
+constexpr double kEmptyAnnulus = 1.4;         // over d (Bierwisch 2009, section 3.2.2)
+constexpr std::size_t kWidthsForAnnulus = 3;  // to fit it
 
 double felt(const DischargePoint& point, const DischargeData& data) {
   return effective_width(point.width, data.grain_diameter);
@@ -91,7 +94,6 @@ std::size_t widths_of(const DischargeData& data) {
 
 /// C rho sqrt(g) (D - k d)^(5/2), or b times ^(3/2); the shape is k.
 SeparableModel beverloo_model(DischargeLaw law, const DischargeData& data) {
-  constexpr std::size_t kWidthsForAnnulus = 3;
   SeparableModel model;
   model.names = {"C"};
   model.least_shape = model.largest_shape = kEmptyAnnulus;
@@ -117,6 +119,56 @@ SeparableModel beverloo_model(DischargeLaw law, const DischargeData& data) {
 SeparableModel model_of(DischargeLaw law, const DischargeData& data) {
   if (has_burst(law)) return burst_model(law, data);
   return law == DischargeLaw::power_law ? power_model(data) : beverloo_model(law, data);
+}
+
+/// Openings that the empty annulus closes: no law says anything of what runs out of them.
+void refuse_closed(DischargeLaw law, const DischargeData& data) {
+  const bool fits_annulus = is_beverloo(law) && widths_of(data) >= kWidthsForAnnulus;
+  if (!(data.grain_diameter > 0) || fits_annulus) return;
+  for (const auto& point : data.points)
+    if (!(felt(point, data) > 0))
+      throw std::invalid_argument(
+          "found an opening of " + number_text(1e3 * point.width) + " mm with grains of " +
+          number_text(1e3 * data.grain_diameter) +
+          " mm, allowed: more than 1.4 grain diameters, as nothing flows otherwise; check "
+          "width and grain diameter, or remove its points");
+}
+
+/// A number that a flow has at 0 or above: below it by more than the points leave open.
+bool is_negative(const DischargeFit& found, const std::string& name) {
+  const auto k = static_cast<Eigen::Index>(std::find(found.names.begin(), found.names.end(), name) -
+                                           found.names.begin());
+  const double value = found.fit.numbers[k], deviation = std::sqrt(std::max(0.0, found.fit.covariance(k, k)));
+  return value < 0 && !(value + deviation >= 0 && deviation < found.number("C_F"));
+}
+
+void refuse_too_few(const SeparableModel& model, std::size_t given, std::size_t left) {
+  const std::size_t least = model.names.size() + 1;
+  if (left < least && left < given)
+    throw std::invalid_argument("found " + std::to_string(left) +
+                                " points that the law is for, allowed: at least " + std::to_string(least) +
+                                "; at the other " + std::to_string(given - left) +
+                                " the flow has not begun (faster than 5 sqrt(gD), or earlier than "
+                                "sqrt(D/g)/5); measure at lower speeds "
+                                "or later");
+}
+
+void refuse_unphysical(const DischargeFit& found) {
+  const auto refuse = [&](const std::string& name, const std::string& allowed, const std::string& meaning) {
+    throw std::invalid_argument(
+        "the points give " + name + " = " + number_text(found.number(name)) + ", allowed: " + allowed +
+        ", as " + meaning + "; check the points for slips, measure more of them, or fit another law (--law)");
+  };
+  if (has_burst(found.law)) {
+    if (!(found.number("C_F") > 0)) refuse("C_F", "above 0", "it is the rate of the steady flow");
+    if (is_negative(found, "C_I")) refuse("C_I", "0 or more", "it is the rate of the first flow");
+    if (is_negative(found, "C_B")) refuse("C_B", "0 or more", "it is the mass of the burst");
+    return;
+  }
+  const std::string factor = found.names.front();
+  if (!(found.number(factor) > 0)) refuse(factor, "above 0", "it is the factor of the whole flow");
+  if (found.law == DischargeLaw::power_law && found.fit.shape_at_bound)
+    refuse("n", "-0.9 to 9", "masses fall with a power of the speed");
 }
 
 double largest_value(const DischargeData& data) {
@@ -169,9 +221,11 @@ double DischargeFit::number(const std::string& name) const {
 }
 
 DischargeFit fit_discharge(DischargeLaw law, const DischargeData& given) {
+  refuse_closed(law, given);
   DischargeData data = given;
   std::erase_if(data.points, [&](const auto& point) { return !within_range(law, point, given); });
   const SeparableModel model = model_of(law, data);
+  refuse_too_few(model, given.points.size(), data.points.size());
   const auto count = static_cast<Eigen::Index>(data.points.size());
   const bool known =
       std::all_of(data.points.begin(), data.points.end(), [](const auto& point) { return point.error > 0; });
@@ -194,6 +248,7 @@ DischargeFit fit_discharge(DischargeLaw law, const DischargeData& given) {
   }
   found.relative_scatter = std::sqrt(found.relative_scatter);
   found.used = data.points;
+  refuse_unphysical(found);
   return found;
 }
 

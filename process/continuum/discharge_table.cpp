@@ -3,14 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <sstream>
 
-#include "process/input/csv_cells.h"
+#include "process/input/csv_file.h"
 #include "process/input/nearest_key.h"
 #include "process/input/scene_error.h"
 #include "process/input/shown_value.h"
-#include "process/input/text_encoding.h"
-#include "process/input/text_file.h"
 #include "process/input/units.h"
 
 namespace diefill::process::continuum {
@@ -43,43 +40,19 @@ struct Column {
   std::string unit;
 };
 
-/// A line that holds something, with its place for messages.
-struct Line {
-  std::string place, text;
-};
-
-/// With the empty cell after a last comma, which a table of masses must not have.
-std::vector<std::string> cells_of(const std::string& line) {
-  std::vector<std::string> cells = csv_cells(line);
-  if (!line.empty() && line.back() == ',') cells.emplace_back();
-  return cells;
-}
-
-std::vector<Line> lines_of(const std::filesystem::path& file) {
+CsvFile opened(const std::filesystem::path& file) {
   constexpr std::size_t kLargest = 32U << 20U;
-  constexpr std::string_view kMark = "\xEF\xBB\xBF";
-  std::string text;
   try {
-    text = load_text_file(file, {"table of discharges", "but it is a CSV file of masses", kLargest});
+    CsvFile table(file, {"table of discharges", "but it is a CSV file of masses", kLargest});
+    if (table.next()) return table;
+  } catch (const SceneError&) {
+    throw;
   } catch (const std::runtime_error& reason) {
     throw SceneError(file.string() + ": " + reason.what());
   }
-  if (text.starts_with(kMark)) text.erase(0, kMark.size());
-  refuse_wrong_encoding(text, file);
-  std::vector<Line> lines;
-  std::istringstream stream(text);
-  int number = 0;
-  for (std::string line; std::getline(stream, line);) {
-    ++number;
-    const std::string content = trimmed_cell(line);
-    if (content.empty() || content.front() == '#') continue;
-    lines.push_back({file.string() + ":" + std::to_string(number), line});
-  }
-  if (lines.empty())
-    throw SceneError(file.string() +
-                     ": found no lines; give a heading such as \"speed m/s,mass g\" and a "
-                     "line for each measurement");
-  return lines;
+  throw SceneError(file.string() +
+                   ": found no lines; give a heading such as \"speed m/s,mass g\" and a line for each "
+                   "measurement");
 }
 
 std::string allowed_columns() {
@@ -91,13 +64,10 @@ std::string allowed_columns() {
 Column column_of(std::string heading, const std::string& place) {
   constexpr std::string_view kProbesRate = "mass rate";  // as a flow probe calls it
   if (heading.starts_with(kProbesRate)) heading.replace(0, kProbesRate.size(), "rate");
-  const std::size_t end = heading.find_first_of(" \t[(");
-  const std::string name = heading.substr(0, end);
-  std::string unit = end == std::string::npos ? "" : heading.substr(end);
-  std::erase_if(unit, [](char c) { return c == '[' || c == ']' || c == '(' || c == ')'; });
-  unit = trimmed_cell(unit);
-  const auto found = std::find_if(kQuantities.begin(), kQuantities.end(),
-                                  [&](const auto& quantity) { return name == quantity.name; });
+  const auto [name, unit] = csv_heading(heading);
+  const auto found =
+      std::find_if(kQuantities.begin(), kQuantities.end(),
+                   [&, &called = name](const auto& quantity) { return called == quantity.name; });
   if (found == kQuantities.end()) {
     std::vector<std::string> known;
     for (const auto& quantity : kQuantities) known.emplace_back(quantity.name);
@@ -119,15 +89,15 @@ Column column_of(std::string heading, const std::string& place) {
   return {&*found, unit};
 }
 
-std::vector<Column> columns_of(const Line& heading) {
+std::vector<Column> columns_of(const CsvFile& file) {
   std::vector<Column> columns;
-  for (const auto& cell : cells_of(heading.text)) {
-    columns.push_back(column_of(cell, heading.place));
-    for (std::size_t k = 0; k + 1 < columns.size(); ++k)
-      if (columns[k].quantity == columns.back().quantity)
-        throw SceneError(heading.place + ": found column " + columns[k].quantity->name +
-                         " twice; remove one of them");
+  std::vector<std::string> names;
+  for (std::size_t k = 0; k < file.cells().size(); ++k) {
+    columns.push_back(column_of(file.cells()[k], file.place(k)));
+    const std::string name = columns.back().quantity->name;
+    names.push_back(name == "width" || name == "diameter" ? "width or diameter" : name);
   }
+  file.refuse_twice(names);
   return columns;
 }
 
@@ -136,9 +106,10 @@ bool has(const std::vector<Column>& columns, const std::string& name) {
                      [&](const Column& column) { return name == column.quantity->name; });
 }
 
-double value_of(const std::string& cell, const Column& column, const std::string& place) {
-  const std::string where = place + ": column " + column.quantity->name + ": found ";
-  if (cell.empty()) throw SceneError(where + "nothing; give a number or remove the line");
+double value_of(const CsvFile& file, std::size_t k, const Column& column) {
+  const std::string& cell = file.cells()[k];
+  file.number(k, column.quantity->name);
+  const std::string where = file.place(k) + ": column " + column.quantity->name + ": found ";
   double value = 0;
   try {
     value = parse_quantity(cell + ' ' + column.unit, column.quantity->dimension);
@@ -162,6 +133,10 @@ void set(const std::string& name, double value, bool rates, DischargePoint& poin
   if (name == "density") density = value;
 }
 
+bool is_of_rates(DischargeLaw law) {
+  return law == DischargeLaw::beverloo_round || law == DischargeLaw::beverloo_slit;
+}
+
 /// What a law needs, and how the command line gives it; an empty option: only as a column.
 struct Need {
   std::string column, option;
@@ -170,7 +145,7 @@ struct Need {
 
 void refuse_missing(const std::vector<Column>& columns, const std::string& place, DischargeLaw law,
                     const CommonToAll& common) {
-  const bool rates = law == DischargeLaw::beverloo_round || law == DischargeLaw::beverloo_slit;
+  const bool rates = is_of_rates(law);
   const bool shoe = law == DischargeLaw::moving_shoe || law == DischargeLaw::power_law;
   const std::string width = law == DischargeLaw::beverloo_round ? "diameter" : "width";
   std::vector<Need> needs = {{rates ? "rate" : "mass", "", false},
@@ -186,8 +161,30 @@ void refuse_missing(const std::vector<Column>& columns, const std::string& place
                        (need.option.empty() ? "" : ", or give " + need.option));
 }
 
+/// The measurement of the line, and its density where it has one.
+DischargePoint point_of(const CsvFile& file, const std::vector<Column>& columns, DischargeLaw law,
+                        const CommonToAll& common, double& density) {
+  DischargePoint point;
+  point.width = common.width.value_or(0);
+  point.length = common.length.value_or(0);
+  point.shoe_length = common.shoe_length.value_or(0);
+  for (std::size_t k = 0; k < columns.size(); ++k)
+    set(columns[k].quantity->name, value_of(file, k, columns[k]), is_of_rates(law), point, density);
+  if (point.value == 0 && point.error == 0 && law != DischargeLaw::transient)
+    throw SceneError(
+        file.place() + ": found " + (is_of_rates(law) ? "a rate" : "a mass") +
+        " of 0, allowed: above 0, as the errors of this law count relative to the values; remove the "
+        "line, or give a column of errors");
+  return point;
+}
+
 /// Takes time and mass as those since `opened`.
-void count_from(double opened, DischargeData& data) {
+void count_from(double opened, const std::filesystem::path& file, DischargeData& data) {
+  const bool none = std::none_of(data.points.begin(), data.points.end(),
+                                 [&](const auto& point) { return point.time >= opened; });
+  if (none)
+    throw SceneError("--opened: found " + number_text(opened) + " s, but " + file.string() +
+                     " has no time from then on; check the time and its unit");
   double before = 0;
   for (const auto& point : data.points)
     if (point.time <= opened) before = std::max(before, point.value);
@@ -201,41 +198,31 @@ void count_from(double opened, DischargeData& data) {
 }  // namespace
 
 DischargeLaw law_for_table(const std::filesystem::path& file) {
-  const Line heading = lines_of(file).front();
+  const CsvFile heading = opened(file);
   const auto columns = columns_of(heading);
   if (has(columns, "mass") && has(columns, "speed")) return DischargeLaw::moving_shoe;
   if (has(columns, "mass") && has(columns, "time")) return DischargeLaw::transient;
   if (has(columns, "rate") && has(columns, "diameter")) return DischargeLaw::beverloo_round;
   if (has(columns, "rate") && has(columns, "width")) return DischargeLaw::beverloo_slit;
-  throw SceneError(heading.place +
+  throw SceneError(heading.place() +
                    ": no law fits these columns; give mass and speed, mass and time, or rate "
                    "and diameter or width");
 }
 
-DischargeData read_discharge_table(const std::filesystem::path& file, DischargeLaw law,
+DischargeData read_discharge_table(const std::filesystem::path& path, DischargeLaw law,
                                    const CommonToAll& common) {
-  const auto lines = lines_of(file);
-  const auto columns = columns_of(lines.front());
-  refuse_missing(columns, lines.front().place, law, common);
-  if (lines.size() - 1 > kMostPoints)
-    throw SceneError(file.string() + ": found " + std::to_string(lines.size() - 1) +
-                     " lines, allowed: " + std::to_string(kMostPoints) + "; leave out some");
-  const bool rates = law == DischargeLaw::beverloo_round || law == DischargeLaw::beverloo_slit;
+  CsvFile file = opened(path);
+  const auto columns = columns_of(file);
+  refuse_missing(columns, file.place(), law, common);
   DischargeData data;
   data.density = common.density.value_or(0);
   data.grain_diameter = common.grain_diameter.value_or(0);
-  for (std::size_t n = 1; n < lines.size(); ++n) {
-    const auto cells = cells_of(lines[n].text);
-    if (cells.size() != columns.size())
-      throw SceneError(lines[n].place + ": found " + std::to_string(cells.size()) + " values, expected " +
-                       std::to_string(columns.size()) + ", one per column");
-    DischargePoint point;
-    point.width = common.width.value_or(0);
-    point.length = common.length.value_or(0);
-    point.shoe_length = common.shoe_length.value_or(0);
+  while (file.next()) {
     double density = data.density;
-    for (std::size_t k = 0; k < columns.size(); ++k)
-      set(columns[k].quantity->name, value_of(cells[k], columns[k], lines[n].place), rates, point, density);
+    DischargePoint point = point_of(file, columns, law, common, density);
+    if (data.points.size() == kMostPoints)
+      throw SceneError(file.place() + ": found more than " + std::to_string(kMostPoints) +
+                       " measurements; leave out some");
     // Laws are linear in the density, so that one of a point is as good as a mass at the density of the
     // first.
     if (data.density == 0) data.density = density;
@@ -243,7 +230,7 @@ DischargeData read_discharge_table(const std::filesystem::path& file, DischargeL
     point.error *= data.density / density;
     data.points.push_back(point);
   }
-  if (common.opened) count_from(*common.opened, data);
+  if (common.opened) count_from(*common.opened, path, data);
   return data;
 }
 

@@ -13,10 +13,12 @@
 namespace diefill::process {
 namespace {
 
-std::string place(const std::filesystem::path& file, const toml::source_position& position) {
+/// "file:line:column"; "--set, change 2" of what comes from elsewhere (parse_changes).
+std::string place(const std::filesystem::path& file, const toml::source_region& region) {
   // A value made up by the parser has no position; it belongs to the top of the file.
-  const auto line = std::max<toml::source_index>(position.line, 1),
-             column = std::max<toml::source_index>(position.column, 1);
+  const auto line = std::max<toml::source_index>(region.begin.line, 1),
+             column = std::max<toml::source_index>(region.begin.column, 1);
+  if (region.path && !region.path->empty()) return *region.path + ", change " + std::to_string(line);
   return file.string() + ':' + std::to_string(line) + ':' + std::to_string(column);
 }
 
@@ -84,12 +86,12 @@ bool TableReader::has(const std::string& key) {
 
 std::string TableReader::where(const std::string& key) const {
   const toml::node* node = table_->get(key);
-  return place(file_, (node != nullptr ? node : table_)->source().begin) + ": " + full_key(key);
+  return place(file_, (node != nullptr ? node : table_)->source()) + ": " + full_key(key);
 }
 
 void TableReader::reject_node(const toml::node& node, const std::string& key,
                               const std::string& allowed) const {
-  throw SceneError(place(file_, node.source().begin) + ": " + full_key(key) + ": found " + shown_value(node) +
+  throw SceneError(place(file_, node.source()) + ": " + full_key(key) + ": found " + shown_value(node) +
                    ", " + allowed);
 }
 
@@ -331,7 +333,7 @@ void TableReader::finish() const {
   for (const auto& [name, value] : *table_) {
     const std::string key(name.str());
     if (std::find(known_.begin(), known_.end(), key) != known_.end()) continue;
-    const std::string at = place(file_, name.source().begin) + ": " + full_key(key);
+    const std::string at = place(file_, name.source()) + ": " + full_key(key);
     const auto meant = nearest_key(key, known_);
     std::string remedy;
     if (meant) {

@@ -11,7 +11,9 @@ namespace {
 
 using namespace std::literals;
 
-constexpr const char* kSaveAs = "; save the scene as UTF-8 text";
+std::string remedy(TextKind kind) {
+  return std::string("; save the ") + (kind == TextKind::csv ? "table" : "scene") + " as UTF-8 text";
+}
 
 /// The encoding that the first bytes show, such as "UTF-16"; empty where they show none. Scenes begin with
 /// letters, so that without a mark the zeros tell.
@@ -35,9 +37,9 @@ std::string byte_text(char letter) {
 
 }  // namespace
 
-void refuse_wrong_encoding(const std::string& text, const std::filesystem::path& file) {
+void refuse_wrong_encoding(const std::string& text, const std::filesystem::path& file, TextKind kind) {
   if (const std::string wide = wide_encoding(text); !wide.empty())
-    throw SceneError(file.string() + ":1: found " + wide + " text, expected UTF-8" + kSaveAs);
+    throw SceneError(file.string() + ":1: found " + wide + " text, expected UTF-8" + remedy(kind));
   std::size_t line = 1, begin = 0;
   for (std::size_t k = 0; k < text.size();) {
     const auto place = [&] {
@@ -45,12 +47,14 @@ void refuse_wrong_encoding(const std::string& text, const std::filesystem::path&
     };
     const auto character = utf8_character(std::string_view(text).substr(k));
     if (!character)
-      throw SceneError(place() + ": found the byte " + byte_text(text[k]) + ", which is not UTF-8" + kSaveAs);
+      throw SceneError(place() + ": found the byte " + byte_text(text[k]) + ", which is not UTF-8" +
+                       remedy(kind));
     const auto code = character->code;
     const bool control = (code < 0x20 && code != '\n' && code != '\r' && code != '\t') || code == 0x7F;
     if (control)
       throw SceneError(place() + ": found the byte " + std::to_string(code) +
-                       ", which does not occur in a text file; give a TOML scene saved as UTF-8");
+                       ", which does not occur in a text file; give a " +
+                       (kind == TextKind::csv ? "CSV table" : "TOML scene") + " saved as UTF-8");
     k += character->length;
     if (code == '\n') {
       ++line;

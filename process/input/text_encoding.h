@@ -6,8 +6,12 @@
 
 namespace diefill::process {
 
+/// What a text is to be, for messages.
+enum class TextKind { scene, csv };
+
 /// Throws SceneError, naming `file` and the line, for UTF-16, UTF-32, bytes that are not UTF-8 and control
 /// characters other than tab and line ends.
-void refuse_wrong_encoding(const std::string& text, const std::filesystem::path& file);
+void refuse_wrong_encoding(const std::string& text, const std::filesystem::path& file,
+                           TextKind kind = TextKind::scene);
 
 }  // namespace diefill::process

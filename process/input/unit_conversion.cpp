@@ -45,6 +45,15 @@ double unit_factor(std::string_view from, std::string_view to) {
   return cv_convert_double(converter.get(), 1) * hundredths;
 }
 
+bool has_same_dimension(std::string_view one, std::string_view other) {
+  try {
+    unit_factor(one, other);
+    return true;
+  } catch (const UnitError&) {
+    return false;
+  }
+}
+
 NumberWithUnit number_with_unit(std::string_view text) {
   const std::string typed = as_typed(text);
   std::string_view rest = results::trimmed(typed);

@@ -12,6 +12,9 @@ namespace diefill::process {
 /// that is unknown, or of another dimension.
 double unit_factor(std::string_view from, std::string_view to);
 
+/// Whether unit_factor() knows both units and takes one into the other.
+bool has_same_dimension(std::string_view one, std::string_view other);
+
 /// A number and the unit behind it, "1" where there is none.
 struct NumberWithUnit {
   double number = 0;

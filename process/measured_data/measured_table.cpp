@@ -1,27 +1,22 @@
 #include "process/measured_data/measured_table.h"
 
-#include <charconv>
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <optional>
 #include <set>
-#include <sstream>
 
-#include "process/input/csv_cells.h"
+#include "process/input/csv_file.h"
 #include "process/input/scene_error.h"
 #include "process/input/shown_value.h"
-#include "process/input/text_file.h"
 #include "process/input/unit_conversion.h"
+#include "process/measured_data/known_fields.h"
 
 namespace diefill::process {
 namespace {
 
 constexpr std::size_t kLargest = 16U << 20U;  // bytes of a CSV
-
-std::vector<std::string> cells_of(const std::string& line) {
-  const char separator = line.find(';') != std::string::npos ? ';' : ',';
-  return csv_cells(line, separator);
-}
 
 /// "mass [g]" as name and unit.
 MeasuredColumn column_of(const std::string& cell, const std::string& where) {
@@ -30,8 +25,10 @@ MeasuredColumn column_of(const std::string& cell, const std::string& where) {
     throw SceneError(
         where + ": column \"" + one_line(cell) +
         "\" has no unit; write one behind the name, as in \"mass [g]\", or \"[1]\" for plain numbers");
-  MeasuredColumn column{
-      trimmed_cell(cell.substr(0, open)), trimmed_cell(cell.substr(open + 1, cell.size() - open - 2)), {}};
+  MeasuredColumn column{trimmed_cell(cell.substr(0, open)),
+                        trimmed_cell(cell.substr(open + 1, cell.size() - open - 2)),
+                        {},
+                        where};
   try {
     unit_factor(column.unit, column.unit);
   } catch (const UnitError& error) {
@@ -40,41 +37,42 @@ MeasuredColumn column_of(const std::string& cell, const std::string& where) {
   return column;
 }
 
-double number_in(const std::string& cell, const std::string& where) {
-  double value = 0;
-  const char* const end = cell.data() + cell.size();
-  const auto read = std::from_chars(cell.data(), end, value);
-  if (read.ec != std::errc() || read.ptr != end || !std::isfinite(value))
-    throw SceneError(where + ": found \"" + one_line(cell) + "\", expected a number with a decimal point");
-  return value;
-}
-
 /// Into the unit of the values.
-void convert(MeasuredColumn& deviation, const MeasuredColumn& value, const std::string& where) {
+void convert(MeasuredColumn& deviation, const MeasuredColumn& value) {
   try {
     const double factor = unit_factor(deviation.unit, value.unit);
     for (double& number : deviation.values) number *= factor;
     deviation.unit = value.unit;
   } catch (const UnitError& error) {
-    throw SceneError(where + ": deviation in \"" + deviation.unit + "\", value in \"" + value.unit +
+    throw SceneError(deviation.where + ": deviation in \"" + deviation.unit + "\", value in \"" + value.unit +
                      "\": " + error.what() + "; give both with their unit");
   }
 }
 
-MeasuredTable table_of(std::vector<MeasuredColumn> columns) {
-  MeasuredTable table;
-  table.deviation = std::move(columns.back());
-  columns.pop_back();
-  table.value = std::move(columns.back());
-  columns.pop_back();
-  table.places = std::move(columns);
-  return table;
+/// Whatever is wrong with points and deviations.
+void check(const MeasuredTable& table) {
+  std::set<std::vector<double>> seen;
+  for (std::size_t k = 0; k < table.size(); ++k) {
+    if (!(table.deviation.values[k] > 0))
+      throw SceneError(table.where_of(k) + ": the standard deviation is " +
+                       number_text(table.deviation.values[k]) +
+                       ", allowed: more than 0; give what repeated measurements scatter by");
+    std::vector<double> place;
+    for (const MeasuredColumn& column : table.places) place.push_back(column.values[k]);
+    if (!place.empty() && !seen.insert(place).second)
+      throw SceneError(table.where_of(k) +
+                       ": this place is given twice; give each place once, with the mean of its values");
+    if (place.size() == 1 && k > 0 && place[0] < table.places[0].values[k - 1])
+      throw SceneError(table.where_of(k) + ": " + number_text(place[0]) + " follows " +
+                       number_text(table.places[0].values[k - 1]) + "; sort the points in rising order");
+  }
 }
 
 /// One list of numbers with units, all turned into the unit of the first.
 MeasuredColumn column_from(TableReader& measurement, const std::string& key, const std::string& example) {
   MeasuredColumn column;
   column.name = key;
+  column.where = measurement.where(key);
   for (const std::string& text : measurement.texts(key, example)) {
     try {
       const NumberWithUnit read = number_with_unit(text);
@@ -93,7 +91,7 @@ MeasuredTable read_inline(TableReader& measurement, std::size_t places) {
   const bool single = places == 0;
   if (places == 2) measurement.require("file", "\"map.csv\"");
   MeasuredTable table;
-  if (!single) table.places.push_back(column_from(measurement, "at", "[\"0.1 m/s\", \"0.2 m/s\"]"));
+  if (!single) table.places.push_back(column_from(measurement, kUnnamedPlaces, "[\"0.1 m/s\", \"0.2 m/s\"]"));
   table.value = single ? column_from(measurement, "value", "\"12.1 g\"")
                        : column_from(measurement, "values", "[\"12.1 g\", \"8.3 g\"]");
   const std::string key = single ? "deviation" : "deviations";
@@ -105,120 +103,201 @@ MeasuredTable read_inline(TableReader& measurement, std::size_t places) {
       measurement.reject(name, "allowed: as many entries as \"" + std::string(single ? "value" : "values") +
                                    "\" has (" + std::to_string(wanted) + ")");
   };
-  if (!single) count("at", table.places[0], table.size());
+  if (!single) count(kUnnamedPlaces, table.places[0], table.size());
   if (single) count("value", table.value, 1);
   count(key, table.deviation, table.size());
-  convert(table.deviation, table.value, measurement.where(key));
-  check_measured(table, measurement.where(single ? "value" : "values"), {});
+  convert(table.deviation, table.value);
+  table.where = table.value.where;
+  check(table);
   return table;
 }
 
 /// A CSV of numbers.
 struct Columns {
   std::vector<MeasuredColumn> columns;
+  std::string where;
   std::vector<int> lines;  ///< of each row
 };
 
-/// `expected` says what a number of columns should be instead; empty: it is right.
-Columns columns_in(const std::filesystem::path& file,
-                   const std::function<std::string(std::size_t)>& expected) {
-  std::string text;
+CsvFile opened(const std::filesystem::path& file) {
   try {
-    text = load_text_file(file, {"table of measurements", "but measurements are a CSV file", kLargest});
+    return {file, {"table of measurements", "but measurements are a CSV file", kLargest}};
+  } catch (const SceneError&) {
+    throw;
   } catch (const std::runtime_error& reason) {
     throw SceneError(file.string() + ": " + reason.what());
   }
-  std::istringstream lines(text);
+}
+
+/// `expected` says what a number of columns should be instead; empty: it is right.
+Columns columns_in(const std::filesystem::path& path,
+                   const std::function<std::string(std::size_t)>& expected) {
+  CsvFile file = opened(path);
   Columns read;
-  int number = 0;
-  for (std::string line; std::getline(lines, line);) {
-    ++number;
-    if (trimmed_cell(line).empty() || trimmed_cell(line).front() == '#') continue;
-    const std::string where = file.string() + ':' + std::to_string(number);
-    const auto cells = cells_of(line);
-    const bool header = read.columns.empty();
-    const std::string instead = header ? expected(cells.size())
-                                : cells.size() == read.columns.size()
-                                    ? ""
-                                    : std::to_string(read.columns.size()) + ", as the header has";
-    if (!instead.empty())
-      throw SceneError(where + ": found " + std::to_string(cells.size()) + " columns, expected " + instead);
-    if (header) {
-      for (const auto& cell : cells) read.columns.push_back(column_of(cell, where));
-      continue;
+  read.where = path.string();
+  if (file.next()) {
+    std::vector<std::string> names;
+    const std::size_t count = file.cells().size();
+    if (const std::string instead = expected(count); !instead.empty())
+      throw SceneError(file.place() + ": found " + std::to_string(count) + " columns, expected " + instead);
+    for (std::size_t k = 0; k < count; ++k) {
+      read.columns.push_back(column_of(file.cells()[k], file.place(k)));
+      names.push_back(read.columns.back().name);
     }
-    for (std::size_t k = 0; k < cells.size(); ++k)
-      read.columns[k].values.push_back(number_in(cells[k], where));
-    read.lines.push_back(number);
+    file.refuse_twice(names);
   }
-  if (read.lines.empty()) throw SceneError(file.string() + ": found no measured values");
+  while (file.next()) {
+    for (std::size_t k = 0; k < read.columns.size(); ++k) read.columns[k].values.push_back(file.number(k));
+    read.lines.push_back(file.line());
+  }
+  if (read.lines.empty()) throw SceneError(path.string() + ": found no measured values");
   return read;
 }
 
-MeasuredTable checked(MeasuredTable table, const std::filesystem::path& file, const std::vector<int>& lines) {
-  convert(table.deviation, table.value, file.string());
-  check_measured(table, file.string(), lines);
+bool is_deviation(const MeasuredColumn& column) {
+  return column.name.find("deviation") != std::string::npos;
+}
+
+/// The column of deviations, taken out; nothing where none is called so.
+std::optional<MeasuredColumn> taken_deviation(std::vector<MeasuredColumn>& columns) {
+  const auto found = std::find_if(columns.begin(), columns.end(), is_deviation);
+  if (found == columns.end()) return std::nullopt;
+  MeasuredColumn deviation = std::move(*found);
+  columns.erase(found);
+  const auto second = std::find_if(columns.begin(), columns.end(), is_deviation);
+  if (second != columns.end())
+    throw SceneError(second->where + ": found a second column of deviations, \"" + one_line(second->name) +
+                     "\"; remove one of them");
+  return deviation;
+}
+
+/// Place in place_names(); its size for other columns.
+std::size_t rank_of(const MeasuredColumn& column) {
+  const auto& names = place_names();
+  return static_cast<std::size_t>(
+      std::find_if(names.begin(), names.end(),
+                   [&](const std::string& name) { return same_name(name, column.name); }) -
+      names.begin());
+}
+
+/// Of columns that are no places: the one of values.
+MeasuredColumn value_among(std::vector<MeasuredColumn> others, const std::string& where) {
+  if (others.size() == 1) return std::move(others.front());
+  if (others.empty()) throw SceneError(where + ": found no column of values, such as \"fill level [mm]\"");
+  for (const MeasuredColumn& column : others)
+    if (!possible_values(column.name))
+      throw SceneError(column.where + ": column of places: " + not_among(column.name, place_names()));
+  throw SceneError(others[1].where + ": found a second column of values, \"" + one_line(others[1].name) +
+                   "\"; give each in a file of its own");
+}
+
+/// Columns by what they are called.
+MeasuredTable by_names(Columns read) {
+  MeasuredTable table;
+  table.where = read.where;
+  table.lines = std::move(read.lines);
+  const auto deviation = taken_deviation(read.columns);
+  std::vector<MeasuredColumn> others;
+  for (MeasuredColumn& column : read.columns)
+    (rank_of(column) < place_names().size() ? table.places : others).push_back(std::move(column));
+  table.value = value_among(std::move(others), read.where);
+  if (table.places.empty() || table.places.size() > 2)
+    throw SceneError(table.value.where + ": found " + std::to_string(table.places.size()) +
+                     " columns of places beside \"" + one_line(table.value.name) +
+                     "\", expected one or two, such as \"azimuth [deg]\"");
+  for (MeasuredColumn& place : table.places) place.name = place_names()[rank_of(place)];
+  std::sort(table.places.begin(), table.places.end(),
+            [](const auto& one, const auto& other) { return rank_of(one) < rank_of(other); });
+  table.deviation = deviation.value_or(table.value);
+  if (!deviation) table.deviation.values.assign(table.size(), 1);
+  convert(table.deviation, table.value);
+  check(table);
+  if (!deviation) table.deviation.values.assign(table.size(), std::numeric_limits<double>::quiet_NaN());
   return table;
 }
 
-}  // namespace
-
-void check_measured(const MeasuredTable& table, const std::string& where, const std::vector<int>& line) {
-  const auto at = [&](std::size_t k) {
-    return line.empty() ? where + ": point " + std::to_string(k + 1) : where + ':' + std::to_string(line[k]);
-  };
-  std::set<std::vector<double>> seen;
-  for (std::size_t k = 0; k < table.size(); ++k) {
-    if (!(table.deviation.values[k] > 0))
-      throw SceneError(at(k) + ": the standard deviation is " + number_text(table.deviation.values[k]) +
-                       ", allowed: more than 0; give what repeated measurements scatter by");
-    std::vector<double> place;
-    for (const MeasuredColumn& column : table.places) place.push_back(column.values[k]);
-    if (!place.empty() && !seen.insert(place).second)
-      throw SceneError(at(k) +
-                       ": this place is given twice; give each place once, with the mean of its values");
-    if (place.size() == 1 && k > 0 && place[0] < table.places[0].values[k - 1])
-      throw SceneError(at(k) + ": " + number_text(place[0]) + " follows " +
-                       number_text(table.places[0].values[k - 1]) + "; sort the points in rising order");
-  }
-}
-
-MeasuredTable read_measured_csv(const std::filesystem::path& file, std::size_t places) {
-  const std::string wanted = std::to_string(places + 2) + " (" + (places > 0 ? "places, " : "") +
-                             "value, standard deviation), separated by commas";
-  Columns columns = columns_in(file, [&](std::size_t count) { return count == places + 2 ? "" : wanted; });
-  return checked(table_of(std::move(columns.columns)), file, columns.lines);
-}
-
-MeasuredTable read_measured_field(const std::filesystem::path& file) {
-  Columns columns = columns_in(file, [](std::size_t count) {
+/// A profile or map by the names of its columns, whatever its values are. With two columns more than
+/// `places`, the last one holds deviations where none is called so.
+MeasuredTable field_in(const std::filesystem::path& file, std::optional<std::size_t> places = {}) {
+  Columns read = columns_in(file, [](std::size_t count) {
     return count >= 2 && count <= 4
                ? ""
                : "2 to 4: one or two places, the value, and its standard deviation where "
                  "it is known, separated by commas";
   });
-  const bool with_deviation = columns.columns.back().name.find("deviation") != std::string::npos;
-  if (columns.columns.size() == 4 && !with_deviation)
-    throw SceneError(file.string() + ": found 4 columns, the last of them \"" + columns.columns.back().name +
-                     "\", expected \"deviation\"");
-  if (columns.columns.size() == 2 && with_deviation)
-    throw SceneError(file.string() +
-                     ": found a value with its deviation, expected a place in the first column");
-  if (with_deviation) return checked(table_of(std::move(columns.columns)), file, columns.lines);
-  MeasuredColumn unknown = columns.columns.back();
-  unknown.values.assign(unknown.values.size(), 1);
-  columns.columns.push_back(std::move(unknown));
-  MeasuredTable table = checked(table_of(std::move(columns.columns)), file, columns.lines);
-  table.deviation.values.assign(table.size(), std::numeric_limits<double>::quiet_NaN());
+  const bool named = std::any_of(read.columns.begin(), read.columns.end(), is_deviation);
+  if (places && !named && read.columns.size() == *places + 2) read.columns.back().name = "deviation";
+  return by_names(std::move(read));
+}
+
+void refuse_values_beside_file(TableReader& measurement) {
+  for (const char* key : {"value", "deviation", kUnnamedPlaces, "values", "deviations"})
+    if (measurement.has(key)) measurement.reject(key, "\"file\" has the values; remove one of the two");
+}
+
+}  // namespace
+
+std::string MeasuredTable::where_of(std::size_t point) const {
+  return lines.empty() ? where + ": point " + std::to_string(point + 1)
+                       : where + ':' + std::to_string(lines[point]);
+}
+
+MeasuredTable read_measured_csv(const std::filesystem::path& file, std::size_t places) {
+  const std::string wanted = std::to_string(places + 2) + " (" + (places > 0 ? "places, " : "") +
+                             "value, standard deviation), separated by commas";
+  Columns read = columns_in(file, [&](std::size_t count) { return count == places + 2 ? "" : wanted; });
+  MeasuredTable table;
+  table.where = read.where;
+  table.lines = std::move(read.lines);
+  if (auto deviation = taken_deviation(read.columns)) {
+    table.deviation = std::move(*deviation);
+  } else {
+    table.deviation = std::move(read.columns.back());
+    read.columns.pop_back();
+  }
+  table.value = std::move(read.columns.back());
+  read.columns.pop_back();
+  table.places = std::move(read.columns);
+  convert(table.deviation, table.value);
+  check(table);
+  return table;
+}
+
+MeasuredTable read_measured_field(const std::filesystem::path& file) {
+  MeasuredTable table = field_in(file);
+  const std::string& quantity = table.value.name;
+  const bool profile = table.places.size() == 1;
+  if (const auto possible = possible_values(quantity)) {
+    refuse_impossible(table, *possible);
+    refuse_other_places(table, profile ? places_of_profile(quantity) : places_of_map(quantity));
+  } else if (!profile) {
+    refuse_other_places(table, places_of_map(quantity));
+    if (has_same_dimension(table.value.unit, "1")) refuse_impossible(table, possible_in_sections());
+  }
   return table;
 }
 
 MeasuredTable read_measured(TableReader& measurement, std::size_t places) {
   const auto name = measurement.text("file");
   if (!name) return read_inline(measurement, places);
-  for (const char* key : {"value", "deviation", "at", "values", "deviations"})
-    if (measurement.has(key)) measurement.reject(key, "\"file\" has the values; remove one of the two");
+  refuse_values_beside_file(measurement);
   return read_measured_csv(measurement.file().parent_path() / *name, places);
+}
+
+MeasuredTable read_measured_field(TableReader& measurement, std::size_t places) {
+  const auto name = measurement.text("file");
+  if (!name) return read_inline(measurement, places);
+  refuse_values_beside_file(measurement);
+  MeasuredTable table = field_in(measurement.file().parent_path() / *name, places);
+  if (table.places.size() != places)
+    throw SceneError(table.where + ": found " + std::to_string(table.places.size()) +
+                     " columns of places, expected " + std::to_string(places));
+  if (std::isnan(table.deviation.values.front()))
+    throw SceneError(table.where +
+                     ": found no column of standard deviations; a calibration weighs values by "
+                     "them: add one, such as \"deviation [" +
+                     table.value.unit + "]\"");
+  return table;
 }
 
 }  // namespace diefill::process

@@ -14,6 +14,7 @@ namespace diefill::process {
 struct MeasuredColumn {
   std::string name, unit;
   std::vector<double> values;
+  std::string where;  ///< its heading, "file:line:column", or its key; begins messages
 };
 
 /// Columns of places (none for a single figure, one for a curve, two for a map), then values and deviations;
@@ -21,26 +22,35 @@ struct MeasuredColumn {
 struct MeasuredTable {
   std::vector<MeasuredColumn> places;
   MeasuredColumn value, deviation;
+  std::string where;       ///< its file, or its key; begins messages
+  std::vector<int> lines;  ///< of the points in the file; empty: they stand under a key
 
   std::size_t size() const { return value.values.size(); }
+  /// "file:line" of a point, or which point of the key it is.
+  std::string where_of(std::size_t point) const;
 };
 
+/// What a column of places is called where nothing names it: under the key `at`.
+inline constexpr const char* kUnnamedPlaces = "at";
+
 /// Reads a CSV: a header such as `velocity [m/s], mass [g], deviation [g]`, then numbers; lines that begin
-/// with # are comments. Throws SceneError, in one line with file and line, for a missing unit, a wrong number
-/// of columns, a text that is no number, and what check_measured refuses.
+/// with # are comments. A column with "deviation" in its name may stand anywhere. Throws SceneError, in one
+/// line with file, line and column, for a missing unit, two columns of one name, a wrong number of columns, a
+/// text that is no number, a deviation that is not above zero, points of a curve that are not in rising
+/// order, and places given twice.
 MeasuredTable read_measured_csv(const std::filesystem::path& file, std::size_t places);
 
-/// Reads a profile or map that says itself what it is: one or two columns of places, the value, and the
-/// standard deviation where the last column's name has "deviation" in it, such as
-/// `azimuth [deg], fill level [mm]`. Deviations that are not given are NaN. Throws as read_measured_csv().
+/// Reads a profile or map whose columns say themselves what they are, in any order: one or two places as
+/// place_names() lists them, the value, and its standard deviation where a name has "deviation" in it, such
+/// as `azimuth [deg], fill level [mm]`. Deviations that are not given are NaN. Throws as read_measured_csv(),
+/// for other columns, and for values that the quantity cannot have.
 MeasuredTable read_measured_field(const std::filesystem::path& file);
 
 /// What a [[measurement]] says: `file` (a CSV); or `value` and `deviation`; or, for a curve, the lists `at`,
 /// `values` and `deviations` (one deviation serves all values). Throws SceneError.
 MeasuredTable read_measured(TableReader& measurement, std::size_t places);
 
-/// Throws SceneError for deviations that are not above zero, points of a curve that are not in rising order,
-/// and places given twice. `where` begins each message; `line` of each point follows it where not empty.
-void check_measured(const MeasuredTable& table, const std::string& where, const std::vector<int>& line);
+/// The same of a profile (one place) or map (two); its `file` is read as a field, and must have deviations.
+MeasuredTable read_measured_field(TableReader& measurement, std::size_t places);
 
 }  // namespace diefill::process

@@ -8,6 +8,7 @@
 #include "process/input/nearest_key.h"
 #include "process/input/scene_error.h"
 #include "process/input/unit_conversion.h"
+#include "process/measured_data/known_fields.h"
 
 namespace diefill::process {
 namespace {
@@ -19,15 +20,6 @@ double factor_or_throw(const std::string& from, const std::string& to, const std
     return unit_factor(from, to);
   } catch (const UnitError& error) {
     throw SceneError(where + ": " + error.what());
-  }
-}
-
-bool can_convert(const std::string& from, const std::string& to) {
-  try {
-    unit_factor(from, to);
-    return true;
-  } catch (const UnitError&) {
-    return false;
   }
 }
 
@@ -90,29 +82,68 @@ std::vector<std::pair<std::string, const results::Field2D*>> fields_of(const res
   return fields;
 }
 
+/// Profiles of that quantity ("fill level", or "fill level over azimuth").
+std::vector<const results::Profile*> profiles_called(const results::FillResult& result,
+                                                     const std::string& quantity, const std::string& where) {
+  std::vector<std::string> known;
+  std::vector<const results::Profile*> found;
+  for (const results::Profile& profile : result.profiles) {
+    known.push_back(profile.quantity + " over " + profile.x_name);
+    if (same_name(known.back(), quantity) || same_name(profile.quantity, quantity)) found.push_back(&profile);
+  }
+  if (found.empty())
+    throw SceneError(where + ": the result has no profile \"" + quantity + "\"; it has " +
+                     listed(known, quantity));
+  return found;
+}
+
+/// The profile that runs along the places, by their name, or by their unit where they have no name.
+const results::Profile& profile_for(const results::FillResult& result, const std::string& quantity,
+                                    const MeasuredColumn& place, const std::string& where) {
+  std::vector<std::string> over;
+  const results::Profile* chosen = nullptr;
+  for (const results::Profile* profile : profiles_called(result, quantity, where)) {
+    over.push_back(profile->x_name + " [" + profile->x_unit + ']');
+    const bool meant = place.name == kUnnamedPlaces ? has_same_dimension(place.unit, profile->x_unit)
+                                                    : same_name(place.name, profile->x_name);
+    if (!meant) continue;
+    if (chosen != nullptr)
+      throw SceneError(where + ": the result has \"" + quantity + "\" over " + listed(over, "") +
+                       "; write which, such as \"" + chosen->quantity + " over " + chosen->x_name + '"');
+    chosen = profile;
+  }
+  if (chosen != nullptr) return *chosen;
+  throw SceneError(place.where + ": found places as \"" + place.name + " [" + place.unit + "]\", but the " +
+                   quantity + " of the result runs over " + listed(over, place.name));
+}
+
+/// The measured coordinate of that name.
+const MeasuredColumn& column_called(const std::string& name, const results::Field2D& field,
+                                    const MeasuredTable& data) {
+  for (const MeasuredColumn& column : data.places)
+    if (same_name(column.name, name)) return column;
+  throw SceneError(data.where + ": found places as \"" + data.places[0].name + "\" and \"" +
+                   data.places[1].name + "\", but the " + field.quantity + " of the result runs over \"" +
+                   field.first_name + " [" + field.first_unit + "]\" and \"" + field.second_name + " [" +
+                   field.second_unit + "]\"");
+}
+
+/// Of a map's or section's values.
+std::string unit_of(const results::Field2D& field) {
+  const auto possible = possible_values(field.quantity);
+  return possible ? possible->unit : "1";
+}
+
 }  // namespace
 
 std::vector<double> profile_values(const results::FillResult& result, const std::string& quantity,
                                    const MeasuredTable& data, const std::string& where) {
   const MeasuredColumn& place = data.places[0];
-  std::vector<std::string> known;
-  const results::Profile* chosen = nullptr;  // of several, the one along the measured places
-  for (const results::Profile& profile : result.profiles) {
-    known.push_back(profile.quantity + " over " + profile.x_name);
-    if (known.back() != quantity && profile.quantity != quantity) continue;
-    if (chosen == nullptr || profile.x_name == place.name) chosen = &profile;
-  }
-  if (chosen == nullptr)
-    throw SceneError(where + ": the result has no profile \"" + quantity + "\"; it has " +
-                     listed(known, quantity));
-  if (!can_convert(place.unit, chosen->x_unit))
-    throw SceneError(where + ": found places as \"" + place.name + " [" + place.unit + "]\", but the " +
-                     chosen->quantity + " of the result runs over \"" + chosen->x_name + " [" +
-                     chosen->x_unit + "]\"");
-  const double along = unit_factor(place.unit, chosen->x_unit),
-               factor = factor_or_throw(chosen->unit, data.value.unit, where);
+  const results::Profile& profile = profile_for(result, quantity, place, where);
+  const double along = factor_or_throw(place.unit, profile.x_unit, place.where),
+               factor = factor_or_throw(profile.unit, data.value.unit, data.value.where);
   std::vector<double> values;
-  for (const double x : place.values) values.push_back(factor * value_at(*chosen, along * x));
+  for (const double x : place.values) values.push_back(factor * value_at(profile, along * x));
   return values;
 }
 
@@ -121,12 +152,16 @@ std::vector<double> map_values(const results::FillResult& result, const std::str
   std::vector<std::string> known;
   for (const auto& [name, field] : fields_of(result)) {
     known.push_back(name);
-    if (name != quantity) continue;
-    const double first = factor_or_throw(data.places[0].unit, field->first_unit, where),
-                 second = factor_or_throw(data.places[1].unit, field->second_unit, where);
+    if (!same_name(name, quantity)) continue;
+    const MeasuredColumn &first = column_called(field->first_name, *field, data),
+                         &second = column_called(field->second_name, *field, data);
+    const double along_first = factor_or_throw(first.unit, field->first_unit, first.where),
+                 along_second = factor_or_throw(second.unit, field->second_unit, second.where),
+                 factor = factor_or_throw(unit_of(*field), data.value.unit, data.value.where);
     std::vector<double> values;
     for (std::size_t k = 0; k < data.size(); ++k)
-      values.push_back(value_at(*field, first * data.places[0].values[k], second * data.places[1].values[k]));
+      values.push_back(factor *
+                       value_at(*field, along_first * first.values[k], along_second * second.values[k]));
     return values;
   }
   throw SceneError(where + ": the result has no map or section \"" + quantity + "\"; it has " +

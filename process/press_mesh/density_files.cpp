@@ -55,9 +55,9 @@ std::string nodes_csv(const results::SolidMesh& mesh, const ElementDensity& dens
   return text.str();
 }
 
-std::string outside_csv(const ElementDensity& density) {
-  std::string text = "element outside the powder\n";
-  for (const std::uint64_t number : density.outside) text += std::to_string(number) + '\n';
+std::string numbers_csv(const std::string& heading, const std::vector<std::uint64_t>& numbers) {
+  std::string text = heading + '\n';
+  for (const std::uint64_t number : numbers) text += std::to_string(number) + '\n';
   return text;
 }
 
@@ -77,6 +77,9 @@ std::string cards(const results::SolidMesh& mesh, const ElementDensity& density,
   if (!density.outside.empty())
     text << "** " << density.outside.size()
          << " elements lie outside the powder; nodes of such elements alone have no value\n";
+  if (!density.above.empty())
+    text << "** WARNING: " << density.above.size()
+         << " elements come out denser than the solid (relative density above 1)\n";
   text << "*INITIAL CONDITIONS, TYPE=" << type << '\n';
   for (std::size_t n = 0; n < mesh.nodes.size(); ++n)
     if (density.node_relative[n] > 0)
@@ -116,7 +119,9 @@ std::vector<std::filesystem::path> write_density_files(const std::filesystem::pa
   write("_density_calculix.inp",
         cards(mesh, density, note, "TEMPERATURE",
               "CalculiX has no relative density: it stands as temperature, on which materials can depend"));
-  write("_density_outside.csv", outside_csv(density));
+  write("_density_outside.csv", numbers_csv("element outside the powder", density.outside));
+  if (!density.above.empty())
+    write("_density_above_solid.csv", numbers_csv("element denser than its solid", density.above));
   return written;
 }
 

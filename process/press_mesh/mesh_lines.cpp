@@ -23,6 +23,13 @@ MeshLines::MeshLines(const std::filesystem::path& file) : name_(file.string()) {
   } catch (const std::runtime_error& reason) {
     throw SceneError(name_ + ": " + reason.what());
   }
+  constexpr std::string_view kMark = "\xEF\xBB\xBF";
+  if (text_.starts_with(kMark)) place_ = kMark.size();
+  // Comments may be in any encoding of single bytes.
+  constexpr std::size_t kFirst = 4;
+  if (text_.starts_with("\xFF\xFE") || text_.starts_with("\xFE\xFF") ||
+      std::string_view(text_).substr(0, kFirst).find('\0') != std::string_view::npos)
+    throw SceneError(name_ + ":1: found UTF-16 text, expected UTF-8; save the mesh as UTF-8 text");
 }
 
 bool MeshLines::next() {
@@ -76,15 +83,19 @@ std::uint64_t whole_number(std::string_view cell, const MeshLines& lines) {
   std::uint64_t value = 0;
   const auto [end, error] = std::from_chars(cell.data(), cell.data() + cell.size(), value);
   if (error != std::errc() || end != cell.data() + cell.size() || cell.empty())
-    lines.reject_text("found \"" + std::string(cell.substr(0, kShown)) + "\", expected a whole number");
+    lines.reject_text("found \"" + std::string(cell.substr(0, kShown)) +
+                      "\", expected a whole number from 0");
   return value;
 }
 
 double decimal_number(std::string_view cell, const MeshLines& lines) {
   std::string_view digits = cell;
-  if (digits.starts_with('+')) digits.remove_prefix(1);
+  if (digits.starts_with('+') && !digits.starts_with("+-")) digits.remove_prefix(1);
   double value = 0;
   const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
+  if (error == std::errc::result_out_of_range)
+    lines.reject_text("found \"" + std::string(cell.substr(0, kShown)) +
+                      "\", a number that is too large or too small");
   if (error != std::errc() || end != digits.data() + digits.size() || digits.empty() || !std::isfinite(value))
     lines.reject_text("found \"" + std::string(cell.substr(0, kShown)) + "\", expected a number");
   return value;

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <optional>
 
 #include "process/press_mesh/mesh_builder.h"
@@ -111,12 +112,24 @@ class InpFile {
   void read_nodes(const Keyword&) {
     while (next_data()) {
       const auto cells = cells_of_line(lines_.line(), true);
-      if (cells.size() < 4) lines_.reject("a node: number, x, y, z");
-      Eigen::Vector3d place;
-      for (int axis = 0; axis < 3; ++axis)
-        place[axis] = decimal_number(cells[static_cast<std::size_t>(axis) + 1], lines_);
+      if (!is_node(cells)) lines_.reject("a node: number, x, y, z, with decimal points and commas between");
+      const Eigen::Vector3d place = vector_at(cells, 1);
       builder_.add_node(whole_number(cells[0], lines_), place);
     }
+  }
+
+  Eigen::Vector3d vector_at(const std::vector<std::string_view>& cells, std::size_t first) const {
+    return {decimal_number(cells[first], lines_), decimal_number(cells[first + 1], lines_),
+            decimal_number(cells[first + 2], lines_)};
+  }
+
+  /// A node may have a normal behind its place; other cells are those of decimal commas.
+  bool is_node(const std::vector<std::string_view>& cells) const {
+    constexpr std::size_t kPlain = 4, kWithNormal = 7;
+    if (cells.size() != kWithNormal) return cells.size() == kPlain;
+    const double length = vector_at(cells, kPlain).norm();
+    constexpr double kRounding = 0.01;
+    return length == 0 || std::abs(length - 1) < kRounding;
   }
 
   void read_elements(const Keyword& keyword) {

@@ -7,7 +7,8 @@
 namespace diefill::results {
 namespace {
 
-constexpr int kMostDigits = 5;  // of a value whose scatter is far smaller
+constexpr int kMostDigits = 5;       // of a value whose scatter is far smaller
+constexpr double kRounding = 1e-13;  // of sums, over their value
 
 int exponent_of(double value) {
   return static_cast<int>(std::floor(std::log10(value)));
@@ -40,7 +41,8 @@ std::string at_decimals(double value, int decimals) {
 std::string with_scatter(double value, double scatter, int digits) {
   if (!std::isfinite(value)) return {};
   if (!std::isfinite(scatter)) return in_significant_digits(value, digits);
-  if (!(scatter > 0)) return in_significant_digits(value, digits) + " ± 0";
+  // Sums of the same numbers differ by their rounding.
+  if (!(scatter > kRounding * std::abs(value))) return in_significant_digits(value, digits) + " ± 0";
   const int decimals = decimals_of_scatter(scatter, value);
   std::string shown = at_decimals(scatter, decimals);
   if (shown.find_first_not_of("0.") == std::string::npos) shown = in_significant_digits(scatter, 1);

@@ -6,6 +6,8 @@
 #include <limits>
 #include <stdexcept>
 
+#include "process/results/element_corners.h"
+
 namespace diefill::results {
 namespace {
 
@@ -160,6 +162,8 @@ void check_solid_mesh(const SolidMesh& mesh) {
     if (!(volume_of(mesh, element) > 1e-9 * size * size * size))
       throw std::invalid_argument("element " + std::to_string(element.number) +
                                   " has no volume; repair the mesh");
+    if (const std::string fault = fault_of_corners(mesh, element); !fault.empty())
+      throw std::invalid_argument("element " + std::to_string(element.number) + ' ' + fault);
     numbers.push_back(element.number);
   }
   refuse_twins(std::move(numbers), "element");

@@ -57,7 +57,8 @@ double volume_of(const SolidMesh& mesh, const SolidElement& element);
 /// Removes nodes that no element uses; elements keep theirs.
 void drop_unused_nodes(SolidMesh& mesh);
 
-/// Throws std::invalid_argument for a mesh without elements, an element without volume, and two nodes or two
+/// Throws std::invalid_argument for a mesh without elements, an element without volume or with nodes in
+/// another order than theirs, and two nodes or two
 /// elements of one number; the message names it.
 void check_solid_mesh(const SolidMesh& mesh);
 

@@ -6,9 +6,8 @@
 namespace diefill::process {
 
 std::vector<engine::ClumpSphere> grains_in_file(const std::filesystem::path& file) {
-  constexpr std::size_t kLargest = 1 << 28;  // bytes
   try {
-    return spheres_in_file(file, kLargest);
+    return spheres_in_file(file, kPlacedGrains).spheres;
   } catch (const SceneError&) {
     throw;
   } catch (const std::runtime_error& error) {

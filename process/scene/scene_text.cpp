@@ -48,6 +48,22 @@ std::string shortened(const std::string& line) {
   return part[1].str() + text + (whole ? ".0" : "");
 }
 
+/// `called` stands in the places of all values; empty: they are of the file.
+toml::table parsed(const std::string& text, const std::filesystem::path& file, const std::string& called) {
+  refuse_wrong_encoding(text, file);
+  refuse_deep_nesting(text, file);
+  try {
+    return toml::parse(text, called);
+  } catch (const toml::parse_error& error) {
+    const auto& at = error.source().begin;
+    const std::string line = line_of(text, at.line);
+    const std::string reason = one_line(error.description(), 200);
+    throw SceneError(file.string() + ':' + std::to_string(at.line) + ':' + std::to_string(at.column) +
+                     ": found `" + one_line(line) + "`, which is not valid TOML: " + reason +
+                     syntax_remedy(line, reason));
+  }
+}
+
 }  // namespace
 
 std::string load_scene_text(const std::filesystem::path& file) {
@@ -65,18 +81,11 @@ std::string load_scene_text(const std::filesystem::path& file) {
 }
 
 toml::table parse_scene_text(const std::string& text, const std::filesystem::path& file) {
-  refuse_wrong_encoding(text, file);
-  refuse_deep_nesting(text, file);
-  try {
-    return toml::parse(text);
-  } catch (const toml::parse_error& error) {
-    const auto& at = error.source().begin;
-    const std::string line = line_of(text, at.line);
-    const std::string reason = one_line(error.description(), 200);
-    throw SceneError(file.string() + ':' + std::to_string(at.line) + ':' + std::to_string(at.column) +
-                     ": found `" + one_line(line) + "`, which is not valid TOML: " + reason +
-                     syntax_remedy(line, reason));
-  }
+  return parsed(text, file, {});
+}
+
+toml::table parse_changes(const std::string& text, const std::string& called) {
+  return parsed(text, called, called);
 }
 
 std::string scene_text_of(const toml::table& document) {

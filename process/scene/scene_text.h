@@ -16,6 +16,10 @@ std::string load_scene_text(const std::filesystem::path& file);
 /// line and, for common mistakes, the remedy.
 toml::table parse_scene_text(const std::string& text, const std::filesystem::path& file);
 
+/// The same of changes to a scene, a key a line: messages about them, also later ones about values, name
+/// `called` (such as "--set") and which change it is.
+toml::table parse_changes(const std::string& text, const std::string& called);
+
 /// The document as the text of a scene file, numbers with as few digits as give them back.
 std::string scene_text_of(const toml::table& document);
 

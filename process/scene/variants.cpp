@@ -90,10 +90,11 @@ void merge(toml::table& into, toml::table& changes, const std::filesystem::path&
     const std::string word(key.str());
     toml::node* old = into.get(word);
     toml::table* change = node.as_table();
+    const std::string below = path.empty() ? word : path + '.' + word;
     if (old != nullptr && change != nullptr && old->is_table())
-      merge(*old->as_table(), *change, file, path + '.' + word);
+      merge(*old->as_table(), *change, file, below);
     else if (old != nullptr && change != nullptr && old->is_array_of_tables())
-      merge_entries(*old->as_array(), *change, file, path + '.' + word, word);
+      merge_entries(*old->as_array(), *change, file, below, word);
     else
       put(into, key, std::move(node));
   }
@@ -210,7 +211,7 @@ Scene changed_scene(const std::string& text, const std::filesystem::path& file, 
   toml::table document = parse_scene_text(text, file);
   document.erase("variant");
   for (const std::string& key : changes.without) take_out(document, words_of(key, file));
-  toml::table set = parse_scene_text(changes.set, file);
+  toml::table set = parse_changes(changes.set, changes.called);
   merge(document, set, file, "");
   return scene_of(document, scene_text_of(document), file);
 }

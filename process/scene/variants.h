@@ -31,12 +31,13 @@ bool has_variants(const Scene& scene);
 struct SceneChanges {
   std::string set;  ///< TOML, such as `step.1.velocity = "0.1 m/s"`, a key a line
   std::vector<std::string>
-      without;  ///< keys of the file that are taken out first, such as "numerics.time_step"
+      without;                   ///< keys of the file that are taken out first, such as "numerics.time_step"
+  std::string called = "--set";  ///< where `set` comes from, for messages
 };
 
 /// The scene in `text` (`file` stands in messages and resolves relative paths) with the changes, read and
 /// checked in full; its variants are left aside. Its `text` is a scene file of its own. Throws SceneError;
-/// faults of the changes name a line in `changes.set`.
+/// faults of the changes name `changes.called` and which line of `changes.set` it is.
 Scene changed_scene(const std::string& text, const std::filesystem::path& file, const SceneChanges& changes);
 
 /// What the text has at `key`, a path such as `step.1.velocity` or `tool."core rod".position`, as the user

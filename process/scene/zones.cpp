@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "process/scene/scene_text.h"
 
@@ -41,6 +42,28 @@ void read_heights(TableReader& table, Zone& zone) {
   zone.upper[2] = std::min(zone.upper[2], heights[1]);
 }
 
+/// Limits that each allow something, but no place together.
+void refuse_nothing(const TableReader& table, const Zone& zone) {
+  if (!(zone.lower[2] < zone.upper[2]))
+    table.reject("heights",
+                 "these heights lie beside those of from and to: the zone contains nothing; change "
+                 "one of the two, or remove it");
+  double nearest = 0, farthest = 0;  // squares of distances of the box from the axis
+  for (Eigen::Index axis = 0; axis < 2; ++axis) {
+    const double below = zone.lower[axis] - zone.axis[axis], above = zone.upper[axis] - zone.axis[axis];
+    nearest += std::pow(std::max({below, -above, 0.0}), 2);
+    farthest += std::pow(std::max(-below, above), 2);
+  }
+  if (std::sqrt(nearest) >= zone.outer_radius)
+    table.reject("outer_radius",
+                 "the box of from and to lies outside this cylinder: the zone contains nothing; "
+                 "change box or cylinder (its axis is vertical, through axis)");
+  if (std::sqrt(farthest) <= zone.inner_radius)
+    table.reject("inner_radius",
+                 "the box of from and to lies within this radius: the zone contains nothing; "
+                 "change box or cylinder (its axis is vertical, through axis)");
+}
+
 Zone read_zone(TableReader& table) {
   Zone zone;
   zone.name = table.required_name("name", "flange");
@@ -49,6 +72,7 @@ Zone read_zone(TableReader& table) {
   read_box(table, zone);
   read_cylinder(table, zone);
   read_heights(table, zone);
+  refuse_nothing(table, zone);
   table.finish();
   return zone;
 }

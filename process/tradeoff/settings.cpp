@@ -31,7 +31,7 @@ std::vector<std::string> split_at_commas(const std::string& text) {
 
 /// Of a message about a change, which stands in no file: without file, line and column.
 std::string without_place(const std::string& message) {
-  static const std::regex place(R"(^.*?:[0-9]+(:[0-9]+)?: \.?)");
+  static const std::regex place(R"(^(--vary, change [0-9]+|.*?:[0-9]+(:[0-9]+)?): )");
   return std::regex_replace(message, place, "", std::regex_constants::format_first_only);
 }
 
@@ -47,6 +47,7 @@ int finer_than_base(const Scene& scene, const std::vector<std::pair<Knob, std::s
 
 SceneChanges changes_of(const Scene& scene, const std::vector<std::pair<Knob, std::string>>& turned) {
   SceneChanges all;
+  all.called = "--vary";
   for (const auto& [knob, value] : turned) {
     const SceneChanges changes = knob.changes(scene, value);
     all.set += changes.set;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "process/results/places_without_value.h"
 #include "render/fields/arrow_painter.h"
 #include "render/fields/field_sampler.h"
 #include "render/style/colour_map.h"
@@ -198,7 +199,7 @@ PlotArea field_axes(const results::Field2D& field, const QSizeF& size) {
 
 namespace {
 
-/// Where a line of pixels goes into the tools and comes out of them, by their outlines.
+/// Where a line of pixels goes into the tools and comes out of them, by their outlines. Tools may overlap.
 class ToolCrossings {
  public:
   ToolCrossings(const std::vector<Outline>& outlines, double second) {
@@ -206,17 +207,39 @@ class ToolCrossings {
       for (std::size_t k = 1; k < outline.size(); ++k) {
         const auto &from = outline[k - 1], &to = outline[k];
         if ((from.y() > second) == (to.y() > second)) continue;
-        at_.push_back(from.x() + (second - from.y()) / (to.y() - from.y()) * (to.x() - from.x()));
+        const double first = from.x() + (second - from.y()) / (to.y() - from.y()) * (to.x() - from.x());
+        crossings_.push_back({first, to.y() > from.y() ? 1 : -1});
       }
-    std::sort(at_.begin(), at_.end());
+    std::ranges::sort(crossings_, {}, &Crossing::first);
+    int depth = 0;
+    for (Crossing& crossing : crossings_) crossing.depth = depth += crossing.depth;
   }
+
   bool inside(double first) const {
-    return (std::upper_bound(at_.begin(), at_.end(), first) - at_.begin()) % 2 != 0;
+    const auto next = std::ranges::upper_bound(crossings_, first, {}, &Crossing::first);
+    return next != crossings_.begin() && std::prev(next)->depth != 0;
   }
 
  private:
-  std::vector<double> at_;
+  struct Crossing {
+    double first;
+    int depth;  ///< number of solids behind it, with the sign of their outlines' direction
+  };
+  std::vector<Crossing> crossings_;
 };
+
+/// What the field has at a place of the picture. Its nodes know tools to half their distance, outlines know
+/// them exactly.
+double value_at(const FieldSampler& sampler, const ToolCrossings& tools, const QPointF& at,
+                const FieldStyle& style) {
+  const double value = sampler.at(at.x(), at.y());
+  if (style.outlines.empty()) return value;
+  const bool beside_tool = sampler.beside_tool(at.x(), at.y());
+  const bool no_powder = std::isnan(value) && !results::is_unvalued_powder(value);
+  if (!beside_tool && !no_powder) return value;
+  if (tools.inside(at.x())) return results::inside_tool();
+  return results::is_inside_tool(value) ? sampler.at_outside_tools(at.x(), at.y()) : value;
+}
 
 }  // namespace
 
@@ -232,10 +255,8 @@ PlacesShown paint_field(QImage& canvas, const PlotArea& plot, const results::Fie
     const ToolCrossings tools(style.outlines, plot.value({0, (row + 0.5) / pixels}).y());
     for (int column = rect.left(); column <= rect.right(); ++column) {
       const QPointF at = plot.value({(column + 0.5) / pixels, (row + 0.5) / pixels});
-      const double value = sampler.at(at.x(), at.y());
-      Place place = place_of(value, at.x(), at.y(), style);
-      // Nodes know tools to half their distance; the outline knows them exactly.
-      if (place != Place::kValue && place != Place::kUnvalued && tools.inside(at.x())) place = Place::kTool;
+      const double value = value_at(sampler, tools, at, style);
+      const Place place = place_of(value, at.x(), at.y(), style);
       places.add(place);
       const Rgb colour = bar_colour(bar, value);
       line[column] = place == Place::kValue ? qRgb(colour.red, colour.green, colour.blue)

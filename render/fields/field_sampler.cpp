@@ -71,21 +71,43 @@ results::Field2D continued_round(const results::Field2D& field) {
 
 FieldSampler::FieldSampler(const results::Field2D& field) : field_(field) {}
 
-double FieldSampler::at(double first, double second) const {
+FieldSampler::Corners FieldSampler::corners_of(double first, double second) const {
   const CellWeights column = find_place(field_.first, first), row = find_place(field_.second, second);
   const std::size_t width = field_.first.size(), corner = row.below * width + column.below;
-  const std::array<double, 4> values{field_.value[corner], field_.value[corner + 1],
-                                     field_.value[corner + width], field_.value[corner + width + 1]};
-  const std::array<double, 4> weights{(1 - column.weight) * (1 - row.weight),
-                                      column.weight * (1 - row.weight), (1 - column.weight) * row.weight,
-                                      column.weight * row.weight};
+  return {{field_.value[corner], field_.value[corner + 1], field_.value[corner + width],
+           field_.value[corner + width + 1]},
+          {(1 - column.weight) * (1 - row.weight), column.weight * (1 - row.weight),
+           (1 - column.weight) * row.weight, column.weight * row.weight}};
+}
+
+double FieldSampler::at(double first, double second) const {
+  return mean_of(corners_of(first, second));
+}
+
+double FieldSampler::at_outside_tools(double first, double second) const {
+  Corners corners = corners_of(first, second);
+  double outside = 0;
+  for (std::size_t k = 0; k < 4; ++k)
+    if (!results::is_inside_tool(corners.values[k])) outside += corners.weights[k];
+  if (outside <= 0) return results::inside_tool();
+  for (std::size_t k = 0; k < 4; ++k)
+    corners.weights[k] = results::is_inside_tool(corners.values[k]) ? 0 : corners.weights[k] / outside;
+  return mean_of(corners);
+}
+
+bool FieldSampler::beside_tool(double first, double second) const {
+  return std::ranges::any_of(corners_of(first, second).values, results::is_inside_tool);
+}
+
+double FieldSampler::mean_of(const Corners& corners) {
   double sum = 0, weight = 0, unvalued = 0, tool = 0;
   for (std::size_t k = 0; k < 4; ++k) {
-    if (results::is_unvalued_powder(values[k])) unvalued += weights[k];
-    if (results::is_inside_tool(values[k])) tool += weights[k];
-    if (!std::isfinite(values[k])) continue;
-    sum += weights[k] * values[k];
-    weight += weights[k];
+    const double value = corners.values[k], part = corners.weights[k];
+    if (results::is_unvalued_powder(value)) unvalued += part;
+    if (results::is_inside_tool(value)) tool += part;
+    if (!std::isfinite(value)) continue;
+    sum += part * value;
+    weight += part;
   }
   // What outweighs the rest is there: places end half-way between nodes, rounded at corners.
   const double empty = 1 - weight - unvalued - tool;

@@ -2,6 +2,8 @@
 // cells.
 #pragma once
 
+#include <array>
+
 #include "process/results/fill_result.h"
 #include "render/style/ticks.h"
 
@@ -27,8 +29,18 @@ class FieldSampler {
   /// corners with values count; where those weigh less than half, what weighs most of what
   /// places_without_value.h knows.
   double at(double first, double second) const;
+  /// The same at a place that is known to lie outside tools: corners in them do not count, unless all are.
+  double at_outside_tools(double first, double second) const;
+  /// Whether one of the nodes about the place lies inside a tool.
+  bool beside_tool(double first, double second) const;
 
  private:
+  struct Corners {
+    std::array<double, 4> values, weights;
+  };
+  Corners corners_of(double first, double second) const;
+  static double mean_of(const Corners& corners);
+
   const results::Field2D& field_;
 };
 

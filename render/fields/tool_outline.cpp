@@ -8,7 +8,7 @@ namespace {
 constexpr double kMillimetre = 1e-3;
 
 // The piece of the plane in a triangle. A corner on the plane counts as above it: every mesh edge is then cut
-// once or not at all, and outlines stay closed.
+// once or not at all, and outlines stay closed. Lines of one tool run the same way round.
 Outline cut_triangle(const std::array<Eigen::Vector3d, 3>& corner, const results::SectionPlane& plane) {
   Outline line;
   for (std::size_t k = 0; k < 3; ++k) {
@@ -17,7 +17,8 @@ Outline cut_triangle(const std::array<Eigen::Vector3d, 3>& corner, const results
                  next = (to - plane.origin).dot(plane.normal);
     if ((height >= 0) == (next >= 0)) continue;
     const Eigen::Vector3d place = from + height / (height - next) * (to - from) - plane.origin;
-    line.emplace_back(place.dot(plane.first_axis) / kMillimetre, place.dot(plane.second_axis) / kMillimetre);
+    const Eigen::Vector2d point(place.dot(plane.first_axis), place.dot(plane.second_axis));
+    line.insert(height >= 0 ? line.begin() : line.end(), point / kMillimetre);
   }
   return line;
 }

@@ -6,7 +6,8 @@
 
 namespace diefill::render {
 
-/// Lines in which the tools' meshes meet the plane, in mm along its axes from its origin.
+/// Lines in which the tools' meshes meet the plane, in mm along its axes from its origin. All lines
+/// go round their solid the same way.
 std::vector<Outline> tool_outlines(const std::vector<results::ToolState>& tools,
                                    const results::SectionPlane& plane);
 

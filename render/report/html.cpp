@@ -33,7 +33,7 @@ p.caption { color: #555; font-size: .9rem; margin: 1rem 0 -.4rem; break-after: a
 th, td { text-align: left; vertical-align: top; padding: .3rem .7rem .3rem 0; border-bottom: 1px solid #ccc;
   overflow-wrap: normal; }
 thead th { border-bottom: 2px solid #777; vertical-align: bottom; }
-table.numbers td, table.numbers thead th + th { text-align: right; padding-right: 0; padding-left: .9rem; }
+table.numbers td, table.numbers thead th + th { text-align: right; padding-right: 0; padding-left: .8rem; }
 tbody th { font-weight: normal; color: #333; min-width: 8rem; }
 figure { margin: 1rem 0; break-inside: avoid; }
 figure img, figure video { display: block; width: 100%; max-width: 50rem; height: auto; }
@@ -49,6 +49,14 @@ pre { font: .8rem/1.4 "DejaVu Sans Mono", monospace; background: #f5f5f5; paddin
   pre { background: none; border: 1px solid #ccc; } @page { margin: 16mm; } }
 </style>
 )";
+
+/// A number and its scatter stay on one line.
+std::string cell_text(const std::string& cell) {
+  static const std::string kApart = " ± ", kTogether = "&nbsp;±&nbsp;";
+  std::string text = escaped(cell);
+  const auto at = text.find(kApart);
+  return at == std::string::npos ? text : text.replace(at, kApart.size(), kTogether);
+}
 
 class Writer {
  public:
@@ -74,7 +82,8 @@ class Writer {
   void operator()(const Figures& figures) {
     page += figures.side_by_side ? "<div class=\"pictures\">\n" : "<div>\n";
     for (const Figure& figure : figures.figures) {
-      page += "<figure><img alt=\"" + escaped(figure.caption) + "\" src=\"data:image/png;base64,";
+      page += "<figure><img decoding=\"async\" alt=\"" + escaped(figure.caption) +
+              "\" src=\"data:image/png;base64,";
       page += figure.png.toBase64().toStdString();
       page += "\"><figcaption>" + escaped(figure.caption) + "</figcaption></figure>\n";
     }
@@ -97,7 +106,8 @@ class Writer {
   void write_row(const std::vector<std::string>& row) {
     page += "<tr>";
     for (std::size_t n = 0; n < row.size(); ++n)
-      page += n == 0 ? "<th scope=\"row\">" + escaped(row[n]) + "</th>" : "<td>" + escaped(row[n]) + "</td>";
+      page +=
+          n == 0 ? "<th scope=\"row\">" + escaped(row[n]) + "</th>" : "<td>" + cell_text(row[n]) + "</td>";
     page += "</tr>\n";
   }
 };

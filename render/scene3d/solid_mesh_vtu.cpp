@@ -6,11 +6,14 @@
 #include <vtkCommand.h>
 #include <vtkDataArray.h>
 #include <vtkDoubleArray.h>
+#include <vtkExecutive.h>
 #include <vtkIdList.h>
 #include <vtkIdTypeArray.h>
+#include <vtkOutputWindow.h>
 #include <vtkPointData.h>
 #include <vtkPoints.h>
 #include <vtkSmartPointer.h>
+#include <vtkStringOutputWindow.h>
 #include <vtkUnstructuredGrid.h>
 #include <vtkXMLFileReadTester.h>
 #include <vtkXMLUnstructuredGridReader.h>
@@ -34,8 +37,23 @@ void note_error(vtkObject*, unsigned long, void* client, void* message) {
   if (first.empty() && message != nullptr) first = static_cast<const char*>(message);
 }
 
+/// While it lives, what VTK would print goes nowhere: one line of our own says what is wrong.
+class SilentVtk {
+ public:
+  SilentVtk() : before_(vtkOutputWindow::GetInstance()) {
+    vtkOutputWindow::SetInstance(vtkSmartPointer<vtkStringOutputWindow>::New());
+  }
+  ~SilentVtk() { vtkOutputWindow::SetInstance(before_); }
+  SilentVtk(const SilentVtk&) = delete;
+  SilentVtk& operator=(const SilentVtk&) = delete;
+
+ private:
+  vtkSmartPointer<vtkOutputWindow> before_;
+};
+
 vtkSmartPointer<vtkUnstructuredGrid> grid_in(const std::filesystem::path& file) {
   if (!std::filesystem::is_regular_file(file)) throw std::invalid_argument("found no such file");
+  const SilentVtk silent;
   const auto tester = vtkSmartPointer<vtkXMLFileReadTester>::New();
   tester->SetFileName(file.c_str());
   const bool is_vtk = tester->TestReadFile() != 0 && tester->GetFileDataType() != nullptr;
@@ -49,6 +67,7 @@ vtkSmartPointer<vtkUnstructuredGrid> grid_in(const std::filesystem::path& file) 
   listener->SetClientData(&complaint);
   const auto reader = vtkSmartPointer<vtkXMLUnstructuredGridReader>::New();
   reader->AddObserver(vtkCommand::ErrorEvent, listener);
+  reader->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, listener);
   reader->SetReaderErrorObserver(listener);
   reader->SetParserErrorObserver(listener);
   reader->SetFileName(file.c_str());

@@ -69,11 +69,39 @@ TEST_F(FitDischarge, ItsLawServesAnEstimate) {
 
 TEST_F(FitDischarge, RefusesBadInputInOneLineAndWritesNothing) {
   expect_refused(words("speed m/s,mass g\n0.1,24\n"), "found 1 points");
-  expect_refused(words("speed m/s,mass g\n0.1,x\n"), "masses.csv:2: column mass: found \"x\"");
+  expect_refused(words("speed m/s,mass g\n0.1,x\n"), "masses.csv:2:5: column mass: found \"x\"");
+  // Masses that grow with the speed: no flow.
+  expect_refused(words("speed m/s,mass g\n0.1,1\n0.2,2\n0.3,3\n0.4,4\n0.5,9\n"), "C_F = -");
+  expect_refused(words(masses(), {"--grain-diameter", "5 mm"}), "allowed: more than 1.4 grain diameters");
   expect_refused(words(masses(), {"--law", "5.1"}), "--law: found \"5.1\"");
   expect_refused(words(masses(), {"--grain-diameter", "3"}), "--grain-diameter: found \"3\"");
   expect_refused(words(masses(), {"--law", "transient"}), "needs time");
   expect_refused({"fit-discharge", "/nowhere.csv"}, "/nowhere.csv");
+  expect_refused(words(masses(), {"--law", "transent"}), "did you mean \"transient\"?");
+  expect_refused(words(masses(), {"--grain-diameter", "0 mm"}), "allowed: more than 0");
+  expect_refused(words(masses(), {"--grain-diameter", "1e9 m"}), "--grain-diameter: found \"1e9 m\"");
+}
+
+TEST_F(FitDischarge, OverwritesNoMeasurements) {
+  folder_.write("fit.csv", masses());
+  const Outcome outcome =
+      run_program({"fit-discharge", (folder_.path() / "fit.csv").string(), "--out", folder_.path().string()});
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_EQ(outcome.complaints(), 1U) << outcome.err;
+  EXPECT_NE(outcome.err.find("whose fit.csv the command reads"), std::string::npos) << outcome.err;
+  EXPECT_EQ(support::contents(folder_.path() / "fit.csv"), masses());
+}
+
+TEST_F(FitDischarge, NamesAFileWhoseNameIsNoText) {
+  auto arguments = words(masses(), {"--json"});
+  const std::string name = (folder_.path() / "me\xdf.csv").string();
+  folder_.write("me\xdf.csv", masses());
+  arguments[1] = name;
+  const Outcome outcome = run_program(arguments);
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  const auto json = nlohmann::json::parse(support::contents(out() / "fit.json"));
+  EXPECT_TRUE(json.at("measurements").get<std::string>().ends_with("me\xef\xbf\xbd.csv"));
+  EXPECT_EQ(nlohmann::json::parse(outcome.out), json);
 }
 
 }  // namespace

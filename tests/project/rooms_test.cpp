@@ -23,7 +23,7 @@ const std::map<std::string, std::vector<std::string>>& rooms() {
         "setup", "run", "cluster", "plan", "compare", "tradeoff", "continuum", "laboratory", "calibration",
         "estimate"}},
       {"render", {"style", "offscreen", "tracing", "fields", "charts", "scene3d", "report"}},
-      {"app", {"tables", "pictures", "shell", "commands", "python"}},
+      {"app", {"tables", "options", "pictures", "shell", "commands", "python"}},
   };
   return all;
 }

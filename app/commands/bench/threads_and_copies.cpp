@@ -13,6 +13,7 @@
 
 #include "app/commands/bench/more_threads.h"
 #include "app/exit_code.h"
+#include "app/tables/json_text.h"
 #include "process/compare/child_process.h"
 #include "process/input/scene_error.h"
 #include "process/results/storage/file_contents.h"
@@ -163,7 +164,7 @@ int race_against_copies(const CopiesRace& race) {
                                     {"bytes_per_second", predicted.bytes_per_second}});
   }
   if (race.json)
-    std::printf("%s\n", outcome.dump(2).c_str());
+    std::printf("%s\n", json_text(outcome).c_str());
   else
     print(outcome, race.threads);
   return kDone;

@@ -4,14 +4,18 @@
 
 #include <cstdio>
 #include <filesystem>
-#include <fstream>
 
 #include "app/commands/ranks/mpirun_child.h"
 #include "app/commands/ranks/step_engine.h"
+#include "app/commands/scene_choice.h"
 #include "app/exit_code.h"
+#include "app/options/numbers.h"
+#include "app/options/output_file.h"
+#include "app/output.h"
 #include "process/cluster/mpi_command.h"
 #include "process/cluster/rank_limits.h"
 #include "process/input/scene_error.h"
+#include "process/results/storage/atomic_file.h"
 
 namespace diefill::app {
 
@@ -54,10 +58,7 @@ process::cluster::RankCommand command_of(const RankArguments& arguments) {
 }
 
 int write_script(const std::string& file, const std::string& script) {
-  std::ofstream out(file);
-  out << script;
-  out.close();
-  if (!out) throw std::runtime_error(file + ": cannot be written");
+  write_output([&] { results::write_text_atomically(file, script); });
   std::printf("%s: submit it with sbatch\n", file.c_str());
   return kDone;
 }
@@ -70,7 +71,7 @@ void add_ranks(CLI::App& command, RankArguments& arguments) {
       command
           .add_option("--ranks", arguments.ranks,
                       "compute on so many ranks with LAMMPS and MPI, on this machine or those of --hostfile")
-          ->check(CLI::Range(1, 1000000));
+          ->check(whole_number(1, 1000000));
   command.add_option("--hostfile", arguments.hostfile, "with --ranks: Open MPI's file of hosts")
       ->needs(ranks);
   command
@@ -85,7 +86,14 @@ int run_on_ranks(const RankArguments& arguments, const process::Scene& scene) {
         "--ranks: mpirun -np says on how many ranks diefill-mpi runs; leave the option out");
   process::cluster::refuse_what_ranks_cannot(scene);
   const auto command = command_of(arguments);
-  if (!arguments.slurm.empty()) return write_script(arguments.slurm, process::cluster::slurm_script(command));
+  if (!arguments.slurm.empty()) {
+    const OutputFile file = {"--slurm", arguments.slurm, {".sh", ".slurm", ".sbatch", ".job"}};
+    auto inputs = input_files_of(scene);
+    inputs.emplace_back(arguments.hostfile);
+    require_output_file(file, inputs);
+    make_directory_of(file);
+    return write_script(arguments.slurm, process::cluster::slurm_script(command));
+  }
   if (!arguments.hostfile.empty()) {
     try {
       process::cluster::check_hosts(arguments.hostfile, arguments.ranks);

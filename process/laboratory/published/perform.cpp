@@ -24,8 +24,9 @@ std::vector<Variant> variants_of(const LabPlan& plan, const LabSetting& setting)
   std::vector<Variant> variants;
   for (std::size_t k = 0; k < plan.runs.size(); ++k) {
     const fs::path file = setting.scenes / plan.runs[k].scene;
-    variants.push_back(
-        {names[k], folders[k], changed_scene(load_scene_text(file), file, plan.runs[k].changes)});
+    SceneChanges changes = plan.runs[k].changes;
+    changes.called = "experiment \"" + names[k] + '"';
+    variants.push_back({names[k], folders[k], changed_scene(load_scene_text(file), file, changes)});
   }
   return variants;
 }

@@ -1,13 +1,13 @@
 #include "process/machine/motions/table_motion.h"
 
 #include <algorithm>
-#include <sstream>
-#include <string_view>
+#include <cmath>
+#include <numbers>
 
-#include "process/input/csv_cells.h"
+#include "process/input/csv_file.h"
+#include "process/input/numbers_apart.h"
 #include "process/input/scene_error.h"
 #include "process/input/shown_value.h"
-#include "process/input/text_file.h"
 #include "process/machine/moving_tool.h"
 #include "process/results/word_list.h"
 
@@ -15,11 +15,18 @@ namespace diefill::process {
 namespace {
 
 constexpr std::size_t kMostPoints = 100000;
+// As far, as fast and as long as the other motions of scenes may be.
+constexpr double kFarthest = 10, kFastest = 10, kLongest = 1000;  // m, m/s, s
+constexpr double kFastestTurn = 2000 * std::numbers::pi;          // rad/s: 60000 rpm
+
+const std::vector<std::string> kNames = {"time", "x", "y", "z", "angle"};
 
 /// A column: -1 for time, else which of x, y, z, angle.
 struct Column {
   int quantity;
   std::string unit;
+
+  const std::string& name() const { return kNames[static_cast<std::size_t>(quantity + 1)]; }
 };
 
 Dimension dimension_of(const Column& column) {
@@ -27,54 +34,101 @@ Dimension dimension_of(const Column& column) {
   return column.quantity < 3 ? Dimension::length : Dimension::angle;
 }
 
-Column column_of(const std::string& heading, const std::string& place) {
-  const std::size_t end = heading.find_first_of(" \t[(");
-  const std::string name = heading.substr(0, end);
-  std::string unit = end == std::string::npos ? "" : heading.substr(end);
-  std::erase_if(unit,
-                [](char letter) { return letter == '[' || letter == ']' || letter == '(' || letter == ')'; });
-  const std::vector<std::string> names = {"time", "x", "y", "z", "angle"};
-  const auto found = std::find(names.begin(), names.end(), name);
-  if (found == names.end() || trimmed_cell(unit).empty())
-    throw SceneError(place + ": found column \"" + one_line(heading) +
+Column column_of(const std::string& cell, const std::string& place) {
+  const CsvHeading heading = csv_heading(cell);
+  const auto found = std::find(kNames.begin(), kNames.end(), heading.name);
+  if (found == kNames.end() || heading.unit.empty())
+    throw SceneError(place + ": found column \"" + one_line(cell) +
                      "\"; allowed: time, x, y, z and angle, each with its unit, such as \"x mm\"");
-  return {static_cast<int>(found - names.begin()) - 1, trimmed_cell(unit)};
+  const Column column = {static_cast<int>(found - kNames.begin()) - 1, heading.unit};
+  try {
+    parse_quantity("1 " + column.unit, dimension_of(column));
+  } catch (const UnitError& error) {
+    throw SceneError(place + ": column " + heading.name + ": found unit \"" + one_line(column.unit) + "\", " +
+                     error.what());
+  }
+  return column;
 }
 
-void add_point(MotionTable& table, const std::vector<Column>& columns, const std::string& line,
-               const std::string& place) {
-  const auto cells = csv_cells(line);
-  if (cells.size() != columns.size())
-    throw SceneError(place + ": found " + std::to_string(cells.size()) + " values, expected " +
-                     std::to_string(columns.size()) + ", one per column");
+std::vector<Column> columns_of(const CsvFile& file) {
+  std::vector<Column> columns;
+  std::vector<std::string> names;
+  for (std::size_t k = 0; k < file.cells().size(); ++k) {
+    columns.push_back(column_of(file.cells()[k], file.place(k)));
+    names.push_back(columns.back().name());
+  }
+  file.refuse_twice(names);
+  if (std::find(names.begin(), names.end(), "time") == names.end())
+    throw SceneError(file.place() + ": found no time column; start the heading with \"time s\"");
+  if (names.size() < 2)
+    throw SceneError(file.place() +
+                     ": found only a time column; give where the tool is as well, in columns x, y, z or "
+                     "angle, such as \"time s, x mm\"");
+  return columns;
+}
+
+double value_in(const CsvFile& file, std::size_t cell, const Column& column) {
+  file.number(cell, column.name());
+  const std::string where = file.place(cell) + ": column " + column.name() + ": found ";
+  double value = 0;
+  try {
+    value = parse_quantity(file.cells()[cell] + ' ' + column.unit, dimension_of(column));
+  } catch (const UnitError& error) {
+    throw SceneError(where + '"' + one_line(file.cells()[cell]) + "\", " + error.what());
+  }
+  const std::string found = where + one_line(file.cells()[cell]) + ' ' + column.unit;
+  if (column.quantity < 0 && (value < 0 || value > kLongest))
+    throw SceneError(found + ", allowed: 0 to " + number_text(kLongest) + " s");
+  if (dimension_of(column) == Dimension::length && std::abs(value) > kFarthest)
+    throw SceneError(found + ", allowed: -" + number_text(kFarthest) + " to " + number_text(kFarthest) +
+                     " m");
+  return value;
+}
+
+/// Refuses a way that no machine makes in the time.
+void refuse_too_fast(const MotionTable& table, double time, const Eigen::Vector4d& position,
+                     const std::string& place) {
+  const double span = time - table.time.back();
+  const Eigen::Vector4d way = position - table.position.back();
+  const double speed = way.head<3>().norm() / span, turn = std::abs(way[3]) / span;
+  const auto refuse = [&](const std::string& found, const std::string& allowed) {
+    throw SceneError(place + ": found a motion at " + found + " since the line before, allowed: up to " +
+                     allowed + "; check the times and their unit");
+  };
+  if (speed > kFastest) refuse(number_text(speed) + " m/s", number_text(kFastest) + " m/s");
+  if (turn > kFastestTurn) {
+    const double rpm = 30 / std::numbers::pi;
+    refuse(number_text(turn * rpm) + " rpm", number_text(kFastestTurn * rpm) + " rpm");
+  }
+}
+
+void add_point(MotionTable& table, const std::vector<Column>& columns, const CsvFile& file) {
   double time = 0;
   Eigen::Vector4d position = Eigen::Vector4d::Zero();
-  for (std::size_t k = 0; k < cells.size(); ++k) {
-    double value = 0;
-    try {
-      value = parse_quantity(cells[k] + ' ' + columns[k].unit, dimension_of(columns[k]));
-    } catch (const UnitError& error) {
-      throw SceneError(place + ": found \"" + one_line(cells[k]) + "\", " + error.what());
-    }
-    (columns[k].quantity < 0 ? time : position[columns[k].quantity]) = value;
-  }
+  for (std::size_t k = 0; k < columns.size(); ++k)
+    (columns[k].quantity < 0 ? time : position[columns[k].quantity]) = value_in(file, k, columns[k]);
   const bool first = table.time.empty();
-  if (first ? time != 0 || position.norm() != 0 : time <= table.time.back())
-    throw SceneError(place + (first ? ": the first point must be all zeros, because a motion starts at the "
-                                      "current position of the tool"
-                                    : ": times must increase from line to line"));
+  if (first && (time != 0 || position.norm() != 0))
+    throw SceneError(file.place() +
+                     ": the first point must be all zeros, because a motion starts at the current position "
+                     "of the tool");
+  if (!first && time <= table.time.back()) {
+    const auto [found, before] = numbers_apart(time, table.time.back());
+    throw SceneError(file.place() + ": found the time " + found + " s after " + before +
+                     " s; times must increase from line to line");
+  }
+  if (!first) refuse_too_fast(table, time, position, file.place());
   table.time.push_back(time);
   table.position.push_back(position);
 }
 
-/// The table as text; a byte order mark, as spreadsheets write it, is none of it.
-std::string motion_text(const std::filesystem::path& file, const std::string& where) {
+CsvFile opened(const std::filesystem::path& file, const std::string& where) {
   constexpr std::size_t kLargest = 16U << 20U;  // bytes
-  constexpr std::string_view kMark = "\xEF\xBB\xBF";
   try {
-    std::string text =
-        load_text_file(file, {"motion table", "but a motion is a CSV file of times and positions", kLargest});
-    return text.starts_with(kMark) ? text.substr(kMark.size()) : text;
+    return {
+        file, {"motion table", "but a motion is a CSV file of times and positions", kLargest}, where + ": "};
+  } catch (const SceneError&) {
+    throw;
   } catch (const std::runtime_error& reason) {
     throw SceneError(where + ": found \"" + file.string() + "\": " + reason.what() + "; give a CSV file");
   }
@@ -82,27 +136,19 @@ std::string motion_text(const std::filesystem::path& file, const std::string& wh
 
 }  // namespace
 
-MotionTable read_motion_table(const std::filesystem::path& file, const std::string& where) {
-  std::istringstream stream(motion_text(file, where));
+MotionTable read_motion_table(const std::filesystem::path& path, const std::string& where) {
+  CsvFile file = opened(path, where);
   MotionTable table;
   std::vector<Column> columns;
-  int number = 0;
-  for (std::string line; std::getline(stream, line);) {
-    const std::string place = where + ": " + file.string() + ":" + std::to_string(++number);
-    if (trimmed_cell(line).empty()) continue;
-    if (!columns.empty()) {
-      add_point(table, columns, line, place);
-      if (table.time.size() > kMostPoints)
-        throw SceneError(place + ": found more than " + std::to_string(kMostPoints) +
-                         " points; remove points on smooth parts of the path");
-      continue;
-    }
-    for (const auto& heading : csv_cells(line)) columns.push_back(column_of(heading, place));
-    if (std::none_of(columns.begin(), columns.end(), [](const Column& c) { return c.quantity < 0; }))
-      throw SceneError(place + ": found no time column; start the heading with \"time s\"");
+  if (file.next()) columns = columns_of(file);
+  while (file.next()) {
+    add_point(table, columns, file);
+    if (table.time.size() > kMostPoints)
+      throw SceneError(file.place() + ": found more than " + std::to_string(kMostPoints) +
+                       " points; remove points on smooth parts of the path");
   }
   if (table.time.size() < 2)
-    throw SceneError(where + ": found " + std::to_string(table.time.size()) + " points in " + file.string() +
+    throw SceneError(where + ": found " + std::to_string(table.time.size()) + " points in " + path.string() +
                      "; a motion needs two or more below the heading line");
   return table;
 }

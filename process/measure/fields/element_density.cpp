@@ -1,10 +1,13 @@
 #include "process/measure/fields/element_density.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdio>
 #include <stdexcept>
 
 #include "geometry/grids/all_cores.h"
+#include "geometry/mesh/mesh.h"
 #include "process/measure/fields/gaussian_field.h"
 #include "process/measure/weights.h"
 
@@ -76,6 +79,25 @@ void share_among_nodes(const SolidMesh& mesh, ElementDensity& density) {
     if (density.node_volume[n] > 0) density.node_relative[n] /= density.node_volume[n];
 }
 
+/// No powder is denser than its solid.
+void refuse_above_solid(const ElementDensity& density, double mass) {
+  constexpr double kMostAbove = 0.1;  // of the mass
+  double above = 0, filled = 0;
+  for (std::size_t e = 0; e < density.mass.size(); ++e) {
+    if (density.relative[e] > 1) above += density.mass[e];
+    filled += density.filled[e] * density.volume[e];
+  }
+  if (!(above > kMostAbove * mass)) return;
+  const double relative = mass / (density.solid_density * filled);
+  std::array<char, 400> text{};
+  std::snprintf(text.data(), text.size(),
+                "the mesh is to hold %.6g g in %.6g mm^3 that lie in the powder, a relative density of %.4g, "
+                "allowed: up to 1, the solid of %.0f kg/m^3 (%.2g %% of the mass come out above); check the "
+                "mass (--mass, --mesh-share), and size and place of the mesh (--mesh-unit, --mesh-position)",
+                1e3 * mass, 1e9 * filled, relative, density.solid_density, 100 * above / mass);
+  throw geometry::MeshError(text.data());
+}
+
 }  // namespace
 
 double solid_density(const results::FillResult& result) {
@@ -113,7 +135,9 @@ ElementDensity element_density(const results::FillResult& result, const SolidMes
   for (std::size_t e = 0; e < sums.size(); ++e) {
     density.relative[e] *= density.scale;
     density.mass.push_back(density.solid_density * density.relative[e] * density.volume[e]);
+    if (density.relative[e] > 1) density.above.push_back(mesh.elements[e].number);
   }
+  refuse_above_solid(density, request.mass);
   share_among_nodes(mesh, density);
   return density;
 }

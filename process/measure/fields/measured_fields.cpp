@@ -23,7 +23,7 @@ results::SectionPlane default_section(const results::FillResult& result) {
     origin[2] = 0;
   }
   const Eigen::Vector3d along = result.cavity.azimuth_zero;
-  return section_plane("along the shoe's motion", origin, Eigen::Vector3d(-along[1], along[0], 0));
+  return section_plane(kDefaultSection, origin, Eigen::Vector3d(-along[1], along[0], 0));
 }
 
 }  // namespace

@@ -12,7 +12,7 @@ constexpr QuantityRule kPlace = {Dimension::length, "0.1 mm", "-100 mm", "100 mm
 constexpr QuantityRule kRadius = {Dimension::length, "0.1 mm", "0 mm", "10 mm", true};
 /// Of one grain: its laws and places are computed for each.
 constexpr std::size_t kMostSpheres = 64;
-constexpr std::size_t kLargestFile = 1 << 20;  // bytes
+constexpr SphereLimits kOfClump = {0.1, 0.01, 1U << 20U};
 
 std::vector<ClumpSphere> spheres_in_scene(TableReader& table) {
   std::vector<ClumpSphere> spheres;
@@ -39,7 +39,7 @@ void read_clump(TableReader& table, PowderSpec& powder, double density) {
     if (table.has(other))
       table.reject(other, "powder." + key + " gives the shape of the grain; remove the key");
   const auto spheres =
-      in_scene ? spheres_in_scene(table) : read_sphere_file(table, "spheres_file", kLargestFile);
+      in_scene ? spheres_in_scene(table) : read_sphere_file(table, "spheres_file", kOfClump).spheres;
   if (spheres.empty() || spheres.size() > kMostSpheres)
     table.reject(key,
                  std::to_string(spheres.size()) + " spheres, allowed: 1 to " + std::to_string(kMostSpheres));

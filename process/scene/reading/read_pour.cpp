@@ -52,15 +52,15 @@ void include_sphere(geometry::Box& box, const Eigen::Vector3d& centre, double ra
 
 /// Of `grains_file`.
 PourSpec placed_pour(TableReader& table, bool has_setting) {
-  constexpr std::size_t kLargest = 1 << 28;  // bytes
   refuse_keys_beside(table, "grains_file", has_setting);
   geometry::Box box;
   double solid = 0;
   const std::filesystem::path file =
       table.file().parent_path() / table.required_text("grains_file", "grains.csv");
-  const auto grains = read_sphere_file(table, "grains_file", kLargest);
-  if (grains.empty()) table.reject("grains_file", "the file has no grain");
-  for (const auto& grain : grains) {
+  const SphereRows grains = read_sphere_file(table, "grains_file", kPlacedGrains);
+  if (grains.spheres.empty()) table.reject("grains_file", "the file has no grain");
+  refuse_grains_in_each_other(grains, file);
+  for (const auto& grain : grains.spheres) {
     include_sphere(box, grain.centre, grain.radius);
     solid += 4.0 / 3 * std::numbers::pi * std::pow(grain.radius, 3);
   }

@@ -9,13 +9,32 @@
 
 namespace diefill::process {
 
-/// Spheres of a file: a line such as "x [mm], y [mm], z [mm], radius [mm]", then four numbers a line. Throws
-/// SceneError with file and line for anything else; std::runtime_error when it is missing or above `largest`
-/// bytes.
-std::vector<engine::ClumpSphere> spheres_in_file(const std::filesystem::path& file, std::size_t largest);
+/// What a sphere of a file may be; m.
+struct SphereLimits {
+  double farthest = 0;        ///< of each coordinate of the centre from 0
+  double largest_radius = 0;  ///< the smallest is a nanometre
+  std::size_t bytes = 0;      ///< of the file, at most
+};
+
+/// Of pour.grains_file.
+inline constexpr SphereLimits kPlacedGrains = {10, 0.05, 1U << 28U};
+
+/// Spheres and their lines in the file, from 1.
+struct SphereRows {
+  std::vector<engine::ClumpSphere> spheres;
+  std::vector<int> lines;
+};
+
+/// Spheres of a file: a heading that names the columns x, y, z and radius with their units of length, in any
+/// order, such as "x [mm], y [mm], z [mm], radius [mm]", then four numbers a line. Throws SceneError with
+/// file, line and column for anything else; std::runtime_error when it is missing or too large.
+SphereRows spheres_in_file(const std::filesystem::path& file, const SphereLimits& limits);
 
 /// Those of the file under `key`, relative to the scene's folder. Throws SceneError.
-std::vector<engine::ClumpSphere> read_sphere_file(TableReader& table, const std::string& key,
-                                                  std::size_t largest);
+SphereRows read_sphere_file(TableReader& table, const std::string& key, const SphereLimits& limits);
+
+/// Throws SceneError, naming the lines, for two grains that are in each other by more than half the radius of
+/// the smaller one: no powder at rest has them, and they would fly apart.
+void refuse_grains_in_each_other(const SphereRows& grains, const std::filesystem::path& file);
 
 }  // namespace diefill::process

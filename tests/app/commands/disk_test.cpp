@@ -94,7 +94,7 @@ TEST(OutputDirectory, ThatCannotBeMadeStopsTheRunAtOnce) {
   const SmallDie die;
   const auto below_a_file = die.folder() / "scene.toml" / "out";
   const Outcome outcome = run_program({"run", die.scene().string(), "--out", below_a_file.string()});
-  EXPECT_EQ(outcome.exit_code, 1);
+  EXPECT_EQ(outcome.exit_code, 2);
   EXPECT_EQ(outcome.complaints(), 1U) << outcome.err;
   EXPECT_NE(outcome.err.find("cannot write to " + below_a_file.string()), std::string::npos) << outcome.err;
   EXPECT_NE(outcome.err.find("--out"), std::string::npos) << outcome.err;

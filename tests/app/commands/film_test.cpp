@@ -1,6 +1,12 @@
 // `diefill film`: frames of the filling, in order, and the film beside the results.
 #include <gtest/gtest.h>
 
+#include <chrono>
+#include <csignal>
+#include <fstream>
+#include <iterator>
+#include <thread>
+
 #include "tests/app/small_die.h"
 
 namespace diefill::app {
@@ -23,6 +29,75 @@ TEST(Film, DrawsEveryInstantAndTheEnd) {
   EXPECT_EQ(outcome.complaints(), film ? 0U : 1U) << outcome.err;
   ASSERT_EQ(run_program({"report", die.out().string()}).exit_code, 0);
   EXPECT_EQ(contents(die.out() / "report.html").find("<video") != std::string::npos, film);
+}
+
+/// Results with instants, and what is in their folder.
+class Filmed : public testing::Test {
+ protected:
+  Filmed() {
+    die_.write("scene.toml", contents(die_.scene()) + "snapshot_interval = \"20 ms\"\n");
+    EXPECT_EQ(die_.run({"--quiet", "--no-pictures"}).exit_code, 0);
+  }
+  std::vector<std::string> arguments(const std::vector<std::string>& more = {}) const {
+    std::vector<std::string> all = {
+        "film", die_.out().string(), "--width", "400", "--out", (die_.folder() / "my.mp4").string(), "--jobs",
+        "2"};
+    all.insert(all.end(), more.begin(), more.end());
+    return all;
+  }
+
+  SmallDie die_;
+};
+
+TEST_F(Filmed, DeletesNoFolderOfOthers) {
+  const auto folder = die_.folder() / "my_frames";
+  std::filesystem::create_directory(folder);
+  die_.write("my_frames/thesis.txt", "mine");
+  const Outcome kept = run_program(arguments({"--keep-frames"}));
+  EXPECT_EQ(kept.exit_code, 2);
+  EXPECT_EQ(kept.complaints(), 1U) << kept.err;
+  EXPECT_NE(kept.err.find("such as \"thesis.txt\""), std::string::npos) << kept.err;
+  run_program(arguments());
+  EXPECT_EQ(contents(folder / "thesis.txt"), "mine");
+  EXPECT_EQ(SmallDie::files_in(folder).size(), 1U);
+  // Earlier frames may be someone's too: they make room and stay.
+  std::filesystem::remove(folder / "thesis.txt");
+  die_.write("my_frames/00000.png", "mine");
+  const Outcome again = run_program(arguments({"--keep-frames"}));
+  EXPECT_EQ(again.exit_code, 0) << again.err;
+  EXPECT_EQ(contents(die_.folder() / "my_frames-previous-1" / "00000.png"), "mine");
+  EXPECT_GT(SmallDie::files_in(folder).size(), 5U);
+}
+
+/// Programs whose command line holds `word`.
+int programs_with(const std::string& word) {
+  int count = 0;
+  for (const auto& entry : std::filesystem::directory_iterator("/proc")) {
+    std::ifstream words(entry.path() / "cmdline");  // nothing of what is no program, or has just ended
+    const std::string line{std::istreambuf_iterator<char>(words), std::istreambuf_iterator<char>()};
+    if (line.find(word) != std::string::npos) ++count;
+  }
+  return count;
+}
+
+TEST_F(Filmed, EndsWithItsWorkersAndLeavesNoFrames) {
+  const std::string film = (die_.folder() / "my.mp4").string();
+  for (const int signal : {SIGKILL, SIGTERM}) {
+    SCOPED_TRACE(signal);
+    Program program(arguments({"--turntable"}));
+    const auto until = [](auto reached) {
+      constexpr int kMost = 6000;
+      for (int n = 0; n < kMost && !reached(); ++n)
+        std::this_thread::sleep_for(std::chrono::milliseconds(10));
+      return reached();
+    };
+    ASSERT_TRUE(until([&] { return programs_with(film) == 3; }));
+    program.send(signal);
+    const Outcome outcome = program.wait();
+    EXPECT_EQ(outcome.exit_code, signal == SIGTERM ? 130 : -1);
+    EXPECT_TRUE(until([&] { return programs_with(film) == 0; }));
+    EXPECT_FALSE(std::filesystem::exists(film));
+  }
 }
 
 TEST(Film, RefusesWhatItCannotShow) {

@@ -38,7 +38,7 @@ TEST(Lab, AnUnknownExperimentEndsInOneLineWithTheNearest) {
   const Outcome outcome = run_program({"lab", "stability", "rotaton"});
   EXPECT_EQ(outcome.exit_code, 2);
   EXPECT_EQ(outcome.complaints(), 1U) << outcome.err;
-  EXPECT_NE(outcome.err.find("did you mean rotation?"), std::string::npos) << outcome.err;
+  EXPECT_NE(outcome.err.find("did you mean \"rotation\"?"), std::string::npos) << outcome.err;
 }
 
 TEST(Lab, TheListNamesExperimentsWithScenesAndFamilies) {

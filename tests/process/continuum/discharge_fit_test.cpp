@@ -92,6 +92,15 @@ TEST(DischargeFit, FindsTheOutflowOfASlitThatOpens) {
   EXPECT_EQ(fit.left_out, 8U);  // 0 to 7 ms: the burst takes 7.8 ms
 }
 
+TEST(DischargeFit, RefusesWhatIsNoFlow) {
+  DischargeData data = planted(kSimulatedDischarge);
+  for (auto& point : data.points) point.value = 0.01 * point.speed;  // more mass at higher speeds
+  EXPECT_THROW(fit_discharge(DischargeLaw::moving_shoe, data), std::invalid_argument);
+  EXPECT_THROW(fit_discharge(DischargeLaw::power_law, data), std::invalid_argument);
+  EXPECT_THROW(fit_discharge(DischargeLaw::moving_shoe, planted(kSimulatedDischarge, 5 * kMm)),
+               std::invalid_argument);  // grains that do not pass
+}
+
 DischargeData orifices(double coefficient, double k, double grain, bool round) {
   DischargeData data;
   data.density = 3000;

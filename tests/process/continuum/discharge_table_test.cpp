@@ -73,19 +73,30 @@ TEST_F(DischargeTable, TellsTheLawByItsColumns) {
 }
 
 TEST_F(DischargeTable, SaysWhatIsWrongInOneLineWithItsPlace) {
-  expect_complaint("speed m/s,mass g\n0.1,abc\n", "masses.csv:2: column mass: found \"abc\"");
-  expect_complaint("speed m/s,mass g\n0.1,\n", "masses.csv:2: column mass: found nothing");
+  expect_complaint("speed m/s,mass g\n0.1,abc\n", "masses.csv:2:5: column mass: found \"abc\"");
+  expect_complaint("speed m/s,mass g\n0.1,\n", "masses.csv:2:5: column mass: found nothing");
   expect_complaint("speed m/s,mass g\n0.1\n", "masses.csv:2: found 1 values, expected 2");
   expect_complaint("speed m/s,mass g\n-0.1,3\n", "found -0.1, allowed: above 0");
-  expect_complaint("speed m/s,mass g\n0.1,nan\n", "masses.csv:2: column mass");
+  expect_complaint("speed m/s,mass g\n0.1,nan\n", "masses.csv:2:5: column mass");
   expect_complaint("speed,mass g\n0.1,3\n", "\"speed\" without a unit");
   expect_complaint("speed g,mass g\n0.1,3\n", "column speed: found unit \"g\"");
   expect_complaint("sped m/s,mass g\n0.1,3\n", "did you mean \"speed\"?");
   expect_complaint("speed m/s,mass g,mass kg\n0.1,3,4\n", "column mass twice");
+  expect_complaint("speed m/s,width mm,mass g,diameter mm\n0.1,6,3,6\n", "width or diameter twice");
   expect_complaint("speed m/s\n0.1\n", "law 5.17 needs mass");
+  expect_complaint("speed m/s;mass g\n0.1;2,5\n",
+                   "masses.csv:2:5: column mass: found \"2,5\", a number with a "
+                   "decimal comma; write a decimal point, such as \"2.5\"");
+  expect_complaint("speed m/s,mass g\n0,1,2,5\n",
+                   "found 4 values, expected 2, one per column; if these are "
+                   "decimal commas, write decimal points");
+  expect_complaint("speed m/s,mass g\n0.1,1e999\n",
+                   "masses.csv:2:5: column mass: found \"1e999\", too large");
+  expect_complaint("speed m/s,mass g\n0.1,0\n", "masses.csv:2: found a mass of 0, allowed: above 0");
   expect_complaint("\n", "found no lines");
   EXPECT_NE(complaint("speed m/s,mass g\n0.1,3\n", {}).find("needs width: add a column, or give --width"),
             std::string::npos);
+  expect_complaint("speed m/s,m\xE4ss g\n0.1,3\n", "which is not UTF-8; save the table as UTF-8 text");
   EXPECT_THROW(read_discharge_table("/nowhere/masses.csv", DischargeLaw::moving_shoe, kCommon), SceneError);
 }
 

@@ -6,7 +6,6 @@
 #include <functional>
 #include <numbers>
 
-#include "process/input/scene_error.h"
 #include "process/machine/force_control.h"
 #include "process/machine/motions/move.h"
 #include "process/machine/motions/rotation.h"
@@ -208,14 +207,6 @@ TEST(Move, BrakesOnItsWayWhenItIsToldToStop) {
 
 class TableFile : public testing::Test {
  protected:
-  std::string complaint(const std::string& text) const {
-    try {
-      read_motion_table(folder_.write("motion.csv", text), "scene.toml:3:8: step.file");
-    } catch (const SceneError& error) {
-      return error.what();
-    }
-    return {};
-  }
   support::TemporaryFolder folder_;
 };
 
@@ -232,20 +223,6 @@ TEST_F(TableFile, GoesThroughItsPointsSmoothly) {
   expect_derivative([&](double t) { return motion.motion(t); }, *motion.duration(), 0.3);
   expect_smooth([&](double t) { return motion.motion(t); }, *motion.duration(), 0.3, 10);
   EXPECT_NEAR(motion.motion(0.4).velocity.norm(), 0, 1e-15);
-}
-
-TEST_F(TableFile, SaysWhatIsWrongAndWhere) {
-  const auto expect = [&](const std::string& text, const std::string& words) {
-    EXPECT_NE(complaint(text).find(words), std::string::npos) << complaint(text);
-  };
-  expect("time s, x mm\n0, 0\n1, abc\n", "motion.csv:3: found \"abc\"");
-  expect("time s, x kg\n0, 0\n1, 1\n", "\"kg\" is not a unit of length");
-  expect("time s, speed\n0, 0\n", "found column \"speed\"");
-  expect("x mm\n0\n", "no time column");
-  expect("time s, x mm\n0, 0\n0, 1\n", "times must increase");
-  expect("time s, x mm\n0, 1\n1, 1\n", "must be all zeros");
-  expect("time s, x mm\n0, 0\n1\n", "found 1 values");
-  expect("time s, x mm\n0, 0\n", "found 1 points");
 }
 
 TEST(SeveralMotions, AddUpOnOneToolWithExactVelocities) {

@@ -106,7 +106,7 @@ TEST_F(CompareWithMeasured, FaultsAreNamedInOneLine) {
   EXPECT_NE(complaint("azimuth [deg], fill level\n45, 9\n").find("has no unit"), std::string::npos);
   EXPECT_NE(complaint("azimuth [deg], fill level [mm]\n45, 9\n45, 8\n").find("given twice"),
             std::string::npos);
-  EXPECT_NE(complaint("azimuth [deg], fill level [mm]\n45, 9, 1\n").find("found 3 columns, expected 2"),
+  EXPECT_NE(complaint("azimuth [deg], fill level [mm]\n45, 9, 1\n").find("found 3 values, expected 2"),
             std::string::npos);
   EXPECT_NE(
       complaint("azimuth [deg], fill level [mm], deviation [mm]\n45, 9, 0\n").find("standard deviation is 0"),
@@ -114,6 +114,50 @@ TEST_F(CompareWithMeasured, FaultsAreNamedInOneLine) {
   EXPECT_NE(
       complaint("azimuth [deg], height [mm], solid fraction [1]\n90, 30, 0.3\n").find("none of its 1 places"),
       std::string::npos);
+}
+
+TEST_F(CompareWithMeasured, ColumnsAreKnownByTheirNamesInAnyOrder) {
+  const auto comparison = against(
+      "solid fraction [%], deviation [%], height [mm], Azimuth [deg]\n31.9, 1, 10, 90\n32.8, 1, 10, 180\n");
+  EXPECT_EQ(comparison.first_name, "azimuth");
+  EXPECT_EQ(comparison.second, (std::vector<double>{10, 10}));
+  EXPECT_NEAR(comparison.simulated[0], 31.9, 1e-9);
+  EXPECT_NEAR(zone(comparison, "all").rms, 0, 1e-9);
+}
+
+TEST_F(CompareWithMeasured, ColumnsOfOtherNamesAreRefused) {
+  const auto expect = [&](const std::string& csv, const std::string& part) {
+    const std::string said = complaint(csv);
+    EXPECT_NE(said.find(part), std::string::npos) << said;
+  };
+  expect("depth below rim [mm], solid fraction [1]\n2, 0.3\n",
+         "level.csv:1:1: column of places: found \"depth below rim\", allowed: \"azimuth\", \"x\"");
+  expect("heigt [mm], solid fraction [1]\n2, 0.3\n", "did you mean \"height\"?");
+  expect(
+      "x [mm], y [mm], solid fraction [1]\n2, 1, 0.3\n",
+      "found places as \"x\" and \"y\", but the solid fraction of the result runs over \"azimuth [deg]\" and "
+      "\"height [mm]\"");
+  expect("x [mm], x [mm], solid fraction [1]\n2, 1, 0.3\n", "level.csv:1:9: found column x twice");
+  expect("height [mm], fill level [mm]\n2, 3\n",
+         "places of fill level: found \"height\", allowed: \"azimuth\"");
+  expect("azimuth [s], fill level [mm]\n2, 3\n",
+         "level.csv:1:1: found places in \"s\", allowed: a unit such as "
+         "\"deg\"");
+  expect("azimuth [deg], fill level [g]\n2, 3\n", "level.csv:1:16: found \"fill level [g]\"");
+  expect("fill level [mm], deviation [mm]\n2, 3\n", "found 0 columns of places");
+  expect("azimuth [deg], height [mm]\n2, 3\n", "found no column of values");
+}
+
+TEST_F(CompareWithMeasured, ImpossibleValuesAreRefusedWithTheirLine) {
+  const std::string head = "azimuth [deg], height [mm], solid fraction [1]\n90, 10, 0.3\n";
+  EXPECT_NE(complaint(head + "180, 10, 35.3\n")
+                .find("level.csv:3: found solid fraction 35.3, allowed: 0 to 1, as nothing else is possible"),
+            std::string::npos)
+      << complaint(head + "180, 10, 35.3\n");
+  for (const char* value : {"-0.3", "nan", "1e999", "1.0001"})
+    EXPECT_NE(complaint(head + "180, 10, " + value + "\n").find("level.csv:3"), std::string::npos) << value;
+  EXPECT_NE(complaint("azimuth [deg], fill level [mm]\n45, -9\n").find("found fill level -9 mm"),
+            std::string::npos);
 }
 
 TEST_F(CompareWithMeasured, TwoFilesOfOneNameAreRefused) {

@@ -58,11 +58,17 @@ TEST_F(MeasuredCsv, MapsHaveTwoPlacesInAnyOrder) {
   EXPECT_EQ(table.places[1].name, "height");
 }
 
+TEST_F(MeasuredCsv, DeviationsStandInTheColumnThatIsCalledSo) {
+  const MeasuredTable table = read("speed [m/s],deviation [g],mass [g]\n0.1,0.3,12\n");
+  EXPECT_EQ(table.value.values[0], 12);
+  EXPECT_EQ(table.deviation.values[0], 0.3);
+}
+
 TEST_F(MeasuredCsv, EachFaultIsNamedInOneLineWithItsLine) {
   EXPECT_EQ(complaint("speed,mass [g],s [g]\n1,2,3\n"),
-            "data.csv:1: column \"speed\" has no unit; write one behind the name, as in \"mass [g]\", or "
+            "data.csv:1:1: column \"speed\" has no unit; write one behind the name, as in \"mass [g]\", or "
             "\"[1]\" for plain numbers");
-  EXPECT_NE(complaint("speed [m/s],mass [grm],s [g]\n1,2,3\n").find("data.csv:1: column \"mass [grm]\""),
+  EXPECT_NE(complaint("speed [m/s],mass [grm],s [g]\n1,2,3\n").find("data.csv:1:13: column \"mass [grm]\""),
             std::string::npos);
   EXPECT_NE(complaint("speed [m/s],mass [g],s [mm]\n1,2,3\n").find("\"mm\" is not a unit of what has \"g\""),
             std::string::npos);
@@ -76,10 +82,14 @@ TEST_F(MeasuredCsv, EachFaultIsNamedInOneLineWithItsLine) {
             "scatter by");
   EXPECT_NE(complaint(head + "0.2,2,-1\n").find("allowed: more than 0"), std::string::npos);
   EXPECT_EQ(complaint(head + "0.2,two,1\n"),
-            "data.csv:2: found \"two\", expected a number with a decimal point");
+            "data.csv:2:5: found \"two\", expected a number with a decimal point");
   EXPECT_EQ(complaint(head + "0.2,nan,1\n"),
-            "data.csv:2: found \"nan\", expected a number with a decimal point");
-  EXPECT_NE(complaint(head + "0.2,2\n").find("data.csv:2: found 2 columns, expected 3"), std::string::npos);
+            "data.csv:2:5: found \"nan\", expected a number with a decimal point");
+  EXPECT_NE(complaint(head + "0.2,2\n").find("data.csv:2: found 2 values, expected 3"), std::string::npos);
+  EXPECT_NE(complaint("speed [m/s],mass [g],s [mm]\n1,2,3\n").find("data.csv:1:22: deviation in \"mm\""),
+            std::string::npos);
+  EXPECT_EQ(complaint("speed [m/s],speed [m/s],s [g]\n1,2,3\n"),
+            "data.csv:1:13: found column speed twice; remove one of them");
   EXPECT_EQ(complaint(head), "data.csv: found no measured values");
   EXPECT_EQ(complaint(""), "data.csv: found no measured values");
 }

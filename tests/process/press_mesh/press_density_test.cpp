@@ -5,6 +5,7 @@
 #include <numeric>
 #include <sstream>
 
+#include "geometry/mesh/mesh.h"
 #include "process/measure/fields/element_density.h"
 #include "process/measure/measure.h"
 #include "process/press_mesh/density_files.h"
@@ -87,14 +88,44 @@ TEST(PressDensity, OfUniformPowderIsUniform) {
 TEST(PressDensity, NamesElementsOutsideThePowder) {
   const auto result = filled_block([](const Eigen::Vector3d&) { return 0.42; });
   auto mesh = cube_mesh(2, 6e-3, {4e-3, 0, 0});  // half of it beyond the block
-  const auto density = element_density(result, mesh, {kWidth, 1e-3});
+  const auto density = element_density(result, mesh, {kWidth, 5e-5});
   EXPECT_EQ(density.outside, (std::vector<std::uint64_t>{2, 4, 6, 8}));
   EXPECT_EQ(density.mass[1], 0);
   EXPECT_GT(density.filled[0], 0.2);
   EXPECT_LT(density.filled[0], 1);
-  EXPECT_NEAR(sum(density.mass), 1e-3, 1e-15);
+  EXPECT_NEAR(sum(density.mass), 5e-5, 5e-17);
   for (auto& node : mesh.nodes) node.x() += 1;
   EXPECT_THROW(element_density(result, mesh, {kWidth, 1e-3}), std::invalid_argument);
+}
+
+TEST(PressDensity, IsRefusedAboveThatOfTheSolid) {
+  const auto result = filled_block([](const Eigen::Vector3d&) { return 0.42; });
+  const auto mesh = cube_mesh(2, 6e-3);
+  const double solid = solid_density(result) * std::pow(6e-3, 3);
+  EXPECT_NO_THROW(element_density(result, mesh, {kWidth, 0.99 * solid}));
+  try {
+    element_density(result, mesh, {kWidth, 1.1 * solid});
+    FAIL() << "not refused";
+  } catch (const geometry::MeshError& error) {
+    EXPECT_NE(std::string(error.what()).find("a relative density of 1.1, allowed: up to 1"),
+              std::string::npos)
+        << error.what();
+  }
+}
+
+TEST(PressDensity, NamesElementsAboveThatOfTheSolid) {
+  const support::TemporaryFolder folder;
+  const auto result =  // one corner much denser than all the rest
+      filled_block([](const Eigen::Vector3d& p) { return p.minCoeff() > 1.5e-3 ? 0.95 : 0.2; });
+  const auto mesh = cube_mesh(4, 6e-3);
+  const double solid = solid_density(result) * std::pow(6e-3, 3);
+  const auto density = element_density(result, mesh, {kWidth, 0.36 * solid});
+  EXPECT_EQ(density.above, std::vector<std::uint64_t>{64});
+  EXPECT_EQ(write_density_files(folder.path(), "m", mesh, density, {"m.inp", ""}).size(), 6U);
+  EXPECT_EQ(support::contents(folder.path() / "m_density_above_solid.csv"),
+            "element denser than its solid\n64\n");
+  EXPECT_NE(support::contents(folder.path() / "m_density_abaqus.inp").find("** WARNING: 1 elements come out"),
+            std::string::npos);
 }
 
 TEST(PressDensity, FilesHoldEveryElementAndNodeAndTheMass) {
@@ -130,7 +161,7 @@ TEST(PressDensity, NodesOutsideGetNoCard) {
   const support::TemporaryFolder folder;
   const auto result = filled_block([](const Eigen::Vector3d&) { return 0.42; });
   const auto mesh = cube_mesh(2, 6e-3, {4e-3, 0, 0});
-  write_density_files(folder.path(), "m", mesh, element_density(result, mesh, {kWidth, 1e-3}), {"m.inp", ""});
+  write_density_files(folder.path(), "m", mesh, element_density(result, mesh, {kWidth, 5e-5}), {"m.inp", ""});
   const std::string card = support::contents(folder.path() / "m_density_abaqus.inp");
   EXPECT_NE(card.find("\n1, "), std::string::npos);
   EXPECT_EQ(card.find("\n3, "), std::string::npos);  // at the far end along x

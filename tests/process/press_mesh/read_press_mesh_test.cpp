@@ -81,6 +81,17 @@ struct Wrong {
   std::string text, message;
 };
 
+TEST(PressMesh, OfAbaqusMayHaveNormalsAndCollapsedElements) {
+  using support::exchanged;
+  EXPECT_EQ(
+      read(read_inp, exchanged(inp_cube(), "2, 2., 0., 0.", "2, 2., 0., 0., 0., 0.6, -0.8")).nodes.size(),
+      8U);
+  // A wedge as a hexahedron with two edges drawn together.
+  const auto wedge =
+      exchanged(exchanged(inp_cube(), "11, 1, 2, 3, 4", "11, 1, 2, 3, 3"), " 5, 6, 7, 8", " 5, 6, 7, 7");
+  EXPECT_EQ(read(read_inp, wedge).elements.size(), 1U);
+}
+
 TEST(PressMesh, BadFilesAreRefusedInOneLineWithItsNumber) {
   using support::exchanged;
   const std::string tetra = "7 4 2 1 1 1 2 3 5", head = "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n";
@@ -105,6 +116,18 @@ TEST(PressMesh, BadFilesAreRefusedInOneLineWithItsNumber) {
       {read_inp, exchanged(inp_cube(), "C3D8R", "C3D27"), "mesh.txt:14: found TYPE=C3D27"},
       {read_inp, exchanged(inp_cube(), "4,\n 5, 6", "4,\n 5"),
        "mesh.txt:16: element with 7 nodes, expected 8"},
+      {read_inp, exchanged(inp_cube(), "2, 2., 0., 0.", "2, 2,5, 0., 0."),
+       "mesh.txt:6: found \"2, 2,5, 0., 0.\", expected a node: number, x, y, z, with decimal points"},
+      {read_inp, exchanged(inp_cube(), "2, 2., 0., 0.", "2, 2,0, 0,0, 9,0"),
+       "mesh.txt:6: found \"2, 2,0, 0,0, 9,0\", expected a node"},
+      {read_inp, exchanged(inp_cube(), "2, 2., 0., 0.", "2, 1e999, 0., 0."),
+       "mesh.txt:6: found \"1e999\", a number that is too large"},
+      {read_inp, std::string("\xFF\xFE*\0N\0", 6), "mesh.txt:1: found UTF-16 text, expected UTF-8"},
+      {read_inp, exchanged(inp_cube(), "11, 1, 2, 3, 4", "11, 1, 3, 2, 4"),
+       "mesh.txt: element 11 is twisted: the Jacobian is negative at"},
+      {read_inp, exchanged(inp_cube(), "1, 2, 3, 4,\n 5, 6, 7, 8", "5, 6, 7, 8,\n 1, 2, 3, 4"),
+       "mesh.txt: element 11 is inside out: the Jacobian is negative at all its corners"},
+      {read_gmsh, exchanged(gmsh22(), tetra, "7 4 2 1 1 1 3 2 5"), "mesh.txt: element 7 is inside out"},
       {read_inp, exchanged(inp_cube(), "4, 0., 2., 0.", "4, 0., 2., nan"), "mesh.txt:8: found \"nan\""},
   };
   for (const auto& wrong : all)

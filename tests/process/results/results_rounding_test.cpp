@@ -23,6 +23,7 @@ TEST(Rounding, ValuesWithoutScatterKeepAFewDigits) {
   EXPECT_EQ(with_scatter(87041, std::nan("")), "87041");
   EXPECT_EQ(with_scatter(3.4567, 0), "3.46 ± 0");
   EXPECT_EQ(with_scatter(3.4567891, 1e-9), "3.4568 ± 1e-09");
+  EXPECT_EQ(with_scatter(0.31, 8e-17), "0.31 ± 0") << "rounding of a sum";
   EXPECT_EQ(with_scatter(std::nan(""), 1), "");
 }
 

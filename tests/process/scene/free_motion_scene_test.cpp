@@ -5,6 +5,7 @@
 
 #include "process/machine/free_motion.h"
 #include "process/scene/placed_grains.h"
+#include "process/scene/reading/read_sphere_file.h"
 #include "process/scene/variants.h"
 #include "tests/process/scene_files.h"
 #include "tests/process/wrong_scene.h"
@@ -128,6 +129,37 @@ TEST(GrainsFile, GivesPlacesAndTheBoxAboutThem) {
   EXPECT_NE(text.find((folder.path() / "grains.csv").string()), std::string::npos) << text;
 }
 
+TEST(GrainsFile, NamesItsColumnsInAnyOrder) {
+  const support::TemporaryFolder folder;
+  const auto grains =
+      grains_in_file(folder.write("grains.csv", "radius [um], z [m], x [mm], y [mm]\n500, 0.02, 3, 4\n"));
+  ASSERT_EQ(grains.size(), 1U);
+  EXPECT_NEAR((grains[0].centre - Eigen::Vector3d(3e-3, 4e-3, 0.02)).norm(), 0, 1e-15);
+  EXPECT_NEAR(grains[0].radius, 5e-4, 1e-15);
+}
+
+TEST(GrainsFile, GrainsInEachOtherAreRefusedWithTheirLines) {
+  const SphereRows touching = {{{{0, 0, 0}, 1e-3}, {{1.6e-3, 0, 0}, 1e-3}, {{0, 1.07e-3, 0}, 1e-4}},
+                               {2, 3, 5}};
+  EXPECT_NO_THROW(refuse_grains_in_each_other(touching, "grains.csv"));
+  const auto message = [&](const Eigen::Vector3d& place, double radius) -> std::string {
+    SphereRows rows = touching;
+    rows.spheres.push_back({place, radius});
+    rows.lines.push_back(7);
+    try {
+      refuse_grains_in_each_other(rows, "grains.csv");
+    } catch (const SceneError& error) {
+      return error.what();
+    }
+    return "";
+  };
+  EXPECT_TRUE(message({0, 0, 0}, 1e-3).starts_with("grains.csv:7: this grain is in that of line 2"));
+  EXPECT_TRUE(message({1.6e-3, 1e-4, 0}, 1e-3).starts_with("grains.csv:7: this grain is in that of line 3"));
+  EXPECT_NE(message({0, -9.4e-4, 0}, 1e-4), "");  // a small one in a large one
+  EXPECT_NE(message({0, 1.07e-3, 1e-5}, 1e-4), "");
+  EXPECT_EQ(message({0, 0, 5e-2}, 1e-3), "");
+}
+
 TEST(GrainsFile, OfAnotherSceneIsNone) {
   const SceneFolder folder;
   EXPECT_FALSE(read_scene(folder.write(faultless_scene())).pour.grains_file);
@@ -146,9 +178,27 @@ TEST(GrainsFile, IsRefusedBesideABoxAndWhenWrong) {
   std::ofstream(folder.path() / "grains.csv") << "x [mm], y [mm], z [mm], radius [mm]\n20, 0, one, 1\n";
   EXPECT_NE(message("grains_file = \"grains.csv\"\n" + kPour).find("gives all grains; remove the key"),
             std::string::npos);
-  EXPECT_NE(message("grains_file = \"grains.csv\"\n").find("grains.csv:2: expected x, y, z and radius"),
+  EXPECT_NE(message("grains_file = \"grains.csv\"\n").find("grains.csv:2:8: column z: found \"one\""),
             std::string::npos)
       << message("grains_file = \"grains.csv\"\n");
+  const auto of_file = [&](const std::string& text) {
+    std::ofstream(folder.path() / "grains.csv") << text;
+    return message("grains_file = \"grains.csv\"\n");
+  };
+  const auto expect = [&](const std::string& text, const std::string& part) {
+    EXPECT_NE(of_file(text).find(part), std::string::npos) << of_file(text);
+  };
+  const std::string head = "x [mm], y [mm], z [mm], radius [mm]\n";
+  expect(head + "20, 0, inf, 1\n", "grains.csv:2:8: column z: found \"inf\", expected a number");
+  expect(head + "1e999, 0, 1, 1\n", "grains.csv:2:1: column x: found \"1e999\", too large");
+  expect(head + "20, 0, 1, 0\n", "grains.csv:2:11: column radius: found 0 mm, allowed: 1e-06 to 50 mm");
+  expect(head + "20, 0, 1, -1\n", "found -1 mm");
+  expect(head + "20, 0, 1, 9000\n", "found 9000 mm");
+  expect(head + "900000, 0, 1, 1\n", "column x: found 900000 mm, allowed: -10000 to 10000 mm");
+  expect("x [mm], y [mm], z [mm], z [mm]\n", "found column z twice");
+  expect("x [mm], y [mm], z [mm]\n20, 0, 1\n", "grains.csv:1: found no column radius");
+  expect("x [mm], y [mm], z [mm], radus [mm]\n", "did you mean \"radius\"?");
+  expect("x [s], y [mm], z [mm], radius [mm]\n", "grains.csv:1:1: found unit \"s\"");
   EXPECT_NE(message("grains_file = \"none.csv\"\n").find("pour.grains_file"), std::string::npos)
       << message("grains_file = \"none.csv\"\n");
 }

@@ -35,6 +35,31 @@ int lines_before() {
   return static_cast<int>(std::count(text.begin(), text.end(), '\n'));
 }
 
+TEST(SceneChanges, FaultsNameTheOptionAndNotTheFile) {
+  const SceneFolder folder;
+  const auto file = folder.write(faultless_scene());
+  const auto complaint = [&](const std::string& set, const std::string& called = "--set") -> std::string {
+    try {
+      SceneChanges changes;
+      changes.set = set;
+      changes.called = called;
+      changed_scene(faultless_scene(), file, changes);
+    } catch (const SceneError& error) {
+      return error.what();
+    }
+    return "no complaint";
+  };
+  EXPECT_TRUE(
+      complaint("powder.frction = 1\n").starts_with("--set, change 1: powder.frction: found 1 under"));
+  EXPECT_TRUE(complaint("seed = 2\nstep.9.velocity = \"1 m/s\"\n")
+                  .starts_with("--set, change 2: step.9: found a table, no [[step]] has this name"));
+  EXPECT_TRUE(complaint("step.1.velocity = \"1 kg\"\n", "--vary")
+                  .starts_with("--vary, change 1: step.velocity: found \"1 kg\""))
+      << complaint("step.1.velocity = \"1 kg\"\n", "--vary");
+  EXPECT_TRUE(complaint("seed = = 2\n").starts_with("--set:1:")) << complaint("seed = = 2\n");
+  EXPECT_EQ(complaint("powder.friction = 0.5\n"), "no complaint");
+}
+
 TEST(Variants, ChangeWhatTheyNameAndNothingElse) {
   const auto variants = variants_of(R"(
 [[variant]]

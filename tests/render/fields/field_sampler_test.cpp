@@ -6,6 +6,7 @@
 #include <limits>
 #include <stdexcept>
 
+#include "process/results/places_without_value.h"
 #include "tests/render/synthetic_ring.h"
 
 namespace diefill::render::test {
@@ -53,6 +54,19 @@ TEST(FieldSampler, HoleReachesHalfWayToTheNextNode) {
   EXPECT_TRUE(std::isnan(sampler.at(0.52, 0)));
   EXPECT_DOUBLE_EQ(sampler.at(2.02, 0), sampler.at(3, 0));
   EXPECT_DOUBLE_EQ(sampler.at(0.48, 0), sampler.at(0, 0));
+}
+
+TEST(FieldSampler, OutsideToolsOnlyNodesOutsideThemCount) {
+  auto field = bilinear_field();
+  for (std::size_t row = 0; row < 3; ++row) field.value[row * 4 + 1] = results::inside_tool();  // x = 1
+  const FieldSampler sampler(field);
+  EXPECT_TRUE(sampler.beside_tool(0.9, 0));
+  EXPECT_TRUE(sampler.beside_tool(2.9, 0));
+  EXPECT_FALSE(sampler.beside_tool(3.1, 0));
+  EXPECT_TRUE(results::is_inside_tool(sampler.at(0.9, 0)));
+  EXPECT_DOUBLE_EQ(sampler.at_outside_tools(0.9, 0), sampler.at(0, 0));
+  EXPECT_DOUBLE_EQ(sampler.at_outside_tools(1.1, -1), sampler.at(3, -1));
+  EXPECT_TRUE(results::is_inside_tool(sampler.at_outside_tools(1, 0))) << "no other node counts there";
 }
 
 TEST(FieldSampler, AzimuthGoesRoundAtTheSeam) {

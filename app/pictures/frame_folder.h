@@ -1,0 +1,33 @@
+// The folder of a film's frames while they are drawn: one of its own, so that no other files are touched.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <string>
+
+namespace diefill::app {
+
+/// Throws process::SceneError, in one line, where a file stands at `wanted`, or a folder with other files
+/// than frames.
+void require_frames_alone(const std::filesystem::path& wanted);
+
+/// A new folder beside `wanted`. With its files it is gone at the end of this object's life unless it is
+/// kept.
+class FrameFolder {
+ public:
+  /// Throws std::runtime_error where it cannot be made.
+  explicit FrameFolder(std::filesystem::path wanted);
+  ~FrameFolder();
+  FrameFolder(const FrameFolder&) = delete;
+  FrameFolder& operator=(const FrameFolder&) = delete;
+
+  const std::filesystem::path& path() const { return path_; }
+  /// Gives it the wanted name. What has that name is renamed to <name>-previous-1 or the first free number,
+  /// and `say` is told.
+  void keep(const std::function<void(const std::string&)>& say);
+
+ private:
+  std::filesystem::path wanted_, path_;
+};
+
+}  // namespace diefill::app

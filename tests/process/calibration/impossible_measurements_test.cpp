@@ -1,0 +1,99 @@
+// Measurements that no run of a scene can have are refused when the calibration file is read.
+#include <gtest/gtest.h>
+#include <toml++/toml.h>
+
+#include <fstream>
+
+#include "process/calibration/measurement.h"
+#include "process/input/scene_error.h"
+#include "tests/process/scene_files.h"
+#include "tests/process/wrong_scene.h"
+
+namespace diefill::process::calibration {
+namespace {
+
+class Measurements : public testing::Test {
+ protected:
+  Measurements() {
+    folder_.write(faultless_scene() +
+                  "[[measure.zone]]\nname = \"flange\"\nheights = [\"-5 mm\", \"0 mm\"]\n");
+  }
+  /// What is said of a [[measurement]] with these lines.
+  std::string complaint(const std::string& lines, const std::string& csv = "") const {
+    std::ofstream(folder_.path() / "m.csv") << csv;
+    const toml::table parsed = toml::parse("[[measurement]]\nname = \"a\"\nscene = \"scene.toml\"\n" + lines);
+    try {
+      TableReader document(parsed, folder_.path() / "calibration.toml", "");
+      read_measurements(document, {});
+    } catch (const SceneError& error) {
+      return error.what();
+    }
+    return "no complaint";
+  }
+  void expect(const std::string& lines, const std::string& part, const std::string& csv = "") const {
+    const std::string said = complaint(lines, csv);
+    EXPECT_NE(said.find(part), std::string::npos) << said;
+    EXPECT_EQ(said.find('\n'), std::string::npos) << said;
+  }
+
+ private:
+  SceneFolder folder_;
+};
+
+TEST_F(Measurements, OfFiguresThatTheSceneHasAreRead) {
+  const std::string one = "value = \"0.3\"\ndeviation = \"0.01\"\n";
+  for (const char* figure :
+       {"mass_share_in_flange", "solid_fraction_in_flange", "cavity_2_solid_fraction_mean",
+        "cavity_3_mass_share_in_flange", "solid_fraction"})
+    EXPECT_EQ(complaint("figure = \"" + std::string(figure) + "\"\n" + one), "no complaint") << figure;
+}
+
+TEST_F(Measurements, OfOtherFiguresAreRefusedWithThoseThatThereAre) {
+  const std::string one = "value = \"0.3\"\ndeviation = \"0.01\"\n";
+  expect("figure = \"mass_share_in_flnge\"\n" + one,
+         "found \"mass_share_in_flnge\", allowed: \"mass_share_in_flange\"; did you mean "
+         "\"mass_share_in_flange\"?");
+  expect("figure = \"slope_of_heap_deg\"\n" + one, "the scene has no [[measure.heap]]");
+  expect("figure = \"cavity_1_fill_ratio\"\n" + one, "further cavities have the numbers 2, 3 and so on");
+  expect("figure = \"cavity_2_mass_share_in_hub\"\n" + one, "allowed: \"mass_share_in_flange\"");
+}
+
+TEST_F(Measurements, WithImpossibleValuesAreRefused) {
+  expect("figure = \"expected_mass_kg\"\nvalue = \"-12 g\"\ndeviation = \"1 g\"\n",
+         "value: point 1: found value -12 g, allowed: 0 g or more");
+  expect("figure = \"mass_share_in_flange\"\nvalue = \"35\"\ndeviation = \"1\"\n",
+         "found value 35, allowed: 0 to 1");
+  EXPECT_EQ(complaint("figure = \"mass_share_in_flange\"\nvalue = \"35 %\"\ndeviation = \"1 %\"\n"),
+            "no complaint");
+  expect(
+      "kind = \"profile\"\nprofile = \"solid fraction\"\nat = [\"1 mm\"]\nvalues = [\"3\"]\ndeviations = "
+      "\"0.1\"\n",
+      "found values 3, allowed: 0 to 1");
+}
+
+TEST_F(Measurements, OfProfilesAndMapsThatNoResultHasAreRefused) {
+  const std::string lists =
+      "at = [\"1 mm\", \"2 mm\"]\nvalues = [\"3 mm\", \"4 mm\"]\ndeviations = \"1 mm\"\n";
+  const std::string profile = "kind = \"profile\"\nprofile = ",
+                    map = "kind = \"map\"\nfile = \"m.csv\"\nmap = ";
+  EXPECT_EQ(complaint(profile + "\"fill level\"\n" + lists), "no complaint");
+  expect(profile + "\"fill levl\"\n" + lists, "profile: found \"fill levl\", allowed: \"fill level\"");
+  expect(profile + "\"fill levl\"\n" + lists, "did you mean \"fill level\"?");
+  expect(profile + "\"fill level over azimuth\"\n" + lists, "allowed: a unit such as \"deg\"");
+  const std::string csv = "x [mm], y [mm], solid fraction [1], deviation [1]\n1, 2, 0.3, 0.01\n";
+  EXPECT_EQ(complaint(map + "\"solid fraction\"\n", csv), "no complaint");
+  // A name of the plant's own, and deviations in the last column.
+  EXPECT_EQ(
+      complaint(map + "\"solid fraction\"\n", "azimuth [deg], height [mm], CT [1], s [1]\n1, 2, 0.3, 0.01\n"),
+      "no complaint");
+  expect(map + "\"nothing\"\n", "map: found \"nothing\", allowed: \"solid fraction\", \"fill level\"", csv);
+  expect(map + "\"fill level\"\n", "column of values: found \"solid fraction\", allowed: \"fill level\"",
+         csv);
+  expect(map + "\"solid fraction\"\n", "found no column of standard deviations",
+         "x [mm], y [mm], solid fraction [1]\n1, 2, 0.3\n");
+  expect(map + "\"solid fraction\"\n", "m.csv:1:1: found places in \"s\"",
+         "x [s], y [mm], solid fraction [1], deviation [1]\n1, 2, 0.3, 0.01\n");
+}
+
+}  // namespace
+}  // namespace diefill::process::calibration
