@@ -24,6 +24,11 @@ std::string cannot_write(const std::filesystem::path& directory, const std::stri
 
 }  // namespace
 
+std::filesystem::path default_directory(const std::filesystem::path& file, const std::string& ending) {
+  const std::string folder = std::filesystem::absolute(file).parent_path().filename().string();
+  return std::filesystem::path("out") / (folder + '_' + file.stem().string() + ending);
+}
+
 void require_directory(const std::filesystem::path& directory, const std::string& option) {
   for (std::filesystem::path place = directory; place.has_relative_path(); place = place.parent_path()) {
     std::error_code error;

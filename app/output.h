@@ -11,6 +11,10 @@
 
 namespace diefill::app {
 
+/// Where results of a command on this file go unless the user says otherwise: out/<folder of the file>_<its
+/// name><ending>.
+std::filesystem::path default_directory(const std::filesystem::path& file, const std::string& ending = {});
+
 /// Throws process::SceneError, in one line that names `option`, where a file stands at this place or above
 /// it. Makes nothing.
 void require_directory(const std::filesystem::path& directory, const std::string& option = "--out");

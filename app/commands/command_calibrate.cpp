@@ -34,10 +34,7 @@ struct CalibrateArguments {
 std::filesystem::path directory_of(const CalibrateArguments& arguments) {
   for (const std::string& given : {arguments.export_to, arguments.collect_from, arguments.out})
     if (!given.empty()) return given;
-  const std::filesystem::path file = arguments.file;
-  const auto folder = std::filesystem::absolute(file).parent_path().filename().string();
-  return std::filesystem::path("out") /
-         (folder + '_' + file.stem().string() + (arguments.screen ? "_screening" : ""));
+  return default_directory(arguments.file, arguments.screen ? "_screening" : "");
 }
 
 std::string command_text(const CalibrateArguments& arguments) {

@@ -29,12 +29,6 @@ struct CompareArguments {
   bool quiet = false;
 };
 
-/// out/<folder of the scene>_<name of the scene>.
-std::filesystem::path default_directory(const std::filesystem::path& scene) {
-  const auto folder = std::filesystem::absolute(scene).parent_path().filename().string();
-  return std::filesystem::path("out") / (folder + '_' + scene.stem().string());
-}
-
 /// The exit code: 0 where every run is finished.
 ExitCode exit_code_of(const results::Comparison& comparison) {
   ExitCode worst = kDone;
@@ -85,9 +79,6 @@ int gather(const std::filesystem::path& directory, const std::vector<process::Me
 }
 
 std::vector<process::Variant> checked_variants(const CompareArguments& arguments) {
-  if (arguments.scene.empty())
-    throw process::SceneError(
-        "SCENE: found nothing, expected a scene file, or --collect with a directory of runs");
   auto variants = chosen_variants(arguments.scene, arguments.setting);
   process::check_seeds(variants, arguments.seeds);
   if (!process::has_variants(process::read_scene(arguments.scene)))
@@ -125,10 +116,13 @@ int export_jobs(const CompareArguments& arguments) {
 int compare(const CompareArguments& arguments) {
   const auto measured = process::read_measured_files(arguments.measured);
   if (!arguments.collect_from.empty()) return gather(arguments.collect_from, measured);
+  if (arguments.scene.empty())
+    throw process::SceneError(
+        "SCENE: found nothing, expected a scene file, or --collect with a directory of runs");
   if (!arguments.export_to.empty()) return export_jobs(arguments);
   const std::filesystem::path directory =
       arguments.out.empty() ? default_directory(arguments.scene) : std::filesystem::path(arguments.out);
-  if (!arguments.scene.empty()) require_directory(directory);
+  require_directory(directory);
   const auto variants = checked_variants(arguments);
   const OutputDirectory output(directory, {"tools", "beginnings"});
   const auto list = jobs_in(directory, arguments, variants);

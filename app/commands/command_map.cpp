@@ -231,6 +231,57 @@ std::string kinds_text() {
   return text;
 }
 
+constexpr const char* kExamples =
+    "Examples:\n"
+    "  diefill map out/narrow_ring --averaging-width '1 mm'\n"
+    "  diefill map out/narrow_ring --picture section --normal z --origin '0 mm' '0 mm' '-10 mm'\n"
+    "  diefill map out/narrow_ring --measured fill_level.csv\n"
+    "  diefill map out/twin_die --cavity 2 --out out/twin_die/cavity_2\n"
+    "  diefill map out/one out/two --picture difference --picture height-profile --pdf --out out/compared\n"
+    "  diefill map out/narrow_ring --picture displacement --from '0.2 s' --to '0.4 s'\n"
+    "  diefill map out/slit --picture velocity-section --time-average --from '0.5 s' --to '0.6 s'\n"
+    "  diefill map out/slow out/fast --y 'filled mass'\n"
+    "  diefill map out/pressed --x 'piston/z' --y 'piston/F_z'\n"
+    "  diefill map out/narrow_ring --picture view --tools translucent --camera corner --width 3200";
+
+/// Where the pictures are taken.
+void add_place_options(CLI::App& command, MapArguments& arguments) {
+  command
+      .add_option(
+          "--cavity", arguments.cavity,
+          "cavity to draw, by its number in the report; use --out to keep the pictures of the largest")
+      ->check(whole_number(1, kMostCavities))
+      ->capture_default_str();
+  command.add_option("--averaging-width", arguments.averaging_width,
+                     "Gaussian width sigma of the averaging, such as '1 mm' (default: the larger of 0.5 mm "
+                     "and half the largest grain size)");
+  command
+      .add_option("--origin", arguments.origin, "point of the section plane, such as '0 mm' '0 mm' '-5 mm'")
+      ->expected(3);
+  command.add_option("--normal", arguments.normal,
+                     "normal of the section plane: x, y, z, or three numbers such as 1,0,1");
+}
+
+/// When.
+void add_time_options(CLI::App& command, MapArguments& arguments) {
+  command.add_option("--from", arguments.from,
+                     "time of an earlier instant, such as '0.2 s'; needs measure.snapshot_interval in the "
+                     "scene");
+  command.add_option("--to", arguments.to, "time of a later instant, or of the view (default: the end)");
+  command.add_flag("--time-average", arguments.time_average,
+                   "average over all stored instants between --from and --to");
+}
+
+/// Columns of probes to draw.
+void add_probe_options(CLI::App& command, MapArguments& arguments) {
+  command.add_option("--x", arguments.x, "column of a probe along x, such as 'piston/z' (default: the time)");
+  command
+      .add_option("--y", arguments.y,
+                  "column of a probe to draw, such as 'piston/F_z' or 'zone rim/solid fraction'; several of "
+                  "one unit in one chart")
+      ->allow_extra_args(false);
+}
+
 }  // namespace
 
 void add_map(CLI::App& program, Action& chosen) {
@@ -247,48 +298,12 @@ void add_map(CLI::App& program, Action& chosen) {
                    "correlation zone by zone")
       ->allow_extra_args(false);
   command->add_option("--out", arguments->out, "directory for the pictures (default: the first DIR)");
-  command
-      ->add_option(
-          "--cavity", arguments->cavity,
-          "cavity to draw, by its number in the report; use --out to keep the pictures of the largest")
-      ->check(whole_number(1, kMostCavities))
-      ->capture_default_str();
-  command->add_option("--averaging-width", arguments->averaging_width,
-                      "Gaussian width sigma of the averaging, such as '1 mm' (default: the larger of 0.5 mm "
-                      "and half the largest grain size)");
-  command
-      ->add_option("--origin", arguments->origin, "point of the section plane, such as '0 mm' '0 mm' '-5 mm'")
-      ->expected(3);
-  command->add_option("--normal", arguments->normal,
-                      "normal of the section plane: x, y, z, or three numbers such as 1,0,1");
-  command->add_option("--from", arguments->from,
-                      "time of an earlier instant, such as '0.2 s'; needs measure.snapshot_interval in the "
-                      "scene");
-  command->add_option("--to", arguments->to, "time of a later instant, or of the view (default: the end)");
-  command->add_flag("--time-average", arguments->time_average,
-                    "average over all stored instants between --from and --to");
-  command->add_option("--x", arguments->x,
-                      "column of a probe along x, such as 'piston/z' (default: the time)");
-  command
-      ->add_option("--y", arguments->y,
-                   "column of a probe to draw, such as 'piston/F_z' or 'zone rim/solid fraction'; several of "
-                   "one unit in one chart")
-      ->allow_extra_args(false);
+  add_place_options(*command, *arguments);
+  add_time_options(*command, *arguments);
+  add_probe_options(*command, *arguments);
   add_view_options(*command, arguments->look);
   command->add_flag("--pdf", arguments->pdf, "also write charts as PDF");
-  command->footer(
-      kinds_text() +
-      "Examples:\n"
-      "  diefill map out/narrow_ring --averaging-width '1 mm'\n"
-      "  diefill map out/narrow_ring --picture section --normal z --origin '0 mm' '0 mm' '-10 mm'\n"
-      "  diefill map out/narrow_ring --measured fill_level.csv\n"
-      "  diefill map out/twin_die --cavity 2 --out out/twin_die/cavity_2\n"
-      "  diefill map out/one out/two --picture difference --picture height-profile --pdf --out out/compared\n"
-      "  diefill map out/narrow_ring --picture displacement --from '0.2 s' --to '0.4 s'\n"
-      "  diefill map out/slit --picture velocity-section --time-average --from '0.5 s' --to '0.6 s'\n"
-      "  diefill map out/slow out/fast --y 'filled mass'\n"
-      "  diefill map out/pressed --x 'piston/z' --y 'piston/F_z'\n"
-      "  diefill map out/narrow_ring --picture view --tools translucent --camera corner --width 3200");
+  command->footer(kinds_text() + kExamples);
   command->callback([arguments, &chosen] { chosen = [arguments] { return map(*arguments); }; });
 }
 

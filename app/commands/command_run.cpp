@@ -45,10 +45,9 @@ struct RunArguments {
 };
 
 /// out/<folder of the scene>, or out/<name of the scene> where its file name says more than "fill".
-std::filesystem::path default_directory(const std::filesystem::path& scene) {
-  const auto folder = std::filesystem::absolute(scene).parent_path().filename();
-  const auto name = scene.stem().string();
-  return std::filesystem::path("out") / (name == "fill" ? folder.string() : folder.string() + "_" + name);
+std::filesystem::path directory_of_run(const std::filesystem::path& scene) {
+  if (scene.stem() != "fill") return default_directory(scene);
+  return std::filesystem::path("out") / std::filesystem::absolute(scene).parent_path().filename();
 }
 
 void print_summary(const results::FillResult& result) {
@@ -71,8 +70,8 @@ void print_summary(const results::FillResult& result) {
 
 process::RunOptions options_of(const RunArguments& arguments, const process::Scene& scene) {
   process::RunOptions options;
-  options.directory = arguments.directory.empty() ? default_directory(scene.file)
-                                                  : std::filesystem::path(arguments.directory);
+  options.directory =
+      arguments.directory.empty() ? directory_of_run(scene.file) : std::filesystem::path(arguments.directory);
   // The other cores of this machine are those of other ranks.
   const unsigned all = step_engine() != nullptr ? 1U : std::thread::hardware_concurrency();
   options.threads = arguments.threads > 0 ? arguments.threads : static_cast<int>(std::max(1U, all));

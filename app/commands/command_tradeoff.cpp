@@ -33,12 +33,6 @@ struct TradeoffArguments {
   bool variants = false, quiet = false;
 };
 
-/// out/<folder of the scene>_<name of the scene>_tradeoff.
-std::filesystem::path default_directory(const std::filesystem::path& scene) {
-  const auto folder = std::filesystem::absolute(scene).parent_path().filename().string();
-  return std::filesystem::path("out") / (folder + '_' + scene.stem().string() + "_tradeoff");
-}
-
 /// "NAME=VALUE" as a pair. Throws SceneError for anything else.
 std::pair<std::string, double> read_target(const std::string& text) {
   const std::size_t equals = text.find('=');
@@ -72,8 +66,8 @@ std::string command_text(const TradeoffArguments& arguments) {
 
 process::TradeoffOptions options_of(const TradeoffArguments& arguments) {
   process::TradeoffOptions options;
-  options.directory =
-      arguments.out.empty() ? default_directory(arguments.scene) : std::filesystem::path(arguments.out);
+  options.directory = arguments.out.empty() ? default_directory(arguments.scene, "_tradeoff")
+                                            : std::filesystem::path(arguments.out);
   for (const auto& text : arguments.targets) options.targets.insert(read_target(text));
   options.seeds = arguments.seeds;
   options.tolerance = 0.01 * arguments.tolerance;

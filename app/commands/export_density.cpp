@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "app/commands/measured_region.h"
+#include "app/kept_notes.h"
 #include "app/options/choices.h"
 #include "app/options/numbers.h"
 #include "app/options/output_file.h"
@@ -138,6 +139,9 @@ void print_density(const results::FillResult& result, const results::SolidMesh& 
   if (!density.outside.empty())
     std::printf("outside the powder: %zu elements: %s\n", density.outside.size(),
                 list_text(density.outside).c_str());
+  if (!density.above.empty())
+    print_note(std::to_string(density.above.size()) + " elements come out denser than their solid: " +
+               list_text(density.above) + "; the cards keep what they get, so check mesh and mass");
   constexpr double kDifference = 0.05;
   const double expected = options.mesh_share * result.cavity.volume;
   if (expected > 0 && std::abs(density.total_volume / expected - 1) > kDifference)
@@ -231,7 +235,7 @@ void require_density_wanted(const CLI::App& command) {
   const bool mesh = command.count("--density-for") > 0, grid = command.count("--density-grid") > 0;
   const auto refuse = [&](const char* option, const char* missing) {
     if (command.count(option) > 0)
-      throw CLI::ValidationError(std::string(option) + ": says nothing without " + missing +
+      throw CLI::ValidationError(std::string(option) + ": has no effect without " + missing +
                                  "; give that too, or leave the option out");
   };
   for (const char* option : {"--mesh-unit", "--mesh-position", "--mesh-share"})

@@ -21,7 +21,7 @@ struct DensityOptions {
 
 void add_density_options(CLI::App& command, DensityOptions& options);
 
-/// Throws CLI::ValidationError, in one line, where one of these options is given that says nothing without
+/// Throws CLI::ValidationError, in one line, where one of these options is given that has no effect without
 /// another that is not.
 void require_density_wanted(const CLI::App& command);
 

@@ -133,32 +133,60 @@ std::vector<geometry::Box> powder_boxes(const Scene& scene, double voxel) {
   return boxes;
 }
 
-}  // namespace
-
-ReachableSurface::ReachableSurface(const Scene& scene, const Tooling& tooling, double grain_diameter) {
-  const Eigen::Vector3d extent = tooling.all.size();
-  geometry::ReachRequest request;
-  // Voxels a quarter of a grain wide: fine enough for walls, coarse enough for a scene of a few hundred
-  // millimetres.
+/// Edge of the voxels, m: a quarter of a grain, fine enough for walls, coarse enough for a scene of a few
+/// hundred millimetres.
+double voxel_edge(const Tooling& tooling, double grain_diameter) {
   constexpr double kMostVoxels = 2e7;
   const double of_grains = 0.25 * grain_diameter;
-  request.voxel = std::max(of_grains, std::cbrt(extent.prod() / kMostVoxels));
-  request.voxel = std::clamp(request.voxel, 1e-5, std::max(5e-4, of_grains));
+  double voxel = std::max(of_grains, std::cbrt(tooling.all.size().prod() / kMostVoxels));
+  voxel = std::clamp(voxel, 1e-5, std::max(5e-4, of_grains));
   // Wider where tools are far apart: powder does not come through openings half a grain wide.
   constexpr double kManyVoxels = 1e8;
   const double for_many = std::cbrt(tooling.standing.size().prod() / kManyVoxels);
-  if (for_many > request.voxel)
-    request.voxel = std::max(request.voxel, std::min(for_many, 0.5 * grain_diameter));
+  return for_many > voxel ? std::max(voxel, std::min(for_many, 0.5 * grain_diameter)) : voxel;
+}
+
+/// What is searched: the standing tools, and above them as high as powder comes.
+geometry::Box searched(const geometry::ReachRequest& request, const Tooling& tooling) {
+  geometry::Box domain = tooling.standing;
+  domain.upper[2] = tooling.all.upper[2];
+  for (const geometry::Box& box : request.powder) domain.upper[2] = std::max(domain.upper[2], box.upper[2]);
+  domain.upper[2] += request.climb;
+  return domain;
+}
+
+/// The tools in all poses that matter.
+std::vector<geometry::MovingSolid> moving_solids(const Scene& scene, const Tooling& tooling) {
+  const auto samples = sampled_poses(scene, tooling, 0.25 * tooling.all.size().head<2>().maxCoeff() / 8);
+  std::vector<geometry::MovingSolid> solids;
+  for (std::size_t k = 0; k < tooling.tools.size(); ++k) {
+    geometry::MovingSolid solid;
+    solid.mesh = &tooling.tools[k].mesh;
+    for (const auto& sample : samples) {
+      solid.rotations.push_back(sample[k].rotation);
+      solid.translations.push_back(sample[k].translation);
+    }
+    solids.push_back(std::move(solid));
+  }
+  return solids;
+}
+
+geometry::ReachRequest request_of(const Scene& scene, const Tooling& tooling, double grain_diameter) {
+  geometry::ReachRequest request;
+  request.voxel = voxel_edge(tooling, grain_diameter);
   const double thrown = throw_height(scene, tooling);
   request.scatters = thrown > kThrown * grain_diameter;
   request.climb = 2 * grain_diameter + (request.scatters ? thrown : 0);
   request.powder = powder_boxes(scene, request.voxel);
-  request.domain.lower = tooling.standing.lower;
-  request.domain.upper = tooling.standing.upper;
-  request.domain.upper[2] = tooling.all.upper[2];
-  for (const geometry::Box& box : request.powder)
-    request.domain.upper[2] = std::max(request.domain.upper[2], box.upper[2]);
-  request.domain.upper[2] += request.climb;
+  request.domain = searched(request, tooling);
+  request.solids = moving_solids(scene, tooling);
+  return request;
+}
+
+}  // namespace
+
+ReachableSurface::ReachableSurface(const Scene& scene, const Tooling& tooling, double grain_diameter) {
+  geometry::ReachRequest request = request_of(scene, tooling, grain_diameter);
   // Flooded voxels are free space up to the walls: only their size makes the answer fuzzy.
   // Wide enough to join the frayed borders of what was flooded: a strip of wall too many costs little, a gap
   // grains.
@@ -166,7 +194,6 @@ ReachableSurface::ReachableSurface(const Scene& scene, const Tooling& tooling, d
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const auto& period = scene.numerics.period[axis];
     period_half_[axis] = period ? 0.5 * *period : std::numeric_limits<double>::infinity();
-    if (!period) continue;
     const auto a = static_cast<Eigen::Index>(axis);
     request.domain.lower[a] = std::max(request.domain.lower[a], -period_half_[axis]);
     request.domain.upper[a] = std::min(request.domain.upper[a], period_half_[axis]);
@@ -176,16 +203,6 @@ ReachableSurface::ReachableSurface(const Scene& scene, const Tooling& tooling, d
     falls_here_.lower.array() -= margin_;
     falls_here_.upper.array() += margin_;
     falls_here_.upper[2] = std::max(falls_here_.upper[2], tooling.all.upper[2] + margin_);
-  }
-  const auto samples = sampled_poses(scene, tooling, 0.25 * extent.head<2>().maxCoeff() / 8);
-  for (std::size_t k = 0; k < tooling.tools.size(); ++k) {
-    geometry::MovingSolid solid;
-    solid.mesh = &tooling.tools[k].mesh;
-    for (const auto& sample : samples) {
-      solid.rotations.push_back(sample[k].rotation);
-      solid.translations.push_back(sample[k].translation);
-    }
-    request.solids.push_back(solid);
   }
   try {
     reach_ = std::make_unique<geometry::Reach>(request);

@@ -1,24 +1,9 @@
 #include "render/charts/variation_charts.h"
 
-#include "render/style/axes.h"
+#include "render/charts/profile_axes.h"
 #include "render/style/text.h"
 
 namespace diefill::render {
-namespace {
-
-void prepare(Chart& chart, const results::Profile& profile) {
-  chart.x.label = axis_label(profile.x_name, profile.x_unit).toStdString();
-  chart.y.label = axis_label(profile.quantity, profile.unit).toStdString();
-  if (profile.x_name == "height")
-    chart.x.label = axis_label("height above cavity floor", profile.x_unit).toStdString();
-  if (profile.x_name != "azimuth") return;
-  chart.x.lower = 0;
-  chart.x.upper = 360;
-  chart.x.degrees = true;
-  for (const auto& marker : shoe_markers()) chart.markers.push_back({marker.x, marker.text.toStdString()});
-}
-
-}  // namespace
 
 Chart spread_chart(const std::vector<Named<results::SpreadProfile>>& profiles, const std::string& title,
                    const std::string& subtitle, const std::string& across) {
@@ -26,9 +11,10 @@ Chart spread_chart(const std::vector<Named<results::SpreadProfile>>& profiles, c
   chart.title = title;
   chart.subtitle = subtitle;
   if (profiles.empty()) return chart;
-  prepare(chart, profiles.front().data.mean);
+  set_profile_axes(chart, profiles.front().data.mean);
   for (const auto& [name, profile] : profiles)
-    chart.curves.push_back({name, profile.mean.x, profile.mean.y, CurveStyle::kLine, {}, profile.spread});
+    chart.curves.push_back(
+        {name, profile.mean.x, profile.mean.y, profile_style(profile.mean), {}, profile.spread});
   const std::string over = profiles.front().data.mean.x_name == "azimuth" ? "height" : across;
   chart.note = "Mean over " + over + "; band: +- one standard deviation over " + over;
   return chart;
@@ -65,7 +51,7 @@ Chart profile_chart(const std::vector<Named<results::Profile>>& profiles, const 
   chart.title = title;
   chart.subtitle = subtitle;
   if (profiles.empty()) return chart;
-  prepare(chart, profiles.front().data);
+  set_profile_axes(chart, profiles.front().data);
   for (const auto& [name, profile] : profiles)
     chart.curves.push_back({name, profile.x, profile.y, CurveStyle::kLine, {}});
   return chart;

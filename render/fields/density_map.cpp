@@ -230,14 +230,11 @@ class ToolCrossings {
 
 /// What the field has at a place of the picture. Its nodes know tools to half their distance, outlines know
 /// them exactly.
-double value_at(const FieldSampler& sampler, const ToolCrossings& tools, const QPointF& at,
-                const FieldStyle& style) {
+double value_at(const FieldSampler& sampler, const std::vector<ToolCrossings>& levels, const QPointF& at) {
   const double value = sampler.at(at.x(), at.y());
-  if (style.outlines.empty()) return value;
-  const bool beside_tool = sampler.beside_tool(at.x(), at.y());
-  const bool no_powder = std::isnan(value) && !results::is_unvalued_powder(value);
-  if (!beside_tool && !no_powder) return value;
-  if (tools.inside(at.x())) return results::inside_tool();
+  if (levels.empty()) return value;
+  if (std::ranges::all_of(levels, [&](const ToolCrossings& tools) { return tools.inside(at.x()); }))
+    return results::inside_tool();
   return results::is_inside_tool(value) ? sampler.at_outside_tools(at.x(), at.y()) : value;
 }
 
@@ -252,10 +249,12 @@ PlacesShown paint_field(QImage& canvas, const PlotArea& plot, const results::Fie
   const QRect rect = QRectF(plot.rect.topLeft() * pixels, plot.rect.size() * pixels).toRect();
   for (int row = rect.top(); row <= rect.bottom(); ++row) {
     auto* line = reinterpret_cast<QRgb*>(canvas.scanLine(row));
-    const ToolCrossings tools(style.outlines, plot.value({0, (row + 0.5) / pixels}).y());
+    std::vector<ToolCrossings> levels;
+    for (const auto& outlines : style.tool_levels)
+      levels.emplace_back(outlines, plot.value({0, (row + 0.5) / pixels}).y());
     for (int column = rect.left(); column <= rect.right(); ++column) {
       const QPointF at = plot.value({(column + 0.5) / pixels, (row + 0.5) / pixels});
-      const double value = value_at(sampler, tools, at, style);
+      const double value = value_at(sampler, levels, at);
       const Place place = place_of(value, at.x(), at.y(), style);
       places.add(place);
       const Rgb colour = bar_colour(bar, value);

@@ -32,11 +32,21 @@ std::string number(double value) {
   return text;
 }
 
+/// Outlines of the tools seen from above, at this share of the cavity's height.
+std::vector<Outline> outlines_at(const results::FillResult& result, double share) {
+  results::SectionPlane plane;
+  plane.normal = Eigen::Vector3d::UnitZ();
+  plane.second_axis = Eigen::Vector3d::UnitY();
+  plane.origin.z() = std::lerp(result.cavity.lower_corner.z(), result.cavity.upper_corner.z(), share);
+  return tool_outlines(result.tools, plane);
+}
+
 }  // namespace
 
 void add_section_places(FieldStyle& style, const results::FillResult& result,
                         const results::SectionPlane& plane) {
   style.outlines = tool_outlines(result.tools, plane);
+  style.tool_levels = {style.outlines};
   std::vector<results::CavityState> cavities = result.other_cavities;
   cavities.push_back(result.cavity);
   std::erase_if(cavities, [](const auto& cavity) { return !has_size(cavity); });
@@ -61,11 +71,9 @@ void add_map_places(FieldStyle& style, const results::FillResult& result, const 
     style.in_cavity = [depth](double, double height) { return height <= depth; };
     return;
   }
-  results::SectionPlane plane;
-  plane.normal = Eigen::Vector3d::UnitZ();
-  plane.second_axis = Eigen::Vector3d::UnitY();
-  plane.origin.z() = 0.5 * (cavity.lower_corner.z() + cavity.upper_corner.z());
-  style.outlines = tool_outlines(result.tools, plane);
+  style.outlines = outlines_at(result, 0.5);
+  for (const double share : {0.05, 0.3, 0.5, 0.7, 0.95})
+    style.tool_levels.push_back(outlines_at(result, share));
   style.in_cavity = [](double, double) { return true; };
 }
 

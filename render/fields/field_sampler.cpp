@@ -95,10 +95,6 @@ double FieldSampler::at_outside_tools(double first, double second) const {
   return mean_of(corners);
 }
 
-bool FieldSampler::beside_tool(double first, double second) const {
-  return std::ranges::any_of(corners_of(first, second).values, results::is_inside_tool);
-}
-
 double FieldSampler::mean_of(const Corners& corners) {
   double sum = 0, weight = 0, unvalued = 0, tool = 0;
   for (std::size_t k = 0; k < 4; ++k) {

@@ -31,8 +31,6 @@ class FieldSampler {
   double at(double first, double second) const;
   /// The same at a place that is known to lie outside tools: corners in them do not count, unless all are.
   double at_outside_tools(double first, double second) const;
-  /// Whether one of the nodes about the place lies inside a tool.
-  bool beside_tool(double first, double second) const;
 
  private:
   struct Corners {

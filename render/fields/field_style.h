@@ -19,7 +19,9 @@ struct FieldStyle {
   bool mark_mean = false;   ///< an arrow at the scale and a remark give the mean of the nodes with powder
   std::string unit;         ///< of the values; empty: none
   std::string scale_label;  ///< of the colour scale; empty: the field's quantity
-  std::vector<Outline> outlines;            ///< cavity and tools
+  std::vector<Outline> outlines;  ///< cavity and tools
+  /// Outlines of the tools in one plane or several; a tool is where all of them have one.
+  std::vector<std::vector<Outline>> tool_levels;
   std::vector<results::PlaneArrow> arrows;  ///< drawn in black with a white edge
   double arrow_length = 0;  ///< value (in `unit`) of the arrow in the legend; 0: from the arrows
   std::string note;         ///< small print added at the foot, such as what was compared

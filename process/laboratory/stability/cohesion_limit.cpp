@@ -88,37 +88,47 @@ double chatter(const BoundPair& pair, double time_step) {
   return std::sqrt(sum / 100);
 }
 
-}  // namespace
+double oscillations(const ExperimentOptions& options) {
+  return options.quick ? 100 : 1000;
+}
 
-void find_cohesion_limit(const ExperimentOptions& options, results::ExperimentResult& result) {
-  results::ExperimentChart step, rest;
-  step.name = "cohesion_time_step";
-  step.title = "Time step that resolves cohesion near zero overlap";
-  step.subtitle = "Two undamped cohesive spheres near zero overlap; a tenth of the well depth allowed";
-  step.x = {.label = "Work of adhesion [J/m2]", .logarithmic = true};
-  step.y = {.label = "Time step [us]", .logarithmic = true};
-  ExperimentSeries measured{.name = "energy kept through 100 oscillations", .x = {}, .y = {}};
+double step_that_keeps_energy(const BoundPair& pair, double periods) {
+  return largest_that_holds(1e-3 * pair.critical, 4 * pair.critical, 0.03,
+                            [&](double time_step) { return keeps_its_energy(pair, time_step, periods); });
+}
+
+results::ExperimentChart step_chart(const ExperimentOptions& options) {
+  results::ExperimentChart chart;
+  chart.name = "cohesion_time_step";
+  chart.title = "Time step that resolves cohesion near zero overlap";
+  chart.subtitle = "Two undamped cohesive spheres near zero overlap; a tenth of the well depth allowed";
+  chart.x = {.label = "Work of adhesion [J/m2]", .logarithmic = true};
+  chart.y = {.label = "Time step [us]", .logarithmic = true};
+  const double periods = oscillations(options);
+  ExperimentSeries measured{
+      .name = "energy kept through " + std::to_string(std::lround(periods)) + " oscillations",
+      .x = {},
+      .y = {}};
   ExperimentSeries theory{
       .name = "2 / eigenfrequency at the resting overlap", .role = Role::predicted, .x = {}, .y = {}};
-  const double periods = options.quick ? 100 : 1000;
   for (const double work : logarithmic_range(1e-5, 0.3, options.quick ? 10 : 20)) {
     const auto pair = bound_pair(work);
     measured.x.push_back(work);
+    measured.y.push_back(1e6 * step_that_keeps_energy(pair, periods));
     theory.x.push_back(work);
     theory.y.push_back(1e6 * pair.critical);
-    measured.y.push_back(
-        1e6 * largest_that_holds(1e-3 * pair.critical, 4 * pair.critical, 0.03, [&](double time_step) {
-          return keeps_its_energy(pair, time_step, periods);
-        }));
   }
-  if (!options.quick) measured.name = "energy kept through 1000 oscillations";
-  step.series = {measured, theory};
+  chart.series = {measured, theory};
+  return chart;
+}
 
-  rest.name = "cohesion_chatter";
-  rest.title = "Residual speed in a damped cohesive contact";
-  rest.subtitle = "After 200 oscillations, gamma_n / R = 1e6 Pa s/m";
-  rest.x = {.label = "Time step over 2 / eigenfrequency at rest", .logarithmic = true};
-  rest.y = {.label = "Relative speed, rms [m/s]", .logarithmic = true, .lower = 1e-15};
+results::ExperimentChart chatter_chart(const ExperimentOptions& options) {
+  results::ExperimentChart chart;
+  chart.name = "cohesion_chatter";
+  chart.title = "Residual speed in a damped cohesive contact";
+  chart.subtitle = "After 200 oscillations, gamma_n / R = 1e6 Pa s/m";
+  chart.x = {.label = "Time step over 2 / eigenfrequency at rest", .logarithmic = true};
+  chart.y = {.label = "Relative speed, rms [m/s]", .logarithmic = true, .lower = 1e-15};
   for (const double work : {1e-4, 1e-2}) {
     ExperimentSeries curve{.name = work < 1e-3 ? "w = 1e-4 J/m2" : "w = 0.01 J/m2", .x = {}, .y = {}};
     const auto pair = bound_pair(work);
@@ -126,20 +136,24 @@ void find_cohesion_limit(const ExperimentOptions& options, results::ExperimentRe
       curve.x.push_back(over);
       curve.y.push_back(std::max(1e-15, chatter(pair, over * pair.critical)));
     }
-    rest.series.push_back(curve);
+    chart.series.push_back(curve);
   }
+  return chart;
+}
+
+}  // namespace
+
+void find_cohesion_limit(const ExperimentOptions& options, results::ExperimentResult& result) {
   const auto pair = bound_pair(0.01);
-  result.limits.push_back(
-      {"cohesive pair, w = 0.01 J/m2: step that keeps its energy",
-       largest_that_holds(1e-3 * pair.critical, 4 * pair.critical, 0.03,
-                          [&](double time_step) { return keeps_its_energy(pair, time_step, periods); }),
-       pair.critical, "s", "2 / eigenfrequency at the resting overlap"});
+  result.limits.push_back({"cohesive pair, w = 0.01 J/m2: step that keeps its energy",
+                           step_that_keeps_energy(pair, oscillations(options)), pair.critical, "s",
+                           "2 / eigenfrequency at the resting overlap"});
   result.limits.push_back(
       {"cohesive pair, w = 0.01 J/m2: step without chatter",
        largest_that_holds(1e-2 * pair.critical, 4 * pair.critical, 0.03,
                           [&](double time_step) { return chatter(pair, time_step) < 1e-9; }),
        pair.critical, "s", "2 / eigenfrequency at the resting overlap"});
-  result.charts = {step, rest};
+  result.charts = {step_chart(options), chatter_chart(options)};
 }
 
 }  // namespace diefill::process::laboratory

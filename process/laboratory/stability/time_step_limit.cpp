@@ -66,7 +66,7 @@ std::vector<GasCase> gas_cases() {
           thesis_gas(ThesisGrain::d, "model D, friction 0.5", 0.5)};
 }
 
-void find_in_gas(const ExperimentOptions& options, results::ExperimentResult& result) {
+results::ExperimentChart empty_gas_chart(const ExperimentOptions& options) {
   results::ExperimentChart chart;
   chart.name = "time_step_gas";
   chart.title = "Spurious energy gain in a gas of grains";
@@ -75,16 +75,44 @@ void find_in_gas(const ExperimentOptions& options, results::ExperimentResult& re
   chart.note = "Gains below 1e-5 are drawn at 1e-5, unstable runs at 1.";
   chart.x = {.label = "Time step over duration of a head-on collision at 1 m/s", .logarithmic = true};
   chart.y = {.label = "Energy gained over kinetic energy", .logarithmic = true, .lower = kFloor, .upper = 1};
-  results::ExperimentChart margin;
-  margin.name = "time_step_scaling";
-  margin.title = "Critical time step of spheres against their size";
-  margin.subtitle = "E = 100 MPa, 1000 kg/m3, d = 0.5 mm times l";
-  margin.x = {.label = "Scale l", .logarithmic = true};
-  margin.y = {.label = "Critical time step [us]", .logarithmic = true};
-  ExperimentSeries measured{.name = "measured, 1 % gained", .x = {}, .y = {}};
-  ExperimentSeries formula{.name = "proportional to l", .role = Role::predicted, .x = {}, .y = {}};
-  ExperimentSeries rayleigh{.name = "0.15 of the Rayleigh time", .role = Role::predicted, .x = {}, .y = {}};
+  return chart;
+}
 
+/// Critical steps of spheres of several sizes, beside what they should be.
+class ScalingChart {
+ public:
+  /// `limit`: s, the largest step that holds.
+  void add(const GasCase& gas, double limit, std::vector<results::ExperimentLimit>& limits) {
+    const double first = measured_.y.empty() ? 1e6 * limit : measured_.y.front();
+    for (ExperimentSeries* series : {&measured_, &formula_, &rayleigh_}) series->x.push_back(gas.scale);
+    measured_.y.push_back(1e6 * limit);
+    formula_.y.push_back(first * gas.scale);
+    rayleigh_.y.push_back(0.15e6 * rayleigh_time(gas.shape.sphere_radius, 1000, gas.contact.reduced_modulus));
+    limits.push_back({"scaling: critical step of l = " + std::to_string(static_cast<int>(gas.scale)) +
+                          " over that of l = 1",
+                      1e6 * limit / first, gas.scale, "1", "Hu 2024, section 4.4; same trajectory"});
+  }
+
+  results::ExperimentChart chart() const {
+    results::ExperimentChart chart;
+    chart.name = "time_step_scaling";
+    chart.title = "Critical time step of spheres against their size";
+    chart.subtitle = "E = 100 MPa, 1000 kg/m3, d = 0.5 mm times l";
+    chart.x = {.label = "Scale l", .logarithmic = true};
+    chart.y = {.label = "Critical time step [us]", .logarithmic = true};
+    chart.series = {measured_, formula_, rayleigh_};
+    return chart;
+  }
+
+ private:
+  ExperimentSeries measured_{.name = "measured, 1 % gained", .x = {}, .y = {}};
+  ExperimentSeries formula_{.name = "proportional to l", .role = Role::predicted, .x = {}, .y = {}};
+  ExperimentSeries rayleigh_{.name = "0.15 of the Rayleigh time", .role = Role::predicted, .x = {}, .y = {}};
+};
+
+void find_in_gas(const ExperimentOptions& options, results::ExperimentResult& result) {
+  results::ExperimentChart chart = empty_gas_chart(options);
+  ScalingChart scaling;
   for (const auto& each : gas_cases()) {
     const auto gas = elastic_gas(each.shape, each.contact, options.quick ? 6 : 10, each.spacing, kSpeed);
     const double collision = collision_time(each.shape, each.contact, 1.0);
@@ -104,24 +132,10 @@ void find_in_gas(const ExperimentOptions& options, results::ExperimentResult& re
                              "engine/limits/time_step.h, critical step at 1 m/s"});
     result.limits.push_back({"gas of " + each.name + ": that step over a collision's duration",
                              limit / collision, std::nan(""), "1", ""});
-    if (each.scale > 0) {
-      const double first = measured.y.empty() ? 1e6 * limit : measured.y.front();
-      measured.x.push_back(each.scale);
-      measured.y.push_back(1e6 * limit);
-      formula.x.push_back(each.scale);
-      formula.y.push_back(first * each.scale);
-      rayleigh.x.push_back(each.scale);
-      rayleigh.y.push_back(0.15e6 *
-                           rayleigh_time(each.shape.sphere_radius, 1000, each.contact.reduced_modulus));
-      result.limits.push_back(
-          {"scaling: critical step of l = " + std::to_string(static_cast<int>(each.scale)) +
-               " over that of l = 1",
-           1e6 * limit / first, each.scale, "1", "Hu 2024, section 4.4; same trajectory"});
-    }
+    if (each.scale > 0) scaling.add(each, limit, result.limits);
   }
-  margin.series = {measured, formula, rayleigh};
   result.charts.push_back(chart);
-  result.charts.push_back(margin);
+  result.charts.push_back(scaling.chart());
 }
 
 struct PileCase {

@@ -14,9 +14,10 @@ constexpr double kMillimetre = 1e3;
 constexpr double kSteps = 65534;  // of a coordinate
 constexpr std::uint16_t kAbsent = 65535;
 constexpr double kSlowest = 1e-5;    // m/s: slower counts as rest
-constexpr double kSpeedStep = 2e-3;  // of the natural logarithm
+constexpr double kSpeedStep = 1e-2;  // of the natural logarithm
 constexpr double kFractionSteps = 5000;
 constexpr double kTurnSteps = 127;
+constexpr double kStepOverRadius = 0.04;  // no eye sees less, and digits cost room
 
 /// One instant, seen the same way whether kept or the end.
 struct Frame {
@@ -82,12 +83,14 @@ struct FrameWords {
 
 class FramePacker {
  public:
-  FramePacker(const std::vector<Frame>& frames, const ShownGrains& shown) : shown_(shown) {
+  /// `smallest_radius`: mm, of the spheres.
+  FramePacker(const std::vector<Frame>& frames, const ShownGrains& shown, double smallest_radius)
+      : shown_(shown) {
     for (const Frame& frame : frames)
       for (const auto& place : *frame.position)
         if (place.allFinite()) box_.extend(kMillimetre * place);
     if (box_.isEmpty()) box_.extend(Eigen::Vector3d(0, 0, 0));
-    step_ = std::max(box_.sizes().maxCoeff() / kSteps, 1e-6);
+    step_ = std::max({box_.sizes().maxCoeff() / kSteps, kStepOverRadius * smallest_radius, 1e-6});
   }
 
   FrameWords words_of(const Frame& frame) const {
@@ -131,6 +134,13 @@ std::vector<Word> change(const std::vector<Word>& words, std::vector<Word>& befo
   return difference;
 }
 
+double smallest_radius(const results::PowderState& powder) {
+  double smallest = powder.sphere_radius;
+  for (const auto& radii : {powder.sphere_radii, powder.kinds.sphere_radii})
+    for (const double radius : radii) smallest = std::min(smallest, radius);
+  return smallest;
+}
+
 QJsonArray poses_of(const Frame& frame, std::size_t tools) {
   QJsonArray poses;
   for (std::size_t n = 0; n < tools; ++n) {
@@ -150,7 +160,7 @@ QJsonArray poses_of(const Frame& frame, std::size_t tools) {
 QJsonObject pack_frames(PackedBytes& bytes, const ViewedRun& run, const std::vector<std::size_t>& instants,
                         const ShownGrains& shown) {
   const auto frames = frames_of(run, instants);
-  const FramePacker packer(frames, shown);
+  const FramePacker packer(frames, shown, kMillimetre * smallest_radius(run.result->powder));
   QJsonArray list;
   FrameWords before;
   for (std::size_t n = 0; n < frames.size(); ++n) {

@@ -18,8 +18,9 @@ struct PackingLimits {
 
 /// `description`: names, frames, tools, and the table of arrays in `data` (PackedBytes::base64).
 /// Frames differ from the one before, so that resting grains cost nothing: positions in 16 bits of the box
-/// they need (65535: not there), orientations in 8 bits a component, speeds as their logarithm and solid
-/// fractions as 1 + 5000 times the value in 16 bits (0: none).
+/// they need (65535: not there), no finer than a 25th of the smallest sphere's radius, orientations in 8 bits
+/// a component, speeds as their logarithm in steps of 1 %, solid fractions as 1 + 5000 times the value in 16
+/// bits (0: none).
 struct PackedRun {
   QJsonObject description;
   QByteArray data;

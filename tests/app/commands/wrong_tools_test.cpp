@@ -145,7 +145,7 @@ std::vector<WrongTool> wrong_arrangements() {
        [](const SmallDie& die) {
          die.add_tool("punch", "punch", cad::prism(cad::rectangle(-5.8, -0.2, -2.8, 2.8), -9, -1), kHere);
        },
-       {"tool \"punch\"", "tool \"die\"", "overlap by 0.8 mm"}},
+       {"tool \"punch\"", "tool \"die\"", "overlap by"}},
       {"wall_spheres_too_far_apart",
        with_scene("position =", "sphere_radius = \"0.28 mm\"\nspacing = 4\nposition ="),
        {"tool.spacing", "found 4", "through"}},

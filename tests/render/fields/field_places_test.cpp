@@ -64,6 +64,38 @@ TEST_F(FieldPlaces, LookDifferentAndAreExplained) {
   EXPECT_GT(ink(picture.image, {30, picture.image.height() - 112, picture.image.width() - 60, 30}), 2000);
 }
 
+/// Lines round a rectangle, as tool_outlines() gives them: one a side, the same way round.
+std::vector<Outline> rectangle(double left, double right, double bottom, double top) {
+  const std::vector<Eigen::Vector2d> corners = {{left, bottom}, {right, bottom}, {right, top}, {left, top}};
+  std::vector<Outline> lines;
+  for (std::size_t k = 0; k < 4; ++k) lines.push_back({corners[k], corners[(k + 1) % 4]});
+  return lines;
+}
+
+TEST_F(FieldPlaces, ToolsEndAtTheirOutlinesAndNotAtNodes) {
+  FieldStyle style = pocket();
+  // Two tools that overlap, and end beyond and before the nodes that know of them.
+  auto outlines = rectangle(7.5, 10, -9, -0.05);
+  for (const auto& line : rectangle(9, 12.5, -9, -0.05)) outlines.push_back(line);
+  style.tool_levels = {outlines};
+  const auto picture = compose_field(strips(), "Strips", "", kRangeFromData, style);
+  keep(picture.image, "places_outlines.png");
+  const auto is_tool = [&](double x, double z) {
+    const QPointF at = picture.plot.pixel(x, z);
+    std::set<QRgb> found;
+    for (int column = -2; column <= 2; ++column)
+      for (int row = -9; row <= 9; ++row)
+        found.insert(picture.image.pixel(static_cast<int>(at.x()) + column, static_cast<int>(at.y()) + row));
+    return found.contains(qRgb(96, 96, 96)) && found.contains(qRgb(196, 196, 196));
+  };
+  EXPECT_TRUE(is_tool(7.7, -4));
+  EXPECT_FALSE(is_tool(7.3, -4));
+  EXPECT_TRUE(is_tool(9.5, -4)) << "in both tools";
+  EXPECT_TRUE(is_tool(12.3, -4));
+  EXPECT_FALSE(is_tool(12.7, -4));
+  EXPECT_FALSE(is_tool(12.3, 0.5)) << "above the tool";
+}
+
 TEST_F(FieldPlaces, FillPlaneIsALineWithItsName) {
   auto field = strips();
   const auto with = compose_field(field, "Strips", "", kRangeFromData, pocket());

@@ -60,9 +60,6 @@ TEST(FieldSampler, OutsideToolsOnlyNodesOutsideThemCount) {
   auto field = bilinear_field();
   for (std::size_t row = 0; row < 3; ++row) field.value[row * 4 + 1] = results::inside_tool();  // x = 1
   const FieldSampler sampler(field);
-  EXPECT_TRUE(sampler.beside_tool(0.9, 0));
-  EXPECT_TRUE(sampler.beside_tool(2.9, 0));
-  EXPECT_FALSE(sampler.beside_tool(3.1, 0));
   EXPECT_TRUE(results::is_inside_tool(sampler.at(0.9, 0)));
   EXPECT_DOUBLE_EQ(sampler.at_outside_tools(0.9, 0), sampler.at(0, 0));
   EXPECT_DOUBLE_EQ(sampler.at_outside_tools(1.1, -1), sampler.at(3, -1));

@@ -112,7 +112,7 @@ TEST(PackedRun, TellsSpeedsAndSolidFractionsWithinAPerCent) {
   const auto ring = ring_with_an_instant();
   const Unpacked data(packed_run({"ring", &ring, nullptr}, {}));
   const auto speeds = data.words("speed0");
-  EXPECT_NEAR(1e-5 * std::exp(2e-3 * (speeds.back() - 1)), 0.1, 1e-3);
+  EXPECT_NEAR(1e-5 * std::exp(1e-2 * (speeds.back() - 1)), 0.1, 1e-3);
   std::size_t closed = 0;
   for (const auto word : data.words("fraction1")) closed += word > 0 ? 1 : 0;
   EXPECT_EQ(closed, static_cast<std::size_t>(

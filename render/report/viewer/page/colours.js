@@ -45,9 +45,9 @@ function limitsOf(runs, quantity, given) {
         if (value === value && frame.position[grain] !== ABSENT) values.push(value);
       }
   if (values.length === 0) return [0, 1];
-  values.sort((a, b) => a - b);
-  if (quantity.key === "speed") return [0, widened(0, percentile(values, 0.98))[1]];
-  return widened(percentile(values, 0.02), percentile(values, 0.98));
+  const sorted = Float64Array.from(values).sort();
+  if (quantity.key === "speed") return [0, widened(0, percentile(sorted, 0.98))[1]];
+  return widened(percentile(sorted, 0.02), percentile(sorted, 0.98));
 }
 
 /** Whether the quantity tells grains apart in any run. */

@@ -80,7 +80,7 @@ function centreOf(run, frame, grain) {
 /** m/s */
 function speedOf(frame, grain) {
   const word = frame.speed[grain];
-  return word === 0 ? 0 : 1e-5 * Math.exp(2e-3 * (word - 1));
+  return word === 0 ? 0 : 1e-5 * Math.exp(1e-2 * (word - 1));
 }
 
 /** NaN where it has none. */

@@ -254,14 +254,16 @@ class View {
   }
 
   redraw() {
-    if (this.waiting) return;
-    this.waiting = true;
-    requestAnimationFrame(() => { this.waiting = false; this.draw(this.slow ? 0.5 : 1); });
+    this.stale = true;
+    if (this.drawing) return;
+    this.drawing = true;
+    requestAnimationFrame(() => this.draw(this.slow ? 0.5 : 1));
   }
 
   draw(fineness) {
     const start = performance.now(), total = this.canvas.clientHeight;
-    if (!this.cells[0].width || !total) return;
+    this.stale = false;
+    if (!this.cells[0].width || !total) { this.drawing = false; return; }
     this.renderer.setPixelRatio(fineness);
     this.clearAll();
     for (const cell of this.cells) {
@@ -276,15 +278,23 @@ class View {
     }
     this.marks.axes.show(this.camera.eye);
     this.marks.bar.show(this.camera.scale(this.cells[0].height));
-    this.root.dataset.drawn = Number(this.root.dataset.drawn || 0) + 1;
-    this.refine(fineness, this.wait() - start);
+    this.whenDrawn(() => {
+      this.root.dataset.drawn = Number(this.root.dataset.drawn || 0) + 1;
+      this.drawing = false;
+      if (this.stale) this.redraw(); else this.refine(fineness, performance.now() - start);
+    });
   }
 
-  /** Until the picture is there; ms of the page's clock. */
-  wait() {
-    const gl = this.renderer.getContext();
-    gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, new Uint8Array(4));
-    return performance.now();
+  /** Calls `then` once the picture is there; the page is not held up meanwhile. */
+  whenDrawn(then) {
+    const gl = this.renderer.getContext(), fence = gl.fenceSync(gl.SYNC_GPU_COMMANDS_COMPLETE, 0);
+    gl.flush();
+    const look = () => {
+      if (gl.clientWaitSync(fence, 0, 0) === gl.TIMEOUT_EXPIRED) { setTimeout(look, 4); return; }
+      gl.deleteSync(fence);
+      then();
+    };
+    setTimeout(look);
   }
 
   /** Coarse while it moves on a slow machine; at rest as fine as the machine draws in a moment. */

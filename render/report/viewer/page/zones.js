@@ -110,6 +110,5 @@ function fractionAtShare(runs, share) {
   for (const run of runs)
     if (run.density && run.density.words)
       for (const word of run.density.words) if (word > 0) values.push(fractionOf(word));
-  values.sort((a, b) => a - b);
-  return values.length ? percentile(values, share) : 0;
+  return values.length ? percentile(Float64Array.from(values).sort(), share) : 0;
 }

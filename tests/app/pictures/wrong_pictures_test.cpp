@@ -1,0 +1,98 @@
+// Options of pictures, exports and reports that are wrong: one line, and nothing is written or overwritten.
+#include <algorithm>
+#include <fstream>
+
+#include "tests/app/pictures/every_picture.h"
+
+namespace diefill::app {
+namespace {
+
+using WrongPictures = EveryPicture;
+
+TEST_F(WrongPictures, ExportRefusesFilesAsDirectoriesAndOptionsWithoutEffect) {
+  const fs::path file = one() / "file", grown = one() / "new";
+  std::ofstream(file) << "mine";
+  const std::vector<std::pair<std::vector<std::string>, std::string>> wrong = {
+      {{"--out", file.string()}, "is a file, not a directory"},
+      {{"--out", (file / "below").string()}, "is a file, not a directory"},
+      {{"--averaging-width", "1 nm"}, "from a tenth of a grain"},
+      {{"--averaging-width", "1 km"}, "to the largest edge of the cavity"},
+      {{"--mesh-share", "0.5"}, "--mesh-share: has no effect without --density-for"},
+      {{"--mesh-unit", "m"}, "--mesh-unit: has no effect without --density-for"},
+      {{"--mass", "1 g"}, "--mass: has no effect without --density-for or --density-grid"},
+      {{"--cavity", "1"}, "--cavity: has no effect without --density-for or --density-grid"},
+      {{"--mesh-position", "0 mm", "0 mm", "0 mm", "--density-grid", "1 mm"},
+       "--mesh-position: has no effect"},
+      {{"--mesh-share", "nan", "--density-for", "a.inp"}, "--mesh-share: found \"nan\""},
+      {{"--mesh-share", "inf", "--density-for", "a.inp"}, "--mesh-share: found \"inf\""},
+      {{"--density-grid", "10 m"}, "--density-grid: found \"10 m\", allowed: more than 0, at most 16 mm"},
+      {{"--density-grid", "1 nm", "--mass", "1 g"}, "20 million cells"},
+  };
+  for (const auto& [more, expected] : wrong) {
+    SCOPED_TRACE(expected);
+    std::vector<std::string> arguments = {"export", one().string()};
+    if (more.front() != "--out") arguments.insert(arguments.end(), {"--out", grown.string()});
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    const Outcome outcome = run_program(arguments);
+    EXPECT_EQ(outcome.exit_code, 2);
+    EXPECT_NE(outcome.err.find(expected), std::string::npos) << outcome.err;
+    EXPECT_EQ(outcome.complaints(), 1U) << outcome.err;
+    EXPECT_FALSE(fs::exists(grown));
+  }
+  EXPECT_EQ(support::contents(file), "mine");
+}
+
+TEST_F(WrongPictures, ReportOverwritesNothingThatItReads) {
+  const std::string before = support::contents(one() / "results.h5");
+  fs::create_hard_link(one() / "results.h5", one() / "link.html");
+  fs::create_directory(one() / "folder.html");
+  const auto refused = [&](const std::vector<std::string>& more, const std::string& expected) {
+    std::vector<std::string> arguments = {"report", one().string()};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    const Outcome outcome = run_program(arguments);
+    EXPECT_EQ(outcome.exit_code, 2) << expected;
+    EXPECT_EQ(outcome.complaints(), 1U) << outcome.err;
+    EXPECT_NE(outcome.err.find(expected), std::string::npos) << outcome.err;
+  };
+  refused({"--out", (one() / "results.h5").string()}, "a file that ends in .html or .htm");
+  refused({"--out", (one() / "link.html").string()}, "which the command reads");
+  refused({"--out", (one() / "folder.html").string()}, "which is a directory");
+  refused({"--out", (one() / "results.h5" / "page.html").string()}, "is a file, not a directory");
+  refused({one().string()}, "which are the same results");
+  refused({two().string(), (two() / ".." / "one").string()}, "which are the same results");
+  EXPECT_EQ(support::contents(one() / "results.h5"), before);
+}
+
+TEST_F(WrongPictures, WrongWordsAreExplainedInOneLine) {
+  const std::vector<std::pair<std::vector<std::string>, std::string>> wrong = {
+      {{"--picture", "hystogram"}, "did you mean \"histogram\"?"},
+      {{"--picture", "section", "--normal", "0,0,0"}, "three numbers not all 0"},
+      {{"--picture", "view", "--camera", "behind"}, "azimuth and elevation"},
+      {{"--picture", "difference", "--from", "9 s"}, "the results contain 2 from 0.1 s to 0.2 s"},
+      {{"--picture", "displacement", "--from", "0.2 s", "--to", "0.1 s"}, "must come before"},
+      {{"--picture", "map", "--range", "0.4", "0.3"}, "must be less than"},
+      {{"--picture", "map", "--range", "nan", "nan"}, "--range: found \"nan\", allowed: a finite number"},
+      {{"--picture", "map", "--range", "0.3", "inf"}, "--range: found \"inf\""},
+      {{"--picture", "map", "--range", "0.3", "1e999"}, "--range: found \"1e999\""},
+      {{"--picture", "map", "--averaging-width", "1 nm"}, "from a tenth of a grain"},
+      {{"--picture", "map", "--averaging-width", "1 km"}, "to 16 mm"},
+      {{"--picture", "section", "--origin", "1e9 m", "0 m", "0 m"}, "--origin: found \"1e9 m\""},
+      {{"--picture", "section", "--origin", "0 mm", "0 mm", "40 mm"}, "outside die and powder"},
+      {{"--picture", "map", "--from", "-1 s"}, "--from: found \"-1 s\", allowed: 0 s to"},
+      {{"--picture", "map", "--cavity", "0"}, "--cavity: found \"0\""},
+      {{"--picture", "view", "--colour-by", "sped"}, "did you mean \"speed\"?"},
+      {{"--picture", "view", "--camera", "frnt"}, "did you mean \"front\""},
+      {{"--picture", "view", "--time-average"}, "shows one instant; allowed: map plan-map section"},
+      {{"--picture", "map", "--time-average", "--from", "0.25 s"}, "at least two instants"},
+  };
+  for (const auto& [arguments, expected] : wrong) {
+    SCOPED_TRACE(expected);
+    const Outcome outcome = map(arguments);
+    EXPECT_EQ(outcome.exit_code, 2);
+    EXPECT_NE(outcome.err.find(expected), std::string::npos) << outcome.err;
+    EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
+  }
+}
+
+}  // namespace
+}  // namespace diefill::app
