@@ -18,7 +18,7 @@ struct PackingLimits {
 
 /// `description`: names, frames, tools, and the table of arrays in `data` (PackedBytes::base64).
 /// Frames differ from the one before, so that resting grains cost nothing: positions in 16 bits of the box
-/// they need (65535: not there), no finer than a 25th of the smallest sphere's radius, orientations in 8 bits
+/// they need (65535: not there), no finer than 3 % of the smallest sphere's radius, orientations in 8 bits
 /// a component, speeds as their logarithm in steps of 1 %, solid fractions as 1 + 5000 times the value in 16
 /// bits (0: none).
 struct PackedRun {
