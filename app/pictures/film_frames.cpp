@@ -34,17 +34,17 @@ results::FillResult at_time(const results::FillResult& result, double time, bool
   return process::result_at(result, std::clamp(time, first, result.powder.time), measured);
 }
 
-/// The widest view of all sources at the end and at their first instant, so that all frames are to one scale.
-render::ViewChoice widest_view(const PictureRequest& request) {
-  render::ViewChoice widest;
+/// Shows all sources at the end and at their first instant, so that all frames are to one scale.
+render::ViewChoice common_view(const PictureRequest& request) {
+  render::ViewChoice common;
   for (const auto& source : request.sources) {
     const double aspect = render::scene_aspect(source.result);
     for (const double time : {0.0, source.result.powder.time}) {
       const auto view = render::choose_view(at_time(source.result, time, false), aspect, request.camera);
-      if (view.width > widest.width) widest = view;
+      if (view.width > 0) common = common.width > 0 ? render::united(common, view) : view;
     }
   }
-  return widest;
+  return common;
 }
 
 std::vector<const results::FillResult*> results_of(const PictureRequest& request) {
@@ -79,7 +79,7 @@ void FilmFrames::prepare() {
     common_.upper = range.upper;
   }
   fix_speed_scale(common_, request.colour_by, results);
-  view_ = widest_view(request);
+  view_ = common_view(request);
 }
 
 render::ViewOptions FilmFrames::options_of(const results::FillResult& shown, std::size_t n) const {

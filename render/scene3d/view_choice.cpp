@@ -28,7 +28,20 @@ Box tool_box(const results::ToolState& tool) {
   return box;
 }
 
-// The cavity, widened so that its walls show, with powder and a shoe beside it.
+/// All cavities with a size, from the largest to the smallest coordinates.
+Box cavities_of(const results::FillResult& result) {
+  Box all;
+  const auto add = [&](const results::CavityState& cavity) {
+    const Box box(cavity.lower_corner, cavity.upper_corner);
+    if (box.sizes().minCoeff() > 0) all.extend(box);
+  };
+  add(result.cavity);
+  if (all.isEmpty()) return all;
+  for (const auto& cavity : result.other_cavities) add(cavity);
+  return all;
+}
+
+// The cavities, widened so that their walls show, with powder and a shoe beside them.
 Box cavity_region(const results::FillResult& result, const Box& cavity) {
   const double width = std::max(cavity.sizes().x(), cavity.sizes().y());
   Box region = cavity;
@@ -81,14 +94,15 @@ ViewChoice choose_view(const results::FillResult& result, double aspect, const C
   ViewChoice view;
   view.elevation = camera.elevation;
   view.azimuth = camera.azimuth;
-  const Box cavity(result.cavity.lower_corner, result.cavity.upper_corner);
-  const Box powder = powder_box(result.powder);
+  const Box cavities = cavities_of(result);
   Box region;
-  if (cavity.sizes().minCoeff() > 0) {
-    view.cut_y = result.cavity.is_ring ? result.cavity.axis_origin.y() : cavity.center().y();
-    region = cavity_region(result, cavity);
+  if (!cavities.isEmpty()) {
+    const auto& cavity = result.cavity;
+    view.cut_y =
+        cavity.is_ring ? cavity.axis_origin.y() : 0.5 * (cavity.lower_corner + cavity.upper_corner).y();
+    region = cavity_region(result, cavities);
   } else {
-    region = powder;
+    region = powder_box(result.powder);
     if (region.isEmpty())
       for (const auto& tool : result.tools) region.extend(tool_box(tool));
     if (region.isEmpty()) {
@@ -110,6 +124,22 @@ ViewChoice choose_view(const results::FillResult& result, double aspect, const C
   view.width = std::max({needed_width, needed_height * aspect, 1e-6});
   view.height = view.width / aspect;
   view.target = {region.center().x(), view.cut_y, 0.5 * (low + high) / std::cos(camera.elevation)};
+  return view;
+}
+
+ViewChoice united(const ViewChoice& one, const ViewChoice& other) {
+  const ViewAxes axes = view_axes(one);
+  const Eigen::Vector3d way = other.target - one.target;
+  const Eigen::Vector2d middle(way.dot(axes.right), way.dot(axes.up));
+  const Eigen::Vector2d half_one = 0.5 * Eigen::Vector2d(one.width, one.height),
+                        half_other = 0.5 * Eigen::Vector2d(other.width, other.height);
+  Eigen::AlignedBox2d seen(-half_one, half_one);
+  seen.extend(Eigen::AlignedBox2d(middle - half_other, middle + half_other));
+  const double aspect = one.width / one.height;
+  ViewChoice view = one;
+  view.width = std::max(seen.sizes().x(), seen.sizes().y() * aspect);
+  view.height = view.width / aspect;
+  view.target = one.target + seen.center().x() * axes.right + seen.center().y() * axes.up;
   return view;
 }
 

@@ -30,8 +30,11 @@ struct Camera {
   bool operator==(const Camera&) const = default;
 };
 
-/// Cuts through the cavity's axis (or the middle of its box, or of the powder), and frames the cavity, the
-/// powder over it and a shoe that stands near; `aspect` is the picture's width over its height.
+/// Cuts through the cavity's axis (or the middle of its box, or of the powder), and frames all cavities, the
+/// powder over them and a shoe that stands near; `aspect` is the picture's width over its height.
 ViewChoice choose_view(const results::FillResult& result, double aspect, const Camera& camera = {});
+
+/// Shows what both show, as `one` looks at it.
+ViewChoice united(const ViewChoice& one, const ViewChoice& other);
 
 }  // namespace diefill::render

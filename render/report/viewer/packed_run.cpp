@@ -1,5 +1,6 @@
 #include "render/report/viewer/packed_run.h"
 
+#include <Eigen/Geometry>
 #include <QJsonArray>
 #include <cmath>
 
@@ -84,9 +85,13 @@ QJsonObject pack_density(PackedBytes& bytes, const DensityGrid& grid) {
           {"width", kMillimetre * grid.averaging_width}};
 }
 
-QJsonObject cavity_of(const results::CavityState& cavity) {
-  if (!(cavity.volume > 0)) return {};
-  return {{"lower", point_of(cavity.lower_corner)}, {"upper", point_of(cavity.upper_corner)}};
+/// Corners of all cavities together.
+QJsonObject cavities_of(const results::FillResult& result) {
+  if (!(result.cavity.volume > 0)) return {};
+  Eigen::AlignedBox3d box(result.cavity.lower_corner, result.cavity.upper_corner);
+  for (const auto& cavity : result.other_cavities)
+    if (cavity.volume > 0) box.extend(Eigen::AlignedBox3d(cavity.lower_corner, cavity.upper_corner));
+  return {{"lower", point_of(box.min())}, {"upper", point_of(box.max())}};
 }
 
 std::string remark_of(const ShownGrains& shown, std::size_t kept, std::size_t packed,
@@ -120,7 +125,7 @@ PackedRun packed_run(const ViewedRun& run, const PackingLimits& limits) {
   const auto tools = pack_tools(bytes, result, limits.triangles);
   packed.description["tools"] = tools;
   packed.description["remark"] = text_of(remark_of(shown, result.instants.size(), instants.size(), tools));
-  packed.description["cavity"] = cavity_of(result.cavity);
+  packed.description["cavity"] = cavities_of(result);
   if (run.extras != nullptr) packed.description["density"] = pack_density(bytes, run.extras->density);
   std::vector<std::uint32_t> ids;
   for (const auto id : shown.id) ids.push_back(static_cast<std::uint32_t>(id));

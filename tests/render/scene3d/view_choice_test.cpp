@@ -49,6 +49,37 @@ TEST(ViewChoice, CavityNeverShrinksToASpeck) {
   EXPECT_LT(view.width, 4 * 2 * 12.46e-3);
 }
 
+TEST(ViewChoice, FramesAllCavities) {
+  auto result = make_ring();
+  result.tools.clear();
+  auto other = result.cavity;
+  other.lower_corner.x() += 40e-3;
+  other.upper_corner.x() += 40e-3;
+  result.other_cavities = {other};
+  const auto view = choose_view(result, kAspect);
+  for (const double x : {-12.46e-3, 52.46e-3}) EXPECT_TRUE(shows(view, {x, view.cut_y, -20e-3})) << x;
+}
+
+TEST(ViewChoice, UnitedViewsShowWhatEachShows) {
+  ViewChoice left;
+  left.width = 0.13;
+  left.height = 0.1;
+  left.elevation = 0.35;
+  ViewChoice right = left;
+  right.target = {0.1, 0, 0.08};
+  right.width = 0.26;
+  right.height = 0.2;
+  const auto both = united(left, right);
+  EXPECT_NEAR(both.width / both.height, 1.3, 1e-12);
+  for (const auto* view : {&left, &right})
+    for (const double across : {-0.499, 0.499})
+      for (const double up : {-0.499, 0.499}) {
+        const auto axes = view_axes(*view);
+        EXPECT_TRUE(
+            shows(both, view->target + across * view->width * axes.right + up * view->height * axes.up));
+      }
+}
+
 TEST(ViewChoice, WithoutCavityThePowderIsFramed) {
   auto result = make_ring();
   result.cavity = {};
