@@ -43,7 +43,8 @@ Box cavities_of(const results::FillResult& result) {
 
 // The cavities, widened so that their walls show, with powder and a shoe beside them.
 Box cavity_region(const results::FillResult& result, const Box& cavity) {
-  const double width = std::max(cavity.sizes().x(), cavity.sizes().y());
+  const Eigen::Vector3d size = result.cavity.upper_corner - result.cavity.lower_corner;
+  const double width = std::max(size.x(), size.y());  // of one cavity: several are not to be seen from afar
   Box region = cavity;
   region.extend(cavity.min() - Eigen::Vector3d(kSideRoom * width, 0, 0.12 * width));
   region.extend(cavity.max() + Eigen::Vector3d(kSideRoom * width, 0, 0.05 * width));
@@ -58,7 +59,8 @@ Box cavity_region(const results::FillResult& result, const Box& cavity) {
     const double gap = std::max(shoe.min().x() - cavity.max().x(), cavity.min().x() - shoe.max().x());
     if (gap < kNearShoe * width) region.extend(shoe);
   }
-  const double centre = cavity.center().x(), half = 0.5 * kWidestView * width;
+  const double centre = cavity.center().x(),
+               half = std::max(0.5 * kWidestView * width, (0.5 + kSideRoom) * cavity.sizes().x());
   region.min().x() = std::max(region.min().x(), centre - half);
   region.max().x() = std::min(region.max().x(), centre + half);
   // What lies far behind the cavity may leave the picture; drawn tilted, it would push the cavity out of it.
