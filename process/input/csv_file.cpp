@@ -9,6 +9,7 @@
 #include "process/input/shown_value.h"
 #include "process/input/text_encoding.h"
 #include "process/input/unit_text.h"
+#include "process/results/trimmed.h"
 
 namespace diefill::process {
 namespace {
@@ -42,10 +43,7 @@ std::string marks(char separator) {
 }  // namespace
 
 std::string trimmed_cell(const std::string& text) {
-  const char* const passed_over = " \t\r\"";
-  const std::size_t first = text.find_first_not_of(passed_over);
-  if (first == std::string::npos) return {};
-  return text.substr(first, text.find_last_not_of(passed_over) - first + 1);
+  return std::string(results::trimmed(text, " \t\r\""));
 }
 
 CsvHeading csv_heading(const std::string& cell) {
