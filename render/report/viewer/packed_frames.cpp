@@ -17,7 +17,7 @@ constexpr double kSlowest = 1e-5;    // m/s: slower counts as rest
 constexpr double kSpeedStep = 1e-2;  // of the natural logarithm
 constexpr double kFractionSteps = 5000;
 constexpr double kTurnSteps = 127;
-constexpr double kStepOverRadius = 0.03;  // no eye sees less, and digits cost room
+constexpr double kStepOverRadius = 0.03;  // finer than a screen shows; digits add to the file
 
 /// One instant, seen the same way whether kept or the end.
 struct Frame {
