@@ -16,7 +16,7 @@ endfunction()
 # The program finds its sample tools beside it: bin/../share/diefill/sample_tools (process/input/sample_tools.h).
 install(TARGETS diefill RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT program)
 if(TARGET diefill-mpi) # which diefill starts from beside itself
-  install(TARGETS diefill-mpi RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT program)
+  install(TARGETS diefill-mpi RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT ranks) # in no package: its licence
 endif()
 install(DIRECTORY ${CMAKE_SOURCE_DIR}/sample_tools DESTINATION ${DIEFILL_SHARE} COMPONENT program
   PATTERN "*.cpp" EXCLUDE PATTERN "CMakeLists.txt" EXCLUDE PATTERN "__pycache__" EXCLUDE)

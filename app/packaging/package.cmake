@@ -15,7 +15,7 @@ set(CPACK_DEBIAN_PROGRAM_PACKAGE_NAME diefill)
 set(CPACK_COMPONENT_PROGRAM_DESCRIPTION "Density maps of filled dies from CAD tools and a short scene file, by a \
 discrete element method\nwith coarse graining. Program, manual page, documentation and sample tools.")
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_SHLIBDEPS ON)
-set(CPACK_DEBIAN_PROGRAM_PACKAGE_DEPENDS "fonts-dejavu-core, libgl1-mesa-dri")
+set(CPACK_DEBIAN_PROGRAM_PACKAGE_DEPENDS "fonts-dejavu-core, libgl1-mesa-dri, libosmesa6")
 
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME libdiefill-dev)
 set(CPACK_COMPONENT_DEVELOPMENT_DESCRIPTION "Static libraries and headers of diefill, for find_package(diefill).")

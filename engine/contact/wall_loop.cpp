@@ -143,10 +143,10 @@ class WallLoop final : public PairLoop {
     touching.clear();
     if (scene.bodies[body].meshed()) {
       const MeshPairs near = mesh_pairs(block, body, scene);
-      const DeepestOnMesh deepest = find_mesh_touches(near, workspace.mesh, touching);
+      const DeepestOnMesh deepest = update_mesh_touches(block.wall_pairs, near, workspace.mesh, touching);
       tally.overlap.walls = std::max(tally.overlap.walls, deepest.overlap);
       tally.overlap.walls_over_radius = std::max(tally.overlap.walls_over_radius, deepest.over_radius);
-      return note_mesh_touches(block.wall_pairs, near, touching, workspace.mesh);
+      return;
     }
     for (std::uint32_t r = block.wall_run_first[body]; r < block.wall_run_first[body + 1]; ++r)
       find_touching_of_sphere(block, block.wall_runs[r], block.wall_runs[r + 1].first, body, scene, touching);

@@ -26,6 +26,9 @@ struct WallPair {
   std::uint32_t wall;
   LocalSphere own;
 };
+inline std::uint32_t part_of(const WallPair& pair) {
+  return pair.wall;
+}
 
 /// The near pairs of one sphere with one body, wall spheres nearest first. A pair cannot touch before the
 /// sphere has moved, in the body's frame, by what parted the two when the list was made: as a rule all but a

@@ -25,7 +25,6 @@ bool falls_round(const Scene& scene, const Eigen::Vector3d& gravity) {
 void refuse_what_ranks_cannot(const Scene& scene) {
   if (scene.economy.sleep) refuse(scene, "economy.sleep", "remove the key");
   if (scene.economy.carry_beyond) refuse(scene, "economy.carry_beyond", "remove the key");
-  if (scene.walls.kind == WallKind::mesh) refuse(scene, "walls.kind = \"mesh\"", "take \"spheres\"");
   for (const auto& step : scene.steps)
     if (free_motion_of(*step) != nullptr)
       refuse(scene, "a tool that moves freely (\"" + step->description() + "\")", "prescribe its motion");

@@ -16,7 +16,7 @@ class OffscreenWindow : public vtkGenericOpenGLRenderWindow {
   vtkTypeMacro(OffscreenWindow, vtkGenericOpenGLRenderWindow)
 
       /// Creates the context for pictures of width x height pixels. Throws std::runtime_error when there is
-      /// no software renderer, or the program lacks the forwarding of glx_forwarding.cpp.
+      /// no software renderer, or the program lacks the forwarding of gl_forwarding.cpp.
       void open(int width, int height);
 
   void MakeCurrent() override;

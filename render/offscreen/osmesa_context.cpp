@@ -1,8 +1,8 @@
 #include "render/offscreen/osmesa_context.h"
 
-#include <GL/osmesa.h>
-
 #include <stdexcept>
+
+#include "render/offscreen/osmesa_library.h"
 
 extern "C" void (*glXGetProcAddressARB(const unsigned char* name))();
 
@@ -14,8 +14,8 @@ constexpr std::size_t kChannels = 4;
 void check_forwarding() {
   constexpr const char* kProbe = "glGenFramebuffers";
   const auto given = glXGetProcAddressARB(reinterpret_cast<const unsigned char*>(kProbe));
-  if (given != reinterpret_cast<void (*)()>(OSMesaGetProcAddress(kProbe)))
-    throw std::runtime_error("no software renderer: this program was linked without diefill_glx_forwarding");
+  if (given != reinterpret_cast<void (*)()>(osmesa().address_of(kProbe)))
+    throw std::runtime_error("no software renderer: this program was linked without diefill_gl_forwarding");
 }
 
 }  // namespace
@@ -36,21 +36,21 @@ OsmesaContext::OsmesaContext(int width, int height)
                             OSMESA_CONTEXT_MINOR_VERSION,
                             3,
                             0};
-  handle_ = OSMesaCreateContextAttribs(attributes, nullptr);
+  handle_ = osmesa().create_context(attributes, nullptr);
   if (!handle_)
     throw std::runtime_error("no software renderer: OSMesa gave no OpenGL 3.3 context (libosmesa6)");
 }
 
 OsmesaContext::~OsmesaContext() {
-  OSMesaDestroyContext(handle_);
+  osmesa().destroy_context(handle_);
 }
 
 void OsmesaContext::make_current() {
-  OSMesaMakeCurrent(handle_, pixels_.data(), GL_UNSIGNED_BYTE, width_, height_);
+  osmesa().make_current(handle_, pixels_.data(), GL_UNSIGNED_BYTE, width_, height_);
 }
 
 bool OsmesaContext::is_current() const {
-  return OSMesaGetCurrentContext() == handle_;
+  return osmesa().current_context() == handle_;
 }
 
 }  // namespace diefill::render

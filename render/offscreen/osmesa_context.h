@@ -12,7 +12,7 @@ namespace diefill::render {
 class OsmesaContext {
  public:
   /// Throws std::runtime_error where OSMesa gives no such context, or where the program lacks the forwarding
-  /// of glx_forwarding.cpp, without which OpenGL calls would go elsewhere.
+  /// of gl_forwarding.cpp, without which OpenGL calls would go elsewhere.
   OsmesaContext(int width, int height);
   ~OsmesaContext();
   OsmesaContext(const OsmesaContext&) = delete;

@@ -44,7 +44,7 @@ bool is_progress(const std::string& line) {
     const rlimit limit = {*surroundings.largest_file, *surroundings.largest_file};
     ::setrlimit(RLIMIT_FSIZE, &limit);
   }
-  ::execv(DIEFILL_PROGRAM, arguments.data());
+  ::execv(arguments.front(), arguments.data());
   ::_exit(kCannotStart);
 }
 
@@ -60,7 +60,8 @@ std::size_t Outcome::complaints() const {
 
 Program::Program(const std::vector<std::string>& arguments, const Surroundings& surroundings)
     : out_(nameless_file()), err_(nameless_file()) {
-  std::vector<std::string> words = {DIEFILL_PROGRAM};
+  std::vector<std::string> words = {surroundings.program.empty() ? DIEFILL_PROGRAM
+                                                                 : surroundings.program.string()};
   words.insert(words.end(), arguments.begin(), arguments.end());
   std::vector<char*> pointers;
   for (auto& word : words) pointers.push_back(word.data());

@@ -24,7 +24,8 @@ struct Outcome {
 struct Surroundings {
   std::filesystem::path working_directory = std::filesystem::temp_directory_path();
   /// Bytes that a file may grow to, as on a full disk: writing beyond fails as it does there.
-  std::optional<std::size_t> largest_file;
+  std::optional<std::size_t> largest_file = std::nullopt;
+  std::filesystem::path program = {};  ///< a copy of it elsewhere; empty: the one that was built
 };
 
 /// The program under way. Killed at the end of its life if it still runs.

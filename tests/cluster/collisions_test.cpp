@@ -56,18 +56,40 @@ engine::BodyMotion shaking(double time) {
   return motion;
 }
 
-/// Grains of a model thrown together and down onto a shaking plate, in a periodic slice.
-Twins bed(Model model) {
+/// A shaking groove along y of triangles, 12 `size` wide, its bottom 1.6 `size` below the origin.
+engine::WallBodySpec groove(double size) {
+  engine::WallBodySpec groove;
+  groove.name = "groove";
+  groove.motion = shaking;
+  constexpr int kStrips = 12;
+  const auto corner = [&](int x, int y) {
+    return Eigen::Vector3d((x - kStrips / 2) * size, (y - kStrips / 2) * size,
+                           (0.1 * std::abs(x - kStrips / 2) - 1.6) * size);
+  };
+  for (int x = 0; x < kStrips; ++x)
+    for (int y = 0; y < kStrips; ++y) {
+      groove.triangles.push_back({{corner(x, y), corner(x + 1, y), corner(x + 1, y + 1)}});
+      groove.triangles.push_back({{corner(x, y), corner(x + 1, y + 1), corner(x, y + 1)}});
+    }
+  return groove;
+}
+
+engine::WallBodySpec shaking_plate(double size) {
+  engine::WallBodySpec floor = engine::plate(4 * size, 1.5e-4, shaking);
+  for (auto& centre : floor.centres) centre.z() -= 1.6 * size;
+  return floor;
+}
+
+/// Grains of a model thrown together and down onto a shaking floor, in a periodic slice.
+Twins bed(Model model, engine::WallBodySpec (*floor_of)(double size) = shaking_plate) {
   auto settings = engine::weightless(model, {.friction = 0.5, .work_of_adhesion = 0.01}, 2e-6);
   settings.gravity = {0, 0, -9.81};
   settings.air_viscosity = 2e-5;
   const double size = 2 * engine::half_size(settings.shape());
   settings.period = {6 * size, 6 * size};
-  engine::WallBodySpec floor = engine::plate(4 * size, 1.5e-4, shaking);
-  for (auto& centre : floor.centres) centre.z() -= 1.6 * size;
   auto cloud = engine::converging_cloud({5, 5, 3}, size, 0.3, 21);
   for (auto& grain : cloud) grain.velocity.z() -= 0.4;
-  return {settings, {floor}, cloud};
+  return {settings, {floor_of(size)}, cloud};
 }
 
 TEST(Bed, OfEveryModelMovesAsInTheBuiltInEngineUntilRoundingGrows) {
@@ -88,15 +110,29 @@ TEST(Bed, OfEveryModelMovesAsInTheBuiltInEngineUntilRoundingGrows) {
   }
 }
 
+TEST(Bed, InAGrooveOfTrianglesMovesAsInTheBuiltInEngine) {
+  for (const Model model : {Model::b, Model::d}) {
+    Twins twins = bed(model, groove);
+    const double size = 2 * engine::half_size(twins.built_in.settings().shape());
+    twins.run(500);
+    ASSERT_GT(std::abs(twins.built_in.ledger().wall_work), 0);
+    expect_alike(twins.built_in, twins.on_ranks, size, 1e-8);
+    EXPECT_NEAR(twins.on_ranks.ledger().wall_work, twins.built_in.ledger().wall_work,
+                1e-8 * std::abs(twins.built_in.ledger().wall_work));
+  }
+}
+
 TEST(Bed, GoesOnFromWhatWasShownAsIfItHadNotStopped) {
-  Twins twins = bed(Model::d);
-  const double size = 2 * engine::half_size(twins.built_in.settings().shape());
-  run_on_ranks(twins.on_ranks, 300);
-  engine_on_ranks().forget();  // reloads, springs and all
-  run_on_ranks(twins.on_ranks, 100);
-  engine::run_steps(twins.on_ranks, 100);  // either engine goes on from the other
-  engine::run_steps(twins.built_in, 500);
-  expect_alike(twins.built_in, twins.on_ranks, size, 1e-8);
+  for (const auto floor : {shaking_plate, groove}) {
+    Twins twins = bed(Model::d, floor);
+    const double size = 2 * engine::half_size(twins.built_in.settings().shape());
+    run_on_ranks(twins.on_ranks, 300);
+    engine_on_ranks().forget();  // reloads, springs and all
+    run_on_ranks(twins.on_ranks, 100);
+    engine::run_steps(twins.on_ranks, 100);  // either engine goes on from the other
+    engine::run_steps(twins.built_in, 500);
+    expect_alike(twins.built_in, twins.on_ranks, size, 1e-8);
+  }
 }
 
 TEST(Bed, OfSeveralSizesAndComposedLawsMovesAsInTheBuiltInEngine) {

@@ -14,6 +14,9 @@ namespace diefill::process::cluster {
 struct NearPair {
   std::uint32_t own, other;
 };
+inline std::uint32_t part_of(const NearPair& pair) {
+  return pair.other;
+}
 
 /// Pairs that may come to touch before the next search.
 struct NearPairs {

@@ -92,6 +92,11 @@ void put_body(Packet& message, const engine::WallBody& body) {
   std::vector<Eigen::Vector3d> planes;
   for (const auto& plane : body.planes()) planes.insert(planes.end(), {plane.point, plane.normal});
   message.put(planes);
+  std::vector<Eigen::Vector3d> corners;
+  for (const auto& triangle : body.triangles())
+    corners.insert(corners.end(), triangle.corner.begin(), triangle.corner.end());
+  message.put(corners);
+  message.put(body.contact_radius());
   message.put(body.material());
   message.put(body.mirror());
 }
@@ -104,12 +109,18 @@ engine::WallBodySpec take_body(Packet& message) {
   std::vector<Eigen::Vector3d> planes;
   message.take(planes);
   for (std::size_t k = 0; k < planes.size(); k += 2) body.planes.push_back({planes[k], planes[k + 1]});
+  std::vector<Eigen::Vector3d> corners;
+  message.take(corners);
+  for (std::size_t k = 0; k < corners.size(); k += 3)
+    body.triangles.push_back({{corners[k], corners[k + 1], corners[k + 2]}});
+  message.take(body.contact_radius);
   message.take(body.material);
   message.take(body.mirror);
   return body;
 }
 
-/// Where the wall spheres of `body` stand among `centres`, which are the same in another order.
+/// Where the wall spheres of `body` stand among `centres`, which are the same in another order; planes and
+/// triangles stay in theirs.
 std::vector<std::uint32_t> numbers_in(const std::vector<Eigen::Vector3d>& centres,
                                       const engine::WallBody& body) {
   std::map<std::array<double, 3>, std::vector<std::uint32_t>> number;
@@ -121,7 +132,7 @@ std::vector<std::uint32_t> numbers_in(const std::vector<Eigen::Vector3d>& centre
     numbers.push_back(same.back());
     same.pop_back();
   }
-  for (std::uint32_t k = 0; k < body.planes().size(); ++k) numbers.push_back(k);
+  for (std::uint32_t k = 0; numbers.size() < body.size(); ++k) numbers.push_back(k);
   return numbers;
 }
 

@@ -2,6 +2,7 @@
 // that none is an atom. Law and batches are the engine's.
 #pragma once
 
+#include "engine/contact/sphere_on_mesh.h"
 #include "process/cluster/lammps/memory_record.h"
 #include "process/cluster/lammps/near_pairs.h"
 
@@ -76,8 +77,8 @@ class WallPass final : public ContactPass {
   static constexpr bool kTurns = engine::Lever<kArm>::kTurns;
 
   /// A touching pair: its place in the list, and the grain sphere's centre seen from the wall sphere in the
-  /// frame of the body (m); from a plane its nearest point stands for the wall sphere, from a plane of
-  /// symmetry the sphere's own image.
+  /// frame of the body (m); from a plane or triangle its nearest point stands for the wall sphere, from a
+  /// plane of symmetry the sphere's own image.
   struct Touch {
     std::uint32_t pair;
     engine::Vector3 separation;
@@ -124,19 +125,26 @@ class WallPass final : public ContactPass {
     return engine::plain(Eigen::Vector3d((wall.mirror() ? 2 * height : height) * plane.normal));
   }
 
-  void find_touching(const RankGrains& grains, std::size_t body) {
+  void find_touching(const RankGrains& grains, std::size_t body, engine::DeepestOverlap& deepest) {
     touches_.clear();
+    const NearPairs& near = near_[body];
+    const bool meshed = grains.model.bodies[body].meshed();
+    for (std::uint32_t p = 0, end = 0; p < near.pair.size(); p = end) {
+      while (end < near.pair.size() && near.pair[end].own == near.pair[p].own) ++end;
+      if (meshed)
+        find_touching_triangles(grains, body, p, end, deepest);
+      else
+        find_touching_parts(grains, body, p, end);
+    }
+  }
+
+  /// Among the near pairs [p, end), which are of one sphere.
+  void find_touching_parts(const RankGrains& grains, std::size_t body, std::uint32_t p, std::uint32_t end) {
     NearPairs& near = near_[body];
-    std::uint32_t sphere = 0xffffffff;
-    Eigen::Vector3d place;
-    double limit = 0;
-    for (std::uint32_t p = 0; p < near.pair.size(); ++p) {
-      if (near.pair[p].own != sphere) {
-        sphere = near.pair[p].own;
-        place = place_in_body(grains, sphere, body);
-        const std::uint32_t own_class = class_of(grains, sphere);
-        limit = reach_of(grains.model, body, own_class) + law(body, own_class).range();
-      }
+    const std::uint32_t sphere = near.pair[p].own, own_class = class_of(grains, sphere);
+    const Eigen::Vector3d place = place_in_body(grains, sphere, body);
+    const double limit = reach_of(grains.model, body, own_class) + law(body, own_class).range();
+    for (; p < end; ++p) {
       const engine::Vector3 between = separation_from_part(grains.model, body, near.pair[p].other, place);
       const bool touches = dot(between, between) < limit * limit;
       if (touches != static_cast<bool>(near.touching[p])) near.note(p, touches);
@@ -144,8 +152,22 @@ class WallPass final : public ContactPass {
     }
   }
 
+  void find_touching_triangles(const RankGrains& grains, std::size_t body, std::uint32_t begin,
+                               std::uint32_t end, engine::DeepestOverlap& deepest) {
+    NearPairs& near = near_[body];
+    const double radius = radius_[class_of(grains, near.pair[begin].own)];
+    engine::SphereOnMesh sphere(mesh_, grains.model.bodies[body],
+                                place_in_body(grains, near.pair[begin].own, body), radius);
+    for (std::uint32_t p = begin; p < end; ++p) sphere.look_at(p, near.pair[p].other);
+    const auto touching = sphere.touches();
+    for (const auto& touch : touching) touches_.push_back({touch.near, touch.separation});
+    deepest.walls = std::max(deepest.walls, sphere.deepest());
+    deepest.walls_over_radius = std::max(deepest.walls_over_radius, sphere.deepest() / radius);
+    engine::note_triangle_touches(near, sphere, begin, end, touching, mesh_.touches_now);
+  }
+
   void add_body(RankGrains& grains, std::size_t body, ContactFigures& figures) {
-    find_touching(grains, body);
+    find_touching(grains, body, figures.overlap);
     const PowderModel& model = grains.model;
     const double share = model.bodies[body].mirror() ? 0.5 : 1;  // half of a contact is the image's
     for (std::size_t done = 0; done < touches_.size(); done += batch_.count) {
@@ -245,6 +267,7 @@ class WallPass final : public ContactPass {
   std::vector<NearPairs> near_;  ///< of each body
   std::vector<std::uint32_t> found_;
   std::vector<Touch> touches_;
+  engine::MeshWorkspace mesh_;
   Batch batch_{};
 };
 

@@ -1,0 +1,116 @@
+#include "engine/contact/sphere_on_mesh.h"
+
+namespace diefill::engine {
+
+namespace {
+
+/// Over the sphere's radius: places on a seam that differ by less are one. CAD in single precision leaves
+/// gaps of a few 1e-9 m where a corner of one triangle lies on the edge of another.
+constexpr double kSamePlace = 1e-5;
+/// Over the radius, distance of a centre that has come behind the surface: it still has a side to be pushed
+/// to.
+constexpr double kBehind = 1e-9;
+/// Cosine of 15 degrees: normals that differ by less belong to one smooth surface.
+constexpr double kSmooth = 0.9659258262890683;
+
+}  // namespace
+
+bool same_direction(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
+  const double along = a.dot(b);
+  return along > 0 && along * along > kSmooth * kSmooth * a.squaredNorm() * b.squaredNorm();
+}
+
+Eigen::Vector3d separation_from_triangle(const WallBody& body, std::uint32_t part,
+                                         const Eigen::Vector3d& place, double radius) {
+  const WallTriangle& triangle = body.triangles()[part];
+  const Eigen::Vector3d& normal = body.triangle_normals()[part];
+  const NearestPoint nearest = nearest_point(triangle, place);
+  // Along the normal itself, so that all triangles of a plane give the same to rounding.
+  const double height = normal.dot(place - triangle.corner[0]);
+  if (height <= 0) return kBehind * radius * normal;
+  return nearest.inside ? Eigen::Vector3d(height * normal) : Eigen::Vector3d(place - nearest.point);
+}
+
+SphereOnMesh::SphereOnMesh(MeshWorkspace& workspace, const WallBody& body, const Eigen::Vector3d& place,
+                           double radius)
+    : workspace_(workspace), body_(body), place_(place), radius_(radius), tolerance_(kSamePlace * radius) {
+  workspace_.feet.clear();
+}
+
+void SphereOnMesh::look_at(std::uint32_t near, std::uint32_t part) {
+  const NearestPoint nearest = nearest_point(body_.triangles()[part], place_);
+  const Eigen::Vector3d way = place_ - nearest.point;
+  if (way.squaredNorm() >= radius_ * radius_) return;
+  workspace_.feet.push_back({near, part, nearest, way.norm(), body_.triangle_normals()[part].dot(way)});
+}
+
+std::span<const TriangleTouch> SphereOnMesh::touches() {
+  auto& [feet, kept, touches, now] = workspace_;
+  touches.clear();
+  deepest_ = 0;
+  if (feet.empty()) return touches;
+  const TriangleFoot& nearest =
+      *std::min_element(feet.begin(), feet.end(), [](const TriangleFoot& a, const TriangleFoot& b) {
+        return a.distance != b.distance ? a.distance < b.distance : a.height > b.height;
+      });
+  if (is_behind(nearest)) {
+    touches.push_back({nearest.near, plain(separation(nearest))});
+    deepest_ = radius_ + nearest.distance;
+    return touches;
+  }
+  keep_summits();
+  for (const TriangleFoot* foot : kept) {
+    const Eigen::Vector3d way = separation(*foot);
+    const bool known = std::any_of(touches.begin(), touches.end(), [&](const TriangleTouch& t) {
+      return same_direction(eigen(t.separation), way);
+    });
+    if (!known) touches.push_back({foot->near, plain(way)});
+  }
+  if (!kept.empty()) deepest_ = radius_ - kept.front()->distance;
+  return touches;
+}
+
+/// Feet where the surface is nearest of all round about, the deepest first.
+void SphereOnMesh::keep_summits() {
+  auto& kept = workspace_.kept;
+  kept.clear();
+  for (const TriangleFoot& foot : workspace_.feet)
+    if (foot.height > 0 && (foot.point.inside || is_summit(foot))) kept.push_back(&foot);
+  std::sort(kept.begin(), kept.end(), [](const TriangleFoot* a, const TriangleFoot* b) {
+    return a->distance != b->distance ? a->distance < b->distance : a->near < b->near;
+  });
+}
+
+Eigen::Vector3d SphereOnMesh::separation(const TriangleFoot& foot) const {
+  return separation_from_triangle(body_, foot.part, place_, radius_);
+}
+
+bool SphereOnMesh::at_same_place(const TriangleFoot& one, const TriangleFoot& other) const {
+  return (one.point.point - other.point.point).squaredNorm() <= tolerance_ * tolerance_;
+}
+
+/// Whether the sphere's centre is on the wrong side of the surface there, which is nearest of all.
+bool SphereOnMesh::is_behind(const TriangleFoot& nearest) const {
+  return std::none_of(workspace_.feet.begin(), workspace_.feet.end(), [&](const TriangleFoot& other) {
+    return other.height > 0 && (&other == &nearest || at_same_place(nearest, other));
+  });
+}
+
+/// Whether the surface is nearest to the centre at this point of an edge or corner, and this triangle is
+/// the one to say so: the first of those that see most of the centre.
+bool SphereOnMesh::is_summit(const TriangleFoot& foot) const {
+  for (const TriangleFoot& other : workspace_.feet) {
+    if (&other == &foot || !reaches(other.part, foot.point.point)) continue;
+    if (!at_same_place(foot, other)) return false;
+    if (other.height > foot.height || (other.height == foot.height && other.near < foot.near)) return false;
+  }
+  return true;
+}
+
+bool SphereOnMesh::reaches(std::uint32_t part, const Eigen::Vector3d& point) const {
+  const WallTriangle& triangle = body_.triangles()[part];
+  if (std::abs(body_.triangle_normals()[part].dot(point - triangle.corner[0])) > tolerance_) return false;
+  return (nearest_point(triangle, point).point - point).squaredNorm() <= tolerance_ * tolerance_;
+}
+
+}  // namespace diefill::engine

@@ -1,0 +1,17 @@
+# Registers each test suite of a GoogleTest program as one test of CTest, `<prefix>.<suite>`: a program that starts for
+# every test by itself spends most of its time on loading libraries. Included by CTest, not by CMake.
+#   set(PROGRAM ...) set(PREFIX ...)
+if(NOT EXISTS ${PROGRAM})
+  add_test(${PREFIX}_tests_NOT_BUILT NOT_AVAILABLE)
+  return()
+endif()
+execute_process(COMMAND ${PROGRAM} --gtest_list_tests OUTPUT_VARIABLE LISTED COMMAND_ERROR_IS_FATAL ANY)
+string(REGEX MATCHALL "(^|\n)[^ \n][^\n]*\\.[^\n]*" LINES "${LISTED}")
+foreach(LINE IN LISTS LINES)
+  if(NOT LINE MATCHES "^\n?([A-Za-z0-9_/]+)\\.( |$)")
+    continue()
+  endif()
+  set(SUITE ${CMAKE_MATCH_1})
+  add_test(${PREFIX}.${SUITE} ${PROGRAM} "--gtest_filter=${SUITE}.*")
+  set_tests_properties(${PREFIX}.${SUITE} PROPERTIES LABELS ${PREFIX} TIMEOUT 3600)
+endforeach()
