@@ -6,10 +6,12 @@
 set -eu
 cd "$(dirname "$0")/.."
 preset=${1:-release}
-sh app/install_packages.sh clang-format-14 chromium ffmpeg python3-numpy python3-pytest || sh app/install_packages.sh
+mpi=--mpi
+sh app/install_packages.sh clang-format-14 chromium ffmpeg python3-numpy python3-pytest liblammps-dev libopenmpi-dev \
+  openmpi-bin || { mpi=""; sh app/install_packages.sh; }
 sh tests/format.sh
 case $preset in
-  release | slow) sh app/build.sh --mpi ;;
+  release | slow) sh app/build.sh $mpi ;;
   *)
     cmake --preset "$preset"
     cmake --build --preset "$preset"
