@@ -135,21 +135,47 @@ TEST(Bed, GoesOnFromWhatWasShownAsIfItHadNotStopped) {
   }
 }
 
+/// Grains of several sizes and two materials that fall on a steel floor.
+Twins mixed_bed(const engine::GrainMix& mix, const engine::WallBodySpec& floor) {
+  using namespace engine;
+  auto settings = settings_of(mix, 2e-6);
+  settings.gravity = {0, 0, -9.81};
+  auto cloud = converging_cloud({4, 4, 3}, 4.2 * kMixRadius, 0.3, 5);
+  for (std::size_t k = 0; k < cloud.size(); ++k) {
+    cloud[k].kind = static_cast<TypeNumber>(k % mix.kinds.size());
+    cloud[k].orientation = {1, 0, 0, 0};
+  }
+  return {settings, {floor}, cloud};
+}
+
 TEST(Bed, OfSeveralSizesAndComposedLawsMovesAsInTheBuiltInEngine) {
   using namespace engine;
   const auto mix =
       mix_of({1, 1.5, 2}, laws::bierwisch_law({1e6, 20, 100, 0.4, 0.01, 1e-5}),
              laws::bierwisch_law({2e6, 30, 100, 0.2, 0, 0}), laws::bierwisch_law({1e6, 20, 100, 0.15, 0, 0}));
-  auto settings = settings_of(mix, 2e-6);
-  settings.gravity = {0, 0, -9.81};
-  auto cloud = converging_cloud({4, 4, 3}, 4.2 * kMixRadius, 0.3, 5);
-  for (std::size_t k = 0; k < cloud.size(); ++k) {
-    cloud[k].kind = static_cast<TypeNumber>(k % 3);
-    cloud[k].orientation = {1, 0, 0, 0};
-  }
-  Twins twins(settings, {steel_floor(-8 * kMixRadius)}, cloud);
+  Twins twins = mixed_bed(mix, steel_floor(-8 * kMixRadius));
   twins.run(1500);
   ASSERT_GT(twins.built_in.touching_pairs(), 3U);
+  expect_alike(twins.built_in, twins.on_ranks, kMixRadius, 1e-8);
+}
+
+/// Hertz and Mindlin with a restitution of 0.5.
+engine::laws::LawParameters mindlin_law(double modulus, double friction) {
+  using namespace engine::laws;
+  LawParameters law{.normal = HertzMindlinNormal::Parameters{modulus}};
+  law.damping = RestitutionDamping::Parameters{0.5, modulus};
+  law.friction = MindlinFriction::Parameters{.shear_modulus = 0.2 * modulus, .friction = friction};
+  return law;
+}
+
+TEST(Bed, OfMindlinsSpheresInASteelGrooveOfTrianglesMovesAsInTheBuiltInEngine) {
+  using namespace engine;
+  const auto mix = mix_of({1, 1.5, 2}, mindlin_law(1e6, 0.3), mindlin_law(2e6, 0.4), mindlin_law(2e6, 0.2));
+  WallBodySpec floor = groove(4 * kMixRadius);
+  floor.material = "steel";
+  Twins twins = mixed_bed(mix, floor);
+  twins.run(1500);
+  ASSERT_GT(std::abs(twins.built_in.ledger().wall_work), 0);
   expect_alike(twins.built_in, twins.on_ranks, kMixRadius, 1e-8);
 }
 
