@@ -1,5 +1,5 @@
 // OSMesa, opened when the first picture in three dimensions asks for it: with it comes a compiler (LLVM),
-// whose loading would take longer than many a command.
+// whose loading takes a tenth of a second.
 #pragma once
 
 #include <GL/osmesa.h>
