@@ -19,7 +19,7 @@ case $preset in
 esac
 result=0
 ctest --preset "$preset" || result=$?
-# CTest counts suites where these are quick: this many tests they hold.
+# CTest counts a suite of most programs as one test; GoogleTest counts what is in it.
 folder=build
 [ "$preset" = release ] || [ "$preset" = slow ] || folder=build-$preset
 awk '/^\[  PASSED  \]/ { passed += $4 } / FAILED TESTS?$/ { failed += $1 }
