@@ -58,7 +58,7 @@ std::span<const TriangleTouch> SphereOnMesh::touches() {
     deepest_ = radius_ + nearest.distance;
     return touches;
   }
-  keep_summits();
+  keep_nearest();
   for (const TriangleFoot* foot : kept) {
     const Eigen::Vector3d way = separation(*foot);
     const bool known = std::any_of(touches.begin(), touches.end(), [&](const TriangleTouch& t) {
@@ -71,11 +71,11 @@ std::span<const TriangleTouch> SphereOnMesh::touches() {
 }
 
 /// Feet where the surface is nearest of all round about, the deepest first.
-void SphereOnMesh::keep_summits() {
+void SphereOnMesh::keep_nearest() {
   auto& kept = workspace_.kept;
   kept.clear();
   for (const TriangleFoot& foot : workspace_.feet)
-    if (foot.height > 0 && (foot.point.inside || is_summit(foot))) kept.push_back(&foot);
+    if (foot.height > 0 && (foot.point.inside || is_nearest_around(foot))) kept.push_back(&foot);
   std::sort(kept.begin(), kept.end(), [](const TriangleFoot* a, const TriangleFoot* b) {
     return a->distance != b->distance ? a->distance < b->distance : a->near < b->near;
   });
@@ -98,7 +98,7 @@ bool SphereOnMesh::is_behind(const TriangleFoot& nearest) const {
 
 /// Whether the surface is nearest to the centre at this point of an edge or corner, and this triangle is
 /// the one to say so: the first of those that see most of the centre.
-bool SphereOnMesh::is_summit(const TriangleFoot& foot) const {
+bool SphereOnMesh::is_nearest_around(const TriangleFoot& foot) const {
   for (const TriangleFoot& other : workspace_.feet) {
     if (&other == &foot || !reaches(other.part, foot.point.point)) continue;
     if (!at_same_place(foot, other)) return false;

@@ -66,11 +66,11 @@ class SphereOnMesh {
   double deepest() const { return deepest_; }
 
  private:
-  void keep_summits();
+  void keep_nearest();
   Eigen::Vector3d separation(const TriangleFoot& foot) const;
   bool at_same_place(const TriangleFoot& one, const TriangleFoot& other) const;
   bool is_behind(const TriangleFoot& nearest) const;
-  bool is_summit(const TriangleFoot& foot) const;
+  bool is_nearest_around(const TriangleFoot& foot) const;
   bool reaches(std::uint32_t part, const Eigen::Vector3d& point) const;
 
   MeshWorkspace& workspace_;
@@ -89,7 +89,7 @@ void note_triangle_touches(Table& table, const SphereOnMesh& sphere, std::uint32
                            std::span<const TriangleTouch> touches, std::vector<std::uint8_t>& now) {
   now.assign(end - begin, 0);
   for (const auto& touch : touches) now[touch.near - begin] = 1;
-  const auto forerunner = [&](const Eigen::Vector3d& way) {
+  const auto ended_contact_like = [&](const Eigen::Vector3d& way) {
     std::uint32_t best = end;
     double nearest = 0;
     for (std::uint32_t p = begin; p < end; ++p) {
@@ -105,7 +105,7 @@ void note_triangle_touches(Table& table, const SphereOnMesh& sphere, std::uint32
   };
   for (const auto& touch : touches) {
     if (table.touching[touch.near]) continue;
-    const std::uint32_t before = forerunner(eigen(touch.separation));
+    const std::uint32_t before = ended_contact_like(eigen(touch.separation));
     std::fill_n(table.history_of(touch.near), table.width, 0.0);
     if (before == end) continue;
     std::copy_n(table.history_of(before), table.width, table.history_of(touch.near));

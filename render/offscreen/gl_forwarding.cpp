@@ -4,6 +4,7 @@
 // every program that draws (object library diefill_gl_forwarding). Such a program must not also open a GLX
 // window.
 #include <stdexcept>
+#include <string>
 
 #include "render/offscreen/osmesa_library.h"
 

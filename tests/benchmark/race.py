@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Speed of one build of `benchmarks` over another's, the two in turns, so that both meet the same neighbours.
+"""Speed of one build of `benchmarks` over another's, the two in turns, so that other programs slow both.
 
     python3 tests/benchmark/race.py build/bin/benchmarks OTHER/bin/benchmarks [--filter model] [--pairs 7]
 
